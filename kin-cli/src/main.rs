@@ -1,0 +1,2 @@
+//! The `kin` command.
+fn main() {}

@@ -1,0 +1,3 @@
+//! The kinematics compiler as a library.
+pub mod model;
+pub mod spec;

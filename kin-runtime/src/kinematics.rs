@@ -1,0 +1,3 @@
+//! What every generated robot can do.
+/// Placeholder.
+pub trait Kinematics<const N: usize> {}

@@ -1,0 +1,3 @@
+//! A kinematics compiler.
+#![no_std]
+pub use kin_runtime::*;
