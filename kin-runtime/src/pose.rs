@@ -37,7 +37,8 @@ impl Pose {
     /// R v, for directions.
     #[inline]
     pub fn rotate(&self, v: [f64; 3]) -> [f64; 3] {
-        self.rotation.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+        self.rotation
+            .map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
     /// Rᵀ v, for directions.
@@ -63,7 +64,9 @@ impl core::ops::Mul for Pose {
     /// Composition: first `rhs`, then `self`.
     #[inline]
     fn mul(self, rhs: Pose) -> Pose {
-        let columns = rhs.inverse_rotation_rows().map(|column| self.rotate(column));
+        let columns = rhs
+            .inverse_rotation_rows()
+            .map(|column| self.rotate(column));
         Pose {
             rotation: core::array::from_fn(|i| core::array::from_fn(|j| columns[j][i])),
             translation: self.transform_point(rhs.translation),
