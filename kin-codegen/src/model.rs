@@ -1,6 +1,11 @@
 //! The chain between base and tip: unit twists at the home configuration, the
 //! home pose, limits and names (MLS section 3.2).
 
+mod chain;
+mod limits;
+mod mimic;
+
+use crate::spec::{self, Complaints, Diagnostics, JointType, Spec};
 use kin_runtime::Pose;
 
 /// A serial chain at its home configuration (all joint values 0), in the
@@ -62,4 +67,131 @@ pub struct Variable {
     /// Lower and upper bound in radians or metres; `None` for a continuous
     /// joint.
     pub limits: Option<[f64; 2]>,
+}
+
+/// A longer arm was written in millimetres: the longest that exist, in space
+/// and on concrete pumps, stay below this.
+const LONGEST_ARM: f64 = 100.0;
+
+impl Model {
+    /// The chain from `base` to `tip`, by the names of links. Without a base
+    /// it starts at the root of the tree, without a tip it ends at the only
+    /// leaf.
+    ///
+    /// # Errors
+    ///
+    /// There is no such chain, it is not the only one, nothing in it moves, or
+    /// one of its joints cannot be used: it floats, is planar or spherical, has
+    /// limits that cannot be meant, or mimics a joint outside the chain.
+    pub fn new(spec: &Spec, base: Option<&str>, tip: Option<&str>) -> Result<Model, Diagnostics> {
+        let mut complaints = Complaints::new(&spec.source);
+        let model = build(spec, base, tip, &mut complaints);
+        complaints.unless_any(model)
+    }
+}
+
+fn build(
+    spec: &Spec,
+    base: Option<&str>,
+    tip: Option<&str>,
+    complaints: &mut Complaints,
+) -> Option<Model> {
+    let chain = chain::choose(spec, base, tip, complaints)?;
+    check_motions(spec, &chain, complaints);
+    check_size(spec, &chain, complaints);
+    limits::check(spec, &chain, complaints);
+    let drives = mimic::resolve(spec, &chain, complaints)?;
+    let variables = limits::variables(spec, &drives, complaints);
+    let (joints, home) = compose(spec, &chain, &drives);
+    Some(Model {
+        name: spec.name.clone(),
+        base: spec.links[chain.base].name.clone(),
+        tip: spec.links[chain.tip].name.clone(),
+        joints,
+        variables,
+        home,
+    })
+}
+
+/// Every joint is fixed, or moves in one way, and one moves at least.
+fn check_motions(spec: &Spec, chain: &chain::Chain, complaints: &mut Complaints) {
+    let joints = || chain.joints.iter().map(|&j| &spec.joints[j]);
+    for joint in joints() {
+        let motion = match joint.kind {
+            JointType::Floating => "floats, which is six coordinates in one joint",
+            JointType::Planar => "is planar, which is three coordinates in one joint",
+            JointType::Spherical => "is spherical, which is three coordinates in one joint",
+            JointType::Fixed | JointType::Revolute | JointType::Prismatic => continue,
+        };
+        let remedy = "begin or end the chain on this side of it (base, tip), or replace it by revolute and prismatic joints";
+        complaints.at(joint.at, format!("joint `{}` {motion}", joint.name), remedy);
+    }
+    if joints().all(|joint| joint.kind == JointType::Fixed) {
+        let (base, tip) = (&spec.links[chain.base].name, &spec.links[chain.tip].name);
+        let reason =
+            format!("nothing moves between `{base}` and `{tip}`: all joints there are fixed");
+        complaints.whole(reason, "choose another base or tip");
+    }
+}
+
+fn check_size(spec: &Spec, chain: &chain::Chain, complaints: &mut Complaints) {
+    let length = |&j: &usize| {
+        let joint = &spec.joints[j];
+        norm(joint.origin.translation) + norm(joint.mount.translation)
+    };
+    let total: f64 = chain.joints.iter().map(length).sum();
+    let longest = chain
+        .joints
+        .iter()
+        .max_by(|a, b| length(a).total_cmp(&length(b)));
+    if let Some(&longest) = longest.filter(|_| total > LONGEST_ARM) {
+        let joint = &spec.joints[longest];
+        let reason = format!(
+            "the chain is {total:.4} m long, {:.4} m of it at joint `{}`: this looks like millimetres",
+            length(&longest),
+            joint.name
+        );
+        complaints.at(
+            joint.at,
+            reason,
+            "write metres in a URDF, or state the unit in YAML: `units: {length: mm}`",
+        );
+    }
+}
+
+fn norm(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Places every moving joint in base coordinates; fixed ones fold into the
+/// next. Also the home pose.
+fn compose(spec: &Spec, chain: &chain::Chain, drives: &mimic::Drives) -> (Vec<Joint>, Pose) {
+    let mut pose = Pose::IDENTITY;
+    let mut joints = Vec::new();
+    for &j in &chain.joints {
+        let spec::Joint {
+            name,
+            axis,
+            origin,
+            mount,
+            ..
+        } = &spec.joints[j];
+        let at = pose * *origin;
+        pose = at * *mount;
+        let Some(drive) = drives.of(j) else { continue };
+        joints.push(Joint {
+            name: name.clone(),
+            kind: match spec.joints[j].kind {
+                JointType::Prismatic => JointKind::Prismatic,
+                _ => JointKind::Revolute,
+            },
+            axis: at.rotate(*axis),
+            point: at.translation,
+            frame: pose,
+            variable: drive.variable,
+            multiplier: drive.multiplier,
+            offset: drive.offset,
+        });
+    }
+    (joints, pose)
 }

@@ -1,7 +1,9 @@
 //! Complaints as data: a place, a reason and a remedy.
 
+use std::fmt;
+
 /// A place in a robot file, both counted from 1; columns count characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Location {
     /// Line.
     pub line: u32,
@@ -23,10 +25,126 @@ pub struct Diagnostic {
 }
 
 /// Everything wrong with one robot file; never empty.
+///
+/// Displayed as a compiler would, one paragraph per complaint:
+///
+/// ```text
+/// arm.urdf:42:17: joint `elbow` has the axis 0 0 0, which is no direction
+///     <axis xyz="0 0 0"/>
+///                ^
+/// help: write the direction the joint turns about, for example xyz="0 0 1"
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     /// The file, as the user named it.
     pub path: String,
-    /// In the order of the file.
+    /// In the order of the file; complaints about the whole robot last.
     pub list: Vec<Diagnostic>,
+}
+
+/// More than this is noise: the first complaints usually explain the rest.
+const SHOWN: usize = 20;
+
+/// Longer lines (generated XML without line breaks) are cut around the caret.
+const LINE_WIDTH: usize = 160;
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, diagnostic) in self.list.iter().take(SHOWN).enumerate() {
+            if i > 0 {
+                f.write_str("\n\n")?;
+            }
+            diagnostic.write(&self.path, f)?;
+        }
+        match self.list.len().saturating_sub(SHOWN) {
+            0 => Ok(()),
+            more => write!(f, "\n\n{}: and {more} more", self.path),
+        }
+    }
+}
+
+impl std::error::Error for Diagnostics {}
+
+impl Diagnostic {
+    fn write(&self, path: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.at {
+            None => writeln!(f, "{path}: {}", self.reason)?,
+            Some(Location { line, column }) => {
+                writeln!(f, "{path}:{line}:{column}: {}", self.reason)?;
+                let (shown, caret) = excerpt(&self.line, column as usize);
+                writeln!(f, "{shown}\n{caret}^")?;
+            }
+        }
+        write!(f, "help: {}", self.remedy)
+    }
+}
+
+/// The part of a line around a column, and the blanks that put a caret below
+/// it. Tabs stay tabs, so that the caret lands right at any tab width.
+fn excerpt(line: &str, column: usize) -> (String, String) {
+    let start = (column - 1).saturating_sub(LINE_WIDTH / 2);
+    let start = if line.chars().count() > LINE_WIDTH {
+        start
+    } else {
+        0
+    };
+    let shown: String = line.chars().skip(start).take(LINE_WIDTH).collect();
+    let blank = |c| if c == '\t' { '\t' } else { ' ' };
+    let caret = shown
+        .chars()
+        .chain(std::iter::repeat(' '))
+        .take(column - 1 - start);
+    (shown.clone(), caret.map(blank).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn complaint(at: Option<(u32, u32)>, line: &str) -> Diagnostics {
+        let at = at.map(|(line, column)| Location { line, column });
+        let list = vec![Diagnostic {
+            at,
+            line: line.into(),
+            reason: "reason".into(),
+            remedy: "remedy".into(),
+        }];
+        Diagnostics {
+            path: "arm.urdf".into(),
+            list,
+        }
+    }
+
+    #[test]
+    fn a_place_shows_its_line_and_a_caret() {
+        let shown = complaint(Some((42, 4)), "\t <axis/>").to_string();
+        assert_eq!(
+            shown,
+            "arm.urdf:42:4: reason\n\t <axis/>\n\t  ^\nhelp: remedy"
+        );
+    }
+
+    #[test]
+    fn the_whole_robot_has_no_line() {
+        assert_eq!(
+            complaint(None, "").to_string(),
+            "arm.urdf: reason\nhelp: remedy"
+        );
+    }
+
+    #[test]
+    fn a_long_line_is_cut_around_the_caret() {
+        let line = format!("{}X{}", "a".repeat(1000), "b".repeat(1000));
+        let shown = complaint(Some((1, 1001)), &line).to_string();
+        let rows: Vec<_> = shown.lines().collect();
+        assert_eq!(rows[1].len(), LINE_WIDTH);
+        assert_eq!(rows[1].find('X'), rows[2].find('^'));
+    }
+
+    #[test]
+    fn many_complaints_are_counted() {
+        let mut all = complaint(None, "");
+        all.list = vec![all.list[0].clone(); SHOWN + 3];
+        assert!(all.to_string().ends_with("arm.urdf: and 3 more"));
+    }
 }

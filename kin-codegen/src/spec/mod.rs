@@ -1,6 +1,25 @@
 //! Reading robot files.
+//!
+//! Two formats, one result: [`Spec`], a tree of links and joints in metres and
+//! radians whose numbers are finite, whose names are unique and whose joints
+//! connect. A file that leaves any of this open is refused with every
+//! complaint that can be made in one go, each with its place and a remedy.
+//! Which joints make up the arm is not decided here; see
+//! [`Model`](crate::model::Model).
+mod complaints;
 mod diagnostic;
+mod format;
+mod orientation;
+mod suggest;
+mod tree;
+mod urdf;
+pub mod yaml;
+
+pub(crate) use complaints::Complaints;
 pub use diagnostic::{Diagnostic, Diagnostics, Location};
+pub(crate) use suggest::{did_you_mean, list as list_names};
+
+use kin_runtime::Pose;
 
 /// A robot file in memory: the text, and the path that messages name.
 #[derive(Clone, Debug)]
@@ -9,4 +28,121 @@ pub struct Source {
     pub path: String,
     /// The whole file.
     pub text: String,
+}
+
+/// What a robot file says: a tree of links connected by joints.
+#[derive(Clone, Debug)]
+pub struct Spec {
+    /// The robot's name; the file's stem where the file gives none.
+    pub name: String,
+    /// In the order of the file.
+    pub links: Vec<Link>,
+    /// In the order of the file.
+    pub joints: Vec<Joint>,
+    /// Where all of this was read, for messages.
+    pub source: Source,
+}
+
+/// A rigid body.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Unique among the links.
+    pub name: String,
+    /// Where the file introduces it.
+    pub at: Location,
+}
+
+/// A connection between two links. The child's frame, in the parent's
+/// coordinates, is `origin * motion(q) * mount`.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Unique among the joints.
+    pub name: String,
+    /// How it moves.
+    pub kind: JointType,
+    /// Index into [`Spec::links`].
+    pub parent: usize,
+    /// Index into [`Spec::links`].
+    pub child: usize,
+    /// The joint's frame in the parent link.
+    pub origin: Pose,
+    /// Unit direction in the joint's frame, through that frame's origin;
+    /// meaningless for fixed, floating and spherical joints.
+    pub axis: [f64; 3],
+    /// The child link's frame in the joint's moving frame: the identity except
+    /// where Denavit-Hartenberg parameters and screws place it.
+    pub mount: Pose,
+    /// Where the joint stops.
+    pub limits: Limits,
+    /// The joint that this one follows.
+    pub mimic: Option<Mimic>,
+    /// Where the file introduces it.
+    pub at: Location,
+}
+
+/// How a joint moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointType {
+    /// Not at all.
+    Fixed,
+    /// About its axis; URDF's `continuous` is one with [`Limits::Unlimited`].
+    Revolute,
+    /// Along its axis.
+    Prismatic,
+    /// In all six directions.
+    Floating,
+    /// In the plane normal to its axis.
+    Planar,
+    /// About its origin.
+    Spherical,
+}
+
+/// The range of a joint value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limits {
+    /// The file does not say, although its format requires it.
+    Missing,
+    /// The joint has no stops.
+    Unlimited,
+    /// As written; nothing is said about their order.
+    Range {
+        /// Radians or metres.
+        lower: f64,
+        /// Radians or metres.
+        upper: f64,
+        /// Where the file says so.
+        at: Location,
+    },
+}
+
+/// The joint value is `multiplier * (value of joint) + offset`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mimic {
+    /// Index into [`Spec::joints`]; never leads back to the mimicking joint.
+    pub joint: usize,
+    /// In radians and metres.
+    pub multiplier: f64,
+    /// In radians or metres.
+    pub offset: f64,
+    /// Where the file says so.
+    pub at: Location,
+}
+
+impl Spec {
+    /// Reads a robot file.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong with the file, in its order.
+    pub fn parse(source: &Source) -> Result<Spec, Diagnostics> {
+        let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
+        let source = Source {
+            path: source.path.clone(),
+            text: text.to_string(),
+        };
+        match format::of(&source)? {
+            format::Format::Urdf => urdf::parse(&source),
+            format::Format::Yaml => yaml::parse(&source),
+        }
+    }
 }

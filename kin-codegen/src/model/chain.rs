@@ -1,0 +1,169 @@
+//! Which joints lead from base to tip.
+
+use crate::spec::{Complaints, JointType, Spec, did_you_mean};
+
+/// A path down the tree.
+pub(super) struct Chain {
+    /// Index into the links.
+    pub base: usize,
+    /// Index into the links; differs from `base`.
+    pub tip: usize,
+    /// Indices into the joints, from base to tip; not empty.
+    pub joints: Vec<usize>,
+}
+
+/// The chain between two links named by the user, or found.
+pub(super) fn choose(
+    spec: &Spec,
+    base: Option<&str>,
+    tip: Option<&str>,
+    complaints: &mut Complaints,
+) -> Option<Chain> {
+    let tree = Tree::new(spec);
+    let base_link = match base {
+        Some(name) => find(spec, "base", name, complaints),
+        None => tree.root(),
+    };
+    let tip_link = match tip {
+        Some(name) => find(spec, "tip", name, complaints),
+        None => Some(tree.only_leaf_below(base_link?, complaints)?),
+    };
+    let (base, tip) = (base_link?, tip_link?);
+    match tree.path(base, tip) {
+        Some(joints) if joints.is_empty() => {
+            let name = &spec.links[base].name;
+            complaints.whole(
+                format!("base and tip are both `{name}`, so there is no chain"),
+                "choose a tip further out",
+            );
+            None
+        }
+        Some(joints) => Some(Chain { base, tip, joints }),
+        None => {
+            explain_no_path(&tree, base, tip, complaints);
+            None
+        }
+    }
+}
+
+fn find(spec: &Spec, role: &str, name: &str, complaints: &mut Complaints) -> Option<usize> {
+    let found = spec.links.iter().position(|link| link.name == name);
+    if found.is_none() {
+        let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
+        complaints.whole(
+            format!("the {role} `{name}` is no link of this robot"),
+            did_you_mean(name, &names),
+        );
+    }
+    found
+}
+
+fn explain_no_path(tree: &Tree, base: usize, tip: usize, complaints: &mut Complaints) {
+    let name = |link: usize| &tree.spec.links[link].name;
+    let reason = format!(
+        "the tip `{}` is not below the base `{}`",
+        name(tip),
+        name(base)
+    );
+    if tree.path(tip, base).is_some() {
+        let remedy = format!(
+            "swap them: base = \"{}\", tip = \"{}\"",
+            name(tip),
+            name(base)
+        );
+        complaints.whole(format!("{reason}, but above it"), remedy);
+    } else {
+        let parting = tree.common_ancestor(base, tip);
+        let remedy = format!(
+            "choose a base above both, such as `{}` where their branches part",
+            name(parting)
+        );
+        complaints.whole(reason, remedy);
+    }
+}
+
+/// The robot with links that know the joint above them.
+struct Tree<'s> {
+    spec: &'s Spec,
+    above: Vec<Option<usize>>,
+}
+
+impl<'s> Tree<'s> {
+    fn new(spec: &'s Spec) -> Self {
+        let mut above = vec![None; spec.links.len()];
+        for (j, joint) in spec.joints.iter().enumerate() {
+            above[joint.child] = Some(j);
+        }
+        Tree { spec, above }
+    }
+
+    fn root(&self) -> Option<usize> {
+        self.above.iter().position(Option::is_none)
+    }
+
+    /// The joints from a link down to another one.
+    fn path(&self, from: usize, to: usize) -> Option<Vec<usize>> {
+        let mut joints = Vec::new();
+        let mut link = to;
+        while link != from {
+            let joint = self.above[link]?;
+            joints.push(joint);
+            link = self.spec.joints[joint].parent;
+        }
+        joints.reverse();
+        Some(joints)
+    }
+
+    /// A link, its parent, and so on up to the root.
+    fn ancestors(&self, link: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(Some(link), |&link| {
+            self.above[link].map(|joint| self.spec.joints[joint].parent)
+        })
+    }
+
+    fn common_ancestor(&self, a: usize, b: usize) -> usize {
+        let above_a: Vec<usize> = self.ancestors(a).collect();
+        self.ancestors(b)
+            .find(|link| above_a.contains(link))
+            .unwrap_or(a)
+    }
+
+    fn only_leaf_below(&self, base: usize, complaints: &mut Complaints) -> Option<usize> {
+        let is_leaf = |&link: &usize| self.spec.joints.iter().all(|joint| joint.parent != link);
+        let leaves: Vec<usize> = (0..self.above.len())
+            .filter(is_leaf)
+            .filter(|&leaf| self.path(base, leaf).is_some())
+            .collect();
+        if let [leaf] = leaves[..] {
+            return Some(leaf);
+        }
+        let described: Vec<String> = leaves
+            .iter()
+            .map(|&leaf| self.describe(base, leaf))
+            .collect();
+        let base = &self.spec.links[base].name;
+        let reason = format!(
+            "{} links could be the tip of the arm on `{base}`: {}",
+            leaves.len(),
+            described.join(", ")
+        );
+        complaints.whole(
+            reason,
+            "name the one you mean (tip); any link in between can be the tip too",
+        );
+        None
+    }
+
+    fn describe(&self, base: usize, leaf: usize) -> String {
+        let joints = self.path(base, leaf).unwrap_or_default();
+        let moving = joints
+            .iter()
+            .filter(|&&j| self.spec.joints[j].kind != JointType::Fixed)
+            .count();
+        let plural = if moving == 1 { "" } else { "s" };
+        format!(
+            "`{}` ({moving} moving joint{plural})",
+            self.spec.links[leaf].name
+        )
+    }
+}

@@ -1,0 +1,133 @@
+//! Limits that can be meant, and what they say about each coordinate.
+
+use super::Variable;
+use super::chain::Chain;
+use super::mimic::Drives;
+use crate::spec::{Complaints, Joint, JointType, Limits, Spec};
+
+/// Whole numbers of this size, as limits of an angle, are degrees: 45 rad are
+/// seven turns.
+const DEGREES: std::ops::RangeInclusive<f64> = 45.0..=720.0;
+
+/// Strokes of this size are millimetres. Beyond it people write "no limit".
+const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
+
+/// Complains about every moving joint of the chain whose limits are missing,
+/// empty, or in another unit.
+pub(super) fn check(spec: &Spec, chain: &Chain, complaints: &mut Complaints) {
+    for &j in &chain.joints {
+        let joint = &spec.joints[j];
+        if matches!(joint.kind, JointType::Revolute | JointType::Prismatic) {
+            check_joint(joint, complaints);
+        }
+    }
+}
+
+fn check_joint(joint: &Joint, complaints: &mut Complaints) {
+    let name = &joint.name;
+    let turns = joint.kind == JointType::Revolute;
+    let (lower, upper, at) = match joint.limits {
+        Limits::Unlimited => return,
+        Limits::Missing => {
+            let reason =
+                format!("joint `{name}` has no <limit>, which other programs read as 0..0");
+            let continuous = if turns {
+                ", or make it type=\"continuous\" if it turns freely"
+            } else {
+                ""
+            };
+            let remedy = format!(
+                "add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>{continuous}"
+            );
+            return complaints.at(joint.at, reason, remedy);
+        }
+        Limits::Range { lower, upper, at } => (lower, upper, at),
+    };
+    let whole = lower.fract() == 0.0 && upper.fract() == 0.0;
+    let largest = lower.abs().max(upper.abs());
+    if lower > upper {
+        complaints.at(
+            at,
+            format!("joint `{name}` has the lower limit {lower} above the upper limit {upper}"),
+            "swap them",
+        );
+    } else if lower == 0.0 && upper == 0.0 {
+        let reason = format!(
+            "joint `{name}` has the limits 0..0, so it cannot move; usually the real ones are missing"
+        );
+        complaints.at(
+            at,
+            reason,
+            "write its limits, or make it fixed (or continuous, if it turns freely)",
+        );
+    } else if turns && whole && DEGREES.contains(&largest) {
+        let reason =
+            format!("joint `{name}` has the limits {lower}..{upper} rad: this looks like degrees");
+        complaints.at(
+            at,
+            reason,
+            "write radians: 180 degrees are 3.141592653589793",
+        );
+    } else if !turns && MILLIMETRES.contains(&largest) {
+        let reason =
+            format!("joint `{name}` slides {lower}..{upper} m: this looks like millimetres");
+        complaints.at(at, reason, "write metres");
+    }
+}
+
+/// The coordinates of the chain. A coordinate that moves several joints has
+/// the range in which all of them are within their limits.
+pub(super) fn variables(
+    spec: &Spec,
+    drives: &Drives,
+    complaints: &mut Complaints,
+) -> Vec<Variable> {
+    let mut variables = Vec::new();
+    for (v, &leader) in drives.leaders.iter().enumerate() {
+        let mut limits = None;
+        for (j, drive) in drives.all().filter(|(_, drive)| drive.variable == v) {
+            let Limits::Range { lower, upper, .. } = spec.joints[j].limits else {
+                continue;
+            };
+            let ends = [lower, upper].map(|end| (end - drive.offset) / drive.multiplier);
+            limits = Some(narrow(limits, [ends[0].min(ends[1]), ends[0].max(ends[1])]));
+        }
+        let joint = &spec.joints[leader];
+        if limits.is_some_and(|[lower, upper]: [f64; 2]| lower > upper) {
+            let reason = format!(
+                "no value of joint `{}` keeps the joints that mimic it within their limits",
+                joint.name
+            );
+            complaints.at(
+                joint.at,
+                reason,
+                "correct the limits, or the multiplier and offset of its mimics",
+            );
+        }
+        variables.push(Variable {
+            name: joint.name.clone(),
+            limits,
+        });
+    }
+    variables
+}
+
+/// The common part of two ranges. Ends that differ by rounding count as equal.
+fn narrow(range: Option<[f64; 2]>, other: [f64; 2]) -> [f64; 2] {
+    const ROUNDING: f64 = 1e-9;
+    let Some([lower, upper]) = range else {
+        return other;
+    };
+    [
+        if other[0] > lower + ROUNDING {
+            other[0]
+        } else {
+            lower
+        },
+        if other[1] < upper - ROUNDING {
+            other[1]
+        } else {
+            upper
+        },
+    ]
+}

@@ -1,0 +1,94 @@
+//! Collects diagnostics while a file is read, so that one run tells all.
+
+use super::{Diagnostic, Diagnostics, Location, Source};
+
+/// The complaints about one source so far.
+pub(crate) struct Complaints<'s> {
+    source: &'s Source,
+    /// Byte offsets at which lines start: places are asked for often.
+    line_starts: Vec<usize>,
+    list: Vec<Diagnostic>,
+}
+
+impl<'s> Complaints<'s> {
+    pub(crate) fn new(source: &'s Source) -> Self {
+        let breaks = source.text.match_indices('\n').map(|(i, _)| i + 1);
+        let line_starts = std::iter::once(0).chain(breaks).collect();
+        Complaints {
+            source,
+            line_starts,
+            list: Vec::new(),
+        }
+    }
+
+    /// The place of a byte offset of the source.
+    pub(crate) fn place(&self, offset: usize) -> Location {
+        let line = self.line_starts.partition_point(|&start| start <= offset);
+        let before = self.source.text.get(self.line_starts[line - 1]..offset);
+        Location {
+            line: line as u32,
+            column: before.unwrap_or("").chars().count() as u32 + 1,
+        }
+    }
+
+    /// Complains about a place.
+    pub(crate) fn at(
+        &mut self,
+        at: Location,
+        reason: impl Into<String>,
+        remedy: impl Into<String>,
+    ) {
+        let line = self.line(at.line).to_string();
+        self.list.push(Diagnostic {
+            at: Some(at),
+            line,
+            reason: reason.into(),
+            remedy: remedy.into(),
+        });
+    }
+
+    /// Complains about the robot as a whole.
+    pub(crate) fn whole(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
+        let (reason, remedy) = (reason.into(), remedy.into());
+        self.list.push(Diagnostic {
+            at: None,
+            line: String::new(),
+            reason,
+            remedy,
+        });
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// The value, if there was nothing to complain about.
+    pub(crate) fn unless_any<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
+        match value {
+            Some(value) if self.list.is_empty() => Ok(value),
+            _ => Err(self.into_diagnostics()),
+        }
+    }
+
+    /// What was collected, in the order of the file.
+    pub(crate) fn into_diagnostics(mut self) -> Diagnostics {
+        self.list.sort_by_key(|d| (d.at.is_none(), d.at));
+        self.list.dedup();
+        Diagnostics {
+            path: self.source.path.clone(),
+            list: self.list,
+        }
+    }
+
+    fn line(&self, number: u32) -> &str {
+        let number = number as usize;
+        let start = self.line_starts.get(number.wrapping_sub(1));
+        let end = self
+            .line_starts
+            .get(number)
+            .copied()
+            .unwrap_or(self.source.text.len());
+        let line = start.and_then(|&start| self.source.text.get(start..end));
+        line.unwrap_or("").trim_end_matches(['\n', '\r'])
+    }
+}

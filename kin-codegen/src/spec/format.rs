@@ -1,0 +1,85 @@
+//! Which format a robot file is in.
+
+use super::{Complaints, Diagnostics, Source};
+use std::path::Path;
+
+/// The formats that can be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Format {
+    Urdf,
+    Yaml,
+}
+
+/// Decides by the file's extension, and by its first character when the
+/// extension says nothing.
+pub(super) fn of(source: &Source) -> Result<Format, Diagnostics> {
+    let extension = Path::new(&source.path)
+        .extension()
+        .and_then(|e| e.to_str())
+        .unwrap_or("");
+    match extension.to_ascii_lowercase().as_str() {
+        "urdf" | "xml" => Ok(Format::Urdf),
+        "yaml" | "yml" => Ok(Format::Yaml),
+        "xacro" => Err(refuse(
+            source,
+            "this is a xacro file: a program that writes a URDF, not a URDF",
+            "expand it with `xacro arm.urdf.xacro > arm.urdf` and use the result",
+        )),
+        "sdf" | "mjcf" | "usd" | "usda" | "srdf" => Err(refuse(
+            source,
+            format!("`.{extension}` files cannot be read"),
+            "convert the robot to URDF, or write it down in YAML",
+        )),
+        _ => sniff(source),
+    }
+}
+
+fn sniff(source: &Source) -> Result<Format, Diagnostics> {
+    let text = source.text.trim_start();
+    if text.starts_with('<') {
+        Ok(Format::Urdf)
+    } else if text
+        .lines()
+        .any(|line| line.starts_with("robot:") || line.starts_with("units:"))
+    {
+        Ok(Format::Yaml)
+    } else {
+        Err(refuse(
+            source,
+            "neither the name nor the content tells a format: this is no XML, and no YAML robot with `robot:` and `units:`",
+            "name the file `.urdf` (or `.xml`), or `.yaml` (or `.yml`)",
+        ))
+    }
+}
+
+fn refuse(source: &Source, reason: impl Into<String>, remedy: &str) -> Diagnostics {
+    let mut complaints = Complaints::new(source);
+    complaints.whole(reason, remedy);
+    complaints.into_diagnostics()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn format(path: &str, text: &str) -> Result<Format, Diagnostics> {
+        of(&Source {
+            path: path.into(),
+            text: text.into(),
+        })
+    }
+
+    #[test]
+    fn extensions_decide() {
+        assert_eq!(format("a.URDF", ""), Ok(Format::Urdf));
+        assert_eq!(format("a.urdf.xml", ""), Ok(Format::Urdf));
+        assert_eq!(format("a.yml", "<robot/>"), Ok(Format::Yaml));
+    }
+
+    #[test]
+    fn content_decides_without_an_extension() {
+        assert_eq!(format("arm", "\n<robot/>"), Ok(Format::Urdf));
+        assert_eq!(format("arm.txt", "# mine\nrobot: arm"), Ok(Format::Yaml));
+        assert!(format("arm", "solid cube").is_err());
+    }
+}

@@ -1,0 +1,259 @@
+//! From joints that name links to a tree of them.
+
+use super::{Complaints, Joint, JointType, Limits, Link, Location, Mimic, Source, Spec};
+use super::{did_you_mean, list_names};
+use kin_runtime::Pose;
+use std::collections::HashMap;
+
+/// A name, and where the file says it.
+#[derive(Clone, Debug)]
+pub(super) struct Name {
+    pub text: String,
+    pub at: Location,
+}
+
+/// What a file says before its names are looked up.
+#[derive(Clone, Debug)]
+pub(super) struct Draft {
+    pub name: String,
+    pub links: Vec<Name>,
+    pub joints: Vec<DraftJoint>,
+}
+
+/// A [`Joint`] whose links are names.
+#[derive(Clone, Debug)]
+pub(super) struct DraftJoint {
+    pub name: Name,
+    pub kind: JointType,
+    pub parent: Name,
+    pub child: Name,
+    pub origin: Pose,
+    pub axis: [f64; 3],
+    pub mount: Pose,
+    pub limits: Limits,
+    pub mimic: Option<DraftMimic>,
+}
+
+/// A [`Mimic`] whose joint is a name.
+#[derive(Clone, Debug)]
+pub(super) struct DraftMimic {
+    pub joint: Name,
+    pub multiplier: f64,
+    pub offset: f64,
+}
+
+/// Looks up all names and checks that the joints form one tree.
+///
+/// Whether there is one root is asked only if nothing was wrong before, since
+/// a joint that could not be read leaves a hole in the tree.
+pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) -> Option<Spec> {
+    let links = index("link", draft.links.iter(), complaints);
+    let joints = index("joint", draft.joints.iter().map(|j| &j.name), complaints);
+    let mut resolved = Vec::new();
+    for joint in &draft.joints {
+        resolved.extend(resolve(joint, &links, &joints, complaints));
+    }
+    if !complaints.is_empty() {
+        return None;
+    }
+    let spec = Spec {
+        name: draft.name,
+        links: draft
+            .links
+            .into_iter()
+            .map(|l| Link {
+                name: l.text,
+                at: l.at,
+            })
+            .collect(),
+        joints: resolved,
+        source: source.clone(),
+    };
+    check_tree(&spec, complaints);
+    check_mimics(&spec, complaints);
+    complaints.is_empty().then_some(spec)
+}
+
+/// Names in the order of the file, and their places in it.
+struct Index<'d> {
+    names: Vec<&'d str>,
+    by_name: HashMap<&'d str, usize>,
+}
+
+fn index<'d>(
+    what: &str,
+    names: impl Iterator<Item = &'d Name>,
+    complaints: &mut Complaints,
+) -> Index<'d> {
+    let mut index = Index {
+        names: Vec::new(),
+        by_name: HashMap::new(),
+    };
+    let mut first: HashMap<&str, Location> = HashMap::new();
+    for name in names {
+        if let Some(first) = first.get(name.text.as_str()) {
+            let reason = format!(
+                "a second {what} is named `{}`; the first is in line {}",
+                name.text, first.line
+            );
+            complaints.at(
+                name.at,
+                reason,
+                format!("give every {what} a name of its own"),
+            );
+        }
+        first.entry(&name.text).or_insert(name.at);
+        index.by_name.entry(&name.text).or_insert(index.names.len());
+        index.names.push(&name.text);
+    }
+    index
+}
+
+fn resolve(
+    joint: &DraftJoint,
+    links: &Index,
+    joints: &Index,
+    complaints: &mut Complaints,
+) -> Option<Joint> {
+    let mut link = |name: &Name, role: &str| {
+        let found = links.by_name.get(name.text.as_str()).copied();
+        if found.is_none() {
+            let reason = format!(
+                "the {role} of joint `{}` is `{}`, and there is no such link",
+                joint.name.text, name.text
+            );
+            complaints.at(name.at, reason, did_you_mean(&name.text, &links.names));
+        }
+        found
+    };
+    let (parent, child) = (link(&joint.parent, "parent"), link(&joint.child, "child"));
+    let mimic = match &joint.mimic {
+        None => None,
+        Some(mimic) => Some(resolve_mimic(&joint.name.text, mimic, joints, complaints)?),
+    };
+    Some(Joint {
+        name: joint.name.text.clone(),
+        kind: joint.kind,
+        parent: parent?,
+        child: child?,
+        origin: joint.origin,
+        axis: joint.axis,
+        mount: joint.mount,
+        limits: joint.limits,
+        mimic,
+        at: joint.name.at,
+    })
+}
+
+fn resolve_mimic(
+    joint: &str,
+    mimic: &DraftMimic,
+    joints: &Index,
+    complaints: &mut Complaints,
+) -> Option<Mimic> {
+    let DraftMimic {
+        joint: Name { text, at },
+        multiplier,
+        offset,
+    } = mimic;
+    let Some(&found) = joints.by_name.get(text.as_str()) else {
+        let reason = format!("joint `{joint}` mimics `{text}`, and there is no such joint");
+        complaints.at(*at, reason, did_you_mean(text, &joints.names));
+        return None;
+    };
+    Some(Mimic {
+        joint: found,
+        multiplier: *multiplier,
+        offset: *offset,
+        at: *at,
+    })
+}
+
+/// Every link but one has exactly one parent, and none is its own ancestor.
+fn check_tree(spec: &Spec, complaints: &mut Complaints) {
+    let mut above: Vec<Option<usize>> = vec![None; spec.links.len()];
+    for (i, joint) in spec.joints.iter().enumerate() {
+        let child = &spec.links[joint.child].name;
+        if let Some(first) = above[joint.child] {
+            let first = &spec.joints[first].name;
+            let reason = format!(
+                "link `{child}` hangs on two joints, `{first}` and `{}`: that closes a loop, and this robot must be a tree",
+                joint.name
+            );
+            complaints.at(joint.at, reason, "give each joint a child of its own");
+        } else {
+            above[joint.child] = Some(i);
+        }
+    }
+    if complaints.is_empty() {
+        check_root(spec, &above, complaints);
+    }
+}
+
+fn check_root(spec: &Spec, above: &[Option<usize>], complaints: &mut Complaints) {
+    let roots: Vec<usize> = (0..spec.links.len())
+        .filter(|&l| above[l].is_none())
+        .collect();
+    if roots.is_empty() && spec.links.is_empty() {
+        complaints.whole(
+            "the robot has no links",
+            "describe at least two links and a joint between them",
+        );
+    }
+    if let [_, second, ..] = roots[..] {
+        let names: Vec<&str> = roots.iter().map(|&l| spec.links[l].name.as_str()).collect();
+        let reason = format!(
+            "the robot falls apart: {} links have no parent: {}",
+            roots.len(),
+            list_names(&names)
+        );
+        complaints.at(spec.links[second].at, reason, "connect them with joints (fixed ones, if nothing moves), or remove the ones not in use");
+    }
+    if let Some(joint) = first_in_cycle(spec, above) {
+        let child = &spec.links[spec.joints[joint].child].name;
+        let reason = format!("the joints run in a circle: link `{child}` is its own ancestor");
+        complaints.at(
+            spec.joints[joint].at,
+            reason,
+            "swap parent and child of the joint that points back",
+        );
+    }
+}
+
+/// The first joint whose child is an ancestor of itself.
+fn first_in_cycle(spec: &Spec, above: &[Option<usize>]) -> Option<usize> {
+    // Walking up, a path longer than the robot has joints goes in circles.
+    let circles = |start: usize| {
+        let mut link = start;
+        for _ in 0..spec.joints.len() {
+            match above[link] {
+                None => return false,
+                Some(joint) => link = spec.joints[joint].parent,
+            }
+            if link == start {
+                return true;
+            }
+        }
+        false
+    };
+    (0..spec.joints.len()).find(|&j| circles(spec.joints[j].child))
+}
+
+fn check_mimics(spec: &Spec, complaints: &mut Complaints) {
+    for joint in &spec.joints {
+        let Some(mimic) = joint.mimic else { continue };
+        let mut next = Some(mimic);
+        let steps = std::iter::from_fn(|| {
+            let joint = &spec.joints[next?.joint];
+            next = joint.mimic;
+            Some(joint.name.as_str())
+        });
+        if steps.take(spec.joints.len()).any(|name| name == joint.name) {
+            let reason = format!(
+                "joint `{}` mimics itself, directly or through others: nothing sets its value",
+                joint.name
+            );
+            complaints.at(mimic.at, reason, "remove the mimic of the joint that leads");
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! URDF, read twice.
+//!
+//! The strict pass ([`strict`]) walks the XML with roxmltree: it knows every
+//! element and attribute that can carry kinematics, complains about whatever
+//! else stands in their place, and knows where everything is. urdf-rs then
+//! reads the same attributes ([`witness`]); a number on which the two readers
+//! differ is refused rather than chosen.
+mod numbers;
+mod strict;
+mod vocabulary;
+mod witness;
+mod xacro;
+
+use super::{Complaints, Diagnostics, Source, Spec, tree};
+
+/// Reads a URDF.
+pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
+    let mut complaints = Complaints::new(source);
+    let spec = read(source, &mut complaints);
+    complaints.unless_any(spec)
+}
+
+fn read(source: &Source, complaints: &mut Complaints) -> Option<Spec> {
+    let document = match roxmltree::Document::parse(&source.text) {
+        Ok(document) => document,
+        Err(error) => {
+            explain_xml(&error, source, complaints);
+            return None;
+        }
+    };
+    xacro::refuse(&document, complaints);
+    if !complaints.is_empty() {
+        return None;
+    }
+    let draft = strict::read(&document, source, complaints)?;
+    if complaints.is_empty() {
+        witness::agree(&document, &draft, complaints);
+    }
+    tree::build(draft, source, complaints)
+}
+
+/// The text is no XML at all.
+fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Complaints) {
+    use roxmltree::Error;
+    let at = super::Location {
+        line: error.pos().row,
+        column: error.pos().col,
+    };
+    match error {
+        Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
+            complaints.at(
+                at,
+                "this file is xacro, a program that writes a URDF, and has not been expanded",
+                xacro::EXPAND,
+            );
+        }
+        Error::UnknownNamespace(prefix, _) => {
+            let reason = format!(
+                "the XML prefix `{prefix}:` is used but not declared, so this is no well-formed XML"
+            );
+            let remedy = format!(
+                "declare it in the root element, xmlns:{prefix}=\"...\", or remove what uses it"
+            );
+            complaints.at(at, reason, remedy);
+        }
+        Error::DtdDetected => {
+            let remedy = "remove the <!DOCTYPE ...> and write its entities out";
+            complaints.whole(
+                "the file has a document type definition, which could rewrite its content",
+                remedy,
+            );
+        }
+        Error::NoRootNode | Error::UnclosedRootNode if source.text.trim().is_empty() => {
+            complaints.whole(
+                "the file is empty",
+                "give a URDF: <robot name=\"arm\"> ... </robot>",
+            );
+        }
+        Error::NoRootNode | Error::UnclosedRootNode => {
+            let end = complaints.place(source.text.trim_end().len());
+            complaints.at(
+                end,
+                "the file ends before its XML does",
+                "close every element; the file may have been cut off",
+            );
+        }
+        _ => complaints.at(
+            at,
+            format!("this is no well-formed XML: {}", without_place(error)),
+            "correct the XML at this place",
+        ),
+    }
+}
+
+/// The message without the "at 1:2" which ours starts with already.
+fn without_place(error: &roxmltree::Error) -> String {
+    let text = error.to_string();
+    let place = format!(" at {}", error.pos());
+    text.strip_suffix(&place)
+        .map(str::to_string)
+        .unwrap_or(text)
+}

@@ -1,0 +1,67 @@
+//! Numbers in attributes, each with its place.
+
+use crate::spec::Complaints;
+use roxmltree::Attribute;
+
+/// The `N` numbers of an attribute, separated by white space; `None` after
+/// complaining about whatever is no finite number.
+pub(super) fn read<const N: usize>(
+    attribute: &Attribute,
+    complaints: &mut Complaints,
+) -> Option<[f64; N]> {
+    let name = attribute.name();
+    let value = attribute.value();
+    let words: Vec<&str> = value.split_ascii_whitespace().collect();
+    if words.len() != N {
+        let at = complaints.place(attribute.range_value().start);
+        let commas = if value.contains(',') {
+            ", separated by blanks instead of commas"
+        } else {
+            ""
+        };
+        let reason = format!(
+            "{name}=\"{value}\" has {} where {N} belong",
+            count(words.len())
+        );
+        complaints.at(at, reason, format!("write {}{commas}", count(N)));
+        return None;
+    }
+    let mut numbers = [0.0; N];
+    for (number, word) in numbers.iter_mut().zip(words) {
+        *number = finite(word, attribute, complaints)?;
+    }
+    Some(numbers)
+}
+
+fn finite(word: &str, attribute: &Attribute, complaints: &mut Complaints) -> Option<f64> {
+    // In a value with entities the word's offset differs from the file's.
+    let inside = word.as_ptr() as usize - attribute.value().as_ptr() as usize;
+    let literal = attribute.range_value().len() == attribute.value().len();
+    let start = attribute.range_value().start + if literal { inside } else { 0 };
+    let at = complaints.place(start);
+    match word.parse::<f64>() {
+        Ok(number) if number.is_finite() => Some(number),
+        Ok(_) => {
+            let reason = format!("{}: `{word}` is not a finite number", attribute.name());
+            complaints.at(at, reason, "write the value in metres or radians");
+            None
+        }
+        Err(_) => {
+            let reason = format!("{}: `{word}` is not a number", attribute.name());
+            complaints.at(
+                at,
+                reason,
+                "write a plain decimal number such as 1.5707963267948966",
+            );
+            None
+        }
+    }
+}
+
+fn count(n: usize) -> String {
+    match n {
+        0 => "no number".into(),
+        1 => "1 number".into(),
+        n => format!("{n} numbers"),
+    }
+}

@@ -1,0 +1,103 @@
+//! The words of URDF: those that carry kinematics, and those that robots in
+//! the field carry besides.
+
+use crate::spec::JointType;
+
+/// Children of `<robot>` that are read.
+pub(super) const STRUCTURE: [&str; 2] = ["link", "joint"];
+
+/// Children of `<robot>` that look like [`STRUCTURE`] and are not.
+pub(super) const NOT_STRUCTURE: [&str; 3] = ["loop", "linkage", "point"];
+
+/// Children of `<robot>` that close kinematic loops in dialects of URDF; to
+/// skip them would be to read another robot.
+pub(super) const LOOPS: [&str; 2] = ["loop_joint", "loop"];
+
+/// Children of `<link>`: what a link weighs and looks like, and what
+/// simulators attach to it. None moves a frame.
+pub(super) const IN_LINK: [&str; 16] = [
+    "visual",
+    "collision",
+    "inertial",
+    "sensor",
+    "material",
+    "gazebo",
+    "contact",
+    "self_collision_checking",
+    "collision_checking",
+    "velocity_decay",
+    "kinematic",
+    "gravity",
+    "audio_source",
+    "force_torque",
+    "mujoco",
+    "verbose",
+];
+
+/// Children of `<joint>` that are read.
+pub(super) const KINEMATIC: [&str; 6] = ["origin", "parent", "child", "axis", "limit", "mimic"];
+
+/// Children of `<joint>` about its drive.
+pub(super) const IN_JOINT: [&str; 9] = [
+    "dynamics",
+    "calibration",
+    "safety_controller",
+    "hardwareInterface",
+    "gazebo",
+    "sensor",
+    "mujoco",
+    "transmission",
+    "joint_properties",
+];
+
+/// The joint types of the URDF specification.
+pub(super) const JOINT_TYPES: [&str; 7] = [
+    "revolute",
+    "continuous",
+    "prismatic",
+    "fixed",
+    "floating",
+    "planar",
+    "spherical",
+];
+
+/// The motion that a joint type stands for.
+pub(super) fn joint_type(word: &str) -> Option<JointType> {
+    Some(match word {
+        "revolute" | "continuous" => JointType::Revolute,
+        "prismatic" => JointType::Prismatic,
+        "fixed" => JointType::Fixed,
+        "floating" => JointType::Floating,
+        "planar" => JointType::Planar,
+        "spherical" => JointType::Spherical,
+        _ => return None,
+    })
+}
+
+/// The attributes of an element that is read.
+pub(super) fn attributes(element: &str) -> &'static [&'static str] {
+    match element {
+        "origin" => &["xyz", "rpy", "quat_xyzw"],
+        "parent" | "child" => &["link"],
+        "axis" => &["xyz"],
+        "limit" => &[
+            "lower",
+            "upper",
+            "effort",
+            "velocity",
+            "acceleration",
+            "deceleration",
+            "jerk",
+        ],
+        "mimic" => &["joint", "multiplier", "offset"],
+        "joint" => &["name", "type"],
+        "link" => &["name"],
+        _ => &[],
+    }
+}
+
+/// Elements to which simulators and older URDF dialects add attributes that
+/// say nothing about geometry; only misspellings are refused there.
+pub(super) fn tolerates_attributes(element: &str) -> bool {
+    matches!(element, "limit" | "joint" | "link")
+}

@@ -1,0 +1,53 @@
+//! Recognises xacro that was not expanded.
+
+use super::vocabulary::{IN_JOINT, IN_LINK};
+use crate::spec::Complaints;
+use roxmltree::{Document, Node};
+
+/// The way out.
+pub(super) const EXPAND: &str =
+    "expand it first: `xacro arm.urdf.xacro > arm.urdf`, and use the result";
+
+/// Complains about the first xacro element, or else about every `${...}` and
+/// `$(...)` where kinematics is written.
+pub(super) fn refuse(document: &Document, complaints: &mut Complaints) {
+    let is_xacro = |node: &Node| {
+        node.tag_name()
+            .namespace()
+            .is_some_and(|uri| uri.contains("xacro"))
+    };
+    if let Some(element) = document.descendants().find(is_xacro) {
+        let name = element.tag_name().name();
+        let reason = format!(
+            "<xacro:{name}>: this file is xacro, a program that writes a URDF, and has not been expanded"
+        );
+        complaints.at(complaints.place(element.range().start), reason, EXPAND);
+        return;
+    }
+    expressions(document.root_element(), complaints);
+}
+
+fn expressions(node: Node, complaints: &mut Complaints) {
+    for attribute in node.attributes() {
+        let value = attribute.value();
+        if let Some(start) = value.find("${").or_else(|| value.find("$(")) {
+            let at = complaints.place(attribute.range_value().start + start);
+            let reason = format!(
+                "`{value}` is a xacro expression that has not been expanded, so it has no value"
+            );
+            complaints.at(at, reason, EXPAND);
+        }
+    }
+    let relevant = |child: &Node| {
+        let name = child.tag_name().name();
+        match node.tag_name().name() {
+            "robot" => matches!(name, "link" | "joint"),
+            "link" => !IN_LINK.contains(&name),
+            "joint" => !IN_JOINT.contains(&name),
+            _ => false,
+        }
+    };
+    for child in node.children().filter(Node::is_element).filter(relevant) {
+        expressions(child, complaints);
+    }
+}
