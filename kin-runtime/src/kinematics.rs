@@ -1,3 +1,129 @@
 //! What every generated robot can do.
-/// Placeholder.
-pub trait Kinematics<const N: usize> {}
+
+use crate::{Jacobian, JointLimit, Pose, Solutions};
+
+/// The kinematics of one serial arm with N moving joints.
+///
+/// Generated robots are zero-sized types that implement this trait and offer
+/// the same methods inherently; the trait is for code that treats all robots
+/// alike. Joint values are radians for revolute joints and metres for
+/// prismatic ones. The base frame is [`Kinematics::BASE`], the tool frame
+/// [`Kinematics::TIP`].
+///
+/// ```
+/// use kin_runtime::{Jacobian, JointLimit, Kinematics, Pose, Twist};
+///
+/// /// A turntable 0.5 m above the floor.
+/// struct Turntable;
+///
+/// impl Kinematics<1> for Turntable {
+///     const JOINT_NAMES: [&'static str; 1] = ["yaw"];
+///     const LIMITS: [JointLimit; 1] = [JointLimit::Continuous];
+///     const BASE: &'static str = "floor";
+///     const TIP: &'static str = "table";
+///     const BRANCHES: usize = 0;
+///
+///     fn fk(&self, q: &[f64; 1]) -> Pose {
+///         Pose::from_axis_angle([0.0, 0.0, 1.0], q[0], [0.0, 0.0, 0.5])
+///     }
+///     fn fk_links(&self, q: &[f64; 1]) -> [Pose; 1] {
+///         [self.fk(q)]
+///     }
+///     fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
+///         let axis = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+///         (self.fk(q), Jacobian::from_columns([axis]))
+///     }
+/// }
+///
+/// fn height<const N: usize>(robot: &impl Kinematics<N>, q: &[f64; N]) -> f64 {
+///     robot.fk(q).translation[2]
+/// }
+/// assert_eq!(height(&Turntable, &[0.3]), 0.5);
+/// ```
+pub trait Kinematics<const N: usize> {
+    /// The joints' names, from base to tool.
+    const JOINT_NAMES: [&'static str; N];
+    /// The joints' kinds and travel.
+    const LIMITS: [JointLimit; N];
+    /// The frame that poses are given in.
+    const BASE: &'static str;
+    /// The frame that poses are of.
+    const TIP: &'static str;
+    /// How many branches inverse kinematics looks at, which bounds the number
+    /// of isolated solutions; 0 for an arm generated with `ik = none`.
+    const BRANCHES: usize;
+
+    /// The tool's pose in the base frame.
+    fn fk(&self, q: &[f64; N]) -> Pose;
+
+    /// The pose, in the base frame, of the link behind every joint: the frame
+    /// that moves with joint i, for all i. What is fixed behind the last joint
+    /// is not included.
+    fn fk_links(&self, q: &[f64; N]) -> [Pose; N];
+
+    /// The tool's pose and the spatial Jacobian, which share most of the work.
+    fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>);
+
+    /// The spatial Jacobian (MLS section 3.4): times the joint rates, it gives
+    /// the spatial velocity (v, ω) of the tool, in base axes, v being that of
+    /// the point of the tool that passes through the base's origin.
+    fn spatial_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        self.fk_jacobian(q).1
+    }
+
+    /// The body Jacobian (MLS section 3.4): the velocity of the tool's origin
+    /// and the angular velocity, both in tool axes.
+    fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        let (pose, spatial) = self.fk_jacobian(q);
+        spatial.spatial_to_body(&pose)
+    }
+
+    /// The geometric Jacobian, also called hybrid or local world aligned: the
+    /// velocity of the tool's origin and the angular velocity, both in base
+    /// axes. What ROS users expect.
+    fn geometric_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        let (pose, spatial) = self.fk_jacobian(q);
+        spatial.spatial_to_geometric(&pose)
+    }
+
+    /// All configurations that put the tool at `target` (in the base frame):
+    /// every isolated one once, a representative, flagged singular, of each
+    /// family, and none if the target is out of reach.
+    ///
+    /// For an arm without closed form ([`Kinematics::BRANCHES`] is 0), a call
+    /// does not compile:
+    ///
+    /// ```compile_fail
+    /// # use kin_runtime::*;
+    /// # struct Turntable;
+    /// # impl Kinematics<1> for Turntable {
+    /// #     const JOINT_NAMES: [&'static str; 1] = ["yaw"];
+    /// #     const LIMITS: [JointLimit; 1] = [JointLimit::Continuous];
+    /// #     const BASE: &'static str = "floor";
+    /// #     const TIP: &'static str = "table";
+    /// #     const BRANCHES: usize = 0;
+    /// #     fn fk(&self, q: &[f64; 1]) -> Pose { Pose::IDENTITY }
+    /// #     fn fk_links(&self, q: &[f64; 1]) -> [Pose; 1] { [Pose::IDENTITY] }
+    /// #     fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
+    /// #         (Pose::IDENTITY, Jacobian::from_columns([Twist::default()]))
+    /// #     }
+    /// # }
+    /// let solutions = Turntable.ik(&Pose::IDENTITY);
+    /// ```
+    fn ik(&self, target: &Pose) -> Solutions<N> {
+        const {
+            assert!(
+                Self::BRANCHES > 0,
+                "this robot has no inverse kinematics: it was generated with `ik = none` \
+                 (forward kinematics and Jacobians alone). Remove that option to have a \
+                 closed form searched for, or solve numerically with `Chain::ik_all`"
+            );
+            assert!(
+                Self::BRANCHES == 0,
+                "a robot with branches has to implement `ik`"
+            );
+        }
+        let _ = target;
+        Solutions::new()
+    }
+}

@@ -9,15 +9,28 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+mod exponential;
+#[cfg(feature = "glam")]
+mod glam;
 mod jacobian;
 mod kinematics;
+mod limits;
 pub mod math;
+#[cfg(feature = "mint")]
+mod mint;
+#[cfg(feature = "nalgebra")]
+mod nalgebra;
+mod orientation;
+mod placement;
 mod pose;
 mod solutions;
 mod twist;
+mod vector;
 
 pub use jacobian::Jacobian;
 pub use kinematics::Kinematics;
+pub use limits::JointLimit;
+pub use placement::{WithBase, WithTool};
 pub use pose::Pose;
-pub use solutions::{Solution, Solutions};
+pub use solutions::{IntoIter, Solution, Solutions, Windings};
 pub use twist::{Twist, Wrench};

@@ -131,7 +131,7 @@ const ATAN_HALF_TAIL: f64 = 2.269_877_745_296_168_7e-17;
 const STEP_TAIL: f64 = 3.061_616_997_868_383e-17 - ATAN_HALF_TAIL;
 
 /// (π − its nearest double) / π, which is also that of π/2.
-const TAIL_OF_PI: f64 = 3.898_171_832_295_186_4e-17;
+const TAIL_OF_PI: f64 = 3.898_171_832_295_186e-17;
 
 const SIGN: u64 = 1 << 63;
 

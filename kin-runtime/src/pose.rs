@@ -1,15 +1,19 @@
 //! Rigid motions: the group SE(3) as a rotation matrix and a translation.
 
+use crate::vector::{add, cross, norm, sub};
+use crate::{Twist, Wrench, math};
+
 /// A rigid motion g = (R, p), which takes coordinates in the moving frame to
 /// coordinates in the fixed one: x ↦ R x + p (MLS section 2.3).
 ///
 /// The rotation is row-major: `rotation[row][column]`. Translations are in
-/// metres.
+/// metres. Nothing here checks or restores that R is a rotation.
 ///
 /// ```
 /// use kin_runtime::Pose;
-/// let up = Pose { translation: [0.0, 0.0, 0.5], ..Pose::IDENTITY };
+/// let up = Pose::from_translation([0.0, 0.0, 0.5]);
 /// assert_eq!(up.transform_point([1.0, 0.0, 0.0]), [1.0, 0.0, 0.5]);
+/// assert_eq!(up * up.inverse(), Pose::IDENTITY);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -26,12 +30,19 @@ impl Pose {
         translation: [0.0; 3],
     };
 
+    /// A translation without rotation, metres.
+    #[inline]
+    pub const fn from_translation(translation: [f64; 3]) -> Pose {
+        Pose {
+            translation,
+            ..Pose::IDENTITY
+        }
+    }
+
     /// R x + p.
     #[inline]
     pub fn transform_point(&self, x: [f64; 3]) -> [f64; 3] {
-        let v = self.rotate(x);
-        let p = self.translation;
-        [v[0] + p[0], v[1] + p[1], v[2] + p[2]]
+        add(self.rotate(x), self.translation)
     }
 
     /// R v, for directions.
@@ -51,11 +62,116 @@ impl Pose {
     /// The inverse motion (Rᵀ, −Rᵀ p).
     #[inline]
     pub fn inverse(&self) -> Pose {
-        let r = &self.rotation;
         Pose {
-            rotation: core::array::from_fn(|i| core::array::from_fn(|j| r[j][i])),
-            translation: self.rotate_back(self.translation).map(|x| -x),
+            rotation: transpose(&self.rotation),
+            // 0 − x rather than −x, which would leave negative zeros.
+            translation: sub([0.0; 3], self.rotate_back(self.translation)),
         }
+    }
+
+    /// Ad_g V (MLS section 2.4): a twist in moving coordinates, seen from the
+    /// fixed frame: (R v + p × R ω, R ω).
+    ///
+    /// ```
+    /// use kin_runtime::{Pose, Twist};
+    /// let shifted = Pose::from_translation([1.0, 0.0, 0.0]);
+    /// let spin = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+    /// assert_eq!(shifted.adjoint(&spin), Twist::revolute([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]));
+    /// ```
+    #[inline]
+    pub fn adjoint(&self, twist: &Twist) -> Twist {
+        let angular = self.rotate(twist.angular);
+        let lever = cross(self.translation, angular);
+        Twist {
+            linear: add(self.rotate(twist.linear), lever),
+            angular,
+        }
+    }
+
+    /// Ad_g⁻¹ V: a twist in fixed coordinates, seen from the moving frame.
+    #[inline]
+    pub fn adjoint_inverse(&self, twist: &Twist) -> Twist {
+        let lever = cross(self.translation, twist.angular);
+        Twist {
+            linear: self.rotate_back(sub(twist.linear, lever)),
+            angular: self.rotate_back(twist.angular),
+        }
+    }
+
+    /// Ad_gᵀ F (MLS section 2.5): a wrench in fixed coordinates, seen from the
+    /// moving frame, so that it does the same work on the same motion.
+    ///
+    /// ```
+    /// use kin_runtime::{Pose, Wrench};
+    /// let sensor = Pose::from_translation([0.2, 0.0, 0.0]);
+    /// let weight = Wrench { force: [0.0, 0.0, -10.0], moment: [0.0; 3] };
+    /// assert_eq!(sensor.adjoint_transpose(&weight).moment, [0.0, -2.0, 0.0]);
+    /// ```
+    #[inline]
+    pub fn adjoint_transpose(&self, wrench: &Wrench) -> Wrench {
+        let lever = cross(self.translation, wrench.force);
+        Wrench {
+            force: self.rotate_back(wrench.force),
+            moment: self.rotate_back(sub(wrench.moment, lever)),
+        }
+    }
+
+    /// The inverse of [`Pose::adjoint_transpose`]: a wrench in moving
+    /// coordinates, seen from the fixed frame.
+    #[inline]
+    pub fn adjoint_inverse_transpose(&self, wrench: &Wrench) -> Wrench {
+        let force = self.rotate(wrench.force);
+        let lever = cross(self.translation, force);
+        Wrench {
+            force,
+            moment: add(self.rotate(wrench.moment), lever),
+        }
+    }
+
+    /// The distance between the two origins, metres.
+    #[inline]
+    pub fn translation_distance(&self, other: &Pose) -> f64 {
+        norm(sub(self.translation, other.translation))
+    }
+
+    /// The angle of the rotation between the two, radians in [0, π]. Accurate
+    /// to a few 1e-16 at any angle.
+    ///
+    /// ```
+    /// use kin_runtime::Pose;
+    /// let turned = Pose::from_axis_angle([1.0, 1.0, 0.0], 1e-9, [0.0; 3]);
+    /// assert!((turned.rotation_distance(&Pose::IDENTITY) - 1e-9).abs() < 1e-15);
+    /// ```
+    #[inline]
+    pub fn rotation_distance(&self, other: &Pose) -> f64 {
+        let between = (self.inverse() * *other).rotation;
+        let doubled_sine = norm(skew_part(&between));
+        math::atan2(doubled_sine, trace(&between) - 1.0)
+    }
+
+    /// The homogeneous 4×4 matrix, row-major.
+    #[inline]
+    pub fn to_matrix(&self) -> [[f64; 4]; 4] {
+        let (r, p) = (&self.rotation, self.translation);
+        let row = |i: usize| [r[i][0], r[i][1], r[i][2], p[i]];
+        [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]]
+    }
+
+    /// From the upper three rows of a homogeneous 4×4 matrix, row-major.
+    #[inline]
+    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Pose {
+        let row = |i: usize| [matrix[i][0], matrix[i][1], matrix[i][2]];
+        Pose {
+            rotation: [row(0), row(1), row(2)],
+            translation: core::array::from_fn(|i| matrix[i][3]),
+        }
+    }
+}
+
+impl Default for Pose {
+    /// The identity.
+    fn default() -> Pose {
+        Pose::IDENTITY
     }
 }
 
@@ -64,20 +180,26 @@ impl core::ops::Mul for Pose {
     /// Composition: first `rhs`, then `self`.
     #[inline]
     fn mul(self, rhs: Pose) -> Pose {
-        let columns = rhs
-            .inverse_rotation_rows()
-            .map(|column| self.rotate(column));
+        let columns = transpose(&rhs.rotation).map(|column| self.rotate(column));
         Pose {
-            rotation: core::array::from_fn(|i| core::array::from_fn(|j| columns[j][i])),
+            rotation: transpose(&columns),
             translation: self.transform_point(rhs.translation),
         }
     }
 }
 
-impl Pose {
-    /// The columns of the rotation.
-    fn inverse_rotation_rows(&self) -> [[f64; 3]; 3] {
-        let r = &self.rotation;
-        core::array::from_fn(|j| core::array::from_fn(|i| r[i][j]))
-    }
+#[inline(always)]
+fn transpose(r: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    core::array::from_fn(|i| core::array::from_fn(|j| r[j][i]))
+}
+
+/// The vector of R − Rᵀ: 2 sin θ times the axis.
+#[inline(always)]
+fn skew_part(r: &[[f64; 3]; 3]) -> [f64; 3] {
+    [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]]
+}
+
+#[inline(always)]
+fn trace(r: &[[f64; 3]; 3]) -> f64 {
+    r[0][0] + r[1][1] + r[2][2]
 }

@@ -1,0 +1,98 @@
+//! Robots with a tool or a base that is known only at run time.
+
+use crate::{Jacobian, JointLimit, Kinematics, Pose, Solutions};
+
+/// A robot that carries a tool: poses are those of the tool, whose frame lies
+/// at `tool` in the robot's own tip frame.
+///
+/// The residuals of [`Kinematics::ik`] stay those measured at the robot's tip.
+///
+/// ```no_run
+/// use kin_runtime::{Kinematics, Pose, WithTool};
+/// fn drill<const N: usize>(robot: impl Kinematics<N>, hole: &Pose) -> Vec<[f64; N]> {
+///     let drilling = WithTool { robot, tool: Pose::from_translation([0.0, 0.0, 0.12]) };
+///     drilling.ik(hole).iter().map(|s| s.q).collect()
+/// }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WithTool<K> {
+    /// The robot without the tool.
+    pub robot: K,
+    /// The tool's frame in the robot's tip frame.
+    pub tool: Pose,
+}
+
+impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
+    const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
+    const LIMITS: [JointLimit; N] = K::LIMITS;
+    const BASE: &'static str = K::BASE;
+    const TIP: &'static str = K::TIP;
+    const BRANCHES: usize = K::BRANCHES;
+
+    fn fk(&self, q: &[f64; N]) -> Pose {
+        self.robot.fk(q) * self.tool
+    }
+
+    fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
+        self.robot.fk_links(q)
+    }
+
+    /// The spatial Jacobian does not depend on what the last joint carries.
+    fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
+        let (tip, jacobian) = self.robot.fk_jacobian(q);
+        (tip * self.tool, jacobian)
+    }
+
+    fn ik(&self, target: &Pose) -> Solutions<N> {
+        self.robot.ik(&(*target * self.tool.inverse()))
+    }
+}
+
+/// A robot that stands somewhere: poses are given in a world frame in which the
+/// robot's own base frame lies at `base`.
+///
+/// ```no_run
+/// use kin_runtime::{Kinematics, Pose, WithBase};
+/// fn mounted<const N: usize>(robot: impl Kinematics<N>) -> impl Kinematics<N> {
+///     let ceiling = Pose::from_rpy([core::f64::consts::PI, 0.0, 0.0], [0.0, 0.0, 3.0]);
+///     WithBase { robot, base: ceiling }
+/// }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WithBase<K> {
+    /// The robot in its own base frame.
+    pub robot: K,
+    /// The robot's base frame in the world frame.
+    pub base: Pose,
+}
+
+impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
+    const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
+    const LIMITS: [JointLimit; N] = K::LIMITS;
+    const BASE: &'static str = K::BASE;
+    const TIP: &'static str = K::TIP;
+    const BRANCHES: usize = K::BRANCHES;
+
+    fn fk(&self, q: &[f64; N]) -> Pose {
+        self.base * self.robot.fk(q)
+    }
+
+    fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
+        self.robot.fk_links(q).map(|link| self.base * link)
+    }
+
+    /// The spatial Jacobian transforms with the base (MLS section 3.4).
+    fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
+        let (tip, jacobian) = self.robot.fk_jacobian(q);
+        (self.base * tip, jacobian.body_to_spatial(&self.base))
+    }
+
+    /// The body Jacobian does not depend on where the robot stands.
+    fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        self.robot.body_jacobian(q)
+    }
+
+    fn ik(&self, target: &Pose) -> Solutions<N> {
+        self.robot.ik(&(self.base.inverse() * *target))
+    }
+}
