@@ -7,6 +7,9 @@ use kin_runtime::Pose;
 /// a billion times larger and stay as they are.
 const ROUNDING: f64 = 1e-15;
 
+/// Larger angles are degrees: no file turns a frame more than once around.
+pub(super) const FULL_TURN: f64 = std::f64::consts::TAU + 0.01;
+
 /// A row-major rotation matrix.
 pub(super) type Rotation = [[f64; 3]; 3];
 
@@ -41,6 +44,16 @@ pub(super) fn from_quaternion(q: [f64; 4]) -> Rotation {
             1.0 - s * (x * x + y * y),
         ],
     ])
+}
+
+/// A quaternion's length, if it is not the 1 of a rounded unit quaternion.
+pub(super) fn check_quaternion(q: [f64; 4]) -> Result<(), f64> {
+    let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if (length - 1.0).abs() < 0.01 {
+        Ok(())
+    } else {
+        Err(length)
+    }
 }
 
 /// The nearest rotation, by Gram-Schmidt on the rows; `None` if the matrix is

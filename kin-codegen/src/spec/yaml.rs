@@ -1,6 +1,253 @@
 //! The YAML robot format.
-use super::{Diagnostics, Source, Spec};
+//!
+//! A file gives a robot's name, its units, and its joints in one of four ways.
+//! This is a UR-like shoulder by Denavit-Hartenberg parameters:
+//!
+//! ```yaml
+//! robot: shoulder
+//! units: {angle: deg, length: mm}
+//! dh:
+//!   - {name: pan,  theta: 0, d: 180.7, a: 0,      alpha: 90, limits: [-360, 360]}
+//!   - {name: lift, theta: 0, d: 0,     a: -612.7, alpha: 0,  limits: [-360, 360]}
+//! tip: {link: flange, xyz: [0, 0, 50]}
+//! ```
+//!
+//! Every key is checked: one that is unknown, missing, doubled or out of place
+//! is refused with its line and column.
+//!
+//! # The file
+//!
+//! | key | meaning |
+//! |---|---|
+//! | `robot` | the robot's name; required |
+//! | `units` | `{angle: rad or deg, length: m or mm}`; both required. They hold for every angle and length in the file, limits included |
+//! | `screws`, `dh`, `mdh` or `joints` | the joints, from base to tip; exactly one of the four is required |
+//! | `home` | a [pose](#poses); required with `screws`, and only there |
+//! | `base` | the base link: its name, or a mapping with `link` and the [pose](#poses), in that link, of the frame in which the first joint is given. Without it the link is named `base` |
+//! | `tip` | the tip link: its name, or a mapping with `link` and the [pose](#poses) of the tip in the last joint's link. With `screws` only the name can be given, since `home` is the pose; without it the link is named `tip`. Elsewhere, without it, the last joint's link is the tip |
+//!
+//! # What all joints have
+//!
+//! | key | meaning |
+//! |---|---|
+//! | `name` | required, unique |
+//! | `type` | `revolute` (the default) or `prismatic`; in `joints` also `fixed` |
+//! | `limits` | `[lower, upper]`; a joint without them has no stops |
+//! | `link` | the name of the link that the joint moves; `<name>_link` by default |
+//! | `mimic` | `{joint: name, multiplier: 1, offset: 0}`: this joint's value is `multiplier` times the other's plus `offset`, in the units of the file |
+//!
+//! # The four ways
+//!
+//! **`screws`**: the axes of the joints with all joint values 0, in the base
+//! frame (product of exponentials). `axis` is a direction of any length;
+//! `point` is any point on the axis, required for revolute joints and without
+//! effect for prismatic ones. `home` is the pose of the tip with all joint
+//! values 0. The frame of every link coincides with the base frame at home, so
+//! the motion of link i is the product of the first i exponentials.
+//!
+//! **`dh`**: standard Denavit-Hartenberg parameters. Frame i in frame i-1 is
+//! Rz(theta) Tz(d) Tx(a) Rx(alpha), and joint i moves along or about the z axis
+//! of frame i-1. `theta`, `d`, `a`, `alpha` are required, but for the parameter
+//! that varies (`theta` of a revolute joint, `d` of a prismatic one), which is
+//! the value at home and 0 by default.
+//!
+//! **`mdh`**: modified Denavit-Hartenberg parameters (Craig). Frame i in frame
+//! i-1 is Rx(alpha) Tx(a) Rz(theta) Tz(d), where `alpha` and `a` are those of
+//! the book's link i-1, written in row i; joint i moves along or about the z
+//! axis of frame i. Required as in `dh`.
+//!
+//! **`joints`**: frames relative to the parent link, as in URDF. A joint has a
+//! [pose](#poses), and an `axis` in the frame that this pose makes (required
+//! unless `fixed`). `parent` names the link it hangs on: by default that of the
+//! joint listed before it, or the base. With `parent` the robot can be a tree.
+//!
+//! # Poses
+//!
+//! `xyz: [x, y, z]` and at most one of `rpy: [roll, pitch, yaw]` (fixed axes x,
+//! y, z in this order, as in URDF), `quat_xyzw: [x, y, z, w]`, and `matrix`,
+//! the rotation as three rows. What is left out is zero.
+//!
+//! # Numbers
+//!
+//! A number may be an expression of numbers and `pi` with `+ - * /` and
+//! parentheses: `pi/2`, `-3*pi/4`. Angles in degrees may not contain `pi`.
+mod denavit_hartenberg;
+mod expression;
+mod fields;
+mod frames;
+mod joint;
+mod node;
+mod pose;
+mod screws;
+mod units;
+
+use super::tree::{self, Draft, DraftJoint, Name};
+use super::{Complaints, Diagnostics, JointType, Limits, Source, Spec, did_you_mean};
+use fields::{Fields, Reader};
+use kin_runtime::Pose;
+use node::{Node, Value};
+use units::Units;
+
+/// The four ways to give a chain.
+const WAYS: [&str; 4] = ["screws", "dh", "mdh", "joints"];
+
+/// All keys at the top of a file.
+const KEYS: [&str; 9] = [
+    "robot", "units", "base", "tip", "home", "screws", "dh", "mdh", "joints",
+];
+
+/// Reads a robot in this format.
 pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
-    let _ = source;
-    todo!()
+    let mut reader = Reader::new(source);
+    let draft = read(source, &mut reader);
+    let mut complaints = reader.complaints;
+    let spec = draft.and_then(|draft| tree::build(draft, source, &mut complaints));
+    complaints.unless_any(spec)
+}
+
+fn read(source: &Source, reader: &mut Reader) -> Option<Draft> {
+    let document = match node::parse(&source.text) {
+        Ok(document) => document,
+        Err(error) => {
+            reader.explain_syntax(&error);
+            return None;
+        }
+    };
+    let file = reader.fields(&document, "robot file", &KEYS)?;
+    let name = file
+        .required("robot", reader)
+        .and_then(|node| reader.name(node));
+    let units = file
+        .required("units", reader)
+        .and_then(|node| units::read(node, reader));
+    let way = way(&file, reader);
+    // Without units no length or angle has a meaning.
+    let (units, (way, list)) = (units?, way?);
+    let base = End::read(&file, "base", &units, reader);
+    let tip = End::read(&file, "tip", &units, reader);
+    let home = home(&file, way, &units, reader);
+    let rows = joint::rows(list, way, &units, reader);
+    let (base, tip, rows) = (base?, tip?, rows?);
+    let mut draft = Draft {
+        name: name?.text,
+        links: Vec::new(),
+        joints: Vec::new(),
+    };
+    draft.links.push(base.link("base", list, reader));
+    match way {
+        "screws" => screws::add(&mut draft, &base, &tip, home?, rows, list, reader)?,
+        _ => frames::add(&mut draft, &base, &tip, rows, list, reader),
+    }
+    Some(draft)
+}
+
+/// Which of the four ways the file uses, and its list.
+fn way<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n Node)> {
+    let mut given = WAYS.iter().filter_map(|&way| Some((way, file.get(way)?)));
+    let Some(first) = given.next() else {
+        reader.at(
+            file.id,
+            "the robot has no joints",
+            "list them under one of `screws`, `dh`, `mdh`, `joints`",
+        );
+        return None;
+    };
+    for (way, second) in given {
+        let reason = format!(
+            "the joints are given twice, by `{}` and by `{way}`",
+            first.0
+        );
+        reader.at(second.id, reason, "keep one of the two");
+    }
+    Some(first)
+}
+
+fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<Pose> {
+    match (file.get("home"), way) {
+        (Some(node), "screws") => {
+            let fields = reader.fields(node, "pose", &pose::KEYS)?;
+            pose::read(&fields, units, reader)
+        }
+        (None, "screws") => {
+            let reason = "`screws` say how the tip moves, not where it is: `home` is missing";
+            reader.at(
+                file.id,
+                reason,
+                "add `home`, the pose of the tip with all joint values 0",
+            );
+            None
+        }
+        (Some(node), _) => {
+            let reason = format!(
+                "`home` has no meaning with `{way}`, which gives the pose of the tip already"
+            );
+            reader.at(node.id, reason, "remove it, or place the tip with `tip`");
+            None
+        }
+        (None, _) => None,
+    }
+}
+
+/// One end of the chain: what `base` or `tip` say.
+struct End {
+    name: Option<Name>,
+    pose: Option<Pose>,
+}
+
+impl End {
+    fn read(file: &Fields, key: &str, units: &Units, reader: &mut Reader) -> Option<End> {
+        let Some(node) = file.get(key) else {
+            return Some(End {
+                name: None,
+                pose: None,
+            });
+        };
+        if !matches!(node.value, Value::Map(_)) {
+            return Some(End {
+                name: Some(reader.name(node)?),
+                pose: None,
+            });
+        }
+        let keys = [&["link"], &pose::KEYS[..]].concat();
+        let fields = reader.fields(node, key, &keys)?;
+        let pose = pose::read(&fields, units, reader);
+        let name = match fields.get("link") {
+            Some(link) => Some(reader.name(link)?),
+            None => None,
+        };
+        Some(End {
+            name,
+            pose: Some(pose?),
+        })
+    }
+
+    fn link(&self, default: &str, list: &Node, reader: &Reader) -> Name {
+        self.name.clone().unwrap_or_else(|| Name {
+            text: default.into(),
+            at: reader.place(list.id),
+        })
+    }
+
+    fn pose(&self) -> Pose {
+        self.pose.unwrap_or(Pose::IDENTITY)
+    }
+}
+
+/// The tip, fixed to a link.
+fn fix_tip(draft: &mut Draft, tip: Name, parent: Name, origin: Pose) {
+    draft.joints.push(DraftJoint {
+        name: Name {
+            text: format!("{}_fixed", tip.text),
+            at: tip.at,
+        },
+        kind: JointType::Fixed,
+        parent,
+        child: tip.clone(),
+        origin,
+        axis: [0.0, 0.0, 1.0],
+        mount: Pose::IDENTITY,
+        limits: Limits::Unlimited,
+        mimic: None,
+    });
+    draft.links.push(tip);
 }

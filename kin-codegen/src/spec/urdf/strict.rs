@@ -1,15 +1,12 @@
 //! The strict pass: every element and attribute that can carry kinematics.
 
 use super::{numbers, vocabulary};
-use crate::spec::orientation::{self, Rotation};
+use crate::spec::orientation::{self, FULL_TURN, Rotation};
 use crate::spec::tree::{Draft, DraftJoint, DraftMimic, Name};
 use crate::spec::{Complaints, JointType, Limits, Location, Source, did_you_mean, suggest};
 use kin_runtime::Pose;
 use roxmltree::{Document, Node};
 use std::path::Path;
-
-/// Larger angles are degrees: no file turns a frame more than once around.
-const FULL_TURN: f64 = std::f64::consts::TAU + 0.01;
 
 /// Reads links and joints; `None` if this is no robot at all.
 pub(super) fn read(
@@ -335,8 +332,7 @@ fn rotation(origin: Node, complaints: &mut Complaints) -> Option<Rotation> {
         }
         (None, Some(attribute)) => {
             let quaternion: [f64; 4] = numbers::read(&attribute, complaints)?;
-            let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if (length - 1.0).abs() > 0.01 {
+            if let Err(length) = orientation::check_quaternion(quaternion) {
                 let at = complaints.place(attribute.range_value().start);
                 let reason =
                     format!("the quaternion has the length {length}, and a rotation's has 1");

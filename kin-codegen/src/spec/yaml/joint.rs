@@ -1,0 +1,179 @@
+//! What a joint has in each of the four ways.
+
+use super::fields::{Fields, Reader};
+use super::node::Node;
+use super::units::Units;
+use super::{denavit_hartenberg, frames, pose, screws};
+use crate::spec::tree::{DraftMimic, Name};
+use crate::spec::{JointType, Limits, orientation};
+use kin_runtime::Pose;
+
+/// The keys that all joints have.
+const COMMON: [&str; 5] = ["name", "type", "limits", "link", "mimic"];
+
+/// One entry of the list.
+pub(super) struct Row {
+    pub name: Name,
+    pub kind: JointType,
+    pub limits: Limits,
+    /// The link that the joint moves.
+    pub link: Name,
+    pub mimic: Option<DraftMimic>,
+    pub geometry: Geometry,
+}
+
+/// Where the joint is: see [`Joint`](crate::spec::Joint).
+pub(super) struct Geometry {
+    /// The link to hang on; by default that of the row before.
+    pub parent: Option<Name>,
+    pub origin: Pose,
+    pub axis: [f64; 3],
+    pub mount: Pose,
+}
+
+/// Reads all entries of a list; `None` if one cannot be read.
+pub(super) fn rows(list: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Vec<Row>> {
+    let nodes = reader.list(list)?;
+    if nodes.is_empty() {
+        reader.at(
+            list.id,
+            "the list of joints is empty",
+            "list at least one joint",
+        );
+        return None;
+    }
+    let rows: Vec<_> = nodes
+        .iter()
+        .map(|node| row(node, way, units, reader))
+        .collect();
+    let mut rows = rows.into_iter().collect::<Option<Vec<Row>>>()?;
+    convert_multipliers(&mut rows, units);
+    Some(rows)
+}
+
+fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row> {
+    let special: &[&str] = match way {
+        "screws" => &screws::KEYS,
+        "joints" => &frames::KEYS,
+        _ => &denavit_hartenberg::KEYS,
+    };
+    let fields = reader.fields(node, "joint", &[&COMMON, special].concat())?;
+    let name = fields
+        .required("name", reader)
+        .and_then(|node| reader.name(node));
+    let kind = kind(&fields, way, reader);
+    // The rest has its meaning, and its units, by the kind.
+    let kind = kind?;
+    let geometry = match way {
+        "screws" => screws::read(&fields, kind, units, reader),
+        "dh" => denavit_hartenberg::standard(&fields, kind, units, reader),
+        "mdh" => denavit_hartenberg::modified(&fields, kind, units, reader),
+        _ => frames::read(&fields, kind, units, reader),
+    };
+    let limits = limits(&fields, kind, units, reader);
+    let mimic = mimic(&fields, kind, units, reader);
+    let name = name?;
+    let link = match fields.get("link") {
+        Some(node) => reader.name(node)?,
+        None => Name {
+            text: format!("{}_link", name.text),
+            at: name.at,
+        },
+    };
+    Some(Row {
+        name,
+        kind,
+        limits: limits?,
+        link,
+        mimic: mimic?,
+        geometry: geometry?,
+    })
+}
+
+fn kind(fields: &Fields, way: &str, reader: &mut Reader) -> Option<JointType> {
+    let Some(node) = fields.get("type") else {
+        return Some(JointType::Revolute);
+    };
+    let known: &[&str] = if way == "joints" {
+        &["revolute", "prismatic", "fixed"]
+    } else {
+        &["revolute", "prismatic"]
+    };
+    Some(match reader.word(node, known)? {
+        "prismatic" => JointType::Prismatic,
+        "fixed" => JointType::Fixed,
+        _ => JointType::Revolute,
+    })
+}
+
+fn limits(fields: &Fields, kind: JointType, units: &Units, reader: &mut Reader) -> Option<Limits> {
+    let Some(node) = fields.get("limits") else {
+        return Some(Limits::Unlimited);
+    };
+    let [lower, upper] =
+        reader.exactly(node, |reader, node| units.joint_value(kind, node, reader))?;
+    Some(Limits::Range {
+        lower,
+        upper,
+        at: reader.place(node.id),
+    })
+}
+
+fn mimic(
+    fields: &Fields,
+    kind: JointType,
+    units: &Units,
+    reader: &mut Reader,
+) -> Option<Option<DraftMimic>> {
+    let Some(node) = fields.get("mimic") else {
+        return Some(None);
+    };
+    let fields = reader.fields(node, "mimic", &["joint", "multiplier", "offset"])?;
+    let joint = fields
+        .required("joint", reader)
+        .and_then(|node| reader.name(node));
+    let multiplier = match fields.get("multiplier") {
+        Some(node) => pose::plain(reader, node),
+        None => Some(1.0),
+    };
+    let offset = match fields.get("offset") {
+        Some(node) => units.joint_value(kind, node, reader),
+        None => Some(0.0),
+    };
+    Some(Some(DraftMimic {
+        joint: joint?,
+        multiplier: multiplier?,
+        offset: offset?,
+    }))
+}
+
+/// Multipliers between revolute and prismatic joints have the file's units.
+fn convert_multipliers(rows: &mut [Row], units: &Units) {
+    let kinds: Vec<_> = rows
+        .iter()
+        .map(|row| (row.name.text.clone(), row.kind))
+        .collect();
+    for row in rows {
+        let Some(mimic) = &mut row.mimic else {
+            continue;
+        };
+        let leader = kinds.iter().find(|(name, _)| *name == mimic.joint.text);
+        if let Some(&(_, leader)) = leader.filter(|(_, leader)| *leader != row.kind) {
+            mimic.multiplier *= units.of_joint(row.kind) / units.of_joint(leader);
+        }
+    }
+}
+
+/// A direction of any length but 0.
+pub(super) fn axis(fields: &Fields, reader: &mut Reader) -> Option<[f64; 3]> {
+    let node = fields.required("axis", reader)?;
+    let axis = orientation::unit(reader.exactly(node, pose::plain)?);
+    if axis.is_none() {
+        reader.at(
+            node.id,
+            "this axis is zero, which is no direction",
+            "write the direction of the joint's axis, such as [0, 0, 1]",
+        );
+    }
+    axis
+}

@@ -1,0 +1,99 @@
+//! What the file's numbers measure.
+
+use super::fields::Reader;
+use super::node::Node;
+use crate::spec::JointType;
+use crate::spec::orientation::FULL_TURN;
+
+/// The units of a file.
+pub(super) struct Units {
+    degrees: bool,
+    millimetres: bool,
+}
+
+/// Reads `{angle: ..., length: ...}`.
+pub(super) fn read(node: &Node, reader: &mut Reader) -> Option<Units> {
+    let fields = reader.fields(node, "choice of units", &["angle", "length"])?;
+    let angle = fields
+        .required("angle", reader)
+        .and_then(|node| reader.word(node, &["rad", "deg"]));
+    let length = fields
+        .required("length", reader)
+        .and_then(|node| reader.word(node, &["m", "mm"]));
+    Some(Units {
+        degrees: angle? == "deg",
+        millimetres: length? == "mm",
+    })
+}
+
+impl Units {
+    /// A length in metres.
+    pub(super) fn length(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
+        let (length, _) = reader.number(node)?;
+        Some(if self.millimetres {
+            length / 1000.0
+        } else {
+            length
+        })
+    }
+
+    /// An angle in radians.
+    pub(super) fn angle(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
+        let (angle, pi) = reader.number(node)?;
+        if self.degrees && pi {
+            reader.at(
+                node.id,
+                "this angle is in degrees and contains pi, which would be 3.14 degrees",
+                "write degrees, or state `angle: rad`",
+            );
+            return None;
+        }
+        Some(if self.degrees {
+            angle.to_radians()
+        } else {
+            angle
+        })
+    }
+
+    /// An angle that places a frame, in radians: at most once around.
+    pub(super) fn placing_angle(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
+        let angle = self.angle(node, reader)?;
+        if angle.abs() > FULL_TURN {
+            let degrees = if self.degrees {
+                ""
+            } else {
+                ": this looks like degrees"
+            };
+            let reason = format!("this angle turns more than once around{degrees}");
+            reader.at(
+                node.id,
+                reason,
+                "write an angle within one turn, in the unit that `units` states",
+            );
+            return None;
+        }
+        Some(angle)
+    }
+
+    /// A joint value in radians or metres.
+    pub(super) fn joint_value(
+        &self,
+        kind: JointType,
+        node: &Node,
+        reader: &mut Reader,
+    ) -> Option<f64> {
+        match kind {
+            JointType::Prismatic => self.length(node, reader),
+            _ => self.angle(node, reader),
+        }
+    }
+
+    /// What one unit of a joint's value is in radians or metres.
+    pub(super) fn of_joint(&self, kind: JointType) -> f64 {
+        match kind {
+            JointType::Prismatic if self.millimetres => 1e-3,
+            JointType::Revolute if self.degrees => 1_f64.to_radians(),
+            _ => 1.0,
+        }
+    }
+}
