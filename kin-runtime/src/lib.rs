@@ -24,6 +24,7 @@ mod orientation;
 mod placement;
 mod pose;
 mod solutions;
+pub mod subproblems;
 mod twist;
 mod vector;
 

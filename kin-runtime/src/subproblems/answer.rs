@@ -1,0 +1,101 @@
+//! What a subproblem yields.
+
+/// The answer to a subproblem whose unknown is a `T`: an angle, a translation,
+/// or a pair of angles.
+///
+/// The three cases are kept apart so that neither a member of a family nor a
+/// best approximation can be mistaken for a solution.
+///
+/// ```
+/// use kin_runtime::subproblems::{Answer, subproblem4};
+/// let (z, x) = ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+/// // x turned about z has the x component 0.5 at ±60 degrees, 2 never, and
+/// // the z component 0 always.
+/// assert_eq!(subproblem4(x, z, x, 0.5).exact().len(), 2);
+/// assert!(matches!(subproblem4(x, z, x, 2.0), Answer::Closest { residual: 1.0, .. }));
+/// assert!(matches!(subproblem4(z, z, x, 0.0), Answer::Any(_)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Answer<T> {
+    /// One or two isolated solutions. A double root is given once.
+    Exact(Roots<T>),
+    /// Infinitely many solutions, of which this is one.
+    Any(T),
+    /// No solution.
+    Closest {
+        /// The unknown that comes closest, in the sense of least squares.
+        value: T,
+        /// What the equation is off by there, in its own unit. Not zero.
+        residual: f64,
+    },
+}
+
+impl<T> Answer<T> {
+    /// The isolated solutions; empty unless the answer is [`Answer::Exact`].
+    pub fn exact(&self) -> &[T] {
+        match self {
+            Answer::Exact(roots) => roots,
+            Answer::Any(_) | Answer::Closest { .. } => &[],
+        }
+    }
+}
+
+/// One or two values; behaves as a slice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Roots<T> {
+    /// A single or a double root.
+    One([T; 1]),
+    /// Two distinct roots.
+    Two([T; 2]),
+}
+
+impl<T> core::ops::Deref for Roots<T> {
+    type Target = [T];
+    fn deref(&self) -> &[T] {
+        match self {
+            Roots::One(root) => root,
+            Roots::Two(roots) => roots,
+        }
+    }
+}
+
+impl<T> Answer<T> {
+    pub(crate) fn one(root: T) -> Self {
+        Answer::Exact(Roots::One([root]))
+    }
+
+    pub(crate) fn two(first: T, second: T) -> Self {
+        Answer::Exact(Roots::Two([first, second]))
+    }
+
+    /// A solution if the residual is within the tolerance, else the closest.
+    pub(crate) fn one_or_closest(value: T, residual: f64, tolerance: f64) -> Self {
+        if residual <= tolerance {
+            Answer::one(value)
+        } else {
+            Answer::Closest { value, residual }
+        }
+    }
+
+    /// All values give the same residual: infinitely many solutions if it is
+    /// within the tolerance, else none.
+    pub(crate) fn whatever(value: T, residual: f64, tolerance: f64) -> Self {
+        if residual <= tolerance {
+            Answer::Any(value)
+        } else {
+            Answer::Closest { value, residual }
+        }
+    }
+
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Answer<U> {
+        match self {
+            Answer::Exact(Roots::One(root)) => Answer::Exact(Roots::One(root.map(f))),
+            Answer::Exact(Roots::Two(roots)) => Answer::Exact(Roots::Two(roots.map(f))),
+            Answer::Any(value) => Answer::Any(f(value)),
+            Answer::Closest { value, residual } => Answer::Closest {
+                value: f(value),
+                residual,
+            },
+        }
+    }
+}
