@@ -58,6 +58,11 @@ impl<'s> Complaints<'s> {
         });
     }
 
+    /// Whether there is a complaint about this very place.
+    pub(crate) fn mentions(&self, at: Location) -> bool {
+        self.list.iter().any(|diagnostic| diagnostic.at == Some(at))
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }

@@ -1,14 +1,14 @@
 //! "Did you mean": the known word nearest to a misspelt one.
 
 /// The candidate that `word` is most likely a misspelling of: at most a third
-/// of its letters wrong (one at least), letter case aside.
+/// of its letters wrong, letter case aside.
 pub(crate) fn nearest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
 ) -> Option<&'c str> {
     let distance = |candidate: &'c str| (edit_distance(word, candidate), candidate);
     let (distance, candidate) = candidates.into_iter().map(distance).min_by_key(|d| d.0)?;
-    let tolerated = (candidate.chars().count() / 3).max(1);
+    let tolerated = candidate.chars().count() / 3;
     (distance <= tolerated).then_some(candidate)
 }
 
@@ -76,6 +76,7 @@ mod tests {
             assert_eq!(nearest(word, known), Some(meant));
         }
         assert_eq!(nearest("transmission", known), None);
+        assert_eq!(nearest("x", ["a", "d"]), None);
         assert_eq!(nearest("anything", []), None);
     }
 

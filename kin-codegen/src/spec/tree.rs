@@ -47,8 +47,8 @@ pub(super) struct DraftMimic {
 /// Whether there is one root is asked only if nothing was wrong before, since
 /// a joint that could not be read leaves a hole in the tree.
 pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) -> Option<Spec> {
-    let links = index("link", draft.links.iter(), complaints);
     let joints = index("joint", draft.joints.iter().map(|j| &j.name), complaints);
+    let links = index("link", draft.links.iter(), complaints);
     let mut resolved = Vec::new();
     for joint in &draft.joints {
         resolved.extend(resolve(joint, &links, &joints, complaints));
@@ -91,7 +91,11 @@ fn index<'d>(
     };
     let mut first: HashMap<&str, Location> = HashMap::new();
     for name in names {
-        if let Some(first) = first.get(name.text.as_str()) {
+        let first = *first.entry(&name.text).or_insert(name.at);
+        index.by_name.entry(&name.text).or_insert(index.names.len());
+        index.names.push(&name.text);
+        // A link named after its joint is no second mistake.
+        if first != name.at && !complaints.mentions(name.at) {
             let reason = format!(
                 "a second {what} is named `{}`; the first is in line {}",
                 name.text, first.line
@@ -102,9 +106,6 @@ fn index<'d>(
                 format!("give every {what} a name of its own"),
             );
         }
-        first.entry(&name.text).or_insert(name.at);
-        index.by_name.entry(&name.text).or_insert(index.names.len());
-        index.names.push(&name.text);
     }
     index
 }

@@ -5,13 +5,17 @@
 //! else stands in their place, and knows where everything is. urdf-rs then
 //! reads the same attributes ([`witness`]); a number on which the two readers
 //! differ is refused rather than chosen.
+mod checks;
+mod joint;
 mod numbers;
+mod origin;
 mod strict;
 mod vocabulary;
 mod witness;
 mod xacro;
 
 use super::{Complaints, Diagnostics, Source, Spec, tree};
+use roxmltree::Node;
 
 /// Reads a URDF.
 pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
@@ -37,6 +41,15 @@ fn read(source: &Source, complaints: &mut Complaints) -> Option<Spec> {
         witness::agree(&document, &draft, complaints);
     }
     tree::build(draft, source, complaints)
+}
+
+/// Elements in the namespace of the root, usually none: other namespaces are
+/// extensions, which say nothing about kinematics.
+fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+    let root = node.document().root_element();
+    let namespace = root.tag_name().namespace();
+    node.children()
+        .filter(move |child| child.is_element() && child.tag_name().namespace() == namespace)
 }
 
 /// The text is no XML at all.
@@ -70,13 +83,15 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Compl
                 remedy,
             );
         }
-        Error::NoRootNode | Error::UnclosedRootNode if source.text.trim().is_empty() => {
+        Error::NoRootNode | Error::UnclosedRootNode | Error::UnexpectedEndOfStream
+            if source.text.trim().is_empty() =>
+        {
             complaints.whole(
                 "the file is empty",
                 "give a URDF: <robot name=\"arm\"> ... </robot>",
             );
         }
-        Error::NoRootNode | Error::UnclosedRootNode => {
+        Error::NoRootNode | Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
             let end = complaints.place(source.text.trim_end().len());
             complaints.at(
                 end,

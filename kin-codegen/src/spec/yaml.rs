@@ -152,12 +152,12 @@ fn way<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n 
         );
         return None;
     };
-    for (way, second) in given {
+    for (way, _) in given {
         let reason = format!(
             "the joints are given twice, by `{}` and by `{way}`",
             first.0
         );
-        reader.at(second.id, reason, "keep one of the two");
+        reader.at(file.key(way), reason, "keep one of the two");
     }
     Some(first)
 }
@@ -177,11 +177,15 @@ fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<
             );
             None
         }
-        (Some(node), _) => {
+        (Some(_), _) => {
             let reason = format!(
                 "`home` has no meaning with `{way}`, which gives the pose of the tip already"
             );
-            reader.at(node.id, reason, "remove it, or place the tip with `tip`");
+            reader.at(
+                file.key("home"),
+                reason,
+                "remove it, or place the tip with `tip`",
+            );
             None
         }
         (None, _) => None,

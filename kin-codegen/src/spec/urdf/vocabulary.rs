@@ -6,9 +6,6 @@ use crate::spec::JointType;
 /// Children of `<robot>` that are read.
 pub(super) const STRUCTURE: [&str; 2] = ["link", "joint"];
 
-/// Children of `<robot>` that look like [`STRUCTURE`] and are not.
-pub(super) const NOT_STRUCTURE: [&str; 3] = ["loop", "linkage", "point"];
-
 /// Children of `<robot>` that close kinematic loops in dialects of URDF; to
 /// skip them would be to read another robot.
 pub(super) const LOOPS: [&str; 2] = ["loop_joint", "loop"];

@@ -1,10 +1,9 @@
 //! The second reading, by urdf-rs, and the proof that both are the same.
 
-use super::vocabulary;
+use super::{elements, vocabulary};
 use crate::spec::tree::{Draft, DraftJoint};
 use crate::spec::{Complaints, JointType, Limits, orientation};
-use roxmltree::{Document, Node};
-use std::fmt::Write;
+use roxmltree::{Attribute, Document, Node};
 use urdf_rs::JointType as Theirs;
 
 /// Has urdf-rs read the kinematics of the document, and complains about every
@@ -26,7 +25,8 @@ pub(super) fn agree(document: &Document, draft: &Draft, complaints: &mut Complai
             remedy,
         );
     }
-    for ((ours, theirs), node) in draft.joints.iter().zip(&robot.joints).zip(joints(document)) {
+    let joints = elements(document.root_element()).filter(|node| node.tag_name().name() == "joint");
+    for ((ours, theirs), node) in draft.joints.iter().zip(&robot.joints).zip(joints) {
         if let Some(difference) = difference(ours, theirs, has_quaternion(node)) {
             let reason = format!(
                 "two readers disagree about the {difference} of joint `{}`",
@@ -37,34 +37,21 @@ pub(super) fn agree(document: &Document, draft: &Draft, complaints: &mut Complai
     }
 }
 
-fn joints<'a, 'i>(document: &'a Document<'i>) -> impl Iterator<Item = Node<'a, 'i>> {
-    document
-        .root_element()
-        .children()
-        .filter(|node| node.has_tag_name("joint"))
-}
-
 fn has_quaternion(joint: Node) -> bool {
-    joint
-        .children()
-        .any(|part| part.has_tag_name("origin") && part.has_attribute("quat_xyzw"))
+    elements(joint).any(|part| part.has_attribute("quat_xyzw"))
 }
 
 /// The document with nothing but links, joints and what a joint's kinematics
 /// is made of; attributes verbatim.
 fn skeleton(robot: Node) -> String {
     let mut xml = String::from("<robot>");
-    let plain = |node: &Node| node.is_element() && node.tag_name().namespace().is_none();
-    for node in robot.children().filter(plain) {
+    for node in elements(robot) {
         match node.tag_name().name() {
             "link" => element(&mut xml, node, "/"),
             "joint" => {
                 element(&mut xml, node, "");
-                let read = |part: &Node| {
-                    plain(part) && vocabulary::KINEMATIC.contains(&part.tag_name().name())
-                };
-                node.children()
-                    .filter(read)
+                elements(node)
+                    .filter(|part| vocabulary::KINEMATIC.contains(&part.tag_name().name()))
                     .for_each(|part| element(&mut xml, part, "/"));
                 xml.push_str("</joint>");
             }
@@ -77,23 +64,29 @@ fn skeleton(robot: Node) -> String {
 fn element(xml: &mut String, node: Node, close: &str) {
     let text = node.document().input_text();
     let name = node.tag_name().name();
-    let known = vocabulary::attributes(name);
     xml.push('<');
     xml.push_str(name);
-    // urdf-rs converts quaternions to angles and back, at a loss.
-    for attribute in node
-        .attributes()
-        .filter(|a| known.contains(&a.name()) && a.name() != "quat_xyzw")
-    {
+    for attribute in node.attributes().filter(|a| witnessed(name, a)) {
         xml.push(' ');
         xml.push_str(&text[attribute.range()]);
     }
-    if name == "limit" && node.attribute("velocity").is_none() {
-        // urdf-rs requires it; it says nothing about geometry.
-        let _ = write!(xml, " velocity=\"0\"");
+    if name == "limit" {
+        // urdf-rs insists on one; it says nothing about geometry.
+        xml.push_str(" velocity=\"0\"");
     }
     xml.push_str(close);
     xml.push('>');
+}
+
+/// Whether urdf-rs is shown an attribute. Of limits only the range counts here,
+/// and quaternions it converts to angles at a loss.
+fn witnessed(element: &str, attribute: &Attribute) -> bool {
+    let name = attribute.name();
+    attribute.namespace().is_none()
+        && match element {
+            "limit" => matches!(name, "lower" | "upper"),
+            _ => vocabulary::attributes(element).contains(&name) && name != "quat_xyzw",
+        }
 }
 
 /// What urdf-rs reads differently.

@@ -2,7 +2,7 @@
 
 use super::node::{self, Node, Value};
 use super::{Complaints, Name, Source, did_you_mean, expression};
-use crate::spec::Location;
+use crate::spec::{Location, list_names, suggest};
 
 /// The text, for places, and what was wrong with it so far.
 pub(super) struct Reader<'s> {
@@ -14,20 +14,27 @@ pub(super) struct Reader<'s> {
 pub(super) struct Fields<'n> {
     /// The mapping's own node.
     pub id: u32,
-    entries: Vec<(&'n str, &'n Node)>,
+    entries: Vec<Entry<'n>>,
+    /// Keys that unknown ones were most likely meant to be.
+    misspelt: Vec<String>,
+}
+
+struct Entry<'n> {
+    key: &'n str,
+    key_id: u32,
+    value: &'n Node,
 }
 
 impl<'n> Fields<'n> {
     pub(super) fn get(&self, key: &str) -> Option<&'n Node> {
-        self.entries
-            .iter()
-            .find(|entry| entry.0 == key)
-            .map(|entry| entry.1)
+        self.entry(key).map(|entry| entry.value)
     }
 
+    /// A value that must be there. One whose key is misspelt has been
+    /// complained about under the key it has.
     pub(super) fn required(&self, key: &str, reader: &mut Reader) -> Option<&'n Node> {
         let found = self.get(key);
-        if found.is_none() {
+        if found.is_none() && !self.misspelt.iter().any(|meant| meant == key) {
             reader.at(
                 self.id,
                 format!("`{key}` is missing"),
@@ -35,6 +42,15 @@ impl<'n> Fields<'n> {
             );
         }
         found
+    }
+
+    /// The node of a key, to complain about its being there.
+    pub(super) fn key(&self, key: &str) -> u32 {
+        self.entry(key).map_or(self.id, |entry| entry.key_id)
+    }
+
+    fn entry(&self, key: &str) -> Option<&Entry<'n>> {
+        self.entries.iter().find(|entry| entry.key == key)
     }
 }
 
@@ -59,20 +75,17 @@ impl<'s> Reader<'s> {
 
     /// The text is no YAML at all.
     pub(super) fn explain_syntax(&mut self, error: &serde_yaml::Error) {
-        let message = error.to_string();
-        // Ours starts with the place that theirs ends with.
-        let message = message
-            .rsplit_once(" at line ")
-            .map_or(message.as_str(), |(message, _)| message);
-        let remedy = "correct the YAML; docs of this format: kin_codegen::spec::yaml";
-        match node::place(error) {
-            Some(at) => self
-                .complaints
-                .at(at, format!("this cannot be read: {message}"), remedy),
-            None => self
-                .complaints
-                .whole(format!("this cannot be read: {message}"), remedy),
+        let mut message = format!("this cannot be read: {error}");
+        let remedy = "correct the YAML; the format is described in kin_codegen::spec::yaml";
+        let Some(at) = node::place(error) else {
+            return self.complaints.whole(message, remedy);
+        };
+        // Ours names the place already.
+        let place = format!(" at line {} column {}", at.line, at.column);
+        if let Some(start) = message.find(&place) {
+            message.replace_range(start..start + place.len(), "");
         }
+        self.complaints.at(at, message, remedy);
     }
 
     /// A mapping with these keys and no others.
@@ -90,43 +103,48 @@ impl<'s> Reader<'s> {
             self.at(
                 node.id,
                 reason,
-                format!(
-                    "write {{key: value, ...}} with {}",
-                    crate::spec::list_names(known)
-                ),
+                format!("write {{key: value, ...}} with {}", list_names(known)),
             );
             return None;
         };
         let mut fields = Fields {
             id: node.id,
             entries: Vec::new(),
+            misspelt: Vec::new(),
         };
         for (key, value) in entries {
-            let Value::Text(name) = &key.value else {
-                self.at(
-                    key.id,
-                    format!("a key is a word, and this is {}", kind(&key.value)),
-                    did_you_mean("", known),
-                );
-                continue;
-            };
-            if !known.contains(&name.as_str()) {
-                self.at(
-                    key.id,
-                    format!("unknown key `{name}` in a {what}"),
-                    did_you_mean(name, known),
-                );
-            } else if fields.get(name).is_some() {
-                self.at(
-                    key.id,
-                    format!("the key `{name}` stands here twice"),
-                    "remove one of the two",
-                );
-            } else {
-                fields.entries.push((name, value));
-            }
+            self.field(key, value, what, known, &mut fields);
         }
         Some(fields)
+    }
+
+    fn field<'n>(
+        &mut self,
+        key: &'n Node,
+        value: &'n Node,
+        what: &str,
+        known: &[&str],
+        fields: &mut Fields<'n>,
+    ) {
+        let Value::Text(name) = &key.value else {
+            let reason = format!("a key is a word, and this is {}", kind(&key.value));
+            return self.at(key.id, reason, format!("use one of {}", list_names(known)));
+        };
+        if !known.contains(&name.as_str()) {
+            let meant = suggest::nearest(name, known.iter().copied());
+            fields.misspelt.extend(meant.map(str::to_string));
+            let reason = format!("unknown key `{name}` in a {what}");
+            self.at(key.id, reason, did_you_mean(name, known));
+        } else if fields.get(name).is_some() {
+            let reason = format!("the key `{name}` stands here twice");
+            self.at(key.id, reason, "remove one of the two");
+        } else {
+            fields.entries.push(Entry {
+                key: name,
+                key_id: key.id,
+                value,
+            });
+        }
     }
 
     pub(super) fn list<'n>(&mut self, node: &'n Node) -> Option<&'n [Node]> {
@@ -182,30 +200,14 @@ impl<'s> Reader<'s> {
             Value::Text(text) => expression::evaluate(text),
             _ => None,
         };
-        match (number, &node.value) {
-            (Some((number, _)), _) if number.is_finite() => {
-                return number_with_pi(number, &node.value);
-            }
-            (Some((number, _)), _) => {
-                let reason = format!("this number is {number}, which is not finite");
-                self.at(node.id, reason, "write a finite number");
-            }
-            (None, Value::Text(text)) => {
-                let reason = format!("`{text}` is not a number");
-                self.at(
-                    node.id,
-                    reason,
-                    "write a number, or an expression of numbers and pi such as `pi/2`",
-                );
-            }
-            (None, value) => {
-                self.at(
-                    node.id,
-                    format!("this should be a number, and is {}", kind(value)),
-                    "write a number",
-                );
-            }
-        }
+        let remedy = "write a number, or an expression of numbers and pi such as `pi/2`";
+        let reason = match (number, &node.value) {
+            (Some((number, pi)), _) if number.is_finite() => return Some((number, pi)),
+            (Some((number, _)), _) => format!("this number is {number}, which is not finite"),
+            (None, Value::Text(text)) => format!("`{text}` is not a number"),
+            (None, value) => format!("this should be a number, and is {}", kind(value)),
+        };
+        self.at(node.id, reason, remedy);
         None
     }
 
@@ -217,22 +219,15 @@ impl<'s> Reader<'s> {
     ) -> Option<[T; N]> {
         let nodes = self.list(node)?;
         if nodes.len() != N {
-            self.at(
-                node.id,
-                format!("this list has {} entries where {N} belong", nodes.len()),
-                format!("write {N} entries"),
-            );
+            let entries = if nodes.len() == 1 { "entry" } else { "entries" };
+            let reason = format!("this list has {} {entries} where {N} belong", nodes.len());
+            self.at(node.id, reason, format!("write {N} entries"));
             return None;
         }
         let read: Vec<Option<T>> = nodes.iter().map(|node| one(self, node)).collect();
         let read: Vec<T> = read.into_iter().collect::<Option<_>>()?;
         read.try_into().ok()
     }
-}
-
-fn number_with_pi(number: f64, value: &Value) -> Option<(f64, bool)> {
-    let pi = matches!(value, Value::Text(text) if text.contains("pi"));
-    Some((number, pi))
 }
 
 fn kind(value: &Value) -> &'static str {

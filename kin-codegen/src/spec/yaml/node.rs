@@ -7,7 +7,7 @@
 //! short.
 
 use crate::spec::Location;
-use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, SeqAccess, Visitor};
 use std::cell::Cell;
 use std::fmt;
 
@@ -106,6 +106,10 @@ impl<'de> Visitor<'de> for Reading<'_> {
         self.leaf(Value::Null)
     }
 
+    fn visit_none<E: Error>(self) -> Result<Node, E> {
+        self.leaf(Value::Null)
+    }
+
     fn visit_bool<E: Error>(self, _: bool) -> Result<Node, E> {
         self.leaf(Value::Bool)
     }
@@ -148,6 +152,10 @@ impl<'de> Visitor<'de> for Reading<'_> {
             id,
             value: Value::Map(entries),
         })
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, _: A) -> Result<Node, A::Error> {
+        Err(A::Error::custom("tags (`!word`) have no meaning here"))
     }
 }
 

@@ -29,12 +29,9 @@ fn rotation(fields: &Fields, units: &Units, reader: &mut Reader) -> Option<Rotat
     let Some((key, node)) = given.next() else {
         return Some(Pose::IDENTITY.rotation);
     };
-    if let Some((second, node)) = given.next() {
-        reader.at(
-            node.id,
-            format!("the orientation is given twice, by `{key}` and by `{second}`"),
-            "keep one of the two",
-        );
+    if let Some((second, _)) = given.next() {
+        let reason = format!("the orientation is given twice, by `{key}` and by `{second}`");
+        reader.at(fields.key(second), reason, "keep one of the two");
         return None;
     }
     match key {
@@ -61,7 +58,12 @@ fn matrix(node: &Node, reader: &mut Reader) -> Option<Rotation> {
     let rows = reader.exactly(node, |reader, row| reader.exactly::<3, f64>(row, plain))?;
     let rotation = orientation::from_matrix(rows);
     if rotation.is_none() {
-        reader.at(node.id, "this matrix is no rotation: its rows must be of length 1, at right angles, and right-handed", "write the rotation matrix with at least 5 digits");
+        let reason = "this matrix is no rotation: its rows must have length 1, be at right angles, and right-handed";
+        reader.at(
+            node.id,
+            reason,
+            "write the rotation matrix with at least 5 digits",
+        );
     }
     rotation
 }

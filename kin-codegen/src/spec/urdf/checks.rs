@@ -1,0 +1,106 @@
+//! What is checked on every element: its name, its attributes, its text.
+
+use super::vocabulary;
+use crate::spec::tree::Name;
+use crate::spec::{Complaints, Location, did_you_mean, suggest};
+use roxmltree::{Attribute, Node};
+
+/// Where an element begins.
+pub(super) fn place(node: Node, complaints: &Complaints) -> Location {
+    complaints.place(node.range().start)
+}
+
+/// Complains about a child that is not in the vocabulary of its parent.
+pub(super) fn refuse_unknown(
+    child: Node,
+    parent: &str,
+    known: &[&str],
+    complaints: &mut Complaints,
+) {
+    let name = child.tag_name().name();
+    if known.contains(&name) {
+        return;
+    }
+    let remedy = if vocabulary::STRUCTURE.contains(&name) {
+        format!("move it out, next to the <{parent}>")
+    } else {
+        match suggest::nearest(name, known.iter().copied()) {
+            Some(meant) => format!("did you mean <{meant}>?"),
+            None => "remove it, or give it an XML namespace of its own if another program needs it"
+                .into(),
+        }
+    };
+    let reason = format!("unknown element <{name}> in a <{parent}>");
+    complaints.at(place(child, complaints), reason, remedy);
+}
+
+/// An attribute that must be there. One that is misspelt has been complained
+/// about under the name it has.
+pub(super) fn attribute<'a, 'i>(
+    node: Node<'a, 'i>,
+    name: &str,
+    complaints: &mut Complaints,
+) -> Option<Attribute<'a, 'i>> {
+    let found = node.attribute_node(name);
+    let known = vocabulary::attributes(node.tag_name().name());
+    let meant = |a: &Attribute| suggest::nearest(a.name(), known.iter().copied()) == Some(name);
+    if found.is_none() && !node.attributes().any(|a| meant(&a)) {
+        let reason = format!("<{}> has no `{name}`", node.tag_name().name());
+        let remedy = format!("add {name}=\"...\"");
+        complaints.at(place(node, complaints), reason, remedy);
+    }
+    found
+}
+
+/// A name in an attribute that must be there.
+pub(super) fn required(node: Node, name: &str, complaints: &mut Complaints) -> Option<Name> {
+    let attribute = attribute(node, name, complaints)?;
+    let at = complaints.place(attribute.range_value().start);
+    let text = attribute.value();
+    if text.trim().is_empty() {
+        let reason = format!("{name}=\"{text}\" is empty");
+        complaints.at(
+            at,
+            reason,
+            format!("give the <{}> a {name}", node.tag_name().name()),
+        );
+        return None;
+    }
+    Some(Name {
+        text: text.to_string(),
+        at,
+    })
+}
+
+/// Complains about attributes that the element does not have, or that look
+/// like misspellings of those it has.
+pub(super) fn check_attributes(node: Node, complaints: &mut Complaints) {
+    let element = node.tag_name().name();
+    let known = vocabulary::attributes(element);
+    for attribute in node
+        .attributes()
+        .filter(|a| a.namespace().is_none() && !known.contains(&a.name()))
+    {
+        let meant = suggest::nearest(attribute.name(), known.iter().copied());
+        if meant.is_none() && vocabulary::tolerates_attributes(element) {
+            continue;
+        }
+        let at = complaints.place(attribute.range().start);
+        let reason = format!("unknown attribute `{}` in <{element}>", attribute.name());
+        complaints.at(at, reason, did_you_mean(attribute.name(), known));
+    }
+}
+
+/// Joints consist of elements; text there is something lost.
+pub(super) fn refuse_text(node: Node, complaints: &mut Complaints) {
+    let text = node
+        .children()
+        .find(|c| c.is_text() && c.text().is_some_and(|t| !t.trim().is_empty()));
+    if let Some(text) = text {
+        let content = text.text().unwrap_or("");
+        let blank = content.len() - content.trim_start().len();
+        let at = complaints.place(text.range().start + blank);
+        let reason = format!("text in a <{}> has no meaning", node.tag_name().name());
+        complaints.at(at, reason, "write it as an attribute, or in a comment");
+    }
+}
