@@ -78,6 +78,25 @@ impl Model {
     /// it starts at the root of the tree, without a tip it ends at the only
     /// leaf.
     ///
+    /// ```
+    /// use kin_codegen::model::Model;
+    /// use kin_codegen::spec::{Source, Spec};
+    ///
+    /// let text = "\
+    /// robot: elbow
+    /// units: {angle: rad, length: m}
+    /// dh:
+    ///   - {name: shoulder, theta: 0, d: 0, a: 0.4, alpha: pi/2}
+    ///   - {name: elbow, theta: 0, d: 0, a: 0.3, alpha: 0}
+    /// ";
+    /// let spec = Spec::parse(&Source { path: "elbow.yaml".into(), text: text.into() })?;
+    /// let model = Model::new(&spec, None, None)?;
+    /// assert_eq!(model.joints[1].axis, [0.0, -1.0, 0.0]);
+    /// assert_eq!(model.joints[1].point, [0.4, 0.0, 0.0]);
+    /// assert_eq!(model.home.translation, [0.7, 0.0, 0.0]);
+    /// # Ok::<(), kin_codegen::spec::Diagnostics>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// There is no such chain, it is not the only one, nothing in it moves, or

@@ -66,7 +66,7 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
         complaints.at(
             at,
             reason,
-            "write radians: 180 degrees are 3.141592653589793",
+            "write radians (180 degrees are 3.141592653589793), or state `angle: deg` in YAML",
         );
     } else if !turns && MILLIMETRES.contains(&largest) {
         let reason =

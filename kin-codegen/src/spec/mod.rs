@@ -131,9 +131,29 @@ pub struct Mimic {
 impl Spec {
     /// Reads a robot file.
     ///
+    /// ```
+    /// use kin_codegen::spec::{Source, Spec};
+    ///
+    /// let text = "\
+    /// robot: slider
+    /// units: {angle: deg, length: mm}
+    /// joints:
+    ///   - {name: rail, type: prismatic, axis: [1, 0, 0], limits: [0, 8OO]}
+    /// ";
+    /// let source = Source { path: "slider.yaml".into(), text: text.into() };
+    /// let refused = Spec::parse(&source).unwrap_err();
+    /// assert!(refused.to_string().starts_with("slider.yaml:4:64: `8OO` is not a number"));
+    ///
+    /// let source = Source { text: text.replace("8OO", "800"), ..source };
+    /// assert_eq!(Spec::parse(&source)?.joints[0].name, "rail");
+    /// # Ok::<(), kin_codegen::spec::Diagnostics>(())
+    /// ```
+    ///
     /// # Errors
     ///
-    /// Everything that is wrong with the file, in its order.
+    /// Everything that is wrong with the file, in its order. What only an arm
+    /// cannot have (missing limits, floating joints) is left to
+    /// [`Model::new`](crate::model::Model::new): it matters on the chain alone.
     pub fn parse(source: &Source) -> Result<Spec, Diagnostics> {
         let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
         let source = Source {

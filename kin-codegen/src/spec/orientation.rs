@@ -159,6 +159,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::approx_constant)] // The rounding is the point.
     fn a_rounded_right_angle_stays_literal() {
         assert_eq!(from_rpy([1.5708, 0.0, 0.0])[2][2], 1.5708_f64.cos());
         assert_eq!(from_rpy([0.0, 0.0, 3.141])[0][0], 3.141_f64.cos());

@@ -71,21 +71,13 @@ pub(super) fn joint_type(word: &str) -> Option<JointType> {
     })
 }
 
-/// The attributes of an element that is read.
+/// The attributes of an element that say something about kinematics.
 pub(super) fn attributes(element: &str) -> &'static [&'static str] {
     match element {
         "origin" => &["xyz", "rpy", "quat_xyzw"],
         "parent" | "child" => &["link"],
         "axis" => &["xyz"],
-        "limit" => &[
-            "lower",
-            "upper",
-            "effort",
-            "velocity",
-            "acceleration",
-            "deceleration",
-            "jerk",
-        ],
+        "limit" => &["lower", "upper"],
         "mimic" => &["joint", "multiplier", "offset"],
         "joint" => &["name", "type"],
         "link" => &["name"],

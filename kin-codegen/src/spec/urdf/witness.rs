@@ -78,15 +78,12 @@ fn element(xml: &mut String, node: Node, close: &str) {
     xml.push('>');
 }
 
-/// Whether urdf-rs is shown an attribute. Of limits only the range counts here,
-/// and quaternions it converts to angles at a loss.
+/// Whether urdf-rs is shown an attribute: those that say something about
+/// kinematics, except quaternions, which it converts to angles at a loss.
 fn witnessed(element: &str, attribute: &Attribute) -> bool {
     let name = attribute.name();
-    attribute.namespace().is_none()
-        && match element {
-            "limit" => matches!(name, "lower" | "upper"),
-            _ => vocabulary::attributes(element).contains(&name) && name != "quat_xyzw",
-        }
+    let known = vocabulary::attributes(element).contains(&name);
+    attribute.namespace().is_none() && known && name != "quat_xyzw"
 }
 
 /// What urdf-rs reads differently.

@@ -1,6 +1,6 @@
 //! Recognises xacro that was not expanded.
 
-use super::vocabulary::{IN_JOINT, IN_LINK};
+use super::{elements, vocabulary};
 use crate::spec::Complaints;
 use roxmltree::{Document, Node};
 
@@ -24,10 +24,16 @@ pub(super) fn refuse(document: &Document, complaints: &mut Complaints) {
         complaints.at(complaints.place(element.range().start), reason, EXPAND);
         return;
     }
-    expressions(document.root_element(), complaints);
+    let structure = |node: &Node| vocabulary::STRUCTURE.contains(&node.tag_name().name());
+    for node in elements(document.root_element()).filter(structure) {
+        refuse_expressions(node, complaints);
+        elements(node)
+            .filter(|part| vocabulary::KINEMATIC.contains(&part.tag_name().name()))
+            .for_each(|part| refuse_expressions(part, complaints));
+    }
 }
 
-fn expressions(node: Node, complaints: &mut Complaints) {
+fn refuse_expressions(node: Node, complaints: &mut Complaints) {
     for attribute in node.attributes() {
         let value = attribute.value();
         if let Some(start) = value.find("${").or_else(|| value.find("$(")) {
@@ -37,17 +43,5 @@ fn expressions(node: Node, complaints: &mut Complaints) {
             );
             complaints.at(at, reason, EXPAND);
         }
-    }
-    let relevant = |child: &Node| {
-        let name = child.tag_name().name();
-        match node.tag_name().name() {
-            "robot" => matches!(name, "link" | "joint"),
-            "link" => !IN_LINK.contains(&name),
-            "joint" => !IN_JOINT.contains(&name),
-            _ => false,
-        }
-    };
-    for child in node.children().filter(Node::is_element).filter(relevant) {
-        expressions(child, complaints);
     }
 }

@@ -1,0 +1,405 @@
+//! What chains are made of: which joints, in which order, moved by what.
+
+use kin_codegen::model::{JointKind, Model};
+use kin_codegen::spec::{Diagnostics, Source, Spec};
+use std::f64::consts::FRAC_PI_2;
+
+fn model(
+    path: &str,
+    text: &str,
+    base: Option<&str>,
+    tip: Option<&str>,
+) -> Result<Model, Diagnostics> {
+    let spec = Spec::parse(&Source {
+        path: path.into(),
+        text: text.into(),
+    })?;
+    Model::new(&spec, base, tip)
+}
+
+fn urdf(links: &str, joints: &str) -> String {
+    let links: String = links
+        .split(' ')
+        .map(|link| format!("<link name=\"{link}\"/>\n"))
+        .collect();
+    format!("<robot name=\"arm\">\n{links}{joints}</robot>\n")
+}
+
+fn joint(name: &str, kind: &str, parent: &str, child: &str, rest: &str) -> String {
+    format!(
+        "<joint name=\"{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/>{rest}</joint>\n"
+    )
+}
+
+const LIMIT: &str = r#"<limit lower="-1" upper="1" effort="0" velocity="0"/>"#;
+
+fn accept(text: &str) -> Model {
+    model("arm.urdf", text, None, None).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Two quarter turns that do not commute, one of them on a fixed joint.
+#[test]
+fn fixed_joints_fold_in_their_order() {
+    let text = urdf(
+        "base a b tool",
+        &[
+            joint(
+                "j1",
+                "continuous",
+                "base",
+                "a",
+                r#"<origin xyz="0 0 1"/><axis xyz="0 0 1"/>"#,
+            ),
+            joint(
+                "f",
+                "fixed",
+                "a",
+                "b",
+                r#"<origin xyz="1 0 0" rpy="1.5707963267948966 0 1.5707963267948966"/>"#,
+            ),
+            joint(
+                "j2",
+                "continuous",
+                "b",
+                "tool",
+                r#"<origin xyz="0 0 2"/><axis xyz="0 1 0"/>"#,
+            ),
+        ]
+        .concat(),
+    );
+    let model = accept(&text);
+    assert_eq!(model.joints.len(), 2);
+    // Rz(90) Rx(90) takes z to x and y to z.
+    assert_eq!(model.joints[1].point, [3.0, 0.0, 1.0]);
+    assert_eq!(model.joints[1].axis, [0.0, 0.0, 1.0]);
+    assert_eq!(
+        model.home.rotation,
+        [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    );
+    assert_eq!(model.home, model.joints[1].frame);
+    assert_eq!(model.variables[0].limits, None);
+}
+
+#[test]
+#[allow(clippy::approx_constant)] // The rounding is the point.
+fn a_rounded_right_angle_is_not_snapped() {
+    let rest = r#"<origin xyz="0 0 1" rpy="1.5708 0 0"/><axis xyz="0 0 2"/>"#;
+    let model = accept(&urdf(
+        "base tool",
+        &joint("j", "continuous", "base", "tool", rest),
+    ));
+    assert_eq!(
+        model.joints[0].axis,
+        [0.0, -1.5708_f64.sin(), 1.5708_f64.cos()]
+    );
+}
+
+#[test]
+fn quaternion_origins_are_read_in_any_version() {
+    let rest =
+        r#"<origin quat_xyzw="0.7071067811865476 0 0 0.7071067811865476"/><axis xyz="0 0 1"/>"#;
+    let model = accept(&urdf(
+        "base tool",
+        &joint("j", "continuous", "base", "tool", rest),
+    ));
+    assert_eq!(model.joints[0].axis, [0.0, -1.0, 0.0]);
+    assert!(
+        FRAC_PI_2.cos() != 0.0,
+        "the axis is exact although cos(pi/2) is not"
+    );
+}
+
+#[test]
+fn the_axis_is_x_by_default() {
+    let model = accept(&urdf(
+        "base tool",
+        &joint("j", "prismatic", "base", "tool", LIMIT),
+    ));
+    assert_eq!(model.joints[0].axis, [1.0, 0.0, 0.0]);
+    assert_eq!(model.joints[0].kind, JointKind::Prismatic);
+    assert_eq!(model.variables[0].limits, Some([-1.0, 1.0]));
+}
+
+#[test]
+fn a_continuous_joint_has_no_limits_even_if_the_file_gives_some() {
+    let model = accept(&urdf(
+        "base tool",
+        &joint("j", "continuous", "base", "tool", LIMIT),
+    ));
+    assert_eq!(model.variables[0].limits, None);
+}
+
+fn three(mimic1: &str, mimic2: &str, mimic3: &str) -> String {
+    let rest = |mimic: &str| format!("<axis xyz=\"0 0 1\"/>{LIMIT}{mimic}");
+    urdf(
+        "base a b tool",
+        &[
+            joint("j1", "revolute", "base", "a", &rest(mimic1)),
+            joint("j2", "revolute", "a", "b", &rest(mimic2)),
+            joint("j3", "revolute", "b", "tool", &rest(mimic3)),
+        ]
+        .concat(),
+    )
+}
+
+#[test]
+fn mimics_share_a_coordinate() {
+    let text = three(
+        "",
+        r#"<mimic joint="j1" multiplier="-2" offset="0.5"/>"#,
+        r#"<mimic joint="j2" multiplier="0.5" offset="0.1"/>"#,
+    );
+    let model = accept(&text);
+    assert_eq!(model.variables.len(), 1);
+    assert_eq!(model.variables[0].name, "j1");
+    let drives: Vec<_> = model
+        .joints
+        .iter()
+        .map(|j| (j.variable, j.multiplier, j.offset))
+        .collect();
+    assert_eq!(drives, [(0, 1.0, 0.0), (0, -2.0, 0.5), (0, -1.0, 0.35)]);
+}
+
+#[test]
+fn a_mimic_can_follow_a_later_joint() {
+    let model = accept(&three(r#"<mimic joint="j3"/>"#, "", ""));
+    let names: Vec<_> = model.variables.iter().map(|v| v.name.as_str()).collect();
+    assert_eq!(names, ["j2", "j3"]);
+    assert_eq!(model.joints[0].variable, 1);
+}
+
+#[test]
+fn limits_of_mimics_narrow_the_coordinate() {
+    let model = accept(&three(
+        "",
+        r#"<mimic joint="j1" multiplier="-2" offset="0.5"/>"#,
+        "",
+    ));
+    // -1 <= -2 q + 0.5 <= 1
+    assert_eq!(model.variables[0].limits, Some([-0.25, 0.75]));
+}
+
+#[test]
+fn what_is_off_the_chain_may_float() {
+    let arm = joint(
+        "j",
+        "revolute",
+        "base",
+        "tool",
+        &format!("<axis xyz=\"0 0 1\"/>{LIMIT}"),
+    );
+    let hand = joint("f", "floating", "tool", "ball", "")
+        + &joint("p", "planar", "tool", "puck", "<axis xyz=\"0 0 1\"/>")
+        + &joint("s", "revolute", "tool", "sloppy", "");
+    let text = urdf("base tool ball puck sloppy", &(arm + &hand));
+    let model =
+        model("arm.urdf", &text, Some("base"), Some("tool")).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(model.joints.len(), 1);
+}
+
+/// What files in the field carry, and what says nothing about kinematics.
+#[test]
+fn the_baggage_of_real_files_is_accepted() {
+    let text = r#"<?xml version="1.0" encoding="utf-8"?>
+<!-- written by hand -->
+<robot name="arm" version="1.0" xmlns:xacro="http://www.ros.org/wiki/xacro" xmlns:drake="http://drake.mit.edu">
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <mujoco><compiler meshdir="meshes" inertia="${whatever}"/></mujoco>
+  <link name="base">
+    <inertial><mass value="one"/></inertial>
+    <visual><geometry><mesh filename="package://arm/base.stl" scale="0.001 0.001 0.001"/></geometry></visual>
+    <visual/>
+    <collision><geometry><capsule radius="1"/></geometry></collision>
+    <self_collision_checking><origin xyz="0 0 0"/></self_collision_checking>
+    <drake:anything/>
+  </link>
+  <link name="tool" type="laser"/>
+  <joint name="j" type="revolute">
+    <origin xyz=" 0  0
+      1 " rpy="0 0 0"/>
+    <parent link="base"/>
+    <child link="tool"/>
+    <axis xyz="+0 0. 1e0"/>
+    <limit lower="-1" upper="1" effort="inf" k_velocity="3"/>
+    <dynamics damping="x"/>
+    <calibration rising="0"/>
+    <safety_controller k_velocity="1"/>
+  </joint>
+  <transmission name="t"><joint name="j"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint></transmission>
+  <gazebo reference="base"><mu1>0.2</mu1></gazebo>
+  <gazebo><plugin filename="lib.so" name="p"><robotNamespace>/arm</robotNamespace></plugin></gazebo>
+  <ros2_control name="arm" type="system"><joint name="j"><command_interface name="position"/></joint></ros2_control>
+  <sensor name="camera"/>
+  <drake:collision_filter_group name="g"/>
+  <disable_collisions link1="base" link2="tool"/>
+</robot>"#;
+    assert_eq!(accept(text).joints[0].point, [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn a_default_namespace_is_no_obstacle() {
+    let text = urdf(
+        "base tool",
+        &joint("j", "continuous", "base", "tool", r#"<axis xyz="0 0 1"/>"#),
+    );
+    accept(&text.replace("<robot ", "<robot xmlns=\"http://drake.mit.edu\" "));
+}
+
+#[test]
+fn byte_order_marks_and_carriage_returns_are_no_obstacle() {
+    let text = urdf(
+        "base tool",
+        &joint("j", "continuous", "base", "tool", r#"<axis xyz="0 0 1"/>"#),
+    );
+    accept(&format!("\u{feff}{}", text.replace('\n', "\r\n")));
+}
+
+/// Both readers of URDF must see the same in what XML allows.
+#[test]
+fn entities_and_odd_names_are_read_alike() {
+    let rest = "<origin xyz='&#48;.5 0\t1'/><axis xyz='0 0 &#x31;'/>";
+    let text = urdf(
+        "base &lt;tool&gt;",
+        &joint("j &amp; k é", "continuous", "base", "&lt;tool&gt;", rest),
+    );
+    let model = accept(&text);
+    assert_eq!(model.joints[0].name, "j & k é");
+    assert_eq!(model.joints[0].point, [0.5, 0.0, 1.0]);
+    assert_eq!(model.tip, "<tool>");
+    let blank = accept(&text.replace("\"base\"", "\" base \""));
+    assert_eq!(blank.base, " base ");
+}
+
+#[test]
+fn a_fixed_joint_may_have_a_zero_axis() {
+    let moving = joint("j", "continuous", "base", "a", "");
+    let fixed = joint(
+        "f",
+        "fixed",
+        "a",
+        "tool",
+        r#"<axis xyz="0 0 0"/><limit lower="0" upper="0" effort="0" velocity="0"/>"#,
+    );
+    assert_eq!(
+        accept(&urdf("base a tool", &(moving + &fixed)))
+            .joints
+            .len(),
+        1
+    );
+}
+
+#[test]
+fn the_robot_is_named_after_its_file_if_it_has_no_name() {
+    let text = urdf("base tool", &joint("j", "continuous", "base", "tool", ""))
+        .replace(" name=\"arm\"", "");
+    assert_eq!(
+        model("my_arm.urdf", &text, None, None).map(|m| m.name),
+        Ok("my_arm".into()).map_err(|e: Diagnostics| e)
+    );
+}
+
+fn yaml(text: &str) -> Model {
+    model("arm.yaml", text, None, None).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// One arm in all four ways.
+#[test]
+fn the_four_ways_describe_the_same_arm() {
+    let head = "robot: arm\nunits: {angle: deg, length: mm}\n";
+    let screws = "screws:\n  - {name: a, axis: [0, 0, 2], point: [0, 0, 7]}\n  - {name: b, axis: [0, -1, 0], point: [0, 0, 400]}\nhome: {xyz: [300, 0, 400], rpy: [90, 0, 0]}\n";
+    let dh = "dh:\n  - {name: a, theta: 0, d: 400, a: 0, alpha: 90}\n  - {name: b, theta: 0, d: 0, a: 300, alpha: 0}\ntip: tip\n";
+    let mdh = "mdh:\n  - {name: a, theta: 0, d: 400, a: 0, alpha: 0}\n  - {name: b, d: 0, a: 0, alpha: 90}\ntip: {link: tip, xyz: [300, 0, 0]}\n";
+    let joints = "joints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, xyz: [0, 0, 400], rpy: [90, 0, 0], axis: [0, 0, 1]}\ntip: {link: tip, xyz: [300, 0, 0]}\n";
+    for way in [screws, dh, mdh, joints] {
+        let model = yaml(&format!("{head}{way}"));
+        assert_eq!(
+            (model.base.as_str(), model.tip.as_str()),
+            ("base", "tip"),
+            "{way}"
+        );
+        assert_eq!(model.home.translation, [0.3, 0.0, 0.4], "{way}");
+        assert_eq!(
+            model.home.rotation,
+            [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]],
+            "{way}"
+        );
+        assert_eq!(model.joints[0].axis, [0.0, 0.0, 1.0], "{way}");
+        assert_eq!(model.joints[1].axis, [0.0, -1.0, 0.0], "{way}");
+        assert_eq!(model.joints[1].point, [0.0, 0.0, 0.4], "{way}");
+    }
+}
+
+/// The arm stands on a table, turned by 90 degrees.
+#[test]
+fn the_base_pose_carries_the_whole_chain() {
+    let head = "robot: arm\nunits: {angle: rad, length: m}\nbase: {link: table, xyz: [0, 0, 1], rpy: [0, 0, pi/2]}\n";
+    let screws = "screws:\n  - {name: a, axis: [0, 0, 1], point: [0, 0, 0]}\n  - {name: b, axis: [1, 0, 0], point: [2, 0, 0]}\nhome: {xyz: [3, 0, 0]}\n";
+    let joints = "joints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, xyz: [2, 0, 0], axis: [1, 0, 0]}\ntip: {link: tip, xyz: [1, 0, 0]}\n";
+    for way in [screws, joints] {
+        let model = yaml(&format!("{head}{way}"));
+        assert_eq!(model.base, "table");
+        assert_eq!(model.joints[1].axis, [0.0, 1.0, 0.0], "{way}");
+        assert_eq!(model.joints[1].point, [0.0, 2.0, 1.0], "{way}");
+        assert_eq!(model.home.translation, [0.0, 3.0, 1.0], "{way}");
+    }
+}
+
+#[test]
+fn link_frames_of_screws_are_the_base_frame_at_home() {
+    let model = yaml(
+        "robot: arm\nunits: {angle: rad, length: m}\nscrews:\n  - {name: a, axis: [0, 0, 1], point: [0.1, 0.7, 0.3]}\nhome: {xyz: [1, 0, 0]}\n",
+    );
+    assert_eq!(model.joints[0].frame, kin_runtime::Pose::IDENTITY);
+}
+
+#[test]
+fn orientations_have_three_notations() {
+    let head =
+        "robot: arm\nunits: {angle: rad, length: m}\njoints:\n  - {name: a, axis: [0, 0, 1]}\n";
+    let tips = [
+        "rpy: [0, 0, pi/2]",
+        "quat_xyzw: [0, 0, 0.70710678, 0.70710678]",
+        "matrix: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+    ];
+    for tip in tips {
+        let model = yaml(&format!("{head}tip: {{link: tool, {tip}}}\n"));
+        assert_eq!(
+            model.home.rotation,
+            [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+            "{tip}"
+        );
+    }
+}
+
+#[test]
+fn prismatic_parameters_and_limits_are_lengths() {
+    let model = yaml(
+        "robot: arm\nunits: {angle: deg, length: mm}\ndh:\n  - {name: lift, type: prismatic, theta: 90, d: 100, a: 50, alpha: 0, limits: [-100, 200]}\n",
+    );
+    assert_eq!(model.joints[0].kind, JointKind::Prismatic);
+    assert_eq!(model.variables[0].limits, Some([-0.1, 0.2]));
+    assert_eq!(model.home.translation, [0.0, 0.05, 0.1]);
+}
+
+#[test]
+fn mimics_between_kinds_have_the_units_of_the_file() {
+    let model = yaml(
+        "robot: arm\nunits: {angle: deg, length: mm}\njoints:\n  - {name: screw, axis: [0, 0, 1]}\n  - {name: nut, type: prismatic, axis: [0, 0, 1], mimic: {joint: screw, multiplier: 0.01, offset: 5}}\n",
+    );
+    // 0.01 mm per degree.
+    let nut = &model.joints[1];
+    assert!((nut.multiplier - 1e-5_f64.to_degrees()).abs() < 1e-18);
+    assert_eq!(nut.offset, 0.005);
+}
+
+#[test]
+fn yaml_joints_can_branch() {
+    let text = "robot: arm\nunits: {angle: rad, length: m}\njoints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, axis: [0, 1, 0]}\n  - {name: camera, type: fixed, parent: a_link, xyz: [0, 0, 1]}\n";
+    let error = model("arm.yaml", text, None, None).unwrap_err().to_string();
+    assert!(
+        error.contains("`b_link` (2 moving joints), `camera_link` (1 moving joint)"),
+        "{error}"
+    );
+    let arm = model("arm.yaml", text, None, Some("b_link")).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(arm.joints.len(), 2);
+}
