@@ -206,8 +206,8 @@ fn kr6_at_the_pose_of_its_data_sheet() {
 }
 
 #[test]
-fn tx2_60_by_its_dimensions() {
-    let model = robot("tx2_60.yaml");
+fn tx60_by_its_dimensions() {
+    let model = robot("tx60.yaml");
     let up = fk(&model, &[0.0; 6]);
     assert_position(&up, [0.0, 0.02, 0.375 + 0.29 + 0.31 + 0.07], 1e-12);
     let elbow_bent = fk(&model, &[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0]);
