@@ -12,7 +12,7 @@ use crate::{Chain, Pose, Twist, cholesky};
 const STEPS: usize = 60;
 
 /// Steps before it is asked whether a run gets anywhere.
-const PATIENCE: usize = 12;
+const PATIENCE: usize = 8;
 
 /// Below this error, relative to the arm's size, the next steps only polish.
 const CONVERGED: f64 = 1e-12;
@@ -144,18 +144,21 @@ impl<'a> Descent<'a> {
     }
 
     /// Raises the damping until a step lowers the cost, and takes it; `false`
-    /// if none does.
+    /// if none does, or only rounding is left to lower.
     fn improve(&mut self, damping: &mut f64) -> bool {
         while *damping < 1e6 {
             if self.propose(*damping) {
                 self.task.visit(&mut self.trial);
                 if self.trial.cost < self.current.cost {
                     core::mem::swap(&mut self.current, &mut self.trial);
-                    *damping = (*damping * 0.05).max(1e-15);
+                    *damping = (*damping * 0.1).max(1e-15);
                     return true;
                 }
             }
-            *damping *= 20.0;
+            if self.converged() {
+                return false;
+            }
+            *damping *= 10.0;
         }
         false
     }
