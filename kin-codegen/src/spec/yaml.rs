@@ -124,8 +124,7 @@ fn read(source: &Source, reader: &mut Reader) -> Option<Draft> {
     // Without units no length or angle has a meaning.
     let (units, (way, list)) = (units?, way?);
     let base = End::read(&file, "base", &units, reader);
-    let tip = End::read(&file, "tip", &units, reader);
-    let home = home(&file, way, &units, reader);
+    let tip = tip(&file, way, &units, reader);
     let rows = joint::rows(list, way, &units, reader);
     let (base, tip, rows) = (base?, tip?, rows?);
     let mut draft = Draft {
@@ -134,10 +133,7 @@ fn read(source: &Source, reader: &mut Reader) -> Option<Draft> {
         joints: Vec::new(),
     };
     draft.links.push(base.link("base", list, reader));
-    match way {
-        "screws" => screws::add(&mut draft, &base, &tip, home?, rows, list, reader)?,
-        _ => frames::add(&mut draft, &base, &tip, rows, list, reader),
-    }
+    frames::add(&mut draft, &base, &tip, rows, list, reader);
     Some(draft)
 }
 
@@ -160,6 +156,28 @@ fn way<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n 
         reader.at(file.key(way), reason, "keep one of the two");
     }
     Some(first)
+}
+
+/// The tip, whose pose `home` gives with screws, and `tip` otherwise.
+fn tip(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<End> {
+    let tip = End::read(file, "tip", units, reader);
+    let home = home(file, way, units, reader);
+    let tip = tip?;
+    if way != "screws" {
+        return Some(tip);
+    }
+    if tip.pose.is_some() {
+        let reason = "the pose of the tip is given twice, by `home` and by `tip`";
+        reader.at(
+            file.key("tip"),
+            reason,
+            "write the tip's name only: `tip: name`",
+        );
+    }
+    Some(End {
+        pose: Some(home?),
+        ..tip
+    })
 }
 
 fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<Pose> {
@@ -193,6 +211,7 @@ fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<
 }
 
 /// One end of the chain: what `base` or `tip` say.
+#[derive(Default)]
 struct End {
     name: Option<Name>,
     pose: Option<Pose>,
@@ -201,10 +220,7 @@ struct End {
 impl End {
     fn read(file: &Fields, key: &str, units: &Units, reader: &mut Reader) -> Option<End> {
         let Some(node) = file.get(key) else {
-            return Some(End {
-                name: None,
-                pose: None,
-            });
+            return Some(End::default());
         };
         if !matches!(node.value, Value::Map(_)) {
             return Some(End {
@@ -212,16 +228,17 @@ impl End {
                 pose: None,
             });
         }
-        let keys = [&["link"], &pose::KEYS[..]].concat();
-        let fields = reader.fields(node, key, &keys)?;
+        let fields = reader.fields(node, key, &[&["link"], &pose::KEYS[..]].concat())?;
         let pose = pose::read(&fields, units, reader);
         let name = match fields.get("link") {
             Some(link) => Some(reader.name(link)?),
             None => None,
         };
+        let has_pose = pose::KEYS.iter().any(|key| fields.get(key).is_some());
+        let pose = pose?;
         Some(End {
             name,
-            pose: Some(pose?),
+            pose: has_pose.then_some(pose),
         })
     }
 

@@ -22,7 +22,7 @@ pub(super) fn read(
 ) -> Option<Geometry> {
     let origin = pose::read(fields, units, reader);
     let axis = match kind {
-        JointType::Fixed if fields.get("axis").is_none() => Some([0.0, 0.0, 1.0]),
+        JointType::Fixed => Some([0.0, 0.0, 1.0]),
         _ => joint::axis(fields, reader),
     };
     let parent = match fields.get("parent") {

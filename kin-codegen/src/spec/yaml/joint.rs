@@ -64,6 +64,7 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
     let kind = kind(&fields, way, reader);
     // The rest has its meaning, and its units, by the kind.
     let kind = kind?;
+    refuse_motion_of_fixed(&fields, kind, reader);
     let geometry = match way {
         "screws" => screws::read(&fields, kind, units, reader),
         "dh" => denavit_hartenberg::standard(&fields, kind, units, reader),
@@ -88,6 +89,19 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
         mimic: mimic?,
         geometry: geometry?,
     })
+}
+
+fn refuse_motion_of_fixed(fields: &Fields, kind: JointType, reader: &mut Reader) {
+    for key in ["axis", "limits", "mimic"] {
+        if kind == JointType::Fixed && fields.get(key).is_some() {
+            let reason = format!("`{key}` has no meaning for a fixed joint");
+            reader.at(
+                fields.key(key),
+                reason,
+                "remove it, or make the joint revolute or prismatic",
+            );
+        }
+    }
 }
 
 fn kind(fields: &Fields, way: &str, reader: &mut Reader) -> Option<JointType> {

@@ -1,13 +1,9 @@
 //! Joints by screw axes: a direction and a point, in the base frame at home.
 
 use super::fields::{Fields, Reader};
-use super::joint::{self, Geometry, Row};
-use super::node::Node;
+use super::joint::{self, Geometry};
 use super::units::Units;
-use super::{End, frames};
-use crate::spec::tree::Draft;
 use crate::spec::{JointType, orientation};
-use kin_runtime::Pose;
 
 /// The keys of a screw beside the common ones.
 pub(super) const KEYS: [&str; 2] = ["axis", "point"];
@@ -36,33 +32,4 @@ pub(super) fn read(
         axis: axis?,
         mount: orientation::shift(point.map(|x| -x)),
     })
-}
-
-/// Adds the chain and, at its end, the tip at its home pose.
-pub(super) fn add(
-    draft: &mut Draft,
-    base: &End,
-    tip: &End,
-    home: Pose,
-    rows: Vec<Row>,
-    list: &Node,
-    reader: &mut Reader,
-) -> Option<()> {
-    if let (Some(_), Some(name)) = (tip.pose, &tip.name) {
-        let reason = format!(
-            "the pose of `{}` is given twice, by `home` and by `tip`",
-            name.text
-        );
-        reader
-            .complaints
-            .at(name.at, reason, "write the tip's name only: `tip: name`");
-        return None;
-    }
-    let link = tip.link("tip", list, reader);
-    let named = End {
-        name: Some(link),
-        pose: Some(home),
-    };
-    frames::add(draft, base, &named, rows, list, reader);
-    Some(())
 }
