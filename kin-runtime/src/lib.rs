@@ -1,7 +1,19 @@
 //! The run-time half of the kinematics compiler.
 //!
 //! Generated robots lean on the types and the branch-free numerics of this
-//! crate; nothing they use allocates or needs `std`.
+//! crate; nothing they use allocates or needs `std`. The same mathematics for a
+//! chain that is known only at run time checks them.
+//!
+//! Notation and conventions are those of Murray, Li and Sastry, "A Mathematical
+//! Introduction to Robotic Manipulation", 1994, here called MLS: twists are
+//! (v, ω), poses take tool coordinates to base coordinates. Units are metres
+//! and radians.
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `alloc` | `Chain`, the generic product of exponentials, and its numerical search |
+//! | `std` (default) | the processor's square root instead of `libm`'s; implies `alloc` |
+//! | `nalgebra` (default), `glam`, `mint` | conversions |
 #![no_std]
 
 #[cfg(feature = "alloc")]

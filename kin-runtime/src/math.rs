@@ -32,9 +32,9 @@ const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// Sine and cosine of `x` radians.
 ///
-/// For |x| ≤ 1.6e6 both are within 1.5e-16 of the truth, and for |x| ≤ π/4 the
-/// sine also has a relative error below 1.2e-16. Beyond that range the error grows like
-/// 1.5e-16 |x|, up to |x| ≈ 3e15 where no bit of the angle is left; still
+/// For |x| ≤ 1.6e6 both are within 1.5e-16 of the truth; for |x| ≤ π/4 the sine
+/// also has a relative error below 1.2e-16. Beyond that range the error grows
+/// like 1.5e-16 |x|, up to |x| ≈ 3e15 where no bit of the angle is left; still
 /// larger arguments give finite values in [−1, 1] and no meaning. Infinities
 /// and NaN give NaN.
 ///
@@ -81,7 +81,7 @@ fn sin_cos_eighth(r: f64) -> (f64, f64) {
 
 /// The angle of the vector (x, y) in [−π, π] radians, as `f64::atan2(y, x)`.
 ///
-/// Within 2.5e-16 relative where the larger magnitude is in 1e-290..1e308, and
+/// Within 2.5e-16 relative where the larger magnitude is in 1e-290..8e307, and
 /// coarser but sound below; multiples of π/4 are exact. The sign is that of `y`;
 /// `atan2(±0, x)` is ±0 for x ≥ 0 (also for x = −0, where the standard library
 /// says ±π) and ±π for x < 0. In particular `atan2(0, 0)` is 0. Infinities and

@@ -19,8 +19,8 @@ pub enum Goal {
     Position,
 }
 
-/// How [`Chain::ik_all`] searches. The defaults find all branches of a
-/// six-joint arm; an odd start in thousands of targets may need more.
+/// How [`Chain::ik_all`] searches. The defaults suit arms of up to six
+/// joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
     /// What has to agree with the target.
@@ -77,11 +77,12 @@ impl Chain {
     /// within 1e-12 of the target, relative to the arm's size, and the answer
     /// does not vary from call to call. A target out of reach, also one that a
     /// chain of fewer than six joints cannot orient itself to, yields none.
-    /// Where solutions form families, random members of them come back, with a
-    /// [`ChainSolution::conditioning`] near 0.
+    /// Where solutions form families, scattered members of them come back, with
+    /// a [`ChainSolution::conditioning`] near 0; isolated solutions where it is
+    /// below 1e-6 may be missed, because the descent towards them is too flat.
     ///
-    /// Targets hit at random are answered in a few milliseconds for six joints
-    /// and eight branches.
+    /// A target of a six-joint arm with eight branches takes some two
+    /// milliseconds.
     ///
     /// ```
     /// use kin_runtime::{Chain, Goal, Pose, SearchOptions, Twist};
