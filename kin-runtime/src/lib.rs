@@ -32,6 +32,7 @@ mod exponential;
 mod glam;
 mod jacobian;
 mod kinematics;
+pub mod lanes;
 mod limits;
 pub mod math;
 #[cfg(feature = "mint")]
@@ -40,6 +41,7 @@ mod mint;
 mod nalgebra;
 mod orientation;
 mod placement;
+pub mod polish;
 mod pose;
 #[cfg(feature = "alloc")]
 mod search;

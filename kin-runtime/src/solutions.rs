@@ -121,6 +121,19 @@ impl<const N: usize> Solutions<N> {
         self.len = (self.len + usize::from(valid)).min(CAPACITY);
     }
 
+    /// Appends a solution if it is valid and none before it is the same to
+    /// within 1e-6: branches that were polished may land together.
+    #[inline]
+    pub fn push_distinct_if(&mut self, valid: bool, solution: Solution<N>) {
+        let apart = |i: usize, a: f64, b: f64| {
+            let turns = self.prismatic >> i & 1 == 0;
+            math::select(turns, math::wrap(a - b), a - b).abs() >= 1e-6
+        };
+        let differs = |other: &Solution<N>| (0..N).any(|i| apart(i, other.q[i], solution.q[i]));
+        let new = valid && self.iter().all(differs);
+        self.push_if(new, solution);
+    }
+
     /// The solutions found, in order of their branch.
     #[inline]
     pub fn as_slice(&self) -> &[Solution<N>] {
