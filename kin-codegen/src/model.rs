@@ -6,7 +6,7 @@ mod limits;
 mod mimic;
 
 use crate::spec::{self, Complaints, Diagnostics, JointType, Spec};
-use kin_runtime::Pose;
+use kin_runtime::{Pose, Twist};
 
 /// A serial chain at its home configuration (all joint values 0), in the
 /// coordinates of the base link; metres and radians.
@@ -69,11 +69,39 @@ pub struct Variable {
     pub limits: Option<[f64; 2]>,
 }
 
+impl Joint {
+    /// Whether this joint is a coordinate of q itself, and mimics no other.
+    pub fn is_coordinate(&self, variable: usize) -> bool {
+        self.variable == variable && self.multiplier == 1.0 && self.offset == 0.0
+    }
+
+    /// The unit twist of the joint at home (MLS section 3.2.1).
+    pub fn twist(&self) -> Twist {
+        match self.kind {
+            JointKind::Revolute => Twist::revolute(self.axis, self.point),
+            JointKind::Prismatic => Twist::prismatic(self.axis),
+        }
+    }
+}
+
 /// A longer arm was written in millimetres: the longest that exist, in space
 /// and on concrete pumps, stay below this.
 const LONGEST_ARM: f64 = 100.0;
 
 impl Model {
+    /// Whether some joints mimic others, so that joints and coordinates of q
+    /// are not the same.
+    pub fn is_coupled(&self) -> bool {
+        let own = |joint: &Joint| joint.multiplier == 1.0 && joint.offset == 0.0;
+        self.joints.len() != self.variables.len() || !self.joints.iter().all(own)
+    }
+
+    /// Whether a coordinate of q is an angle.
+    pub fn turns(&self, variable: usize) -> bool {
+        let mut joints = self.joints.iter();
+        joints.any(|joint| joint.variable == variable && joint.kind == JointKind::Revolute)
+    }
+
     /// The chain from `base` to `tip`, by the names of links. Without a base
     /// it starts at the root of the tree, without a tip it ends at the only
     /// leaf.

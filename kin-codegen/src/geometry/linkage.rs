@@ -1,0 +1,340 @@
+//! Frames in which constants vanish.
+//!
+//! The product of exponentials e₁ … eₙ g(0) is rewritten as
+//!
+//! ```text
+//! C₀ J₁ C₁ J₂ … Jₙ Cₙ
+//! ```
+//!
+//! with joint motions J that are rotations about z or translations along a
+//! constant direction, and constant motions C. The frames are free to turn
+//! about and slide along their axis, and are chosen so that the C hold as many
+//! zeros and ±1 as the arm allows: axis-aligned where the geometry is,
+//! otherwise the Denavit-Hartenberg normal with the angle folded into the
+//! joint. Frames of parallel joints in a row share their orientation, so that
+//! their angles add.
+
+use super::{Line, Vec3, along, cross, dot, norm, size, sub, unit};
+use crate::model::{Joint, JointKind, Model};
+use kin_runtime::Pose;
+use std::ops::Range;
+
+/// Entries of a constant motion below this (relative to the arm's size) are
+/// rounding of the file's own zeros.
+const ROUNDING: f64 = 1e-14;
+/// Axes whose directions differ less than this are parallel.
+const PARALLEL: f64 = 1e-13;
+/// Axes nearer to parallel than this have their common normal so far away
+/// that its foot is rounding error; any point of the axis serves instead.
+const FAR_NORMAL: f64 = 1e-3;
+
+/// The chain as alternating joint motions and constant motions.
+#[derive(Clone, Debug)]
+pub struct Linkage {
+    /// C₀: from the base link to the first joint.
+    pub base: Pose,
+    /// J₁ C₁ … Jₙ Cₙ.
+    pub links: Vec<Link>,
+    /// Maximal ranges of joints whose frames share one orientation:
+    /// consecutive parallel revolutes, with prismatic joints among them.
+    pub runs: Vec<Run>,
+    /// The arm's size, metres.
+    pub size: f64,
+}
+
+/// A joint and the constant motion behind it.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// J: how the joint moves.
+    pub travel: Travel,
+    /// Which coordinate of q moves it.
+    pub variable: usize,
+    /// J is by `gain * q + offset`: radians or metres.
+    pub gain: f64,
+    /// See `gain`.
+    pub offset: f64,
+    /// C: from behind the joint to before the next one, or to the tip.
+    pub after: Pose,
+    /// The child link's own frame, as seen from behind the joint.
+    pub body: Pose,
+    /// The frame before the joint at home, in base coordinates.
+    pub before_home: Pose,
+    /// The frame behind the joint at home, in base coordinates.
+    pub after_home: Pose,
+}
+
+/// How a joint moves in its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Travel {
+    /// A rotation about z.
+    Turn,
+    /// A translation along a constant unit direction.
+    Slide(Vec3),
+}
+
+/// Joints whose frames share one orientation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The joints.
+    pub joints: Range<usize>,
+    /// How many of them turn.
+    pub turning: usize,
+}
+
+impl Linkage {
+    /// Chooses the frames.
+    pub fn new(model: &Model) -> Self {
+        let size = size(model);
+        let origins = origins(model);
+        let mut links: Vec<Link> = Vec::with_capacity(model.joints.len());
+        let mut runs: Vec<Run> = Vec::new();
+        // Orientation behind the joint before, at home.
+        let mut orientation = Pose::IDENTITY;
+        for (i, joint) in model.joints.iter().enumerate() {
+            let mut before = orientation;
+            let mut sign = 1.0;
+            let mut continues = !runs.is_empty();
+            if joint.kind == JointKind::Revolute {
+                let z = column(&orientation, 2);
+                if norm(cross(z, joint.axis)) < PARALLEL {
+                    sign = dot(z, joint.axis).signum();
+                } else {
+                    before = facing(&orientation, joint.axis);
+                    // A run that only slides may take the orientation of the
+                    // joint behind it no more: its directions are fixed.
+                    continues = false;
+                }
+            }
+            before.translation = origins[i];
+            let turn = if joint.kind == JointKind::Revolute {
+                align(&before, wanted_x(model, &origins, i))
+            } else {
+                0.0
+            };
+            let after = before * about_z(turn);
+            links.push(link(joint, sign, turn, before, after));
+            extend_runs(&mut runs, i, joint, continues);
+            orientation = after;
+        }
+        let base = clean(links[0].before_home, size);
+        for i in 0..links.len() {
+            let next = links.get(i + 1).map_or(model.home, |link| link.before_home);
+            let home = links[i].after_home.inverse();
+            links[i].after = clean(home * next, size);
+            links[i].body = clean(home * model.joints[i].frame, size);
+        }
+        Linkage {
+            base,
+            links,
+            runs,
+            size,
+        }
+    }
+
+    /// The number of coordinates of q.
+    pub fn variables(&self) -> usize {
+        self.links
+            .iter()
+            .map(|link| link.variable + 1)
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// The tip's frame at home, in base coordinates.
+    pub fn tip_home(&self) -> Pose {
+        self.links
+            .last()
+            .map_or(self.base, |link| link.after_home * link.after)
+    }
+
+    /// The run that a joint belongs to.
+    pub fn run_of(&self, joint: usize) -> usize {
+        self.runs
+            .iter()
+            .position(|run| run.joints.contains(&joint))
+            .unwrap_or(0)
+    }
+
+    /// The axis of a joint at home, in base coordinates.
+    pub fn axis(&self, joint: usize) -> Line {
+        let link = &self.links[joint];
+        let direction = match link.travel {
+            Travel::Turn => column(&link.before_home, 2).map(|x| x * link.gain.signum()),
+            Travel::Slide(v) => link.before_home.rotate(v),
+        };
+        Line {
+            direction,
+            point: link.before_home.translation,
+        }
+    }
+}
+
+fn link(joint: &Joint, sign: f64, turn: f64, before: Pose, after: Pose) -> Link {
+    let (travel, sign) = match joint.kind {
+        JointKind::Revolute => (Travel::Turn, sign),
+        JointKind::Prismatic => (
+            Travel::Slide(tidy(before.rotate_back(joint.axis), 1.0)),
+            1.0,
+        ),
+    };
+    Link {
+        travel,
+        variable: joint.variable,
+        gain: sign * joint.multiplier,
+        offset: sign * joint.offset + turn,
+        after: Pose::IDENTITY,
+        body: Pose::IDENTITY,
+        before_home: before,
+        after_home: after,
+    }
+}
+
+fn extend_runs(runs: &mut Vec<Run>, i: usize, joint: &Joint, continues: bool) {
+    let turning = usize::from(joint.kind == JointKind::Revolute);
+    match runs.last_mut() {
+        Some(run) if continues => {
+            run.joints.end = i + 1;
+            run.turning += turning;
+        }
+        _ => runs.push(Run {
+            joints: i..i + 1,
+            turning,
+        }),
+    }
+}
+
+/// Where each frame sits: on its axis, at the foot of the common normal to the
+/// next axis that is not parallel; parallel neighbours on one level. What is
+/// behind the last such foot slides to it. A prismatic joint has no place of
+/// its own and takes that of the joint before.
+fn origins(model: &Model) -> Vec<Vec3> {
+    let turning: Vec<usize> = (0..model.joints.len())
+        .filter(|&i| model.joints[i].kind == JointKind::Revolute)
+        .collect();
+    let line = |i: usize| Line {
+        direction: model.joints[i].axis,
+        point: model.joints[i].point,
+    };
+    let skew = |i: usize, j: usize| norm(cross(line(i).direction, line(j).direction)) > FAR_NORMAL;
+    let mut feet: Vec<Option<Vec3>> = vec![None; model.joints.len()];
+    for pair in turning.windows(2).rev() {
+        let (i, next) = (pair[0], pair[1]);
+        feet[i] = if skew(i, next) {
+            Some(line(i).foot(&line(next)))
+        } else {
+            feet[next].map(|foot| line(i).nearest(foot))
+        };
+    }
+    for (k, &i) in turning.iter().enumerate() {
+        let previous = k.checked_sub(1).map(|k| turning[k]);
+        feet[i] = feet[i].or_else(|| match previous {
+            Some(j) if skew(i, j) => Some(line(i).foot(&line(j))),
+            Some(j) => feet[j].map(|foot| line(i).nearest(foot)),
+            None => Some(line(i).nearest([0.0; 3])),
+        });
+    }
+    let mut here = None;
+    feet.into_iter()
+        .enumerate()
+        .map(|(i, foot)| {
+            here = foot.or(here);
+            here.unwrap_or(model.joints[i].point)
+        })
+        .collect()
+}
+
+/// A frame that looks along `axis`. Along an axis of `from` it is a signed
+/// permutation of it, otherwise x is the common normal.
+fn facing(from: &Pose, axis: Vec3) -> Pose {
+    let local = from.rotate_back(axis);
+    let x = match (0..3).find(|&k| local[k].abs() > 1.0 - ROUNDING) {
+        // The next axis in cyclic order keeps a right angle a permutation.
+        Some(k) => column(from, (k + 1) % 3),
+        None => cross(column(from, 2), axis),
+    };
+    frame(axis, x)
+}
+
+/// The orientation with z along `z` and x as near to `x` as it can be.
+fn frame(z: Vec3, x: Vec3) -> Pose {
+    let x = unit(along(x, -dot(x, z), z));
+    let y = cross(z, x);
+    Pose {
+        rotation: std::array::from_fn(|i| [x[i], y[i], z[i]]),
+        translation: [0.0; 3],
+    }
+}
+
+/// Where x behind the joint should point: along the link to a parallel
+/// neighbour, or along the normal to the next axis, or as the tip has it.
+fn wanted_x(model: &Model, origins: &[Vec3], i: usize) -> Vec3 {
+    let z = model.joints[i].axis;
+    let home = &model.home;
+    let Some(next) = model.joints.get(i + 1) else {
+        let towards = column(home, 2);
+        let normal = cross(z, towards);
+        return if norm(normal) < PARALLEL {
+            column(home, 0)
+        } else {
+            normal
+        };
+    };
+    let normal = cross(z, next.axis);
+    if norm(normal) > PARALLEL {
+        return normal;
+    }
+    sub(origins[i + 1], origins[i])
+}
+
+/// The angle about z that brings x of the frame onto `wanted`, to within a
+/// quarter turn, which costs nothing to leave in the constants.
+fn align(frame: &Pose, wanted: Vec3) -> f64 {
+    let local = frame.rotate_back(wanted);
+    let (x, y) = (local[0], local[1]);
+    let length = x.hypot(y);
+    if length <= ROUNDING || x.abs().min(y.abs()) <= ROUNDING * length {
+        return 0.0;
+    }
+    y.atan2(x)
+}
+
+fn about_z(angle: f64) -> Pose {
+    if angle == 0.0 {
+        return Pose::IDENTITY;
+    }
+    let (s, c) = angle.sin_cos();
+    Pose {
+        rotation: [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
+        translation: [0.0; 3],
+    }
+}
+
+pub(super) fn column(pose: &Pose, j: usize) -> Vec3 {
+    [0, 1, 2].map(|i| pose.rotation[i][j])
+}
+
+/// Rounding noise becomes exact zeros and ones.
+fn clean(pose: Pose, size: f64) -> Pose {
+    Pose {
+        rotation: pose.rotation.map(|row| tidy(row, 1.0)),
+        translation: tidy(pose.translation, size).map(short),
+    }
+}
+
+/// A length without the digits that composing frames has left behind: metres,
+/// to a femtometre.
+fn short(x: f64) -> f64 {
+    (x * 1e15).round() / 1e15
+}
+
+fn tidy(v: Vec3, scale: f64) -> Vec3 {
+    v.map(|x| {
+        if x.abs() < ROUNDING * scale {
+            0.0
+        } else if (x.abs() - 1.0).abs() < ROUNDING {
+            x.signum()
+        } else {
+            x
+        }
+    })
+}

@@ -1,0 +1,124 @@
+//! Geometry of the chain: lines and how they lie, the frames in which
+//! constants vanish, and the snapping of noisy files onto exact relations.
+
+mod linkage;
+mod relation;
+mod snap;
+
+pub use linkage::{Link, Linkage, Run, Travel};
+pub use relation::{AxisRelation, concurrency, relate};
+pub use snap::{Moved, Snap, snap};
+
+use crate::model::{JointKind, Model};
+
+/// A vector or point in base coordinates.
+pub type Vec3 = [f64; 3];
+
+/// A directed line: a unit direction through a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Unit direction.
+    pub direction: Vec3,
+    /// Any point of the line.
+    pub point: Vec3,
+}
+
+pub(crate) fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+pub(crate) fn sub(a: Vec3, b: Vec3) -> Vec3 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub(crate) fn along(p: Vec3, t: f64, v: Vec3) -> Vec3 {
+    [p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]]
+}
+
+pub(crate) fn norm(a: Vec3) -> f64 {
+    dot(a, a).sqrt()
+}
+
+pub(crate) fn unit(a: Vec3) -> Vec3 {
+    let n = norm(a);
+    a.map(|x| x / n)
+}
+
+impl Line {
+    /// The vector from the line's nearest point to `p`.
+    pub fn offset_of(&self, p: Vec3) -> Vec3 {
+        let d = sub(p, self.point);
+        along(d, -dot(d, self.direction), self.direction)
+    }
+
+    /// The point of this line nearest to another that is not parallel to it:
+    /// the foot of the common normal.
+    pub fn foot(&self, other: &Line) -> Vec3 {
+        let normal = cross(self.direction, other.direction);
+        let d = sub(other.point, self.point);
+        let t = dot(cross(d, other.direction), normal) / dot(normal, normal);
+        along(self.point, t, self.direction)
+    }
+
+    /// The point of this line nearest to `p`.
+    pub fn nearest(&self, p: Vec3) -> Vec3 {
+        let t = dot(sub(p, self.point), self.direction);
+        along(self.point, t, self.direction)
+    }
+
+    /// The distance between two lines.
+    pub fn distance(&self, other: &Line) -> f64 {
+        let normal = cross(self.direction, other.direction);
+        let sine = norm(normal);
+        // Nearly parallel lines have no stable common normal.
+        if sine < 1e-9 {
+            return norm(self.offset_of(other.point));
+        }
+        dot(sub(other.point, self.point), normal).abs() / sine
+    }
+}
+
+/// The joint axes of a model as lines, at home, in base coordinates.
+pub fn axes(model: &Model) -> Vec<Line> {
+    model
+        .joints
+        .iter()
+        .map(|joint| Line {
+            direction: joint.axis,
+            point: joint.point,
+        })
+        .collect()
+}
+
+/// The arm's size, metres: how far the tip can be from the first axis if
+/// every link were stretched. Lengths are judged relative to it.
+///
+/// Offsets along an axis of rotation count once, however they are split
+/// between the links that share the axis.
+pub fn size(model: &Model) -> f64 {
+    let mut length = 0.0;
+    let mut here = model.joints[0].point;
+    let revolute = model
+        .joints
+        .iter()
+        .filter(|joint| joint.kind == JointKind::Revolute);
+    for joint in revolute.skip(1) {
+        let next = Line {
+            direction: joint.axis,
+            point: joint.point,
+        }
+        .nearest(here);
+        length += norm(sub(next, here));
+        here = next;
+    }
+    length += norm(sub(model.home.translation, here));
+    if length > 0.0 { length } else { 1.0 }
+}

@@ -1,0 +1,166 @@
+//! Reading a noisy file as the arm that was meant.
+//!
+//! A file that says rpy="1.5708 0 0" means a right angle; an individually
+//! calibrated arm has axes a milliradian off their design. Closed forms need
+//! exact relations, so the axes are moved onto the relations that they nearly
+//! satisfy. The literal arm is kept: forward kinematics and the last step of
+//! inverse kinematics are always its own.
+
+use super::{Line, Vec3, along, axes, cross, dot, norm, size, sub, unit};
+use crate::model::{JointKind, Model};
+use kin_runtime::Pose;
+
+/// A snapped model and what it took.
+#[derive(Clone, Debug)]
+pub struct Snap {
+    /// The arm with exact relations.
+    pub model: Model,
+    /// The axes that moved.
+    pub moved: Vec<Moved>,
+    /// The largest angle in radians by which directions were judged equal;
+    /// lengths, relative to the arm's size, by the same number.
+    pub tolerance: f64,
+}
+
+/// One axis that was moved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// Index of the joint.
+    pub joint: usize,
+    /// By how much its direction turned, radians.
+    pub angle: f64,
+    /// By how much its line shifted, metres.
+    pub distance: f64,
+}
+
+/// Moves every axis onto the relations that it satisfies to within
+/// `tolerance`: radians for directions, multiples of the arm's size for
+/// distances.
+pub fn snap(model: &Model, tolerance: f64) -> Snap {
+    let literal = axes(model);
+    let directions = snap_directions(&literal, tolerance);
+    let lines = snap_points(model, &literal, &directions, tolerance * size(model));
+    let mut snapped = model.clone();
+    let mut moved = Vec::new();
+    for (i, (line, was)) in lines.iter().zip(&literal).enumerate() {
+        let joint = &mut snapped.joints[i];
+        joint.axis = line.direction;
+        joint.point = line.point;
+        let angle = norm(cross(line.direction, was.direction));
+        let distance = match joint.kind {
+            JointKind::Revolute => norm(was.offset_of(line.point)),
+            JointKind::Prismatic => 0.0,
+        };
+        if angle > 1e-15 || distance > 1e-15 * size(model) {
+            moved.push(Moved {
+                joint: i,
+                angle,
+                distance,
+            });
+        }
+    }
+    snapped.home = snap_tip(&snapped, tolerance);
+    Snap {
+        model: snapped,
+        moved,
+        tolerance,
+    }
+}
+
+/// Nearly equal directions become equal, nearly right angles right.
+fn snap_directions(axes: &[Line], tolerance: f64) -> Vec<Vec3> {
+    let base = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut known: Vec<Vec3> = Vec::new();
+    let mut out = Vec::with_capacity(axes.len());
+    for axis in axes {
+        let d = axis.direction;
+        let equal = known
+            .iter()
+            .rev()
+            .chain(&base)
+            .find(|k| norm(cross(**k, d)) < tolerance)
+            .map(|k| k.map(|x| x * dot(*k, d).signum()));
+        let snapped = equal.unwrap_or_else(|| square_up(d, &known, tolerance));
+        if !known.iter().any(|k| norm(cross(*k, snapped)) < tolerance) {
+            known.push(snapped);
+        }
+        // −0 would read as a sign of its own.
+        out.push(snapped.map(|x| x + 0.0));
+    }
+    out
+}
+
+/// Makes a direction exactly perpendicular to those it is nearly
+/// perpendicular to.
+fn square_up(d: Vec3, known: &[Vec3], tolerance: f64) -> Vec3 {
+    let mut right = known.iter().filter(|k| dot(**k, d).abs() < tolerance);
+    let Some(&first) = right.next() else { return d };
+    let second = right.find(|k| norm(cross(first, **k)) > 0.1);
+    let snapped = match second {
+        Some(&second) => cross(first, second),
+        None => along(d, -dot(d, first), first),
+    };
+    unit(snapped.map(|x| x * dot(snapped, d).signum()))
+}
+
+/// Axes that nearly meet the one before, or a point where earlier ones meet,
+/// are shifted to meet it.
+fn snap_points(model: &Model, literal: &[Line], directions: &[Vec3], tolerance: f64) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::with_capacity(literal.len());
+    let mut centres: Vec<Vec3> = Vec::new();
+    for (i, (line, &direction)) in literal.iter().zip(directions).enumerate() {
+        let mut line = Line {
+            direction,
+            point: line.point,
+        };
+        if model.joints[i].kind == JointKind::Revolute {
+            let near = |c: &&Vec3| norm(line.offset_of(**c)) < tolerance;
+            let previous = (0..i)
+                .rev()
+                .find(|&j| model.joints[j].kind == JointKind::Revolute);
+            if let Some(&centre) = centres.iter().rev().find(near) {
+                line.point = along(line.point, 1.0, line.offset_of(centre));
+            } else if let Some(previous) = previous.map(|j| lines[j]) {
+                meet(&previous, &mut line, tolerance);
+            }
+            if let Some(previous) = previous.map(|j| lines[j])
+                && norm(cross(previous.direction, line.direction)) > 0.01
+                && previous.distance(&line) < 1e-12 * tolerance.max(1.0)
+            {
+                centres.push(previous.foot(&line));
+            }
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+/// Shifts `line` to meet `other` if it nearly does.
+fn meet(other: &Line, line: &mut Line, tolerance: f64) {
+    if norm(cross(other.direction, line.direction)) < 0.01 || other.distance(line) > tolerance {
+        return;
+    }
+    let gap = sub(other.foot(line), line.foot(other));
+    line.point = along(line.point, 1.0, gap);
+}
+
+/// The tip's orientation, square to the last axis where it nearly is.
+fn snap_tip(model: &Model, tolerance: f64) -> Pose {
+    let mut home = model.home;
+    let mut known: Vec<Vec3> = model.joints.iter().rev().map(|joint| joint.axis).collect();
+    known.extend([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    let mut columns = [0, 1].map(|j| super::linkage::column(&home, j));
+    for column in &mut columns {
+        let equal = known.iter().find(|k| norm(cross(**k, *column)) < tolerance);
+        *column = match equal {
+            Some(k) => k.map(|x| x * dot(*k, *column).signum()),
+            None => square_up(*column, &known[..1], tolerance),
+        };
+    }
+    let [x, y] = columns;
+    // The two columns may have gone to axes that are not square to each other.
+    let y = unit(along(y, -dot(x, y), x));
+    let z = cross(x, y);
+    home.rotation = std::array::from_fn(|i| [x[i] + 0.0, y[i] + 0.0, z[i] + 0.0]);
+    home
+}
