@@ -1,0 +1,108 @@
+//! What to do with an angle that a singular target leaves free.
+//!
+//! Any value would close the step at hand, but not every value leaves the
+//! steps behind it a real root: a UR with its wrist stretched can turn its
+//! elbow out of reach of the shoulder. So the freedom is spent on the next
+//! root that depends on it: its cosine-sine equation a cos θ + b sin θ = d has
+//! the more room the nearer d is to zero, and as a function of the free angle
+//! d is d₀ + d₁ cos φ + d₂ sin φ. The φ that brings it nearest to zero is one
+//! more such equation.
+
+use super::Writer;
+use crate::expr::Expr;
+use crate::expr::linear::Trig;
+use crate::plan::{Atom, Step};
+
+/// What stands for the angles that a singular target leaves free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FreeAngles {
+    /// Zero: right where no later step depends on them.
+    Zero,
+    /// The value that leaves the next root the most room.
+    Spent,
+}
+
+impl Writer<'_> {
+    /// Writes a step, and looks ahead to what its free angle is good for.
+    pub(super) fn write_ahead(&mut self, step: &Step, later: &[Step]) {
+        let before = self.clone();
+        self.may_be_free = None;
+        self.write(step);
+        let Some(free) = self.may_be_free else { return };
+        let Some(best) = self.best_angle(&before, free, later) else {
+            return;
+        };
+        *self = best;
+        self.write(step);
+        self.fallback = before.fallback;
+    }
+
+    /// The writer as it was before the step, with the fallback that leaves the
+    /// next root the most room; none if no root depends on the free angle.
+    fn best_angle(&self, before: &Self, free: Atom, later: &[Step]) -> Option<Self> {
+        let mut ahead = self.clone();
+        let placeholder = Trig {
+            sin: ahead.g.input("free_sin"),
+            cos: ahead.g.input("free_cos"),
+        };
+        ahead.assume(free, placeholder);
+        let level = later.iter().find_map(|step| {
+            ahead.level = None;
+            ahead.write(step);
+            let level = ahead.level?;
+            let needed = ahead.g.reachable(&[level]);
+            needed[placeholder.sin.index()].then_some(level)
+        })?;
+        // The level at φ = 0, π and π/2. Its other operands are older than the
+        // step, or are rebuilt.
+        let mut out = before.clone();
+        let values = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.0)].map(|(sin, cos)| {
+            let sin = out.g.constant(sin);
+            let cos = out.g.constant(cos);
+            let inputs = [(placeholder.sin, sin), (placeholder.cos, cos)];
+            out.g.import(&ahead.g, level, &inputs)
+        });
+        out.fallback = out.nearest_to_zero(values);
+        Some(out)
+    }
+
+    /// Puts a known angle in place of what was solved.
+    fn assume(&mut self, atom: Atom, trig: Trig) {
+        match atom {
+            Atom::Joint(joint) => self.trig[joint] = Some(trig),
+            Atom::Sum { run, .. } => self.sum[run] = Some(trig),
+        }
+    }
+
+    /// The angle at which d₀ + d₁ cos φ + d₂ sin φ, known at 0, π and π/2, is
+    /// nearest to zero.
+    fn nearest_to_zero(&mut self, [at_0, at_pi, at_half_pi]: [Expr; 3]) -> Trig {
+        let half = self.g.constant(0.5);
+        let sum = self.g.add(at_0, at_pi);
+        let difference = self.g.sub(at_0, at_pi);
+        let mean = self.g.mul(half, sum);
+        let a = self.g.mul(half, difference);
+        let b = self.g.sub(at_half_pi, mean);
+        let d = self.g.neg(mean);
+        let squares = [a, b, d].map(|x| self.g.square(x));
+        let amplitude = self.g.add(squares[0], squares[1]);
+        let room = self.g.sub(amplitude, squares[2]);
+        let zero = self.g.zero();
+        let room = self.g.max(room, zero);
+        let root = self.g.sqrt(room);
+        let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
+        let [bd, ar] = [self.g.mul(b, d), self.g.mul(a, root)];
+        let (sin, cos) = (self.g.add(bd, ar), self.g.sub(ad, br));
+        let [ss, cc] = [self.g.square(sin), self.g.square(cos)];
+        let length = self.g.add(ss, cc);
+        let length = self.g.sqrt(length);
+        let nothing = self.g.constant(1e-200);
+        let one = self.g.one();
+        let inverse = self.g.div(one, length);
+        let [sin, cos] = [sin, cos].map(|x| self.g.mul(x, inverse));
+        Trig {
+            sin: self.g.select_less(length, nothing, zero, sin),
+            cos: self.g.select_less(length, nothing, one, cos),
+        }
+    }
+}

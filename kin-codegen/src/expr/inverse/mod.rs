@@ -1,0 +1,320 @@
+//! A plan as expressions: from the target pose to all branches.
+//!
+//! Every step becomes straight-line algebra on sines and cosines; the two
+//! signs of a square root are one [choice](crate::expr::Choice). Angles are
+//! taken once, at the end. An out-of-domain root marks its branches invalid
+//! instead of producing NaN, a double root keeps one of its two branches, and
+//! every branch carries its residual: the forward kinematics of what was
+//! found against the target that was asked for.
+
+mod carry;
+mod free;
+mod solve;
+
+pub use free::FreeAngles;
+
+use super::forward::{self, Stance, subscript};
+use super::linear::{Motion, Trig};
+use super::{Expr, Graph};
+use crate::geometry::{Linkage, Travel};
+use crate::plan::{Atom, Plan, Step, Subproblem, Target};
+use kin_runtime::Pose;
+
+/// How exact the arm is that the plan is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slack(pub f64);
+
+/// The expressions of a plan. Inputs are the target: nine entries of the
+/// rotation by rows, then the translation.
+#[derive(Clone, Debug)]
+pub struct Inverse {
+    /// Holds everything below.
+    pub graph: Graph,
+    /// One per coordinate of q.
+    pub q: Vec<Expr>,
+    /// How far the forward kinematics is from the target, metres.
+    pub residual: Expr,
+    /// Positive where the branch does not exist or repeats another.
+    pub invalid: Expr,
+    /// Positive where a root is double or an angle is free.
+    pub singular: Expr,
+}
+
+impl Inverse {
+    /// Everything that the emitted function returns.
+    pub fn outputs(&self) -> Vec<Expr> {
+        let mut all = self.q.clone();
+        all.extend([self.residual, self.invalid, self.singular]);
+        all
+    }
+}
+
+/// Writes the plan for a linkage whose tip is at `tip` at home.
+///
+/// `slack` is 0 when the linkage is exact. On a snapped linkage it is the
+/// tolerance of the snapping: roots out of domain by less stay alive, because
+/// the polish on the literal arm may still land them.
+pub fn inverse(linkage: &Linkage, plan: &Plan, slack: Slack, free: FreeAngles) -> Inverse {
+    let mut writer = Writer::new(linkage, plan.target, slack);
+    for (i, step) in plan.steps.iter().enumerate() {
+        match free {
+            FreeAngles::Zero => writer.write(step),
+            FreeAngles::Spent => writer.write_ahead(step, &plan.steps[i + 1..]),
+        }
+    }
+    writer.finish()
+}
+
+/// What is known of the loop so far.
+#[derive(Clone)]
+struct Writer<'a> {
+    g: Graph,
+    linkage: &'a Linkage,
+    /// The tip at home, base coordinates.
+    tip: Pose,
+    target: Target,
+    pose: Motion,
+    slack: Slack,
+    /// By joint: the sine and cosine of its motion.
+    trig: Vec<Option<Trig>>,
+    /// By joint: how far it slides.
+    slide: Vec<Option<Expr>>,
+    /// By run: the sine and cosine of the sum of its angles.
+    sum: Vec<Option<Trig>>,
+    /// By run: whether the sum was solved before its joints.
+    sum_first: Vec<bool>,
+    invalid: Expr,
+    singular: Expr,
+    /// What stands for a free angle.
+    fallback: Trig,
+    /// The unknown of the step just written whose angle may be free.
+    may_be_free: Option<Atom>,
+    /// The right side of the cosine-sine equation solved last, where its root
+    /// can leave the domain.
+    level: Option<Expr>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(linkage: &'a Linkage, target: Target, slack: Slack) -> Self {
+        let mut g = Graph::new();
+        let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
+        let translation = ["px", "py", "pz"].map(|name| g.input(name));
+        let zero = g.zero();
+        let fallback = Trig {
+            sin: zero,
+            cos: g.one(),
+        };
+        let n = linkage.links.len();
+        Self {
+            g,
+            linkage,
+            tip: linkage.tip_home(),
+            target,
+            pose: Motion {
+                rotation,
+                translation,
+            },
+            slack,
+            trig: vec![None; n],
+            slide: vec![None; n],
+            sum: vec![None; linkage.runs.len()],
+            sum_first: vec![false; linkage.runs.len()],
+            invalid: zero,
+            singular: zero,
+            fallback,
+            may_be_free: None,
+            level: None,
+        }
+    }
+
+    /// Of the relations that pose a step, the one that costs least is written.
+    fn write(&mut self, step: &Step) {
+        if step.subproblem == Subproblem::Sum {
+            if let [Atom::Joint(joint)] = step.unknowns[..] {
+                self.difference(joint);
+            }
+            return;
+        }
+        let mut best: Option<(usize, Writer<'a>)> = None;
+        for relation in &step.relations {
+            let mut trial = self.clone();
+            trial.solve(step, relation);
+            let cost = trial.cost();
+            if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                best = Some((cost, trial));
+            }
+        }
+        if let Some((_, trial)) = best {
+            *self = trial;
+        }
+    }
+
+    /// The cost of everything solved so far.
+    fn cost(&self) -> usize {
+        let trig = self.trig.iter().chain(&self.sum).flatten();
+        let mut outputs: Vec<Expr> = trig.flat_map(|t| [t.sin, t.cos]).collect();
+        outputs.extend(self.slide.iter().flatten());
+        self.g.operations(&outputs).weight()
+    }
+
+    fn turns(&self, joint: usize) -> bool {
+        self.linkage.links[joint].travel == Travel::Turn
+    }
+
+    fn set(&mut self, atom: Atom, trig: Trig) {
+        let name = self.symbol(atom);
+        let sin = self.g.named(trig.sin, format!("s{name}"));
+        let cos = self.g.named(trig.cos, format!("c{name}"));
+        let trig = Trig { sin, cos };
+        match atom {
+            Atom::Joint(joint) => self.trig[joint] = Some(trig),
+            Atom::Sum { run, .. } => {
+                self.sum[run] = Some(trig);
+                self.sum_first[run] = true;
+            }
+        }
+    }
+
+    fn symbol(&self, atom: Atom) -> String {
+        match atom {
+            Atom::Joint(joint) => subscript(joint),
+            Atom::Sum { first, last, .. } => (first..=last)
+                .filter(|&j| self.turns(j))
+                .map(subscript)
+                .collect(),
+        }
+    }
+
+    /// The last joint of a run whose sum is known: its angle is the rest.
+    fn difference(&mut self, joint: usize) {
+        let run = self.linkage.run_of(joint);
+        let Some(mut rest) = self.sum[run] else {
+            return;
+        };
+        for other in self.turning(run) {
+            if let (true, Some(known)) = (other != joint, self.trig[other]) {
+                let back = self.g.reverse(known);
+                rest = self.g.angle_sum(rest, back);
+            }
+        }
+        self.trig[joint] = Some(rest);
+    }
+
+    fn turning(&self, run: usize) -> Vec<usize> {
+        self.linkage.runs[run]
+            .joints
+            .clone()
+            .filter(|&j| self.turns(j))
+            .collect()
+    }
+
+    /// The sum of a run's angles, if all of them are known.
+    fn run_sum(&mut self, run: usize) -> Option<Trig> {
+        if self.sum[run].is_none() {
+            let joints = self.turning(run);
+            let known: Option<Vec<Trig>> = joints.iter().map(|&j| self.trig[j]).collect();
+            let mut known = known?.into_iter();
+            let first = known.next()?;
+            self.sum[run] = Some(known.fold(first, |a, b| self.g.angle_sum(a, b)));
+        }
+        self.sum[run]
+    }
+
+    fn finish(mut self) -> Inverse {
+        let residual = self.residual();
+        let q = self.angles();
+        Inverse {
+            q,
+            residual: self.g.named(residual, "residual"),
+            invalid: self.g.named(self.invalid, "invalid"),
+            singular: self.g.named(self.singular, "singular"),
+            graph: self.g,
+        }
+    }
+
+    /// Angles from sines and cosines; the last of a sum as a difference.
+    fn angles(&mut self) -> Vec<Expr> {
+        let zero = self.g.zero();
+        let mut q = vec![zero; self.linkage.variables()];
+        for run in 0..self.linkage.runs.len() {
+            for joint in self.linkage.runs[run].joints.clone() {
+                let link = &self.linkage.links[joint];
+                let value = match link.travel {
+                    Travel::Slide(_) => {
+                        let slide = self.slide[joint].unwrap_or(zero);
+                        let offset = self.g.constant(link.offset);
+                        self.g.sub(slide, offset)
+                    }
+                    Travel::Turn => {
+                        let angle = match self.trig[joint] {
+                            Some(t) => self.g.atan2(t.sin, t.cos),
+                            None => zero,
+                        };
+                        let offset = self.g.constant(link.offset);
+                        let mut value = self.g.sub(angle, offset);
+                        if link.gain < 0.0 {
+                            value = self.g.neg(value);
+                        }
+                        self.g.wrap(value)
+                    }
+                };
+                let symbol = format!("q{}", link.variable + 1);
+                q[link.variable] = self.g.named(value, symbol);
+            }
+        }
+        q
+    }
+
+    /// The distance of forward kinematics from the target: translation error
+    /// and rotation angle times the arm's size, as the legs of a right
+    /// triangle. A sum, so that a NaN anywhere is a NaN here.
+    fn residual(&mut self) -> Expr {
+        let stance = self.stance();
+        let found = forward::tip(&mut self.g, self.linkage, &stance);
+        let wanted = self.pose;
+        let shift = self.g.minus(found.translation, wanted.translation);
+        let mut squares = self.g.dot(shift, shift);
+        if self.target == Target::Pose {
+            let mut turn = self.g.zero();
+            for (row, wanted) in found.rotation.iter().zip(&wanted.rotation) {
+                let d = self.g.minus(*row, *wanted);
+                let d = self.g.dot(d, d);
+                turn = self.g.add(turn, d);
+            }
+            // The Frobenius norm of a small rotation's difference is √2 θ.
+            let scale = self.g.constant(0.5 * self.linkage.size.powi(2));
+            let turn = self.g.mul(scale, turn);
+            squares = self.g.add(squares, turn);
+        }
+        self.g.sqrt(squares)
+    }
+
+    /// What was solved, as forward kinematics wants it.
+    fn stance(&mut self) -> Stance {
+        let rest = Trig {
+            sin: self.g.zero(),
+            cos: self.g.one(),
+        };
+        let mut sums = Vec::new();
+        let mut slides = Vec::new();
+        for run in 0..self.linkage.runs.len() {
+            let last = self.turning(run).last().copied();
+            let mut sum: Option<Trig> = None;
+            for joint in self.linkage.runs[run].joints.clone() {
+                let whole = Some(joint) == last && self.sum_first[run];
+                if whole {
+                    sum = self.sum[run];
+                } else if let Some(own) = self.trig[joint] {
+                    sum = Some(match sum {
+                        Some(before) => self.g.angle_sum(before, own),
+                        None => own,
+                    });
+                }
+                sums.push(sum.unwrap_or(rest));
+                let zero = self.g.zero();
+                slides.push(self.slide[joint].unwrap_or(zero));
+            }
+        }
+        Stance { sums, slides }
+    }
+}

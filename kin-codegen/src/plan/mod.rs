@@ -1,0 +1,121 @@
+//! The plan: which subproblem solves which joint, in which order.
+//!
+//! The chain with its target is a closed loop. A point, direction or plane
+//! that some joints leave alone cuts the loop; two of them cut it into two
+//! arcs, and what lies between them (a distance, an angle, a height) can be
+//! written along either arc. Where all but one joint of both arcs are known,
+//! that is a subproblem. The [search] knows no robot types: a spherical wrist,
+//! a UR and their mirror images all come out of the same relations.
+
+mod invariant;
+mod relation;
+mod search;
+
+pub use invariant::{Invariant, Kind};
+pub use relation::{Atom, Relation};
+pub use search::search;
+
+use std::fmt;
+
+/// What of the target pose counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Target {
+    /// All of it.
+    #[default]
+    Pose,
+    /// The translation; for arms that cannot choose their orientation.
+    Position,
+}
+
+/// The subproblem of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Subproblem {
+    /// The angle left over from a known sum of parallel joints.
+    Sum,
+    /// Turn a vector onto another (Paden-Kahan 1).
+    Sp1,
+    /// Turn a vector onto another about two axes in turn (Paden-Kahan 2).
+    Sp2,
+    /// Turn a point to a distance (Paden-Kahan 3).
+    Sp3,
+    /// Turn a vector to a component along a direction.
+    Sp4,
+    /// Slide a point onto another.
+    Slide,
+    /// Slide a point to a distance.
+    T1,
+    /// Slide a point to a height.
+    T2,
+}
+
+impl Subproblem {
+    /// How many signs its solution leaves open.
+    pub fn choices(self) -> u8 {
+        match self {
+            Subproblem::Sp2 | Subproblem::Sp3 | Subproblem::Sp4 | Subproblem::T1 => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl fmt::Display for Subproblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Subproblem::Sum => "sum",
+            Subproblem::Sp1 => "SP1",
+            Subproblem::Sp2 => "SP2",
+            Subproblem::Sp3 => "SP3",
+            Subproblem::Sp4 => "SP4",
+            Subproblem::Slide => "slide",
+            Subproblem::T1 => "T1",
+            Subproblem::T2 => "T2",
+        })
+    }
+}
+
+/// One step of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// The subproblem.
+    pub subproblem: Subproblem,
+    /// What it solves: one atom, or two in the order of the loop for SP2.
+    pub unknowns: Vec<Atom>,
+    /// Relations that pose it, each sufficient; empty for a sum.
+    pub relations: Vec<Relation>,
+}
+
+/// A sequence of subproblems that solves every joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// In order.
+    pub steps: Vec<Step>,
+    /// What of the target it reads.
+    pub target: Target,
+}
+
+impl Plan {
+    /// How many branches the plan enumerates: 2 to the number of its choices.
+    pub fn branches(&self) -> usize {
+        1 << self.choices()
+    }
+
+    /// The number of square roots whose sign is free.
+    pub fn choices(&self) -> u8 {
+        self.steps
+            .iter()
+            .map(|step| step.subproblem.choices())
+            .sum()
+    }
+}
+
+impl fmt::Display for Plan {
+    /// `SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, step) in self.steps.iter().enumerate() {
+            let space = if i == 0 { "" } else { " " };
+            let unknowns: Vec<String> = step.unknowns.iter().map(Atom::to_string).collect();
+            write!(f, "{space}{}({})", step.subproblem, unknowns.join(","))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,268 @@
+//! Relations: two invariants, and the joints between them that matter.
+
+use super::{Invariant, Kind};
+use crate::geometry::{Line, Linkage, Travel, cross, dot, norm, sub};
+use kin_runtime::Pose;
+use std::fmt;
+
+/// An unknown of the loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Atom {
+    /// The value of a joint.
+    Joint(usize),
+    /// The sum of the angles of a run of parallel joints; the index of the
+    /// run, and its joints from the first to the last that turn.
+    Sum {
+        /// Which of the linkage's runs.
+        run: usize,
+        /// First turning joint.
+        first: usize,
+        /// Last turning joint.
+        last: usize,
+    },
+}
+
+impl fmt::Display for Atom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Atom::Joint(i) => write!(f, "q{}", i + 1),
+            Atom::Sum { first, last, .. } => {
+                let terms: Vec<String> = (*first..=*last).map(|i| format!("q{}", i + 1)).collect();
+                f.write_str(&terms.join("+"))
+            }
+        }
+    }
+}
+
+/// An equation of the closed loop.
+///
+/// With two invariants: their distance (point and point), height (point and
+/// plane) or angle (two directions) is the same along both arcs of the loop.
+/// With one: carried around the loop, it comes back to itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relation {
+    /// The first in the order of the joints.
+    pub from: Invariant,
+    /// The second, if there is one.
+    pub to: Option<Invariant>,
+    /// The unknowns that it depends on, in the order of the loop beginning
+    /// behind `from`, and how strongly.
+    pub depends: Vec<Dependence>,
+}
+
+/// How a relation depends on an unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dependence {
+    /// The unknown.
+    pub atom: Atom,
+    /// The amplitude of the relation over a turn of the unknown, at its
+    /// weakest over the sampled configurations, relative to the arm's size.
+    /// Zero if the unknown only ever sits where the relation is stationary.
+    pub weakest: f64,
+    /// Whether that amplitude is a constant of the arm: then the subproblem
+    /// cannot degenerate.
+    pub steady: bool,
+}
+
+/// The chain at some configurations, to see which joints matter to what.
+pub struct Samples(Vec<Sample>);
+
+struct Sample {
+    /// Of the links, base first.
+    bodies: Vec<Pose>,
+    axes: Vec<Line>,
+}
+
+/// Below this a dependence is rounding.
+const NOTHING: f64 = 1e-9;
+
+impl Samples {
+    /// Moves the chain to a few fixed, irregular configurations.
+    pub fn new(linkage: &Linkage) -> Self {
+        let sample = |k: usize| {
+            // Multiples of an irrational angle: nothing is aligned by accident.
+            let q = |i: usize| (((i + 1) * k) as f64 * 2.399_963 + 0.37).sin() * 2.3;
+            let mut bodies = vec![Pose::IDENTITY];
+            let mut axes = Vec::new();
+            for i in 0..linkage.links.len() {
+                let here = bodies[i];
+                let axis = linkage.axis(i);
+                axes.push(Line {
+                    direction: here.rotate(axis.direction),
+                    point: here.transform_point(axis.point),
+                });
+                bodies.push(here * exponential(linkage, i, q(i)));
+            }
+            Sample { bodies, axes }
+        };
+        Self((1..=3).map(sample).collect())
+    }
+}
+
+/// e^(ξ q) of a joint, in base coordinates.
+fn exponential(linkage: &Linkage, joint: usize, q: f64) -> Pose {
+    let link = &linkage.links[joint];
+    let motion = match link.travel {
+        Travel::Slide(v) => Pose {
+            translation: v.map(|x| x * q),
+            ..Pose::IDENTITY
+        },
+        Travel::Turn => {
+            let (s, c) = (q * link.gain).sin_cos();
+            Pose {
+                rotation: [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
+                translation: [0.0; 3],
+            }
+        }
+    };
+    link.before_home * motion * link.before_home.inverse()
+}
+
+impl Sample {
+    /// An invariant where this configuration has it.
+    fn place(&self, invariant: &Invariant) -> Line {
+        let body = self.bodies[invariant.joints.start];
+        Line {
+            point: body.transform_point(invariant.point),
+            direction: body.rotate(invariant.direction),
+        }
+    }
+}
+
+impl Relation {
+    /// The relation between invariants, unless it says nothing.
+    pub fn new(
+        linkage: &Linkage,
+        samples: &Samples,
+        from: &Invariant,
+        to: Option<&Invariant>,
+    ) -> Option<Self> {
+        let n = linkage.links.len();
+        let behind = to.map_or(n, |to| to.joints.start);
+        let again = to.map_or(n, |to| to.joints.end);
+        let between = (from.joints.end..behind)
+            .chain(again..n)
+            .chain(0..from.joints.start);
+        let directional = from.kind == Kind::Direction;
+        let mut depends: Vec<Dependence> = Vec::new();
+        for joint in between {
+            let atom = atom_of(linkage, joint, directional);
+            if depends.iter().any(|d| d.atom == atom) {
+                continue;
+            }
+            let strengths: Vec<Strength> = samples
+                .0
+                .iter()
+                .map(|sample| strength(linkage, sample, from, to, joint))
+                .collect();
+            depends.extend(dependence(atom, &strengths));
+        }
+        let says_something = !depends.is_empty();
+        says_something.then(|| Self {
+            from: from.clone(),
+            to: to.cloned(),
+            depends,
+        })
+    }
+}
+
+fn dependence(atom: Atom, strengths: &[Strength]) -> Option<Dependence> {
+    if strengths.iter().all(|s| s.amplitude < NOTHING) {
+        return None;
+    }
+    // A relation that is always stationary has a double root for a solution.
+    let stationary = strengths.iter().all(|s| s.slope < NOTHING);
+    let amplitudes = strengths.iter().map(|s| s.amplitude);
+    let weakest = amplitudes.clone().fold(f64::INFINITY, f64::min);
+    let strongest = amplitudes.fold(0.0, f64::max);
+    let steady = strongest - weakest < 1e-9 * strongest;
+    Some(Dependence {
+        atom,
+        weakest: if stationary { 0.0 } else { weakest },
+        steady,
+    })
+}
+
+/// How fast a relation changes with a joint, and how fast it would at the
+/// joint's best value; lengths relative to the arm's size.
+struct Strength {
+    slope: f64,
+    amplitude: f64,
+}
+
+fn strength(
+    linkage: &Linkage,
+    sample: &Sample,
+    from: &Invariant,
+    to: Option<&Invariant>,
+    joint: usize,
+) -> Strength {
+    let size = linkage.size;
+    let axis = sample.axes[joint];
+    let slides = matches!(linkage.links[joint].travel, Travel::Slide(_));
+    // The velocity of a point or direction under a unit rate of the joint.
+    let velocity = |kind: Kind, x: &Line| match (kind, slides) {
+        (Kind::Direction, true) => [0.0; 3],
+        (_, true) => axis.direction,
+        (Kind::Direction, false) => cross(axis.direction, x.direction),
+        (_, false) => cross(axis.direction, sub(x.point, axis.point)).map(|v| v / size),
+    };
+    let a = sample.place(from);
+    let Some(to) = to else {
+        let speed = norm(velocity(from.kind, &a));
+        return Strength {
+            slope: speed,
+            amplitude: speed,
+        };
+    };
+    let b = sample.place(to);
+    let arm = |x: &Line| norm(axis.offset_of(x.point)) / size;
+    let across = |x: &Line| norm(cross(axis.direction, x.direction));
+    match (from.kind, to.kind) {
+        (Kind::Point, Kind::Point) => {
+            let gap = sub(b.point, a.point).map(|x| x / size);
+            let slope = dot(gap, velocity(Kind::Point, &b)).abs();
+            Strength {
+                slope,
+                amplitude: if slides { 1.0 } else { arm(&a) * arm(&b) },
+            }
+        }
+        (Kind::Direction, _) => {
+            let slope = dot(a.direction, velocity(Kind::Direction, &b)).abs();
+            Strength {
+                slope,
+                amplitude: across(&a) * across(&b),
+            }
+        }
+        (first, _) => {
+            let (plane, point) = if first == Kind::Plane {
+                (&a, &b)
+            } else {
+                (&b, &a)
+            };
+            let slope = dot(plane.direction, velocity(Kind::Point, point)).abs();
+            let amplitude = if slides {
+                slope
+            } else {
+                across(plane) * arm(point)
+            };
+            Strength { slope, amplitude }
+        }
+    }
+}
+
+/// Directions see a run of parallel joints as one rotation.
+fn atom_of(linkage: &Linkage, joint: usize, directional: bool) -> Atom {
+    let run = linkage.run_of(joint);
+    if !directional || linkage.runs[run].turning < 2 {
+        return Atom::Joint(joint);
+    }
+    let turns = |&j: &usize| linkage.links[j].travel == Travel::Turn;
+    let mut turning = linkage.runs[run].joints.clone().filter(turns);
+    let first = turning.next().unwrap_or(joint);
+    Atom::Sum {
+        run,
+        first,
+        last: turning.next_back().unwrap_or(first),
+    }
+}

@@ -1,0 +1,314 @@
+//! Best-first search for sequences of subproblems.
+
+use super::invariant::invariants;
+use super::relation::{Dependence, Samples};
+use super::{Atom, Kind, Plan, Relation, Step, Subproblem, Target};
+use crate::geometry::{Linkage, Travel, Vec3, cross, norm};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
+
+/// Relations kept per step; the cheapest to compute is chosen when the step
+/// becomes expressions.
+const ALTERNATIVES: usize = 6;
+/// More choices than this would need more branches than any serial arm has.
+const MOST_CHOICES: u8 = 4;
+/// How often one set of solved joints is expanded.
+const REVISITS: usize = 4;
+/// Steps that may degenerate where the arm itself is regular cost this much
+/// more.
+const MAY_DEGENERATE: u32 = 60;
+
+/// Finds up to `limit` plans, the cheapest first.
+///
+/// `tip` is the tip's position at home in base coordinates. The cost counts
+/// subproblems by the work that they are, times the branches that have to do
+/// it, and prefers relations whose amplitude is a constant of the arm: those
+/// cannot degenerate.
+pub fn search(linkage: &Linkage, tip: Vec3, target: Target, limit: usize) -> Vec<Plan> {
+    let relations = relations(linkage, tip, target);
+    let n = linkage.links.len();
+    let start = Partial {
+        cost: 0,
+        solved: Solved::default(),
+        steps: Vec::new(),
+        choices: 0,
+    };
+    let mut queue = BinaryHeap::from([start]);
+    let mut visits: BTreeMap<Solved, usize> = BTreeMap::new();
+    let mut plans: Vec<Plan> = Vec::new();
+    while let Some(partial) = queue.pop() {
+        if partial.solved.all(n) {
+            plans.push(Plan {
+                steps: partial.steps,
+                target,
+            });
+            if plans.len() == limit {
+                break;
+            }
+            continue;
+        }
+        let visit = visits.entry(partial.solved).or_default();
+        *visit += 1;
+        if *visit > REVISITS {
+            continue;
+        }
+        queue.extend(partial.successors(linkage, &relations));
+    }
+    plans
+}
+
+/// Every relation of the loop.
+fn relations(linkage: &Linkage, tip: Vec3, target: Target) -> Vec<Relation> {
+    let n = linkage.links.len();
+    let samples = Samples::new(linkage);
+    let invariants = invariants(linkage, tip, target);
+    // A free part of the target can only be crossed by what it leaves alone.
+    let crosses = |relation: &Relation| {
+        let ends = |x: &super::Invariant| x.joints.end == n + 1;
+        target == Target::Pose || ends(&relation.from) || relation.to.as_ref().is_some_and(ends)
+    };
+    let mut out = Vec::new();
+    for a in &invariants {
+        if a.kind != Kind::Plane {
+            out.extend(Relation::new(linkage, &samples, a, None));
+        }
+        for b in &invariants {
+            let comparable = match (a.kind, b.kind) {
+                (Kind::Direction, k) | (k, Kind::Direction) => {
+                    k == Kind::Direction && a.kind == b.kind
+                }
+                (Kind::Plane, Kind::Plane) => false,
+                _ => true,
+            };
+            if comparable && a.joints.end <= b.joints.start {
+                out.extend(Relation::new(linkage, &samples, a, Some(b)));
+            }
+        }
+    }
+    out.retain(crosses);
+    out
+}
+
+/// Which joints and which sums of parallel joints are known.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Solved {
+    joints: u64,
+    sums: u64,
+}
+
+impl Solved {
+    fn has(&self, atom: Atom) -> bool {
+        match atom {
+            Atom::Joint(i) => self.joints >> i & 1 == 1,
+            Atom::Sum { run, .. } => self.sums >> run & 1 == 1,
+        }
+    }
+
+    fn insert(&mut self, atom: Atom) {
+        match atom {
+            Atom::Joint(i) => self.joints |= 1 << i,
+            Atom::Sum { run, .. } => self.sums |= 1 << run,
+        }
+    }
+
+    fn all(&self, n: usize) -> bool {
+        self.joints.count_ones() as usize == n
+    }
+
+    /// Draws the conclusions from sums: all of a run's joints give the sum,
+    /// the sum and all but one of them give that one.
+    fn conclude(&mut self, linkage: &Linkage) -> Vec<Step> {
+        let mut steps = Vec::new();
+        for (run, joints) in linkage.runs.iter().enumerate() {
+            let turning: Vec<usize> = joints
+                .joints
+                .clone()
+                .filter(|&j| linkage.links[j].travel == Travel::Turn)
+                .collect();
+            let missing: Vec<usize> = turning
+                .iter()
+                .copied()
+                .filter(|&j| !self.has(Atom::Joint(j)))
+                .collect();
+            let sum_known = self.sums >> run & 1 == 1;
+            match missing[..] {
+                [] => self.sums |= 1 << run,
+                [joint] if sum_known => {
+                    self.insert(Atom::Joint(joint));
+                    steps.push(Step {
+                        subproblem: Subproblem::Sum,
+                        unknowns: vec![Atom::Joint(joint)],
+                        relations: Vec::new(),
+                    });
+                }
+                _ => {}
+            }
+        }
+        steps
+    }
+}
+
+/// A plan in the making, ordered by cost.
+#[derive(Clone, Debug)]
+struct Partial {
+    cost: u32,
+    solved: Solved,
+    steps: Vec<Step>,
+    choices: u8,
+}
+
+impl PartialEq for Partial {
+    fn eq(&self, other: &Self) -> bool {
+        self.cost == other.cost
+    }
+}
+impl Eq for Partial {}
+impl PartialOrd for Partial {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Partial {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        Reverse(self.cost).cmp(&Reverse(other.cost))
+    }
+}
+
+/// A relation that poses a subproblem now.
+struct Candidate<'a> {
+    subproblem: Subproblem,
+    unknowns: Vec<Atom>,
+    relation: &'a Relation,
+    cost: u32,
+}
+
+impl Partial {
+    fn successors(&self, linkage: &Linkage, relations: &[Relation]) -> Vec<Partial> {
+        let mut steps: BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate>> = BTreeMap::new();
+        for relation in relations {
+            if let Some(candidate) = self.pose(linkage, relation) {
+                let key = (candidate.subproblem, candidate.unknowns.clone());
+                steps.entry(key).or_default().push(candidate);
+            }
+        }
+        steps
+            .into_values()
+            .filter_map(|candidates| self.take(linkage, candidates))
+            .collect()
+    }
+
+    /// Which subproblem, if any, a relation poses with what is known.
+    fn pose<'a>(&self, linkage: &Linkage, relation: &'a Relation) -> Option<Candidate<'a>> {
+        let unknown: Vec<&Dependence> = relation
+            .depends
+            .iter()
+            .filter(|d| !self.solved.has(d.atom))
+            .collect();
+        let known = (relation.depends.len() - unknown.len()) as u32;
+        let subproblem = match unknown[..] {
+            [one] => single(linkage, relation, one.atom),
+            [a, b] if relation.to.is_none() && pair(linkage, relation, a.atom, b.atom) => {
+                Subproblem::Sp2
+            }
+            _ => return None,
+        };
+        if unknown.iter().any(|d| d.weakest < 1e-6) {
+            return None;
+        }
+        let steady = match unknown[..] {
+            // Its own degeneracy is that of the arm, as long as the angle
+            // between its axes is a constant of the arm.
+            [a, b] => adjacent(linkage, a.atom, b.atom),
+            _ => unknown.iter().all(|d| d.steady),
+        };
+        let work = match subproblem {
+            Subproblem::Sum => 2,
+            Subproblem::Slide | Subproblem::T2 => 6,
+            Subproblem::Sp1 => 30,
+            Subproblem::Sp4 | Subproblem::T1 => 40,
+            Subproblem::Sp3 => 46,
+            Subproblem::Sp2 => 64,
+        };
+        let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
+        let unknowns = unknown.iter().map(|d| d.atom).collect();
+        Some(Candidate {
+            subproblem,
+            unknowns,
+            relation,
+            cost,
+        })
+    }
+
+    fn take(&self, linkage: &Linkage, mut candidates: Vec<Candidate>) -> Option<Partial> {
+        candidates.sort_by_key(|candidate| candidate.cost);
+        candidates.truncate(ALTERNATIVES);
+        let best = candidates.first()?;
+        let (subproblem, unknowns, work) = (best.subproblem, best.unknowns.clone(), best.cost);
+        let choices = self.choices + subproblem.choices();
+        if choices > MOST_CHOICES {
+            return None;
+        }
+        let mut next = self.clone();
+        for &atom in &unknowns {
+            next.solved.insert(atom);
+        }
+        let least = best.cost;
+        let relations = candidates
+            .iter()
+            .filter(|c| c.cost < least + MAY_DEGENERATE)
+            .map(|c| c.relation.clone())
+            .collect();
+        next.steps.push(Step {
+            subproblem,
+            unknowns,
+            relations,
+        });
+        next.steps.extend(next.solved.conclude(linkage));
+        next.choices = choices;
+        next.cost += work << choices;
+        Some(next)
+    }
+}
+
+fn single(linkage: &Linkage, relation: &Relation, atom: Atom) -> Subproblem {
+    let slides = match atom {
+        Atom::Joint(j) => matches!(linkage.links[j].travel, Travel::Slide(_)),
+        Atom::Sum { .. } => false,
+    };
+    let kinds = (relation.from.kind, relation.to.as_ref().map(|to| to.kind));
+    match (kinds, slides) {
+        ((_, None), true) => Subproblem::Slide,
+        ((_, None), false) => Subproblem::Sp1,
+        ((Kind::Point, Some(Kind::Point)), true) => Subproblem::T1,
+        ((Kind::Point, Some(Kind::Point)), false) => Subproblem::Sp3,
+        (_, true) => Subproblem::T2,
+        (_, false) => Subproblem::Sp4,
+    }
+}
+
+/// Whether nothing lies between two unknowns.
+fn adjacent(linkage: &Linkage, a: Atom, b: Atom) -> bool {
+    let extent = |atom| match atom {
+        Atom::Joint(joint) => joint..joint + 1,
+        Atom::Sum { run, .. } => linkage.runs[run].joints.clone(),
+    };
+    extent(a).end == extent(b).start
+}
+
+/// Whether two unknowns of a vector relation make a subproblem 2: rotations,
+/// and for a point neighbours whose axes intersect.
+fn pair(linkage: &Linkage, relation: &Relation, a: Atom, b: Atom) -> bool {
+    if relation.from.kind == Kind::Direction {
+        return true;
+    }
+    let (Atom::Joint(i), Atom::Joint(j)) = (a, b) else {
+        return false;
+    };
+    let turns = |j: usize| linkage.links[j].travel == Travel::Turn;
+    if j != i + 1 || !turns(i) || !turns(j) {
+        return false;
+    }
+    let (first, second) = (linkage.axis(i), linkage.axis(j));
+    norm(cross(first.direction, second.direction)) > 1e-6
+        && first.distance(&second) < 1e-11 * linkage.size
+}
