@@ -1,3 +1,6 @@
-//! A kinematics compiler.
+//! A kinematics compiler: robot files become specialized, verified Rust while
+//! your crate builds.
 #![no_std]
+
+pub use kin_macros::kinematics;
 pub use kin_runtime::*;

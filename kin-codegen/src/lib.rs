@@ -1,3 +1,37 @@
-//! The kinematics compiler as a library.
+//! The kinematics compiler as a library: robot file in, verified Rust out.
+//!
+//! ```
+//! use kin_codegen::{Options, Source, generate};
+//! let text = "
+//! robot: planar
+//! units: {angle: rad, length: m}
+//! screws:
+//!   - {name: shoulder, axis: [0, 0, 1], point: [0, 0, 0]}
+//!   - {name: elbow, axis: [0, 0, 1], point: [0.5, 0, 0]}
+//! home: {xyz: [0.9, 0, 0]}
+//! ";
+//! let source = Source { path: "planar.yaml".into(), text: text.into() };
+//! let generated = generate(&source, &Options::default())?;
+//! assert!(generated.code().contains("pub struct Planar;"));
+//! # Ok::<(), kin_codegen::Diagnostics>(())
+//! ```
+
+pub mod compiler;
+pub mod emit;
+pub mod explain;
+pub mod expr;
+mod generate;
+pub mod geometry;
 pub mod model;
+mod options;
+pub mod plan;
+mod refusal;
+pub mod solver;
 pub mod spec;
+pub mod verify;
+
+pub use compiler::{Compiled, compile};
+pub use generate::{Generated, generate};
+pub use options::{Ik, Options};
+pub use plan::Target;
+pub use spec::{Diagnostics, Source};

@@ -1,0 +1,142 @@
+//! The whole way from a robot file to verified expressions.
+
+use crate::expr::forward::{Outputs, Stance, link_frame, tip};
+use crate::expr::jacobian::{Columns, Which, jacobian, tip_and_jacobian};
+use crate::expr::linear::Motion;
+use crate::expr::{Expr, Graph, Operations};
+use crate::geometry::Linkage;
+use crate::model::Model;
+use crate::options::{Ik, Options};
+use crate::plan::Target;
+use crate::refusal;
+use crate::solver::{ClosedForm, solve};
+use crate::spec::{Diagnostics, Source, Spec};
+use crate::verify::natural_target;
+
+/// A robot, compiled but not yet written as Rust.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The robot file, as the user named it.
+    pub path: String,
+    /// The chain.
+    pub model: Model,
+    /// The frames of the literal arm.
+    pub linkage: Linkage,
+    /// Forward kinematics and Jacobians.
+    pub forward: Forward,
+    /// Inverse kinematics; none if it was not asked for.
+    pub inverse: Option<ClosedForm>,
+}
+
+/// Forward kinematics and Jacobians as expressions of q.
+#[derive(Clone, Debug)]
+pub struct Forward {
+    /// Holds everything below; the inputs are the coordinates of q.
+    pub graph: Graph,
+    /// The tip.
+    pub tip: Motion,
+    /// The link that each joint moves; mimics move with their coordinate.
+    pub links: Vec<Motion>,
+    /// J_s.
+    pub spatial: Columns,
+    /// J_b.
+    pub body: Columns,
+    /// The geometric Jacobian.
+    pub geometric: Columns,
+    /// J_s where the tip is computed as well.
+    pub with_tip: Columns,
+}
+
+impl Forward {
+    fn new(model: &Model, linkage: &Linkage) -> Self {
+        let mut g = Graph::new();
+        let n = model.variables.len();
+        let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
+        let stance = Stance::at(&mut g, linkage, &q);
+        let tip = tip(&mut g, linkage, &stance);
+        let links = (0..n)
+            .map(|variable| {
+                let own = |i: &usize| model.joints[*i].is_coordinate(variable);
+                let joint = (0..model.joints.len()).find(own).unwrap_or(variable);
+                link_frame(&mut g, linkage, &stance, joint)
+            })
+            .collect();
+        let with_tip = tip_and_jacobian(&mut g, linkage, &stance, Which::Spatial).columns;
+        let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
+            .map(|which| jacobian(&mut g, linkage, &stance, which));
+        Self {
+            graph: g,
+            tip,
+            links,
+            spatial,
+            body,
+            geometric,
+            with_tip,
+        }
+    }
+
+    /// What it takes to compute some of the expressions.
+    pub fn cost(&self, outputs: &[Expr]) -> Operations {
+        self.graph.operations(outputs)
+    }
+
+    /// The cost of forward kinematics alone.
+    pub fn tip_cost(&self) -> Operations {
+        self.cost(&self.tip.expressions())
+    }
+
+    /// The cost of forward kinematics with the spatial Jacobian.
+    pub fn tip_and_jacobian_cost(&self) -> Operations {
+        self.cost(&[self.tip.expressions(), self.with_tip.expressions()].concat())
+    }
+}
+
+/// Reads a robot file and compiles it.
+///
+/// # Errors
+///
+/// What is wrong with the file or the options, or why the arm has no closed
+/// form.
+pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnostics> {
+    let spec = Spec::parse(source)?;
+    let model = Model::new(&spec, options.base.as_deref(), options.tip.as_deref())?;
+    let linkage = Linkage::new(&model);
+    refusal::singular_everywhere(source, &model)?;
+    let inverse = match options.ik {
+        Ik::None => None,
+        Ik::ClosedForm => {
+            let target = options.target.unwrap_or_else(|| natural_target(&model));
+            let solver = solve(&model, target);
+            Some(solver.map_err(|reason| refusal::no_closed_form(source, &model, &reason))?)
+        }
+    };
+    let forward = Forward::new(&model, &linkage);
+    Ok(Compiled {
+        path: source.path.clone(),
+        model,
+        linkage,
+        forward,
+        inverse,
+    })
+}
+
+impl Compiled {
+    /// How many branches inverse kinematics looks at; 0 without it.
+    pub fn branches(&self) -> usize {
+        self.inverse
+            .as_ref()
+            .map_or(0, |solver| solver.plan.branches())
+    }
+
+    /// What the documentation of the robot says of its kinematics.
+    pub fn summary(&self) -> Vec<String> {
+        crate::explain::summary(self)
+    }
+
+    /// What `q` stands for in targets: the whole pose unless said otherwise.
+    pub fn target(&self) -> Target {
+        self.inverse
+            .as_ref()
+            .map_or(Target::Pose, |solver| solver.plan.target)
+    }
+}

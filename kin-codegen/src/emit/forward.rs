@@ -1,0 +1,51 @@
+//! Forward kinematics and Jacobians as Rust functions.
+
+use super::matrix;
+use super::straight::Writer;
+use crate::expr::jacobian::Columns;
+use crate::expr::linear::Motion;
+use crate::expr::{Expr, Graph};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// A block that computes outputs from `q` and returns `result`.
+pub fn block(
+    g: &Graph,
+    outputs: &[Expr],
+    n: usize,
+    result: impl FnOnce(&Writer) -> TokenStream,
+) -> TokenStream {
+    let inputs: Vec<TokenStream> = (0..n)
+        .map(|i| {
+            let i = Literal::usize_unsuffixed(i);
+            quote!(q[#i])
+        })
+        .collect();
+    let levels = vec![0; g.nodes().len()];
+    let mut writer = Writer::new(g, outputs, &inputs, &levels);
+    let statements = writer.statements(
+        |_| true,
+        |_, name, value| (quote!(let #name = #value;), quote!(#name)),
+    );
+    let result = result(&writer);
+    quote!(#(#statements)* #result)
+}
+
+/// `Pose { .. }`.
+pub fn pose(writer: &Writer, motion: &Motion) -> TokenStream {
+    let rotation = matrix(motion.rotation.map(|row| row.map(|e| writer.output(e))));
+    let translation = motion.translation.map(|e| writer.output(e));
+    quote!(Pose { rotation: #rotation, translation: [#(#translation),*] })
+}
+
+/// `Jacobian { .. }`, by rows.
+pub fn jacobian(writer: &Writer, columns: &Columns) -> TokenStream {
+    let rows = (0..6).map(|row| {
+        let entries = columns
+            .0
+            .iter()
+            .map(|column| writer.output(column[row / 3][row % 3]));
+        quote!([#(#entries),*])
+    });
+    quote!(Jacobian { rows: [#(#rows),*] })
+}

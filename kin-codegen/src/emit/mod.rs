@@ -1,0 +1,18 @@
+//! From expressions to Rust: the only room that knows the language.
+
+mod forward;
+mod inverse;
+mod lanes;
+mod robot;
+mod straight;
+
+pub use robot::robot;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `[a, b, c]`, three by three.
+fn matrix<const R: usize>(rows: [[TokenStream; 3]; R]) -> TokenStream {
+    let rows = rows.map(|[a, b, c]| quote!([#a, #b, #c]));
+    quote!([#(#rows),*])
+}

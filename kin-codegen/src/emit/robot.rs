@@ -1,0 +1,238 @@
+//! The type of a robot, with its constants, methods and documentation.
+
+use super::{forward, inverse};
+use crate::compiler::Compiled;
+use crate::expr::Operations;
+use crate::expr::forward::Outputs;
+use crate::model::{JointKind, Model, Variable};
+use crate::plan::Target;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// The items that a robot becomes.
+pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
+    let n = Literal::usize_unsuffixed(compiled.model.variables.len());
+    let doc = documentation(compiled);
+    let constants = constants(compiled, &n);
+    let methods = methods(compiled, &n);
+    let inverse = inverse_method(compiled, &n);
+    let delegation = delegation(compiled, name, &n);
+    quote! {
+        #(#[doc = #doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct #name;
+
+        const _: () = {
+            #[allow(unused_imports)]
+            use ::kinematics::{
+                lanes::widen, math, polish::polish, Jacobian, JointLimit, Kinematics, Pose,
+                Solution, Solutions,
+            };
+
+            // Constants are written with the digits that they have.
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            impl #name {
+                #constants
+                #methods
+                #inverse
+            }
+
+            #delegation
+        };
+    }
+}
+
+fn documentation(compiled: &Compiled) -> Vec<String> {
+    let model = &compiled.model;
+    let mut lines = vec![format!(
+        " The arm `{}` from `{}` to `{}`, compiled from `{}`.",
+        model.name, model.base, model.tip, compiled.path
+    )];
+    lines.extend(
+        compiled
+            .summary()
+            .into_iter()
+            .map(|line| format!(" {line}")),
+    );
+    lines
+}
+
+fn constants(compiled: &Compiled, n: &Literal) -> TokenStream {
+    let model = &compiled.model;
+    let names = model.variables.iter().map(|variable| &variable.name);
+    let limits = (0..model.variables.len()).map(|i| limit(model, i, &model.variables[i]));
+    let (base, tip) = (&model.base, &model.tip);
+    let branches = Literal::usize_unsuffixed(compiled.branches());
+    quote! {
+        /// The joints' names, from base to tip.
+        pub const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
+        /// The joints' kinds and travel, radians and metres.
+        pub const LIMITS: [JointLimit; #n] = [#(#limits),*];
+        /// The link that poses are given in.
+        pub const BASE: &'static str = #base;
+        /// The link that poses are of.
+        pub const TIP: &'static str = #tip;
+        /// How many branches inverse kinematics looks at.
+        pub const BRANCHES: usize = #branches;
+    }
+}
+
+fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {
+    let prismatic = model
+        .joints
+        .iter()
+        .any(|joint| joint.variable == i && joint.kind == JointKind::Prismatic);
+    let bound = |x: f64| {
+        let literal = Literal::f64_unsuffixed(x.abs());
+        match x {
+            f64::INFINITY => quote!(f64::INFINITY),
+            f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
+            x if x < 0.0 => quote!(-#literal),
+            _ => quote!(#literal),
+        }
+    };
+    let [lower, upper] = variable
+        .limits
+        .unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    let (lower, upper) = (bound(lower), bound(upper));
+    match (prismatic, variable.limits) {
+        (true, _) => quote!(JointLimit::Prismatic { lower: #lower, upper: #upper }),
+        (false, Some(_)) => quote!(JointLimit::Revolute { lower: #lower, upper: #upper }),
+        (false, None) => quote!(JointLimit::Continuous),
+    }
+}
+
+fn cost(operations: Operations) -> String {
+    format!(
+        " {} multiplications, {} additions, {} sines with cosines.",
+        operations.multiplications, operations.additions, operations.sincos
+    )
+}
+
+fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
+    let f = &compiled.forward;
+    let count = compiled.model.variables.len();
+    let g = &f.graph;
+    let fk = forward::block(g, &f.tip.expressions(), count, |w| forward::pose(w, &f.tip));
+    let links_outputs: Vec<_> = f.links.iter().flat_map(|m| m.expressions()).collect();
+    let fk_links = forward::block(g, &links_outputs, count, |w| {
+        let poses = f.links.iter().map(|link| forward::pose(w, link));
+        quote!([#(#poses),*])
+    });
+    let jacobian = |columns: &crate::expr::jacobian::Columns| {
+        forward::block(g, &columns.expressions(), count, |w| {
+            forward::jacobian(w, columns)
+        })
+    };
+    let spatial = jacobian(&f.spatial);
+    let body = jacobian(&f.body);
+    let geometric = jacobian(&f.geometric);
+    let both = [f.tip.expressions(), f.with_tip.expressions()].concat();
+    let fk_jacobian = forward::block(g, &both, count, |w| {
+        let (tip, columns) = (forward::pose(w, &f.tip), forward::jacobian(w, &f.with_tip));
+        quote!((#tip, #columns))
+    });
+    let fk_cost = cost(f.cost(&f.tip.expressions()));
+    let both_cost = cost(f.cost(&both));
+    quote! {
+        /// The tip's pose in the base frame at joint values `q`, radians and
+        /// metres.
+        ///
+        #[doc = #fk_cost]
+        #[inline]
+        #[must_use]
+        pub fn fk(&self, q: &[f64; #n]) -> Pose { #fk }
+
+        /// The pose, in the base frame, of the link that each joint moves.
+        #[inline]
+        #[must_use]
+        pub fn fk_links(&self, q: &[f64; #n]) -> [Pose; #n] { #fk_links }
+
+        /// The spatial Jacobian J_s (MLS section 3.4.1): rows (v, ω) in base
+        /// coordinates.
+        #[inline]
+        #[must_use]
+        pub fn spatial_jacobian(&self, q: &[f64; #n]) -> Jacobian<#n> { #spatial }
+
+        /// The body Jacobian J_b (MLS section 3.4.1): rows (v, ω) in tip
+        /// coordinates.
+        #[inline]
+        #[must_use]
+        pub fn body_jacobian(&self, q: &[f64; #n]) -> Jacobian<#n> { #body }
+
+        /// The geometric Jacobian: the velocity of the tip's origin and the
+        /// angular velocity, both in base axes.
+        #[inline]
+        #[must_use]
+        pub fn geometric_jacobian(&self, q: &[f64; #n]) -> Jacobian<#n> { #geometric }
+
+        /// The tip's pose and the spatial Jacobian, computed together.
+        ///
+        #[doc = #both_cost]
+        #[inline]
+        #[must_use]
+        pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { #fk_jacobian }
+    }
+}
+
+fn inverse_method(compiled: &Compiled, n: &Literal) -> TokenStream {
+    let Some(solver) = &compiled.inverse else {
+        return TokenStream::new();
+    };
+    let body = inverse::body(&compiled.model, solver);
+    let what = match solver.plan.target {
+        Target::Pose => " All joint values that put the tip at `pose` (base frame, metres).",
+        Target::Position => {
+            " All joint values that put the tip's origin at the translation of `pose` (base \
+             frame, metres). Its rotation is not read: the arm cannot choose it."
+        }
+    };
+    let plan = format!(" Solved by {}.", solver.plan);
+    quote! {
+        #[doc = #what]
+        ///
+        #[doc = #plan]
+        /// Angles are in (−π, π]; limits are not applied, see
+        /// [`Solutions::within`]. A target out of reach has no solutions.
+        #[must_use]
+        pub fn ik(&self, pose: &Pose) -> Solutions<#n> { #body }
+    }
+}
+
+/// The trait, by the inherent methods.
+fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
+    let method = |function: &str, argument: TokenStream, result: TokenStream| {
+        let function = Ident::new(function, proc_macro2::Span::call_site());
+        let (parameter, of) = if function == "ik" {
+            (quote!(pose), quote!(pose))
+        } else {
+            (quote!(q), quote!(q))
+        };
+        quote! {
+            #[inline]
+            fn #function(&self, #parameter: #argument) -> #result { #name::#function(self, #of) }
+        }
+    };
+    let (q, jacobian) = (quote!(&[f64; #n]), quote!(Jacobian<#n>));
+    let mut methods = vec![
+        method("fk", q.clone(), quote!(Pose)),
+        method("fk_links", q.clone(), quote!([Pose; #n])),
+        method("spatial_jacobian", q.clone(), jacobian.clone()),
+        method("body_jacobian", q.clone(), jacobian.clone()),
+        method("geometric_jacobian", q.clone(), jacobian.clone()),
+        method("fk_jacobian", q, quote!((Pose, #jacobian))),
+    ];
+    if compiled.inverse.is_some() {
+        methods.push(method("ik", quote!(&Pose), quote!(Solutions<#n>)));
+    }
+    quote! {
+        impl Kinematics<#n> for #name {
+            const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;
+            const LIMITS: [JointLimit; #n] = #name::LIMITS;
+            const BASE: &'static str = #name::BASE;
+            const TIP: &'static str = #name::TIP;
+            const BRANCHES: usize = #name::BRANCHES;
+            #(#methods)*
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! Expressions as Rust: one `let` per shared or named node, the rest inline.
+
+use crate::expr::{Expr, Graph, Node};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashSet;
+
+/// How tightly a piece of Rust binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Unary,
+    Atom,
+}
+
+/// Expressions longer than this get a name of their own.
+const LONGEST_INLINE: usize = 9;
+
+/// Writes parts of a graph as Rust.
+pub struct Writer<'a> {
+    graph: &'a Graph,
+    needed: Vec<bool>,
+    /// How many operations read a node.
+    uses: Vec<u32>,
+    /// Nodes that stand inline where they are used.
+    inline: Vec<bool>,
+    /// What a node is called, once it has been written.
+    names: Vec<Option<TokenStream>>,
+    taken: HashSet<String>,
+    temporaries: usize,
+}
+
+impl<'a> Writer<'a> {
+    /// For a function that computes `outputs`. `inputs` are the Rust
+    /// expressions of the inputs, by number. Nodes of different `levels` do
+    /// not stand inline in each other.
+    pub fn new(graph: &'a Graph, outputs: &[Expr], inputs: &[TokenStream], levels: &[u8]) -> Self {
+        let needed = graph.reachable(outputs);
+        let mut uses = vec![0; needed.len()];
+        let mut pinned = vec![false; needed.len()];
+        for (i, node) in graph.nodes().iter().enumerate().filter(|(i, _)| needed[*i]) {
+            for e in node.operands() {
+                uses[e.index()] += 1;
+                pinned[e.index()] |= levels[e.index()] != levels[i];
+            }
+        }
+        for e in outputs {
+            uses[e.index()] += 1;
+        }
+        let mut writer = Self {
+            graph,
+            inline: Vec::new(),
+            names: vec![None; needed.len()],
+            needed,
+            uses,
+            taken: HashSet::new(),
+            temporaries: 0,
+        };
+        writer.decide_inline(&pinned);
+        for (i, node) in graph.nodes().iter().enumerate() {
+            writer.names[i] = match node {
+                Node::Input(k) => Some(inputs[usize::from(*k)].clone()),
+                Node::Sign(choice) => {
+                    let sign = sign_name(choice.0);
+                    Some(quote!(#sign))
+                }
+                _ => None,
+            };
+        }
+        writer
+    }
+
+    /// Whether an input or node takes part.
+    pub fn needs(&self, e: Expr) -> bool {
+        self.needed[e.index()]
+    }
+
+    fn decide_inline(&mut self, pinned: &[bool]) {
+        let mut length = vec![0; self.needed.len()];
+        for (i, node) in self.graph.nodes().iter().enumerate() {
+            let operands: usize = node
+                .operands()
+                .map(|e| {
+                    if self.inline[e.index()] {
+                        length[e.index()]
+                    } else {
+                        0
+                    }
+                })
+                .sum();
+            length[i] = operands + 1;
+            let inline = match node {
+                Node::Constant(_) => true,
+                Node::Input(_) | Node::Sign(_) | Node::Sin(_) | Node::Cos(_) => false,
+                // Free to repeat.
+                Node::Neg(a) if !pinned[i] && matches!(self.graph.node(*a), Node::Input(_)) => true,
+                _ => {
+                    let e = self.expr(i);
+                    self.uses[i] == 1
+                        && !pinned[i]
+                        && self.graph.name(e).is_none()
+                        && length[i] <= LONGEST_INLINE
+                }
+            };
+            self.inline.push(inline);
+        }
+    }
+
+    fn expr(&self, index: usize) -> Expr {
+        self.graph.at(index)
+    }
+
+    /// The statements for the nodes that `select` picks, in order. `bind`
+    /// makes a statement of a name and a value, and says how the name is to be
+    /// read from then on.
+    pub fn statements(
+        &mut self,
+        select: impl Fn(usize) -> bool,
+        mut bind: impl FnMut(Expr, &Ident, TokenStream) -> (TokenStream, TokenStream),
+    ) -> Vec<TokenStream> {
+        let mut out = Vec::new();
+        for i in 0..self.needed.len() {
+            let skip = !self.needed[i] || self.inline[i] || self.names[i].is_some() || !select(i);
+            if skip {
+                continue;
+            }
+            let e = self.expr(i);
+            if let Node::Sin(a) | Node::Cos(a) = self.graph.node(e) {
+                out.push(self.sine_and_cosine(a));
+                continue;
+            }
+            let name = self.identifier(e);
+            let value = self.value(e).0;
+            let (statement, reading) = bind(e, &name, value);
+            self.names[i] = Some(reading);
+            out.push(statement);
+        }
+        out
+    }
+
+    fn sine_and_cosine(&mut self, angle: Expr) -> TokenStream {
+        let of = self.read(angle).0;
+        let pair = [Node::Sin(angle), Node::Cos(angle)].map(|node| {
+            match self.graph.find(node).filter(|e| self.needed[e.index()]) {
+                Some(e) => {
+                    let name = self.identifier(e);
+                    self.names[e.index()] = Some(quote!(#name));
+                    quote!(#name)
+                }
+                None => quote!(_),
+            }
+        });
+        let [sin, cos] = pair;
+        quote!(let (#sin, #cos) = math::sin_cos(#of);)
+    }
+
+    fn identifier(&mut self, e: Expr) -> Ident {
+        let wanted = self.graph.name(e).map(str::to_owned);
+        if let Some(name) = wanted
+            && self.taken.insert(name.clone())
+        {
+            return format_ident!("{name}");
+        }
+        loop {
+            self.temporaries += 1;
+            let name = format!("t{}", self.temporaries);
+            if self.taken.insert(name.clone()) {
+                return format_ident!("{name}");
+            }
+        }
+    }
+
+    /// A node as an operand or a result.
+    pub fn output(&self, e: Expr) -> TokenStream {
+        self.read(e).0
+    }
+
+    fn read(&self, e: Expr) -> (TokenStream, Binding) {
+        match &self.names[e.index()] {
+            Some(name) => (name.clone(), Binding::Atom),
+            None => self.value(e),
+        }
+    }
+
+    fn at_least(&self, e: Expr, binding: Binding) -> TokenStream {
+        let (tokens, own) = self.read(e);
+        if own >= binding {
+            tokens
+        } else {
+            quote!((#tokens))
+        }
+    }
+
+    fn value(&self, e: Expr) -> (TokenStream, Binding) {
+        use Binding::{Atom, Product, Sum, Unary};
+        match self.graph.node(e) {
+            Node::Constant(bits) => constant(f64::from_bits(bits)),
+            Node::Input(_) | Node::Sign(_) | Node::Sin(_) | Node::Cos(_) => {
+                unreachable!("inputs, signs, sines and cosines have names before they are read")
+            }
+            Node::Add(a, b) => match self.graph.value(b) {
+                Some(c) if c < 0.0 => {
+                    let (a, c) = (self.read(a).0, constant(-c).0);
+                    (quote!(#a - #c), Sum)
+                }
+                _ => {
+                    let (a, b) = (self.at_least(a, Sum), self.at_least(b, Product));
+                    (quote!(#a + #b), Sum)
+                }
+            },
+            Node::Sub(a, b) => {
+                let (a, b) = (self.at_least(a, Sum), self.at_least(b, Product));
+                (quote!(#a - #b), Sum)
+            }
+            Node::Mul(a, b) => {
+                let (a, b) = (self.at_least(a, Product), self.at_least(b, Unary));
+                (quote!(#a * #b), Product)
+            }
+            Node::Div(a, b) => {
+                let (a, b) = (self.at_least(a, Product), self.at_least(b, Unary));
+                (quote!(#a / #b), Product)
+            }
+            Node::Neg(a) => {
+                let a = self.at_least(a, Atom);
+                (quote!(-#a), Unary)
+            }
+            Node::Sqrt(a) => self.call(quote!(math::sqrt), &[a]),
+            Node::Atan2(y, x) => self.call(quote!(math::atan2), &[y, x]),
+            Node::Wrap(a) => self.call(quote!(math::wrap), &[a]),
+            Node::Abs(a) => (self.method(a, quote!(abs), &[]), Atom),
+            Node::Max(a, b) => (self.method(a, quote!(max), &[b]), Atom),
+            Node::Select([a, b, x, y]) => {
+                let [a, b, x, y] = [a, b, x, y].map(|e| self.read(e).0);
+                (quote!(math::select(#a < #b, #x, #y)), Atom)
+            }
+        }
+    }
+
+    fn call(&self, function: TokenStream, arguments: &[Expr]) -> (TokenStream, Binding) {
+        let arguments = arguments.iter().map(|e| self.read(*e).0);
+        (quote!(#function(#(#arguments),*)), Binding::Atom)
+    }
+
+    fn method(&self, a: Expr, name: TokenStream, arguments: &[Expr]) -> TokenStream {
+        let receiver = match self.graph.value(a) {
+            Some(x) => suffixed(x),
+            None => self.at_least(a, Binding::Atom),
+        };
+        let arguments = arguments.iter().map(|e| self.read(*e).0);
+        quote!(#receiver.#name(#(#arguments),*))
+    }
+}
+
+/// What the sign of a choice is called.
+pub fn sign_name(choice: u8) -> Ident {
+    format_ident!("e{}", choice + 1)
+}
+
+/// A literal that has methods.
+fn suffixed(x: f64) -> TokenStream {
+    let literal = Literal::f64_suffixed(x.abs());
+    if x < 0.0 {
+        quote!((-#literal))
+    } else {
+        quote!(#literal)
+    }
+}
+
+/// A literal; a negative one binds like the minus that it has.
+fn constant(x: f64) -> (TokenStream, Binding) {
+    let literal = literal(x.abs());
+    if x < 0.0 {
+        (quote!(-#literal), Binding::Unary)
+    } else {
+        (quote!(#literal), Binding::Atom)
+    }
+}
+
+/// The shortest digits of a positive number, small ones as 1e-9.
+pub fn literal(x: f64) -> Literal {
+    if x != 0.0 && x < 1e-6 {
+        format!("{x:e}")
+            .parse()
+            .unwrap_or_else(|_| Literal::f64_unsuffixed(x))
+    } else {
+        Literal::f64_unsuffixed(x)
+    }
+}

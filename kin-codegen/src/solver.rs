@@ -1,0 +1,254 @@
+//! The closed form of an arm: the exact relations that were read into it, the
+//! plan, its expressions, and the polish that returns to the literal arm.
+
+use crate::expr::inverse::{FreeAngles, Inverse, Slack, inverse};
+use crate::geometry::{Linkage, Snap, size, snap};
+use crate::model::{JointKind, Model};
+use crate::plan::{Plan, Target, search};
+use crate::verify::{self, Certificate, Failure, SOUND, certify, chain};
+use kin_runtime::polish::polish;
+use kin_runtime::{Chain, Jacobian, Pose};
+
+/// Tolerances to read relations with, the strictest first: rounding of the
+/// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
+const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
+/// Plans tried at one tolerance before the next.
+const PLANS: usize = 3;
+/// A snapped arm whose tip moved less than this, relative to its size, is the
+/// literal one to rounding.
+const UNMOVED: f64 = 1e-13;
+
+/// Newton doubles the digits: two or three steps do at a regular
+/// configuration. Near a singular one the first steps have to find the way.
+const POLISH: usize = 16;
+
+/// A root may be out of domain by this many times the shift of the tip and
+/// still have a solution on the literal arm.
+const SLACK: f64 = 5.0;
+
+/// A verified closed form.
+#[derive(Clone, Debug)]
+pub struct ClosedForm {
+    /// The arm that the plan is for.
+    pub snap: Snap,
+    /// Its frames.
+    pub linkage: Linkage,
+    /// The plan.
+    pub plan: Plan,
+    /// The plan as expressions.
+    pub inverse: Inverse,
+    /// How far the snapped arm's tip is from the literal one, metres.
+    pub tip_shift: f64,
+    /// Newton steps at most that land every branch on the literal arm; 0 if the
+    /// snapped arm is the literal one.
+    pub polish: usize,
+    /// What was seen when the plan was run.
+    pub certificate: Certificate,
+}
+
+/// Why an arm has none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoClosedForm {
+    /// Joints that mimic others couple the chain.
+    Mimic,
+    /// More joints than a pose has coordinates.
+    Redundant,
+    /// The search found no sequence of subproblems.
+    NoPlan,
+    /// The best plan failed its certificate.
+    Uncertified {
+        /// The plan, in short.
+        plan: String,
+        /// What it got wrong.
+        failure: Failure,
+    },
+}
+
+/// One answer of the interpreter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The configuration.
+    pub q: Vec<f64>,
+    /// Its branch.
+    pub branch: u32,
+    /// Whether it stands for a family or a double root.
+    pub singular: bool,
+}
+
+/// Finds and verifies a closed form.
+///
+/// # Errors
+///
+/// Why there is none.
+pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> {
+    if model.is_coupled() {
+        return Err(NoClosedForm::Mimic);
+    }
+    if model.joints.len() > 6 {
+        return Err(NoClosedForm::Redundant);
+    }
+    let mut refusal = NoClosedForm::NoPlan;
+    let mut last: Option<Vec<crate::geometry::Moved>> = None;
+    for tolerance in TOLERANCES {
+        let snap = snap(model, tolerance);
+        if last.as_ref() == Some(&snap.moved) {
+            continue;
+        }
+        last = Some(snap.moved.clone());
+        match solve_snapped(model, snap, target) {
+            Ok(solver) => return Ok(solver),
+            Err(NoClosedForm::NoPlan) => {}
+            Err(other) => refusal = other,
+        }
+    }
+    Err(refusal)
+}
+
+fn solve_snapped(model: &Model, snap: Snap, target: Target) -> Result<ClosedForm, NoClosedForm> {
+    let linkage = Linkage::new(&snap.model);
+    let tip_shift = tip_shift(model, &snap.model);
+    let relative = tip_shift / size(model);
+    let literal = relative < UNMOVED;
+    let slack = if literal { 0.0 } else { SLACK * relative };
+    let mut refusal = NoClosedForm::NoPlan;
+    let mut best: Option<ClosedForm> = None;
+    let plans = search(&linkage, snap.model.home.translation, target, PLANS);
+    let ways = plans
+        .iter()
+        .flat_map(|plan| [FreeAngles::Zero, FreeAngles::Spent].map(|free| (plan.clone(), free)));
+    for (plan, free) in ways {
+        let inverse = inverse(&linkage, &plan, Slack(slack), free);
+        let mut solver = ClosedForm {
+            snap: snap.clone(),
+            linkage: linkage.clone(),
+            inverse,
+            tip_shift,
+            polish: if literal { 0 } else { POLISH },
+            certificate: Certificate::default(),
+            plan,
+        };
+        match certify(model, &solver) {
+            Ok(certificate) => {
+                solver.certificate = certificate;
+                if certificate.unanswered == 0 {
+                    return Ok(solver);
+                }
+                let unanswered = |s: &ClosedForm| s.certificate.unanswered;
+                if best
+                    .as_ref()
+                    .is_none_or(|best| certificate.unanswered < unanswered(best))
+                {
+                    best = Some(solver);
+                }
+            }
+            Err(failure) => {
+                let plan = solver.plan.to_string();
+                refusal = NoClosedForm::Uncertified { plan, failure };
+            }
+        }
+    }
+    best.ok_or(refusal)
+}
+
+/// How far apart the tips of two arms get, with orientation as a length at
+/// the distance of the arm's size; metres.
+fn tip_shift(literal: &Model, snapped: &Model) -> f64 {
+    let (a, b) = (chain(literal), chain(snapped));
+    let size = size(literal);
+    let at = |k: usize| {
+        let q: Vec<f64> = (0..literal.variables.len())
+            .map(|i| (i * 5 + k * 7) as f64 * 0.61 % 3.0)
+            .collect();
+        verify::distance(&a.fk(&q), &b.fk(&q), size, Target::Pose)
+    };
+    (0..8).map(at).fold(0.0, f64::max)
+}
+
+impl ClosedForm {
+    /// How far, in radians or relative to the arm's size, the plan's arm may
+    /// be from the literal one.
+    pub fn slack(&self) -> f64 {
+        if self.polish == 0 {
+            0.0
+        } else {
+            SLACK * self.tip_shift / self.linkage.size
+        }
+    }
+
+    /// What the generated function will answer, computed by the interpreter.
+    /// `literal` is the arm as the file has it.
+    pub fn answers(&self, literal: &Chain, target: &Pose) -> Vec<Answer> {
+        let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
+        inputs.extend(target.translation);
+        let mut values = Vec::new();
+        let mut answers: Vec<Answer> = Vec::new();
+        for branch in 0..self.plan.branches() as u32 {
+            let inverse = &self.inverse;
+            inverse.graph.evaluate(&inputs, branch, &mut values);
+            let of = |e: crate::expr::Expr| values[e.index()];
+            let mut q: Vec<f64> = inverse.q.iter().map(|&e| of(e)).collect();
+            let mut valid = of(inverse.invalid) <= 0.0;
+            if self.polish > 0 {
+                let distance;
+                (q, distance) = self.polished(literal, target, &q);
+                valid &= distance <= SOUND * self.linkage.size;
+                valid &= !answers.iter().any(|answer| near(&answer.q, &q));
+            } else {
+                valid &= of(inverse.residual) <= SOUND * self.linkage.size;
+            }
+            if valid {
+                let singular = of(inverse.singular) > 0.0;
+                answers.push(Answer {
+                    q,
+                    branch,
+                    singular,
+                });
+            }
+        }
+        answers
+    }
+
+    fn polished(&self, literal: &Chain, target: &Pose, q: &[f64]) -> (Vec<f64>, f64) {
+        let (mut q, distance) = match q.len() {
+            1 => self.polished_to::<1>(literal, target, q),
+            2 => self.polished_to::<2>(literal, target, q),
+            3 => self.polished_to::<3>(literal, target, q),
+            4 => self.polished_to::<4>(literal, target, q),
+            5 => self.polished_to::<5>(literal, target, q),
+            _ => self.polished_to::<6>(literal, target, q),
+        };
+        for (x, joint) in q.iter_mut().zip(&self.snap.model.joints) {
+            if joint.kind == JointKind::Revolute {
+                *x = kin_runtime::math::wrap(*x);
+            }
+        }
+        (q, distance)
+    }
+
+    fn polished_to<const N: usize>(
+        &self,
+        literal: &Chain,
+        target: &Pose,
+        q: &[f64],
+    ) -> (Vec<f64>, f64) {
+        let start: [f64; N] = std::array::from_fn(|i| q[i]);
+        let fk_jacobian = |q: &[f64; N]| {
+            let columns = literal.spatial_jacobian(q);
+            let columns = std::array::from_fn(|i| columns[i]);
+            (literal.fk(q), Jacobian::from_columns(columns))
+        };
+        let size = self.linkage.size;
+        let (q, distance) = match self.plan.target {
+            Target::Pose => polish::<N, 6>(fk_jacobian, target, start, size, self.polish),
+            Target::Position => polish::<N, 3>(fk_jacobian, target, start, size, self.polish),
+        };
+        (q.to_vec(), distance)
+    }
+}
+
+/// Two polished branches that landed on one configuration.
+fn near(a: &[f64], b: &[f64]) -> bool {
+    a.iter()
+        .zip(b)
+        .all(|(x, y)| kin_runtime::math::wrap(x - y).abs() < 1e-6)
+}
