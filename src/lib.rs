@@ -4,3 +4,7 @@
 
 pub use kin_macros::kinematics;
 pub use kin_runtime::*;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
