@@ -88,6 +88,7 @@ pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> 
         return Err(NoClosedForm::Redundant);
     }
     let mut refusal = NoClosedForm::NoPlan;
+    let mut best: Option<ClosedForm> = None;
     let mut last: Option<Vec<crate::geometry::Moved>> = None;
     for tolerance in TOLERANCES {
         let snap = snap(model, tolerance);
@@ -96,12 +97,28 @@ pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> 
         }
         last = Some(snap.moved.clone());
         match solve_snapped(model, snap, target) {
-            Ok(solver) => return Ok(solver),
+            Ok(solver) => {
+                // The reading that answers more singular targets wins; one
+                // that is exact or answers all cannot be beaten.
+                let done = solver.polish == 0 || solver.certificate.unanswered == 0;
+                best = better(best, solver);
+                if done {
+                    break;
+                }
+            }
             Err(NoClosedForm::NoPlan) => {}
             Err(other) => refusal = other,
         }
     }
-    Err(refusal)
+    best.ok_or(refusal)
+}
+
+fn better(best: Option<ClosedForm>, other: ClosedForm) -> Option<ClosedForm> {
+    let unanswered = |solver: &ClosedForm| solver.certificate.unanswered;
+    match best {
+        Some(best) if unanswered(&best) <= unanswered(&other) => Some(best),
+        _ => Some(other),
+    }
 }
 
 fn solve_snapped(model: &Model, snap: Snap, target: Target) -> Result<ClosedForm, NoClosedForm> {
@@ -133,13 +150,7 @@ fn solve_snapped(model: &Model, snap: Snap, target: Target) -> Result<ClosedForm
                 if certificate.unanswered == 0 {
                     return Ok(solver);
                 }
-                let unanswered = |s: &ClosedForm| s.certificate.unanswered;
-                if best
-                    .as_ref()
-                    .is_none_or(|best| certificate.unanswered < unanswered(best))
-                {
-                    best = Some(solver);
-                }
+                best = better(best, solver);
             }
             Err(failure) => {
                 let plan = solver.plan.to_string();

@@ -6,8 +6,8 @@
 //! widened, so that every access in a loop is contiguous.
 
 use super::straight::{Writer, sign_name};
+use crate::expr::Node;
 use crate::expr::inverse::Inverse;
-use crate::expr::{Expr, Node};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;

@@ -24,7 +24,7 @@ pub fn configurations(model: &Model) -> Vec<Vec<f64>> {
     };
     let special = [0.0, FRAC_PI_2, -FRAC_PI_2, PI];
     let mut all: Vec<Vec<f64>> = Vec::new();
-    let mut anywhere = |random: &mut Random| -> Vec<f64> {
+    let anywhere = |random: &mut Random| -> Vec<f64> {
         (0..n).map(|i| place(i, random.between(-PI, PI))).collect()
     };
     for _ in 0..RANDOM {

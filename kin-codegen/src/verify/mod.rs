@@ -21,9 +21,9 @@ use std::fmt;
 
 /// Answers must reach the target to this, relative to the arm's size.
 pub const SOUND: f64 = 1e-9;
-/// Below this independence of the Jacobian's columns, a configuration counts
-/// as singular: its target may have a family of solutions, and one
-/// representative is enough.
+/// Below this independence of the Jacobian's columns, or below the shift of a
+/// snapped arm's tip, a configuration counts as singular: its target may have
+/// a family of solutions, and one representative is enough.
 const SINGULAR: f64 = 1e-5;
 
 /// Above this, columns of the Jacobian are independent in general.
@@ -94,12 +94,11 @@ pub fn certify(model: &Model, solver: &ClosedForm) -> Result<Certificate, Failur
         for answer in &answers {
             let distance = distance(&chain.fk(&answer.q), &pose, size, solver.plan.target);
             certificate.worst_residual = certificate.worst_residual.max(distance);
-            // Also where the distance is NaN.
-            if !(distance <= SOUND * size) {
+            if distance.is_nan() || distance > SOUND * size {
                 return Err(Failure::Unsound { q, distance });
             }
         }
-        if independence < SINGULAR.max(3.0 * solver.slack()) {
+        if independence < SINGULAR.max(2.0 * solver.tip_shift / size) {
             certificate.singular += 1;
             certificate.unanswered += usize::from(answers.is_empty());
             continue;

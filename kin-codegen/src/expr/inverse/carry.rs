@@ -64,7 +64,7 @@ impl Writer<'_> {
                 body = 0;
                 continue;
             }
-            x = self.to_before(x, body);
+            x = self.arrive_before(x, body);
             if let Some((sum, end)) = self.whole_run(&x, body, to) {
                 let back = self.g.reverse(sum);
                 x = self.turn(x, back);
@@ -114,7 +114,7 @@ impl Writer<'_> {
     }
 
     /// From the frame of link `joint` to the frame before that joint.
-    pub(super) fn to_before(&mut self, x: Carried, joint: usize) -> Carried {
+    pub(super) fn arrive_before(&mut self, x: Carried, joint: usize) -> Carried {
         match joint {
             0 => x,
             j => self.uncross(x, self.linkage.links[j - 1].after),

@@ -94,7 +94,7 @@ impl Writer<'_> {
     fn bring_before(&mut self, x: &Invariant, body: usize, joint: usize) -> Carried {
         let x = self.seen_from(x, body);
         let x = self.onwards(x, body, joint);
-        self.to_before(x, joint)
+        self.arrive_before(x, joint)
     }
 
     fn bring_behind(&mut self, x: &Invariant, body: usize, end: usize) -> Carried {
@@ -230,7 +230,7 @@ impl Writer<'_> {
             };
         }
         let [zero, one] = [self.g.zero(), self.g.one()];
-        let nothing = self.g.constant(FREE.max(self.slack.0.powi(2)) * scale);
+        let nothing = self.g.constant(FREE * scale);
         let singular = self.g.select_less(factor, nothing, one, zero);
         self.singular = self.g.max(self.singular, singular);
         let inverse = self.g.div(one, factor);
@@ -302,7 +302,7 @@ impl Writer<'_> {
             direction: Some(z),
         };
         let there = self.onwards(axis, first_end, second_start);
-        let there = self.to_before(there, second_start);
+        let there = self.arrive_before(there, second_start);
         let (h, on_axis) = (there.direction.unwrap_or(zero), there.point.unwrap_or(zero));
         let (x_vector, y_vector) = (of(x), of(y));
         let level = self.g.dot(h, on_axis);
