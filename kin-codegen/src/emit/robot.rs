@@ -1,5 +1,6 @@
 //! The type of a robot, with its constants, methods and documentation.
 
+use super::straight::signed;
 use super::{forward, inverse};
 use crate::compiler::Compiled;
 use crate::expr::Operations;
@@ -82,14 +83,10 @@ fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {
         .joints
         .iter()
         .any(|joint| joint.variable == i && joint.kind == JointKind::Prismatic);
-    let bound = |x: f64| {
-        let literal = Literal::f64_unsuffixed(x.abs());
-        match x {
-            f64::INFINITY => quote!(f64::INFINITY),
-            f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
-            x if x < 0.0 => quote!(-#literal),
-            _ => quote!(#literal),
-        }
+    let bound = |x: f64| match x {
+        f64::INFINITY => quote!(f64::INFINITY),
+        f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
+        x => signed(x),
     };
     let [lower, upper] = variable
         .limits

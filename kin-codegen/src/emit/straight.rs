@@ -277,6 +277,11 @@ fn constant(x: f64) -> (TokenStream, Binding) {
     }
 }
 
+/// A literal with its sign.
+pub fn signed(x: f64) -> TokenStream {
+    constant(x).0
+}
+
 /// The shortest digits of a positive number, small ones as 1e-9.
 pub fn literal(x: f64) -> Literal {
     if x != 0.0 && x < 1e-6 {
