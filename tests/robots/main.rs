@@ -1,0 +1,17 @@
+//! Every robot of `robots/`, compiled by the macro, against the generic
+//! product of exponentials and its numerical search.
+
+mod measure;
+mod random;
+mod subject;
+#[macro_use]
+mod zoo;
+
+mod book;
+mod complete;
+mod forward;
+mod honest;
+mod malformed;
+mod recovered;
+mod sound;
+mod unreachable;

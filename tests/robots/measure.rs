@@ -1,0 +1,59 @@
+//! How far apart things are.
+
+use kinematics::{Pose, Twist};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// What of a target counts.
+pub use kinematics::Goal;
+
+/// Translation and rotation, the angle as the way at the distance of `size`,
+/// as the legs of a right triangle. Metres.
+pub fn distance(a: &Pose, b: &Pose, goal: Goal, size: f64) -> f64 {
+    let turn = match goal {
+        Goal::Pose => a.rotation_distance(b) * size,
+        Goal::Position => 0.0,
+    };
+    a.translation_distance(b).hypot(turn)
+}
+
+/// The largest difference of two entries of the homogeneous matrices.
+pub fn entrywise(a: &Pose, b: &Pose) -> f64 {
+    let entries = a.to_matrix().into_iter().flatten();
+    let others = b.to_matrix().into_iter().flatten();
+    largest(entries.zip(others).map(|(x, y)| x - y))
+}
+
+/// The largest magnitude; NaN if there is one.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |a: f64, b: f64| {
+        if b.abs() > a || b.is_nan() {
+            b.abs()
+        } else {
+            a
+        }
+    };
+    values.into_iter().fold(0.0, larger)
+}
+
+/// The distance of two angles on the circle.
+pub fn angle_between(a: f64, b: f64) -> f64 {
+    let d = (a - b).abs() % TAU;
+    d.min(TAU - d)
+}
+
+/// The least singular value of the Jacobian of the goal, lengths in units of
+/// `size`: how little the tool moves for a unit of joint motion. `columns` are
+/// those of the geometric Jacobian.
+pub fn conditioning(columns: &[Twist], goal: Goal, size: f64) -> f64 {
+    let rows = match goal {
+        Goal::Pose => 6,
+        Goal::Position => 3,
+    };
+    let column = |twist: &Twist| {
+        let linear = twist.linear.map(|x| x / size);
+        DVector::from_iterator(rows, linear.into_iter().chain(twist.angular).take(rows))
+    };
+    let columns: Vec<_> = columns.iter().map(column).collect();
+    DMatrix::from_columns(&columns).singular_values().min()
+}
