@@ -16,6 +16,7 @@
 //! # Ok::<(), kin_codegen::Diagnostics>(())
 //! ```
 
+pub mod build;
 pub mod compiler;
 pub mod emit;
 pub mod explain;
@@ -25,6 +26,7 @@ pub mod geometry;
 pub mod model;
 mod options;
 pub mod plan;
+mod read;
 mod refusal;
 pub mod solver;
 pub mod spec;
@@ -32,6 +34,6 @@ pub mod verify;
 
 pub use compiler::{Compiled, compile};
 pub use generate::{Generated, generate};
-pub use options::{Ik, Options};
+pub use options::{Ik, Options, Unknown};
 pub use plan::Target;
 pub use spec::{Diagnostics, Source};

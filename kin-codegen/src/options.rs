@@ -1,8 +1,19 @@
 //! What a user may ask of the compiler; the same behind every door.
 
 use crate::plan::Target;
+use crate::spec::did_you_mean;
+use std::fmt;
+use std::str::FromStr;
 
 /// Settings of one robot. The default asks for everything.
+///
+/// Displayed as the macro takes them, without those left at their default:
+///
+/// ```
+/// use kin_codegen::{Ik, Options};
+/// let options = Options { tip: Some("tool0".into()), ik: Ik::None, ..Default::default() };
+/// assert_eq!(options.to_string(), r#"tip = "tool0", ik = none"#);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// The name of the generated type; by default the file's stem in
@@ -37,13 +48,125 @@ impl Options {
     }
 }
 
+impl fmt::Display for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let quoted = |link: &Option<String>| link.as_ref().map(|link| format!("{link:?}"));
+        let ik = (self.ik != Ik::default()).then(|| self.ik.to_string());
+        let target = self.target.map(|target| target_word(target).to_owned());
+        let settings = [
+            ("name", self.name.clone()),
+            ("base", quoted(&self.base)),
+            ("tip", quoted(&self.tip)),
+            ("ik", ik),
+            ("target", target),
+        ];
+        let written: Vec<String> = settings
+            .into_iter()
+            .filter_map(|(option, value)| Some(format!("{option} = {}", value?)))
+            .collect();
+        f.write_str(&written.join(", "))
+    }
+}
+
+impl Ik {
+    /// The words that stand for it.
+    pub const WORDS: [&'static str; 2] = ["closed_form", "none"];
+}
+
+impl fmt::Display for Ik {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Ik::ClosedForm => "closed_form",
+            Ik::None => "none",
+        })
+    }
+}
+
+impl FromStr for Ik {
+    type Err = Unknown;
+
+    fn from_str(word: &str) -> Result<Self, Unknown> {
+        match word {
+            "closed_form" => Ok(Ik::ClosedForm),
+            "none" => Ok(Ik::None),
+            _ => Err(Unknown::new("inverse kinematics", word, &Ik::WORDS)),
+        }
+    }
+}
+
+impl Target {
+    /// The words that stand for it.
+    pub const WORDS: [&'static str; 2] = ["pose", "position"];
+}
+
+/// The word for a target, as options write it.
+pub(crate) fn target_word(target: Target) -> &'static str {
+    match target {
+        Target::Pose => "pose",
+        Target::Position => "position",
+    }
+}
+
+impl FromStr for Target {
+    type Err = Unknown;
+
+    fn from_str(word: &str) -> Result<Self, Unknown> {
+        match word {
+            "pose" => Ok(Target::Pose),
+            "position" => Ok(Target::Position),
+            _ => Err(Unknown::new("target", word, &Target::WORDS)),
+        }
+    }
+}
+
+/// A word that is none of those that can stand in its place.
+///
+/// ```
+/// let refused = "positoin".parse::<kin_codegen::Target>().unwrap_err();
+/// assert_eq!(
+///     refused.to_string(),
+///     "unknown target `positoin`: did you mean `position`?"
+/// );
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unknown {
+    what: &'static str,
+    word: String,
+    known: Vec<&'static str>,
+}
+
+impl Unknown {
+    /// For a `word` where one of `known` should stand; `what` these are.
+    pub fn new(what: &'static str, word: &str, known: &[&'static str]) -> Self {
+        Self {
+            what,
+            word: word.into(),
+            known: known.to_vec(),
+        }
+    }
+}
+
+impl fmt::Display for Unknown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let remedy = did_you_mean(&self.word, &self.known);
+        write!(f, "unknown {} `{}`: {remedy}", self.what, self.word)
+    }
+}
+
+impl std::error::Error for Unknown {}
+
 fn stem(path: &str) -> &str {
-    let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    let file = file_name(path);
     file.split('.').next().unwrap_or(file)
 }
 
+/// The last part of a path, on any system.
+pub(crate) fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
 /// `kr6_r900` becomes `Kr6R900`; what cannot stand in a name separates words,
-/// and a leading digit gets a letter in front of it.
+/// and a leading digit gets a word in front of it.
 fn upper_camel_case(stem: &str) -> String {
     let words = stem
         .split(|c: char| !c.is_ascii_alphanumeric())
@@ -73,5 +196,31 @@ mod tests {
         assert_eq!(name("C:\\arms\\my-arm.v2.urdf"), "MyArm");
         assert_eq!(name("3r.yaml"), "Robot3r");
         assert_eq!(name("ärm.urdf"), "Rm");
+    }
+
+    #[test]
+    fn options_are_written_as_the_macro_takes_them() {
+        assert_eq!(Options::default().to_string(), "");
+        let all = Options {
+            name: Some("Arm".into()),
+            base: Some("base_link".into()),
+            tip: Some("tool0".into()),
+            ik: Ik::None,
+            target: Some(Target::Position),
+        };
+        assert_eq!(
+            all.to_string(),
+            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position"#
+        );
+    }
+
+    #[test]
+    fn words_come_back_from_their_display() {
+        for word in Ik::WORDS {
+            assert_eq!(word.parse::<Ik>().unwrap().to_string(), word);
+        }
+        for word in Target::WORDS {
+            assert_eq!(target_word(word.parse().unwrap()), word);
+        }
     }
 }

@@ -1,0 +1,146 @@
+//! Robots from a build script.
+//!
+//! For projects that would rather open the generated file than expand a
+//! macro. With `kinematics` as a dependency and `kin-codegen` as a build
+//! dependency, `build.rs` is
+//!
+//! ```no_run
+//! fn main() -> Result<(), kin_codegen::build::Error> {
+//!     kin_codegen::build::Config::new("arm.urdf").tip("tool0").generate()?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! and the crate takes the result in with
+//!
+//! ```ignore
+//! include!(concat!(env!("OUT_DIR"), "/arm.rs"));
+//! ```
+
+use crate::options::{Ik, Options, file_name};
+use crate::plan::Target;
+use crate::spec::Source;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// One robot file to generate from, with the options of the macro.
+#[derive(Clone, Debug)]
+pub struct Config {
+    path: String,
+    options: Options,
+    file: Option<PathBuf>,
+}
+
+impl Config {
+    /// Generates from a robot file; a relative path is relative to the
+    /// package's root.
+    pub fn new(path: impl Into<String>) -> Self {
+        Self {
+            path: path.into(),
+            options: Options::default(),
+            file: None,
+        }
+    }
+
+    /// The name of the type; by default the file's stem in UpperCamelCase.
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.options.name = Some(name.into());
+        self
+    }
+
+    /// The link that the chain begins at; by default the root.
+    pub fn base(mut self, link: impl Into<String>) -> Self {
+        self.options.base = Some(link.into());
+        self
+    }
+
+    /// The link that the chain ends at; by default the only leaf.
+    pub fn tip(mut self, link: impl Into<String>) -> Self {
+        self.options.tip = Some(link.into());
+        self
+    }
+
+    /// Which inverse kinematics to generate; by default a closed form.
+    pub fn ik(mut self, ik: Ik) -> Self {
+        self.options.ik = ik;
+        self
+    }
+
+    /// What of a target counts; by default what the arm can choose.
+    pub fn target(mut self, target: Target) -> Self {
+        self.options.target = Some(target);
+        self
+    }
+
+    /// The file to write; by default `$OUT_DIR/<stem of the robot file>.rs`. A
+    /// relative path is relative to `$OUT_DIR`.
+    pub fn file(mut self, file: impl Into<PathBuf>) -> Self {
+        self.file = Some(file.into());
+        self
+    }
+
+    /// Generates, and has Cargo run the build script again when the robot file
+    /// changes. Returns the file written.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the file or the options, or why the arm has no
+    /// closed form; the file cannot be written; this is no build script.
+    pub fn generate(&self) -> Result<PathBuf, Error> {
+        let root = variable("CARGO_MANIFEST_DIR")?;
+        let robot = root.join(&self.path);
+        // Also if it is missing or broken: mending it must run this again.
+        println!("cargo::rerun-if-changed={}", robot.display());
+        let source = Source::read(&self.path, &root).map_err(Error::new)?;
+        let generated = crate::generate(&source, &self.options).map_err(Error::new)?;
+        let file = variable("OUT_DIR")?.join(self.file_or_default());
+        write(&file, &generated.code())?;
+        Ok(file)
+    }
+
+    fn file_or_default(&self) -> PathBuf {
+        let default = || Path::new(file_name(&self.path)).with_extension("rs");
+        self.file.clone().unwrap_or_else(default)
+    }
+}
+
+fn variable(name: &str) -> Result<PathBuf, Error> {
+    let missing = || {
+        Error::new(format!(
+            "{name} is not set: outside a build script, call `kin_codegen::generate`"
+        ))
+    };
+    std::env::var_os(name)
+        .map(PathBuf::from)
+        .ok_or_else(missing)
+}
+
+fn write(file: &Path, code: &str) -> Result<(), Error> {
+    std::fs::write(file, code)
+        .map_err(|error| Error::new(format!("cannot write {}: {error}", file.display())))
+}
+
+/// Why a build script could not generate. Its `Debug` is its text, because
+/// that is what Rust prints when `main` returns an error.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Error(String);
+
+impl Error {
+    fn new(text: impl fmt::Display) -> Self {
+        Self(text.to_string())
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
+impl std::error::Error for Error {}

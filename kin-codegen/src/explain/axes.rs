@@ -1,0 +1,191 @@
+//! How the axes of the literal arm lie to each other.
+
+use crate::geometry::{
+    AxisRelation, Line, Vec3, axes, concurrency, cross, dot, norm, relate, size,
+};
+use crate::model::{JointKind, Model};
+use serde::Serialize;
+use std::ops::Range;
+
+/// Relations that hold to this are named, with how far off they are: radians,
+/// and multiples of the arm's size.
+const NEAR: f64 = 1e-3;
+
+/// How the axes lie.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Axes {
+    /// Every joint and the next.
+    pub neighbours: Vec<Neighbours>,
+    /// Longest rows of joints with a relation in common.
+    pub rows: Vec<Row>,
+}
+
+/// The axes of two joints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Neighbours {
+    /// Their numbers.
+    pub joints: [usize; 2],
+    /// What they are to each other.
+    pub relation: PairRelation,
+    /// Between them, from 0 to π/2.
+    pub angle: f64,
+    /// Between the lines; 0 where one of them is merely a direction because
+    /// its joint slides.
+    pub distance: f64,
+}
+
+/// What two axes are to each other, to within a thousandth of a radian and of
+/// the arm's size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PairRelation {
+    /// One line.
+    Coincident,
+    /// The same or opposite direction.
+    Parallel,
+    /// They meet.
+    Intersecting,
+    /// Neither meet nor are parallel.
+    Skew,
+    /// A direction of sliding at an angle to the other axis.
+    Inclined,
+}
+
+/// A row of joints with a relation in common.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// Their numbers. Joints that slide may lie between parallel ones.
+    pub joints: Vec<usize>,
+    /// What they have in common.
+    pub relation: RowRelation,
+    /// Where they meet.
+    pub point: Option<Vec3>,
+    /// How far off they are: radians if parallel, metres if concurrent.
+    pub deviation: f64,
+}
+
+/// What the axes of a row have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RowRelation {
+    /// All parallel.
+    Parallel,
+    /// All through one point.
+    Concurrent,
+    /// The first three, through one point.
+    SphericalShoulder,
+    /// The last three, through one point.
+    SphericalWrist,
+}
+
+impl Axes {
+    pub(crate) fn of(model: &Model) -> Self {
+        let lines = axes(model);
+        let neighbours = (1..lines.len())
+            .map(|i| neighbours(model, &lines, i - 1))
+            .collect();
+        let mut rows = parallel_rows(model, &lines);
+        rows.extend(concurrent_rows(model, &lines));
+        Self { neighbours, rows }
+    }
+}
+
+fn slides(model: &Model, joint: usize) -> bool {
+    model.joints[joint].kind == JointKind::Prismatic
+}
+
+fn neighbours(model: &Model, lines: &[Line], i: usize) -> Neighbours {
+    let (a, b) = (&lines[i], &lines[i + 1]);
+    let angle = angle(a, b);
+    let direction_alone = slides(model, i) || slides(model, i + 1);
+    let relation = match relate(a, b, NEAR, NEAR * size(model)) {
+        _ if direction_alone && angle < NEAR => PairRelation::Parallel,
+        _ if direction_alone => PairRelation::Inclined,
+        AxisRelation::Coincident => PairRelation::Coincident,
+        AxisRelation::Parallel(_) => PairRelation::Parallel,
+        AxisRelation::Intersecting(_) => PairRelation::Intersecting,
+        AxisRelation::Skew(..) => PairRelation::Skew,
+    };
+    let distance = match relation {
+        _ if direction_alone => 0.0,
+        // Nearly parallel lines have their common normal anywhere.
+        PairRelation::Coincident | PairRelation::Parallel => norm(a.offset_of(b.point)),
+        _ => a.distance(b),
+    };
+    Neighbours {
+        joints: [i + 1, i + 2],
+        relation,
+        angle,
+        distance,
+    }
+}
+
+/// Between two lines, from 0 to π/2, exact also where it is small.
+fn angle(a: &Line, b: &Line) -> f64 {
+    let sine = norm(cross(a.direction, b.direction));
+    sine.atan2(dot(a.direction, b.direction).abs())
+}
+
+/// Rows of at least two revolute joints that are parallel; sliding joints in
+/// between do not end them.
+fn parallel_rows(model: &Model, lines: &[Line]) -> Vec<Row> {
+    let turning: Vec<usize> = (0..lines.len()).filter(|&i| !slides(model, i)).collect();
+    let deviation = |row: &[usize]| {
+        let first = &lines[row[0]];
+        let off = row.iter().map(|&i| angle(first, &lines[i]));
+        off.fold(0.0, f64::max)
+    };
+    longest(turning.len(), 2, |row| deviation(&turning[row]) < NEAR)
+        .into_iter()
+        .map(|row| Row {
+            relation: RowRelation::Parallel,
+            point: None,
+            deviation: deviation(&turning[row.clone()]),
+            joints: turning[row].iter().map(|i| i + 1).collect(),
+        })
+        .collect()
+}
+
+/// Rows of at least three neighbouring revolute joints that meet in a point.
+fn concurrent_rows(model: &Model, lines: &[Line]) -> Vec<Row> {
+    let n = lines.len();
+    let length = NEAR * size(model);
+    let meet = |row: Range<usize>| {
+        let turn = !row.clone().any(|i| slides(model, i));
+        turn.then(|| concurrency(&lines[row], 0.01, length))
+            .flatten()
+    };
+    longest(n, 3, |row| meet(row).is_some())
+        .into_iter()
+        .map(|row| {
+            let point = meet(row.clone());
+            let off = |line: &Line| point.map_or(0.0, |point| norm(line.offset_of(point)));
+            Row {
+                relation: match (row.start, row.end) {
+                    (0, end) if end < n => RowRelation::SphericalShoulder,
+                    (start, end) if start > 0 && end == n => RowRelation::SphericalWrist,
+                    _ => RowRelation::Concurrent,
+                },
+                point,
+                deviation: lines[row.clone()].iter().map(off).fold(0.0, f64::max),
+                joints: row.map(|i| i + 1).collect(),
+            }
+        })
+        .collect()
+}
+
+/// Maximal ranges of `0..n` with a property that holds for parts as well.
+fn longest(n: usize, least: usize, holds: impl Fn(Range<usize>) -> bool) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    for start in 0..n {
+        let end = (start + least..=n)
+            .take_while(|&end| holds(start..end))
+            .last();
+        if let Some(end) = end
+            && found.last().is_none_or(|last| last.end < end)
+        {
+            found.push(start..end);
+        }
+    }
+    found
+}

@@ -1,0 +1,95 @@
+//! The closed form: its plan, why it was chosen, and what it costs.
+
+use super::{Cost, Snapping, Step};
+use crate::options::target_word;
+use crate::plan::search;
+use crate::solver::ClosedForm;
+use crate::verify::Certificate;
+use serde::Serialize;
+
+/// Plans looked at to tell what else there was.
+const ALTERNATIVES: usize = 4;
+
+/// A verified closed form.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Inverse {
+    /// `pose`, or `position` where the arm cannot choose its orientation.
+    pub target: &'static str,
+    /// What was snapped; none if the file is exact.
+    pub snapping: Option<Snapping>,
+    /// The plan in short: `SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6)`.
+    pub plan: String,
+    /// The plan step by step.
+    pub steps: Vec<Step>,
+    /// How many branches it enumerates.
+    pub branches: usize,
+    /// Other plans that the search came by, the cheapest first, in short.
+    pub others: Vec<String>,
+    /// What computing the branches takes.
+    pub cost: LaneCost,
+    /// What was seen when the plan was run.
+    pub certificate: Certificate,
+}
+
+/// What inverse kinematics takes, without the polish.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct LaneCost {
+    /// One branch.
+    pub one_branch: Cost,
+    /// All branches, with what they share computed once.
+    pub all_branches: Cost,
+}
+
+impl Inverse {
+    pub(super) fn of(solver: &ClosedForm) -> Self {
+        let plan = &solver.plan;
+        let steps = plan.steps.iter();
+        Self {
+            target: target_word(plan.target),
+            snapping: Snapping::of(solver),
+            plan: plan.to_string(),
+            steps: steps.map(|step| Step::of(step, &solver.linkage)).collect(),
+            branches: plan.branches(),
+            others: others(solver),
+            cost: LaneCost::of(solver),
+            certificate: solver.certificate,
+        }
+    }
+}
+
+fn others(solver: &ClosedForm) -> Vec<String> {
+    let tip = solver.snap.model.home.translation;
+    let chosen = solver.plan.to_string();
+    search(&solver.linkage, tip, solver.plan.target, ALTERNATIVES)
+        .iter()
+        .map(ToString::to_string)
+        .filter(|plan| *plan != chosen)
+        .collect()
+}
+
+impl LaneCost {
+    /// An expression behind the k-th choice is computed in 2ᵏ lanes.
+    fn of(solver: &ClosedForm) -> Self {
+        let graph = &solver.inverse.graph;
+        let outputs = solver.inverse.outputs();
+        let levels = graph.levels();
+        let needed = graph.reachable(&outputs);
+        let up_to = |level: u8| -> Cost {
+            let within = |&i: &usize| needed[i] && levels[i] <= level;
+            let nodes: Vec<_> = (0..levels.len()).filter(within).collect();
+            let nodes: Vec<_> = nodes.into_iter().map(|i| graph.at(i)).collect();
+            graph.operations(&nodes).into()
+        };
+        let mut all_branches = Cost::default();
+        let mut below = Cost::default();
+        for level in 0..=graph.choices() {
+            let cost = up_to(level);
+            all_branches.add_difference(1 << level, cost, below);
+            below = cost;
+        }
+        Self {
+            one_branch: graph.operations(&outputs).into(),
+            all_branches,
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! What it took to read the file as the arm that was meant.
+
+use crate::solver::ClosedForm;
+use serde::Serialize;
+
+/// The file's axes are off exact relations: the closed form runs on an arm
+/// that has them, and every branch is polished onto the file's own.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Snapping {
+    /// Directions that differ by less were taken for equal, and lengths by the
+    /// same number times the arm's size.
+    pub tolerance: f64,
+    /// The axes that moved.
+    pub moved: Vec<Moved>,
+    /// How far the tips of the two arms are apart.
+    pub tip_shift: f64,
+    /// Newton steps at most that return a branch to the file's arm.
+    pub polish_steps: usize,
+}
+
+/// One axis that moved.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Moved {
+    /// The joint's number.
+    pub joint: usize,
+    /// The joint's name.
+    pub name: String,
+    /// How far its direction turned.
+    pub angle: f64,
+    /// How far its line shifted.
+    pub distance: f64,
+}
+
+impl Snapping {
+    /// None if the file is exact up to its rounding.
+    pub(super) fn of(solver: &ClosedForm) -> Option<Self> {
+        let moved = |moved: &crate::geometry::Moved| Moved {
+            joint: moved.joint + 1,
+            name: solver.snap.model.joints[moved.joint].name.clone(),
+            angle: moved.angle,
+            distance: moved.distance,
+        };
+        (solver.polish > 0).then(|| Self {
+            tolerance: solver.snap.tolerance,
+            moved: solver.snap.moved.iter().map(moved).collect(),
+            tip_shift: solver.tip_shift,
+            polish_steps: solver.polish,
+        })
+    }
+}

@@ -1,0 +1,73 @@
+//! A few words for the robot's documentation and for refusals.
+
+use super::{Axes, PairRelation};
+use crate::compiler::Compiled;
+use crate::model::{JointKind, Model};
+use crate::plan::Target;
+
+/// What the documentation of the robot says of its kinematics, in Markdown
+/// lines.
+pub fn summary(compiled: &Compiled) -> Vec<String> {
+    let mut lines = vec![
+        String::new(),
+        format!("Axes: {}.", structure(&compiled.model)),
+    ];
+    let Some(solver) = &compiled.inverse else {
+        lines.push(String::new());
+        lines.push("Generated without inverse kinematics (`ik = none`).".into());
+        return lines;
+    };
+    let seen = &solver.certificate;
+    lines.push(String::new());
+    lines.push(format!(
+        "Inverse kinematics by {}: {} branches. Verified on {} configurations: all recovered, {} \
+         answers, the worst {:.1e} m from its target.",
+        solver.plan,
+        solver.plan.branches(),
+        seen.configurations,
+        seen.answers,
+        seen.worst_residual,
+    ));
+    if seen.unanswered > 0 {
+        lines.push(format!(
+            "Of {} singular configurations, {} got no representative.",
+            seen.singular, seen.unanswered
+        ));
+    }
+    if solver.plan.target == Target::Position {
+        lines.push("Targets are positions: the arm cannot choose its orientation.".into());
+    }
+    if solver.polish > 0 {
+        lines.push(String::new());
+        lines.push(format!(
+            "The file's axes are off exact relations by up to {:.1e} rad: the closed form runs on \
+             an arm whose tip is within {:.1e} m, and every branch is polished onto the file's own.",
+            solver.snap.moved.iter().map(|moved| moved.angle).fold(0.0, f64::max),
+            solver.tip_shift,
+        ));
+    }
+    lines
+}
+
+/// How the axes lie to each other: `2, 3 parallel; spherical wrist at 4, 5, 6`.
+pub fn structure(model: &Model) -> String {
+    let axes = Axes::of(model);
+    let mut found: Vec<String> = axes.rows.iter().map(ToString::to_string).collect();
+    let meeting = axes.neighbours.iter().filter(|pair| {
+        let met = |row: &super::Row| {
+            row.point.is_some()
+                && row.joints.contains(&pair.joints[0])
+                && row.joints.contains(&pair.joints[1])
+        };
+        pair.relation == PairRelation::Intersecting && !axes.rows.iter().any(met)
+    });
+    found.extend(meeting.map(ToString::to_string));
+    let sliding = model.joints.iter().enumerate();
+    let sliding = sliding.filter(|(_, joint)| joint.kind == JointKind::Prismatic);
+    found.extend(sliding.map(|(i, _)| format!("{} slides", i + 1)));
+    if found.is_empty() {
+        let n = model.joints.len();
+        found.push(format!("{n} axes, no neighbours parallel or intersecting"));
+    }
+    found.join("; ")
+}

@@ -1,0 +1,276 @@
+//! An explanation as text for a terminal.
+
+use super::{
+    Axes, Chain, Explanation, Inverse, Joint, JointMotion, Neighbours, PairRelation, Row,
+    RowRelation, Snapping, Step,
+};
+use std::f64::consts::PI;
+use std::fmt::{self, Display, Formatter};
+
+/// Deviations below this are rounding, and not worth a word; radians, metres.
+const ROUNDING: f64 = 1e-9;
+
+/// `4, 5, 6`.
+pub(super) fn numbers(joints: impl IntoIterator<Item = usize>) -> String {
+    let numbers: Vec<String> = joints.into_iter().map(|i| i.to_string()).collect();
+    numbers.join(", ")
+}
+
+impl Display for Explanation {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Chain {
+            base, tip, joints, ..
+        } = &self.chain;
+        writeln!(
+            f,
+            "{}, from {}: {base} to {tip}, {} joints, {:.3} m long\n",
+            self.robot,
+            self.file,
+            joints.len(),
+            self.chain.size
+        )?;
+        writeln!(
+            f,
+            "Chain at home, in metres and {base}'s axes\n{}",
+            self.chain
+        )?;
+        writeln!(f, "Axes\n{}", self.axes)?;
+        writeln!(f, "Forward kinematics\n  {}", self.fk)?;
+        writeln!(f, "  with the spatial Jacobian: {}\n", self.fk_jacobian)?;
+        writeln!(f, "Inverse kinematics")?;
+        match (&self.inverse, &self.refusal) {
+            (Some(inverse), _) => write!(f, "{inverse}"),
+            (None, Some(reason)) => writeln!(f, "  {reason}"),
+            (None, None) => writeln!(f, "  not asked for"),
+        }
+    }
+}
+
+impl Display for Chain {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let name = |joint: &Joint| joint.name.chars().count();
+        let width = self.joints.iter().map(name).max().unwrap_or(0);
+        for (i, joint) in self.joints.iter().enumerate() {
+            writeln!(
+                f,
+                "  {:>2}  {:width$}  {:10}  axis {}  through {}  {}",
+                i + 1,
+                joint.name,
+                joint.motion,
+                vector(joint.axis),
+                vector(joint.point),
+                travel(joint),
+            )?;
+        }
+        let tip = vector(self.home_translation);
+        writeln!(f, "      {:width$}  {:10}  at {tip}", self.tip, "tip")
+    }
+}
+
+impl Display for JointMotion {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            JointMotion::Revolute => "revolute",
+            JointMotion::Continuous => "continuous",
+            JointMotion::Prismatic => "prismatic",
+        })
+    }
+}
+
+fn vector(v: [f64; 3]) -> String {
+    let [x, y, z] = v.map(|x| {
+        let shown = format!("{x:.4}");
+        // Neither trailing zeros nor a negative zero say anything.
+        let shown = shown.trim_end_matches('0').trim_end_matches('.');
+        if shown == "-0" {
+            "0".to_owned()
+        } else {
+            shown.to_owned()
+        }
+    });
+    format!("({x:>7} {y:>7} {z:>7})")
+}
+
+fn travel(joint: &Joint) -> String {
+    let range = match joint.limits {
+        None => "no limits".into(),
+        Some([lower, upper]) if joint.motion == JointMotion::Prismatic => {
+            format!("{lower:.3} to {upper:.3} m")
+        }
+        Some([lower, upper]) => format!("{:.1}° to {:.1}°", degrees(lower), degrees(upper)),
+    };
+    match joint.mimic {
+        Some(mimic) => format!(
+            "{range}, moves by {} q{} + {}",
+            mimic.multiplier, joint.coordinate, mimic.offset
+        ),
+        None => range,
+    }
+}
+
+fn degrees(radians: f64) -> f64 {
+    radians * 180.0 / PI
+}
+
+impl Display for Axes {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for pair in &self.neighbours {
+            writeln!(f, "  {pair}")?;
+        }
+        for row in &self.rows {
+            writeln!(f, "  {row}")?;
+        }
+        Ok(())
+    }
+}
+
+/// `, off by 3.7e-6 rad`, if it is worth a word.
+fn off(deviation: f64, unit: &str) -> String {
+    if deviation < ROUNDING {
+        String::new()
+    } else {
+        format!(", off by {deviation:.1e} {unit}")
+    }
+}
+
+impl Display for Neighbours {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self {
+            angle, distance, ..
+        } = *self;
+        write!(f, "{}-{} ", self.joints[0], self.joints[1])?;
+        let shown = degrees(angle);
+        match self.relation {
+            PairRelation::Coincident => {
+                write!(f, "on one line{}{}", off(angle, "rad"), off(distance, "m"))
+            }
+            PairRelation::Parallel if distance < ROUNDING => {
+                write!(f, "parallel{}", off(angle, "rad"))
+            }
+            PairRelation::Parallel => {
+                write!(f, "parallel, {distance:.4} m apart{}", off(angle, "rad"))
+            }
+            PairRelation::Intersecting => {
+                write!(f, "intersect at {shown:.2}°{}", off(distance, "m"))
+            }
+            PairRelation::Skew => write!(f, "skew, {distance:.4} m apart at {shown:.2}°"),
+            PairRelation::Inclined => write!(f, "at {shown:.2}°"),
+        }
+    }
+}
+
+impl Display for Row {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let joints = numbers(self.joints.iter().copied());
+        match self.relation {
+            RowRelation::Parallel => write!(f, "{joints} parallel{}", off(self.deviation, "rad")),
+            RowRelation::Concurrent => {
+                write!(f, "{joints} meet in a point{}", off(self.deviation, "m"))
+            }
+            RowRelation::SphericalShoulder => write!(
+                f,
+                "spherical shoulder at {joints}{}",
+                off(self.deviation, "m")
+            ),
+            RowRelation::SphericalWrist => {
+                write!(f, "spherical wrist at {joints}{}", off(self.deviation, "m"))
+            }
+        }
+    }
+}
+
+impl Display for Inverse {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.target == "position" {
+            writeln!(
+                f,
+                "  Targets are positions: the arm cannot choose its orientation."
+            )?;
+        }
+        if let Some(snapping) = &self.snapping {
+            write!(f, "{snapping}")?;
+        }
+        writeln!(f, "  Plan {}", self.plan)?;
+        for (i, step) in self.steps.iter().enumerate() {
+            writeln!(f, "  {:>2}. {step}", i + 1)?;
+        }
+        writeln!(f, "  {} branches.", self.branches)?;
+        writeln!(f, "  {}", degeneracy(&self.steps))?;
+        match &self.others[..] {
+            [] => writeln!(f, "  The search found no other plan.")?,
+            others => writeln!(f, "  Other plans found: {}.", others.join("; "))?,
+        }
+        writeln!(f, "  One branch: {}", self.cost.one_branch)?;
+        writeln!(f, "  All of them: {}", self.cost.all_branches)?;
+        let seen = &self.certificate;
+        writeln!(
+            f,
+            "  Verified on {} configurations, {} of them singular: {} answers, the worst {:.1e} m \
+             from its target, at most {} to one target; {}.",
+            seen.configurations,
+            seen.singular,
+            seen.answers,
+            seen.worst_residual,
+            seen.most_answers,
+            match seen.unanswered {
+                0 => "every configuration was recovered".into(),
+                unanswered => format!("{unanswered} of the singular ones got no representative"),
+            }
+        )
+    }
+}
+
+fn degeneracy(steps: &[Step]) -> String {
+    let can = |step: &&Step| step.can_degenerate;
+    let unknowns: Vec<String> = steps
+        .iter()
+        .filter(can)
+        .map(|step| step.unknowns.join(", "))
+        .collect();
+    if unknowns.is_empty() {
+        "No step degenerates where the arm is regular.".into()
+    } else {
+        format!(
+            "May degenerate where the arm is regular: {}.",
+            unknowns.join("; ")
+        )
+    }
+}
+
+impl Display for Step {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let unknowns = self.unknowns.join(", ");
+        write!(f, "{unknowns} by {}", self.subproblem)?;
+        if self.roots > 1 {
+            write!(f, ", {} roots", self.roots)?;
+        }
+        if !self.given.is_empty() {
+            write!(f, ", given {}", self.given.join(", "))?;
+        }
+        write!(f, ": {}.", self.text)
+    }
+}
+
+impl Display for Snapping {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "  The file is off exact relations. Within {:.0e} rad, and that part of the arm's \
+             length, it is read as an arm that has them:",
+            self.tolerance
+        )?;
+        for moved in &self.moved {
+            writeln!(
+                f,
+                "    axis {} turned by {:.1e} rad, shifted by {:.1e} m",
+                moved.joint, moved.angle, moved.distance
+            )?;
+        }
+        writeln!(
+            f,
+            "    whose tip is within {:.1e} m of the file's. At most {} Newton steps land every \
+             branch on the file's arm.",
+            self.tip_shift, self.polish_steps
+        )
+    }
+}
