@@ -1,0 +1,83 @@
+//! From the macro's arguments to items.
+
+use crate::arguments::Arguments;
+use crate::debug;
+use kin_codegen::{Diagnostics, Source, generate};
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::path::{Path, PathBuf};
+use syn::{Error, Result};
+
+/// The robot's items, or the error to show.
+pub fn expand(input: TokenStream) -> Result<TokenStream> {
+    let invocation = input.to_string();
+    let Arguments {
+        path,
+        options,
+        debug,
+    } = syn::parse2(input)?;
+    let complain = |diagnostics: Diagnostics| Error::new(path.span(), diagnostics);
+    let root = root();
+    let source = Source::read(&path.value(), &root).map_err(complain)?;
+    let generated = generate(&source, &options).map_err(complain)?;
+    let items = if debug {
+        debug::through_file(&generated, &invocation)
+            .map_err(|message| Error::new(path.span(), message))?
+    } else {
+        generated.tokens
+    };
+    let tracked = tracked(&root.join(path.value()));
+    Ok(quote!(#items #tracked))
+}
+
+/// The crate that is being compiled.
+fn root() -> PathBuf {
+    let root = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    // Outside Cargo: the directory that the compiler was started in.
+    std::path::absolute(&root).unwrap_or(root.into())
+}
+
+/// Makes the compiler depend on the robot file, so that Cargo builds anew when
+/// it changes. Its bytes are not kept.
+fn tracked(file: &Path) -> TokenStream {
+    let file = file.to_string_lossy();
+    quote!(
+        const _: &[u8] = ::core::include_bytes!(#file);
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kin_codegen::{Ik, Options};
+
+    const ROBOT: &str = "../robots/scara.yaml";
+
+    fn refusal(input: TokenStream) -> String {
+        expand(input).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn expands_to_the_library_s_tokens_and_the_tracked_file() {
+        let options = Options {
+            name: Some("Arm".into()),
+            ik: Ik::None,
+            ..Options::default()
+        };
+        let source = Source::read(ROBOT, &root()).unwrap();
+        let items = generate(&source, &options).unwrap().tokens;
+        let tracked = tracked(&root().join(ROBOT));
+        let expanded = expand(quote!(#ROBOT, name = Arm, ik = none)).unwrap();
+        assert_eq!(expanded.to_string(), quote!(#items #tracked).to_string());
+    }
+
+    #[test]
+    fn a_missing_file_tells_where_it_was_looked_for() {
+        let looked_for = Path::new(env!("CARGO_MANIFEST_DIR")).join("arm.urdf");
+        let message = refusal(quote!("arm.urdf"));
+        assert!(
+            message.contains(&format!("looked for {}", looked_for.display())),
+            "{message}"
+        );
+    }
+}
