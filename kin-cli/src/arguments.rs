@@ -1,0 +1,112 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand};
+use kin_codegen::{Diagnostics, Ik, Options, Source, Target};
+use std::path::{Path, PathBuf};
+
+/// The kinematics of a robot file, compiled and verified.
+#[derive(Debug, Parser)]
+#[command(name = "kin", version, about, after_help = EXIT_CODES)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  all is well
+  1  a robot file or an option is wrong, or a file cannot be read or written
+  2  the command line is wrong
+  3  the arm has no closed form
+  4  generate --check: the checked-in code is stale
+  5  check --deep: the closed form lost solutions";
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    Generate(Generate),
+    Explain(Explain),
+    Check(Check),
+}
+
+/// Write a robot's forward kinematics, Jacobians and closed-form inverse
+/// kinematics as Rust
+#[derive(Debug, Args)]
+pub struct Generate {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    /// The name of the type [default: the file's stem in UpperCamelCase]
+    #[arg(long)]
+    pub name: Option<String>,
+    /// Where to write [default: standard output]
+    #[arg(short, long)]
+    pub output: Option<PathBuf>,
+    /// Write nothing; fail if the output is not what would be written
+    #[arg(long, requires = "output")]
+    pub check: bool,
+}
+
+/// Tell what is known of a robot: chain, axes, plan step by step, costs
+#[derive(Debug, Args)]
+pub struct Explain {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    /// As JSON, for programs
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Verify the closed forms of robot files again, one line for each
+#[derive(Debug, Args)]
+pub struct Check {
+    /// The robot files, URDF or YAML
+    #[arg(required = true)]
+    pub files: Vec<String>,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    /// Compare with the numerical search on so many targets
+    #[arg(long, value_name = "TARGETS", default_value_t = 0)]
+    pub deep: usize,
+}
+
+/// What all commands ask of the compiler.
+#[derive(Debug, Args)]
+pub struct RobotOptions {
+    /// The link that the chain begins at [default: the root]
+    #[arg(long, value_name = "LINK")]
+    pub base: Option<String>,
+    /// The link that the chain ends at [default: the only leaf]
+    #[arg(long, value_name = "LINK")]
+    pub tip: Option<String>,
+    /// Inverse kinematics: closed_form or none
+    #[arg(long, value_name = "KIND", default_value_t)]
+    pub ik: Ik,
+    /// Forward kinematics and Jacobians alone, as --ik none
+    #[arg(long, conflicts_with = "ik")]
+    pub no_ik: bool,
+    /// What of a target counts: pose or position [default: position where it
+    /// fixes the joints of an arm of up to three, otherwise pose]
+    #[arg(long)]
+    pub target: Option<Target>,
+}
+
+impl RobotOptions {
+    /// The compiler's options.
+    pub fn options(&self) -> Options {
+        Options {
+            name: None,
+            base: self.base.clone(),
+            tip: self.tip.clone(),
+            ik: if self.no_ik { Ik::None } else { self.ik },
+            target: self.target,
+        }
+    }
+}
+
+/// Reads a robot file; a relative path is relative to where `kin` was started.
+pub fn read(file: &str) -> Result<Source, Diagnostics> {
+    Source::read(file, Path::new(""))
+}

@@ -1,0 +1,62 @@
+//! `kin generate`.
+
+use crate::arguments::{Generate, read};
+use crate::{Done, Exit};
+use kin_codegen::{Options, generate};
+use std::fs;
+use std::path::Path;
+
+pub fn run(arguments: &Generate) -> Done {
+    let options = Options {
+        name: arguments.name.clone(),
+        ..arguments.options.options()
+    };
+    let source = match read(&arguments.file) {
+        Ok(source) => source,
+        Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
+    };
+    let code = match generate(&source, &options) {
+        Ok(generated) => generated.code(),
+        Err(diagnostics) => return Done::failing(why(&source, &options), diagnostics),
+    };
+    match &arguments.output {
+        None => Done::printing(code),
+        Some(output) if arguments.check => check(output, &code),
+        Some(output) => write(output, &code),
+    }
+}
+
+/// An arm whose forward kinematics alone can be generated is refused, not
+/// broken.
+fn why(source: &kin_codegen::Source, options: &Options) -> Exit {
+    let alone = Options {
+        ik: kin_codegen::Ik::None,
+        ..options.clone()
+    };
+    match generate(source, &alone) {
+        Ok(_) => Exit::Refused,
+        Err(_) => Exit::Broken,
+    }
+}
+
+fn check(output: &Path, code: &str) -> Done {
+    let shown = output.display();
+    match fs::read_to_string(output) {
+        Ok(found) if found == code => Done::printing(""),
+        Ok(_) => Done::failing(
+            Exit::Stale,
+            format!("{shown} is stale\nhelp: run the same command without --check"),
+        ),
+        Err(error) => Done::failing(Exit::Broken, format!("cannot read {shown}: {error}")),
+    }
+}
+
+fn write(output: &Path, code: &str) -> Done {
+    match fs::write(output, code) {
+        Ok(()) => Done::printing(""),
+        Err(error) => Done::failing(
+            Exit::Broken,
+            format!("cannot write {}: {error}", output.display()),
+        ),
+    }
+}

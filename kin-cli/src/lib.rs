@@ -1,0 +1,65 @@
+//! `kin`: explain, generate and check the kinematics of a robot file.
+//!
+//! A thin shell around `kin-codegen`. [`run`] takes a command line and gives
+//! back what to print, so that commands can be tested without processes.
+
+mod arguments;
+mod check;
+mod exit;
+mod explain;
+mod generate;
+
+pub use exit::Exit;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use std::ffi::OsString;
+
+/// What a command has to say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Done {
+    /// For standard output.
+    pub stdout: String,
+    /// For standard error.
+    pub stderr: String,
+    /// How it went.
+    pub exit: Exit,
+}
+
+impl Done {
+    fn printing(stdout: impl Into<String>) -> Self {
+        Self {
+            stdout: stdout.into(),
+            stderr: String::new(),
+            exit: Exit::Success,
+        }
+    }
+
+    fn failing(exit: Exit, stderr: impl std::fmt::Display) -> Self {
+        Self {
+            stdout: String::new(),
+            stderr: format!("{stderr}\n"),
+            exit,
+        }
+    }
+}
+
+/// Runs a command line, the program's name first.
+///
+/// ```
+/// let done = kin_cli::run(["kin", "check", "../robots/scara.yaml"]);
+/// assert_eq!(done.exit, kin_cli::Exit::Success);
+/// assert!(done.stdout.starts_with("../robots/scara.yaml: solved: "));
+/// ```
+pub fn run<A: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = A>) -> Done {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(help) if !help.use_stderr() => return Done::printing(help.to_string()),
+        Err(error) => return Done::failing(Exit::Usage, error.to_string().trim_end()),
+    };
+    match arguments.command {
+        Command::Generate(arguments) => generate::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+    }
+}
