@@ -73,7 +73,7 @@ impl Config {
     }
 
     /// The file to write; by default `$OUT_DIR/<stem of the robot file>.rs`. A
-    /// relative path is relative to `$OUT_DIR`.
+    /// relative path is relative to `$OUT_DIR`; an absolute one does without.
     pub fn file(mut self, file: impl Into<PathBuf>) -> Self {
         self.file = Some(file.into());
         self
@@ -93,14 +93,18 @@ impl Config {
         println!("cargo::rerun-if-changed={}", robot.display());
         let source = Source::read(&self.path, &root).map_err(Error::new)?;
         let generated = crate::generate(&source, &self.options).map_err(Error::new)?;
-        let file = variable("OUT_DIR")?.join(self.file_or_default());
+        let file = self.output()?;
         write(&file, &generated.code())?;
         Ok(file)
     }
 
-    fn file_or_default(&self) -> PathBuf {
+    fn output(&self) -> Result<PathBuf, Error> {
         let default = || Path::new(file_name(&self.path)).with_extension("rs");
-        self.file.clone().unwrap_or_else(default)
+        let file = self.file.clone().unwrap_or_else(default);
+        if file.is_absolute() {
+            return Ok(file);
+        }
+        Ok(variable("OUT_DIR")?.join(file))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a user may ask of the compiler; the same behind every door.
 
 use crate::plan::Target;
-use crate::spec::did_you_mean;
+use crate::spec::{did_you_mean, list_names};
 use std::fmt;
 use std::str::FromStr;
 
@@ -125,7 +125,7 @@ impl FromStr for Target {
 /// let refused = "positoin".parse::<kin_codegen::Target>().unwrap_err();
 /// assert_eq!(
 ///     refused.to_string(),
-///     "unknown target `positoin`: did you mean `position`?"
+///     "unknown target `positoin`: did you mean `position`? There are `pose`, `position`."
 /// );
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -149,7 +149,11 @@ impl Unknown {
 impl fmt::Display for Unknown {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let remedy = did_you_mean(&self.word, &self.known);
-        write!(f, "unknown {} `{}`: {remedy}", self.what, self.word)
+        write!(f, "unknown {} `{}`: {remedy}", self.what, self.word)?;
+        match remedy.ends_with('?') {
+            true => write!(f, " There are {}.", list_names(&self.known)),
+            false => Ok(()),
+        }
     }
 }
 

@@ -49,13 +49,14 @@ impl Parse for Arguments {
 impl Arguments {
     fn set(&mut self, option: &Ident, input: ParseStream) -> Result<()> {
         let options = &mut self.options;
+        let value = Value { option, input };
         match option.to_string().as_str() {
-            "name" => options.name = Some(identifier(input)?),
-            "base" => options.base = Some(link("base", input)?),
-            "tip" => options.tip = Some(link("tip", input)?),
-            "ik" => options.ik = word("ik", &Ik::WORDS, input)?,
-            "target" => options.target = Some(word("target", &Target::WORDS, input)?),
-            "debug" => self.debug = switch(input)?,
+            "name" => options.name = Some(value.identifier()?),
+            "base" => options.base = Some(value.link()?),
+            "tip" => options.tip = Some(value.link()?),
+            "ik" => options.ik = value.word(&Ik::WORDS)?,
+            "target" => options.target = Some(value.word(&Target::WORDS)?),
+            "debug" => self.debug = value.switch()?,
             other => return Err(unknown_option(option.span(), other)),
         }
         Ok(())
@@ -66,100 +67,103 @@ fn error(span: Span, message: impl Display) -> Error {
     Error::new(span, message)
 }
 
-/// Says what was expected, at what stands there instead.
-fn expected(input: ParseStream, what: impl Display) -> Error {
-    input.error(what)
+/// Where something is missing: at what stands there instead, or behind what
+/// came before.
+fn place(input: ParseStream, before: Span) -> Span {
+    if input.is_empty() {
+        before
+    } else {
+        input.span()
+    }
 }
 
 fn path(input: ParseStream) -> Result<LitStr> {
     let example = "`kinematics!(\"arm.urdf\")`";
     if input.is_empty() {
-        return Err(error(
-            Span::call_site(),
-            format!("which robot file? Write its path: {example}"),
-        ));
+        let message = format!("which robot file? Write its path: {example}");
+        return Err(error(Span::call_site(), message));
     }
+    let place = input.span();
     input.parse().map_err(|_| {
-        expected(
-            input,
+        error(
+            place,
             format!("the path of a robot file comes first, in quotes: {example}"),
         )
     })
 }
 
 fn comma(input: ParseStream) -> Result<()> {
-    input
-        .parse::<Token![,]>()
-        .map(|_| ())
-        .map_err(|_| expected(input, "expected a comma before the next option"))
+    match input.parse::<Token![,]>() {
+        Ok(_) => Ok(()),
+        Err(_) => Err(error(
+            input.span(),
+            "expected a comma before the next option",
+        )),
+    }
 }
 
 /// `name =`
 fn option(input: ParseStream) -> Result<Ident> {
+    let place = input.span();
     let option = input.call(Ident::parse_any).map_err(|_| {
         let known = OPTIONS.join("`, `");
-        expected(input, format!("expected one of the options `{known}`"))
+        error(place, format!("expected one of the options `{known}`"))
     })?;
     let name = option.to_string();
     if !OPTIONS.contains(&name.as_str()) {
         return Err(unknown_option(option.span(), &name));
     }
-    input
-        .parse::<Token![=]>()
-        .map_err(|_| expected(input, format!("expected `=` and a value for `{name}`")))?;
-    Ok(option)
+    let place = self::place(input, option.span());
+    match input.parse::<Token![=]>() {
+        Ok(_) => Ok(option),
+        Err(_) => Err(error(
+            place,
+            format!("expected `=` and a value for `{name}`"),
+        )),
+    }
 }
 
 fn unknown_option(span: Span, name: &str) -> Error {
-    let unknown = Unknown::new("option", name, &OPTIONS);
-    let known = OPTIONS.join("`, `");
-    error(span, format!("{unknown}\nhelp: the options are `{known}`"))
+    error(span, Unknown::new("option", name, &OPTIONS))
 }
 
-/// `Arm`
-fn identifier(input: ParseStream) -> Result<String> {
-    input
-        .parse::<Ident>()
-        .map(|name| name.to_string())
-        .map_err(|_| {
-            expected(
-                input,
-                "`name` takes the name of a type, without quotes: `name = Arm`",
-            )
-        })
+/// Values, each with what to say of another one at the option's place.
+struct Value<'a> {
+    option: &'a Ident,
+    input: ParseStream<'a>,
 }
 
-/// `"base_link"`
-fn link(option: &str, input: ParseStream) -> Result<String> {
-    input
-        .parse::<LitStr>()
-        .map(|link| link.value())
-        .map_err(|_| {
-            expected(
-                input,
-                format!("`{option}` takes the name of a link, in quotes: `{option} = \"link\"`"),
-            )
-        })
-}
+impl Value<'_> {
+    fn parse<T: Parse>(&self, what: impl Display) -> Result<T> {
+        let place = place(self.input, self.option.span());
+        let complaint = |_| error(place, format!("`{}` takes {what}", self.option));
+        self.input.parse().map_err(complaint)
+    }
 
-/// `none`
-fn word<T: FromStr<Err = Unknown>>(option: &str, known: &[&str], input: ParseStream) -> Result<T> {
-    let word = input.call(Ident::parse_any).map_err(|_| {
+    /// `Arm`
+    fn identifier(&self) -> Result<String> {
+        let name: Ident = self.parse("the name of a type, without quotes: `name = Arm`")?;
+        Ok(name.to_string())
+    }
+
+    /// `"base_link"`
+    fn link(&self) -> Result<String> {
+        let example = format!("`{} = \"link\"`", self.option);
+        let link: LitStr = self.parse(format!("the name of a link, in quotes: {example}"))?;
+        Ok(link.value())
+    }
+
+    /// `none`
+    fn word<T: FromStr<Err = Unknown>>(&self, known: &[&str]) -> Result<T> {
         let known = known.join("` or `");
-        expected(
-            input,
-            format!("`{option}` takes a word without quotes: `{known}`"),
-        )
-    })?;
-    word.to_string()
-        .parse()
-        .map_err(|unknown: Unknown| error(word.span(), unknown))
-}
+        let word: Ident = self.parse(format!("a word without quotes: `{known}`"))?;
+        let value = word.to_string().parse();
+        value.map_err(|unknown| error(word.span(), unknown))
+    }
 
-/// `true`
-fn switch(input: ParseStream) -> Result<bool> {
-    input
-        .parse::<LitBool>()
-        .map(|switch| switch.value)
-        .map_err(|_| expected(input, "`debug` takes `true` or `false`"))
+    /// `true`
+    fn switch(&self) -> Result<bool> {
+        let switch: LitBool = self.parse("`true` or `false`")?;
+        Ok(switch.value)
+    }
 }

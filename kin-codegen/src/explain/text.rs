@@ -194,7 +194,8 @@ impl Display for Inverse {
         for (i, step) in self.steps.iter().enumerate() {
             writeln!(f, "  {:>2}. {step}", i + 1)?;
         }
-        writeln!(f, "  {} branches.", self.branches)?;
+        let es = if self.branches == 1 { "" } else { "es" };
+        writeln!(f, "  {} branch{es}.", self.branches)?;
         writeln!(f, "  {}", degeneracy(&self.steps))?;
         match &self.others[..] {
             [] => writeln!(f, "  The search found no other plan.")?,
