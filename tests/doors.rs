@@ -1,0 +1,119 @@
+//! One generator, three doors: the macro, build scripts and `kin generate`
+//! take the same options and give the same code, header included.
+
+use kin_codegen::build::Config;
+use kin_codegen::{Ik, Options, Source, Target, generate};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const ROBOT: &str = "robots/ur5e.urdf";
+const PLANAR: &str = "robots/planar_2r.yaml";
+
+/// With `debug = true` the macro leaves its code where it can be read.
+mod macros {
+    kinematics::kinematics!("robots/ur5e.urdf", debug = true);
+    kinematics::kinematics!(
+        "robots/ur5e.urdf",
+        debug = true,
+        name = Shoulder,
+        base = "shoulder_link",
+        tip = "forearm_link",
+        ik = none,
+    );
+    kinematics::kinematics!(
+        "robots/planar_2r.yaml",
+        debug = true,
+        name = Elbow,
+        target = position,
+    );
+}
+
+fn library(robot: &str, options: &Options) -> String {
+    let source = Source::read(robot, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    generate(&source, options).unwrap().code()
+}
+
+/// What the macro wrote for the type; the newest, if its invocation changed.
+fn macro_file(name: &str) -> String {
+    let folder = temporary("kinematics/doors");
+    let of_type = |path: &PathBuf| {
+        let file = path.file_name().unwrap().to_string_lossy().into_owned();
+        file.starts_with(&format!("{name}-")) && file.ends_with(".rs")
+    };
+    let files = fs::read_dir(folder).unwrap();
+    let newest = files
+        .map(|file| file.unwrap().path())
+        .filter(of_type)
+        .max_by_key(|path| path.metadata().unwrap().modified().unwrap());
+    fs::read_to_string(newest.unwrap()).unwrap()
+}
+
+fn build_script(config: Config, name: &str) -> String {
+    let file = config.file(temporary(name)).generate().unwrap();
+    fs::read_to_string(file).unwrap()
+}
+
+fn command_line(robot: &str, options: &[&str]) -> String {
+    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join(robot);
+    let command = ["kin", "generate", robot.to_str().unwrap()];
+    let done = kin_cli::run([&command, options].concat());
+    assert_eq!(done.stderr, "");
+    done.stdout
+}
+
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn without_options() {
+    let code = library(ROBOT, &Options::default());
+    assert_eq!(macro_file("Ur5e"), code);
+    assert_eq!(build_script(Config::new(ROBOT), "ur5e.rs"), code);
+    assert_eq!(command_line(ROBOT, &[]), code);
+    assert_eq!(macros::Ur5e::BRANCHES, 8);
+}
+
+#[test]
+fn forward_alone_of_part_of_the_arm() {
+    let code = library(
+        ROBOT,
+        &Options {
+            name: Some("Shoulder".into()),
+            base: Some("shoulder_link".into()),
+            tip: Some("forearm_link".into()),
+            ik: Ik::None,
+            target: None,
+        },
+    );
+    let header =
+        "// Options: name = Shoulder, base = \"shoulder_link\", tip = \"forearm_link\", ik = none.";
+    assert!(code.lines().any(|line| line == header), "{code}");
+    assert_eq!(macro_file("Shoulder"), code);
+    let config = Config::new(ROBOT)
+        .name("Shoulder")
+        .base("shoulder_link")
+        .tip("forearm_link")
+        .ik(Ik::None);
+    assert_eq!(build_script(config, "shoulder.rs"), code);
+    let options = "--name Shoulder --base shoulder_link --tip forearm_link --ik none";
+    let options: Vec<&str> = options.split(' ').collect();
+    assert_eq!(command_line(ROBOT, &options), code);
+    assert_eq!(macros::Shoulder::BRANCHES, 0);
+}
+
+#[test]
+fn targets_of_position() {
+    let options = Options {
+        name: Some("Elbow".into()),
+        target: Some(Target::Position),
+        ..Options::default()
+    };
+    let code = library(PLANAR, &options);
+    assert_eq!(macro_file("Elbow"), code);
+    let config = Config::new(PLANAR).name("Elbow").target(Target::Position);
+    assert_eq!(build_script(config, "elbow.rs"), code);
+    let options = ["--name", "Elbow", "--target", "position"];
+    assert_eq!(command_line(PLANAR, &options), code);
+    assert_eq!(macros::Elbow::BRANCHES, 2);
+}

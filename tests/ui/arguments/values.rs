@@ -1,0 +1,14 @@
+//! Values of another kind, or none.
+
+kinematics::kinematics!("robots/planar.yaml", name = "Arm");
+kinematics::kinematics!("robots/planar.yaml", name = struct);
+kinematics::kinematics!("robots/planar.yaml", base = base_link);
+kinematics::kinematics!("robots/planar.yaml", tip = 6);
+kinematics::kinematics!("robots/planar.yaml", ik = "none");
+kinematics::kinematics!("robots/planar.yaml", ik = nonne);
+kinematics::kinematics!("robots/planar.yaml", target = velocity);
+kinematics::kinematics!("robots/planar.yaml", debug = yes);
+kinematics::kinematics!("robots/planar.yaml", debug);
+kinematics::kinematics!("robots/planar.yaml", tip =);
+
+fn main() {}
