@@ -1,6 +1,7 @@
 //! The errors that `math` states, measured against double-double references.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use kin_runtime::lanes;
 use kin_runtime::math::{atan2, sin_cos, sqrt, wrap};
 
 /// An unevaluated sum of two doubles: about 32 digits.
@@ -197,6 +198,48 @@ fn atan2_of_zeros_is_a_zero_with_the_sign_of_y() {
         assert_eq!(atan2(-0.0, x).to_bits(), (-0.0_f64).to_bits());
     }
     assert!(atan2(f64::NAN, 1.0).is_nan() && atan2(1.0, f64::NAN).is_nan());
+}
+
+#[test]
+fn the_angle_of_lanes_is_accurate_in_every_sector_and_between() {
+    let mut next = stream();
+    let mut worst = 0.0_f64;
+    let mut check = |y: f64, x: f64| {
+        let angle = lanes::angle(y, x);
+        let error = reference_atan2(y, x).minus(angle) / angle;
+        worst = worst.max(error.abs());
+    };
+    for _ in 0..100_000 {
+        let scale = 10.0_f64.powf(12.0 * next() - 6.0);
+        check((2.0 * next() - 1.0) * scale, 2.0 * next() - 1.0);
+    }
+    for ratio in [2.0_f64.sqrt() - 1.0, 1.0] {
+        for steps in -1000..1000 {
+            let y = ratio * (1.0 + f64::from(steps) * f64::EPSILON * 8.0);
+            for (y, x) in [(y, 1.0), (1.0, y), (-y, 1.0), (1.0, -y), (y, -1.0)] {
+                check(y, x);
+            }
+        }
+    }
+    println!("lanes::angle: {worst:e}");
+    assert!(worst < 3.5e-16, "{worst:e}");
+}
+
+#[test]
+fn the_angle_of_lanes_is_exact_on_axes_and_diagonals_and_never_minus_pi() {
+    for size in [1.0, 1e-290, 1e150] {
+        let vectors = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (0.0, -1.0)];
+        for (eighths, (y, x)) in vectors.into_iter().enumerate() {
+            let angle = eighths as f64 * FRAC_PI_4;
+            assert_eq!(lanes::angle(y * size, x * size), angle);
+            let below = if angle == PI { PI } else { -angle };
+            assert_eq!(lanes::angle(-y * size, x * size), below);
+        }
+    }
+    assert_eq!(lanes::angle(-1e-30, -1.0), PI);
+    assert_eq!(lanes::angle(0.0, 0.0), 0.0);
+    assert_eq!(lanes::angle(-0.0, -0.0), 0.0);
+    assert!(lanes::angle(f64::NAN, 1.0).is_nan() && lanes::angle(1.0, f64::NAN).is_nan());
 }
 
 #[test]
