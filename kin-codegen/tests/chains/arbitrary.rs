@@ -1,0 +1,89 @@
+//! Chains of any structure: their expressions are right, and inverse
+//! kinematics is right or refused.
+
+use crate::arm::{Arm, any_arm, configuration, structure};
+use crate::check::Solved;
+use crate::settings::cases;
+use kin_codegen::expr::forward::{Outputs, Stance, link_frame, tip};
+use kin_codegen::expr::jacobian::{Which, jacobian, tip_and_jacobian};
+use kin_codegen::expr::{Expr, Graph};
+use kin_codegen::geometry::Linkage;
+use kin_codegen::verify::{chain, rank};
+use kin_runtime::{Pose, Twist};
+use proptest::prelude::*;
+
+/// An arm of any structure, and a configuration.
+fn arm_and_configuration() -> impl Strategy<Value = (Arm, Vec<f64>)> {
+    structure().prop_flat_map(|steps| (any_arm(&steps), configuration(&steps)))
+}
+
+proptest! {
+    #![proptest_config(cases(64))]
+
+    #[test]
+    fn poses_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
+        let chain = chain(&arm.0);
+        let found = evaluated(&arm, &q, tip);
+        assert_close(&found, &pose_entries(&chain.fk(&q)));
+        for (i, link) in chain.fk_links(&q).iter().enumerate() {
+            let found = evaluated(&arm, &q, |g, linkage, stance| link_frame(g, linkage, stance, i));
+            assert_close(&found, &pose_entries(link));
+        }
+    }
+
+    #[test]
+    fn jacobians_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
+        let chain = chain(&arm.0);
+        let columns = |which| evaluated(&arm, &q, |g, linkage, stance| jacobian(g, linkage, stance, which));
+        assert_close(&columns(Which::Spatial), &column_entries(&chain.spatial_jacobian(&q)));
+        assert_close(&columns(Which::Body), &column_entries(&chain.body_jacobian(&q)));
+        assert_close(&columns(Which::Geometric), &column_entries(&chain.geometric_jacobian(&q)));
+        let together = evaluated(&arm, &q, |g, linkage, stance| {
+            tip_and_jacobian(g, linkage, stance, Which::Spatial).columns
+        });
+        assert_close(&together, &column_entries(&chain.spatial_jacobian(&q)));
+    }
+
+    #[test]
+    fn inverse_kinematics_is_right_or_refused((arm, q) in arm_and_configuration()) {
+        let singular_everywhere = rank(&arm.0) < arm.0.joints.len().min(6);
+        prop_assume!(!singular_everywhere);
+        if let Ok(solved) = Solved::try_new(&arm) {
+            solved.check(&q)?;
+        }
+    }
+}
+
+/// The values of what is built for an arm at a configuration.
+fn evaluated<T: Outputs>(
+    Arm(arm): &Arm,
+    q: &[f64],
+    build: impl Fn(&mut Graph, &Linkage, &Stance) -> T,
+) -> Vec<f64> {
+    let linkage = Linkage::new(arm);
+    let mut g = Graph::new();
+    let inputs: Vec<Expr> = (0..q.len()).map(|i| g.input(format!("q{i}"))).collect();
+    let stance = Stance::at(&mut g, &linkage, &inputs);
+    let outputs = build(&mut g, &linkage, &stance).expressions();
+    let mut values = Vec::new();
+    g.evaluate(q, 0, &mut values);
+    outputs.iter().map(|e| values[e.index()]).collect()
+}
+
+fn pose_entries(pose: &Pose) -> Vec<f64> {
+    let rotation = pose.rotation.into_iter().flatten();
+    rotation.chain(pose.translation).collect()
+}
+
+fn column_entries(columns: &[Twist]) -> Vec<f64> {
+    columns.iter().flat_map(|twist| twist.to_array()).collect()
+}
+
+fn assert_close(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len());
+    let close = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
+    assert!(
+        found.iter().zip(expected).all(close),
+        "{found:?}, {expected:?}"
+    );
+}

@@ -1,0 +1,29 @@
+//! A structure becomes two tests: as it stands, and read from tip to base.
+
+/// `name: [how each axis lies to the one before];`
+macro_rules! structures {
+    ($($name:ident: [$($step:expr),*];)*) => {
+        $(mod $name {
+            use crate::arm::*;
+            use crate::check::Solved;
+            use crate::settings::cases;
+            use proptest::prelude::*;
+
+            const STEPS: &[Step] = &[$($step),*];
+
+            proptest! {
+                #![proptest_config(cases(8))]
+
+                #[test]
+                fn as_it_stands(arm in arm(STEPS), q in configuration(STEPS)) {
+                    Solved::new(&arm)?.check(&q)?;
+                }
+
+                #[test]
+                fn read_backwards(arm in arm(STEPS), q in configuration(STEPS)) {
+                    Solved::new(&mirrored(&arm))?.check(&q)?;
+                }
+            }
+        })*
+    };
+}
