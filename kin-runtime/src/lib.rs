@@ -43,6 +43,7 @@ mod orientation;
 mod placement;
 pub mod polish;
 mod pose;
+pub mod quartic;
 #[cfg(feature = "alloc")]
 mod search;
 mod solutions;
