@@ -1,6 +1,6 @@
 //! Expressions as Rust: one `let` per shared or named node, the rest inline.
 
-use crate::expr::{Expr, Graph, Node};
+use crate::expr::{Expr, Graph, Node, RootField};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -29,6 +29,8 @@ pub struct Writer<'a> {
     names: Vec<Option<TokenStream>>,
     taken: HashSet<String>,
     temporaries: usize,
+    /// The quartics solved so far.
+    quartics: Vec<[Expr; 5]>,
 }
 
 impl<'a> Writer<'a> {
@@ -56,6 +58,7 @@ impl<'a> Writer<'a> {
             uses,
             taken: HashSet::new(),
             temporaries: 0,
+            quartics: Vec::new(),
         };
         writer.decide_inline(&pinned);
         for (i, node) in graph.nodes().iter().enumerate() {
@@ -92,7 +95,11 @@ impl<'a> Writer<'a> {
             length[i] = operands + 1;
             let inline = match node {
                 Node::Constant(_) => true,
-                Node::Input(_) | Node::Sign(_) | Node::Sin(_) | Node::Cos(_) => false,
+                Node::Input(_)
+                | Node::Sign(_)
+                | Node::Sin(_)
+                | Node::Cos(_)
+                | Node::TrigRoot(..) => false,
                 // Free to repeat.
                 Node::Neg(a) if !pinned[i] && matches!(self.graph.node(*a), Node::Input(_)) => true,
                 _ => {
@@ -130,6 +137,9 @@ impl<'a> Writer<'a> {
                 out.push(self.sine_and_cosine(a));
                 continue;
             }
+            if let Node::TrigRoot(coefficients, _) = self.graph.node(e) {
+                out.extend(self.roots_of(coefficients));
+            }
             let name = self.identifier(e);
             let value = self.value(e).0;
             let (statement, reading) = bind(e, &name, value);
@@ -153,6 +163,17 @@ impl<'a> Writer<'a> {
         });
         let [sin, cos] = pair;
         quote!(let (#sin, #cos) = math::sin_cos(#of);)
+    }
+
+    /// The call that finds the roots of a quartic, unless it stands already.
+    fn roots_of(&mut self, coefficients: [Expr; 5]) -> Option<TokenStream> {
+        if self.quartics.contains(&coefficients) {
+            return None;
+        }
+        self.quartics.push(coefficients);
+        let name = quartic_name(self.quartics.len());
+        let values = coefficients.map(|e| self.read(e).0);
+        Some(quote!(let #name = trig_roots([#(#values),*]);))
     }
 
     fn identifier(&mut self, e: Expr) -> Ident {
@@ -234,6 +255,17 @@ impl<'a> Writer<'a> {
                 let [a, b, x, y] = [a, b, x, y].map(|e| self.read(e).0);
                 (quote!(math::select(#a < #b, #x, #y)), Atom)
             }
+            Node::TrigRoot(coefficients, part) => {
+                let known = self.quartics.iter().position(|c| *c == coefficients);
+                let name = quartic_name(known.map_or(0, |i| i + 1));
+                let place = Literal::u8_unsuffixed(part.place);
+                let field = match part.field {
+                    RootField::Sin => quote!(sin),
+                    RootField::Cos => quote!(cos),
+                    RootField::State => quote!(state),
+                };
+                (quote!(#name[#place].#field), Atom)
+            }
         }
     }
 
@@ -250,6 +282,10 @@ impl<'a> Writer<'a> {
         let arguments = arguments.iter().map(|e| self.read(*e).0);
         quote!(#receiver.#name(#(#arguments),*))
     }
+}
+
+fn quartic_name(number: usize) -> Ident {
+    format_ident!("roots{number}")
 }
 
 /// What the sign of a choice is called.

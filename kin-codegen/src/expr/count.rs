@@ -1,6 +1,6 @@
 //! What an expression costs, in operations.
 
-use super::{Expr, Graph, Node};
+use super::{Expr, Graph, Node, RootField};
 use std::ops::AddAssign;
 
 /// Operation counts. A negation is free: it is part of a subtraction or of a
@@ -21,6 +21,8 @@ pub struct Operations {
     pub arctangents: usize,
     /// Comparisons with selection, maxima and absolute values.
     pub selections: usize,
+    /// Trigonometric quartics.
+    pub quartics: usize,
 }
 
 impl Operations {
@@ -32,6 +34,7 @@ impl Operations {
             + 14 * self.sincos
             + 24 * self.arctangents
             + self.selections
+            + 800 * self.quartics
     }
 }
 
@@ -44,6 +47,7 @@ impl AddAssign for Operations {
         self.sincos += other.sincos;
         self.arctangents += other.arctangents;
         self.selections += other.selections;
+        self.quartics += other.quartics;
     }
 }
 
@@ -82,6 +86,11 @@ impl Graph {
                 one.additions = 3;
             }
             Node::Abs(_) | Node::Max(..) | Node::Select(_) => one.selections = 1,
+            // All its numbers come of one call; every quartic is read for this one.
+            Node::TrigRoot(_, part) => {
+                let first = part.place == 0 && part.field == RootField::State;
+                one.quartics = usize::from(first);
+            }
         }
         one
     }

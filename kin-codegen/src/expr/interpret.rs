@@ -1,7 +1,8 @@
 //! The interpreter: what the emitted code will compute, one branch at a time.
 
-use super::{Expr, Graph, Node};
+use super::{Expr, Graph, Node, RootField};
 use kin_runtime::math;
+use kin_runtime::quartic::{TrigRoot, trig_roots};
 
 /// One combination of signs: bit i set means that choice i is −1.
 pub type Lane = u32;
@@ -12,6 +13,8 @@ impl Graph {
     pub fn evaluate(&self, inputs: &[f64], lane: Lane, values: &mut Vec<f64>) {
         values.clear();
         values.reserve(self.nodes().len());
+        // The numbers of a quartic's roots stand together; it is solved once.
+        let mut quartic: Option<([Expr; 5], [TrigRoot; 4])> = None;
         for node in self.nodes() {
             let of = |e: &Expr| values[e.index()];
             let value = match node {
@@ -30,6 +33,19 @@ impl Graph {
                 Node::Wrap(a) => math::wrap(of(a)),
                 Node::Abs(a) => of(a).abs(),
                 Node::Max(a, b) => of(a).max(of(b)),
+                Node::TrigRoot(coefficients, part) => {
+                    let roots = match quartic {
+                        Some((solved, roots)) if solved == *coefficients => roots,
+                        _ => trig_roots(coefficients.map(|e| of(&e))),
+                    };
+                    quartic = Some((*coefficients, roots));
+                    let root = roots[usize::from(part.place)];
+                    match part.field {
+                        RootField::Sin => root.sin,
+                        RootField::Cos => root.cos,
+                        RootField::State => root.state,
+                    }
+                }
                 Node::Select([a, b, x, y]) => {
                     if of(a) < of(b) {
                         of(x)

@@ -71,6 +71,29 @@ pub enum Node {
     Max(Expr, Expr),
     /// `[a, b, x, y]`: x where a < b, else y (also where a or b is NaN).
     Select([Expr; 4]),
+    /// One number of one root of the trigonometric quartic with these
+    /// coefficients; see [`kin_runtime::quartic::trig_roots`].
+    TrigRoot([Expr; 5], RootPart),
+}
+
+/// A number that describes a root of a trigonometric quartic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct RootPart {
+    /// Which of the four places.
+    pub place: u8,
+    /// What of the root.
+    pub field: RootField,
+}
+
+/// The fields of a [`kin_runtime::quartic::TrigRoot`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RootField {
+    /// sin θ.
+    Sin,
+    /// cos θ.
+    Cos,
+    /// Simple, none or double.
+    State,
 }
 
 impl Node {
@@ -91,27 +114,29 @@ impl Node {
             | Node::Atan2(..)
             | Node::Max(..) => 2,
             Node::Select(_) => 4,
+            Node::TrigRoot(..) => 5,
         };
         self.operand_slots().into_iter().take(count)
     }
 
     /// The operands, the slots that the operation does not use filled up.
-    fn operand_slots(&self) -> [Expr; 4] {
+    fn operand_slots(&self) -> [Expr; 5] {
         match *self {
-            Node::Constant(_) | Node::Input(_) | Node::Sign(_) => [Expr(0); 4],
+            Node::Constant(_) | Node::Input(_) | Node::Sign(_) => [Expr(0); 5],
             Node::Neg(a)
             | Node::Sqrt(a)
             | Node::Sin(a)
             | Node::Cos(a)
             | Node::Wrap(a)
-            | Node::Abs(a) => [a; 4],
+            | Node::Abs(a) => [a; 5],
             Node::Add(a, b)
             | Node::Sub(a, b)
             | Node::Mul(a, b)
             | Node::Div(a, b)
             | Node::Atan2(a, b)
-            | Node::Max(a, b) => [a, b, a, b],
-            Node::Select(operands) => operands,
+            | Node::Max(a, b) => [a, b, a, b, a],
+            Node::Select([a, b, x, y]) => [a, b, x, y, a],
+            Node::TrigRoot(coefficients, _) => coefficients,
         }
     }
 }
@@ -428,6 +453,11 @@ impl Graph {
         }
     }
 
+    /// One number of one root of a trigonometric quartic.
+    pub fn trig_root(&mut self, coefficients: [Expr; 5], place: u8, field: RootField) -> Expr {
+        self.intern(Node::TrigRoot(coefficients, RootPart { place, field }))
+    }
+
     /// x where a < b, else y.
     pub fn select_less(&mut self, a: Expr, b: Expr, x: Expr, y: Expr) -> Expr {
         match (self.value(a), self.value(b)) {
@@ -457,9 +487,9 @@ impl Graph {
             let rebuilt = match grown.node(there) {
                 _ if i < shared => there,
                 node => {
-                    let [a, b, x, y] = node.operand_slots().map(|e| here.get(&e).copied());
-                    let of = |e: Option<Expr>| e.unwrap_or(there);
-                    self.rebuild(node, [of(a), of(b), of(x), of(y)])
+                    let operands = node.operand_slots();
+                    let operands = operands.map(|e| here.get(&e).copied().unwrap_or(there));
+                    self.rebuild(node, operands)
                 }
             };
             here.insert(there, rebuilt);
@@ -468,7 +498,8 @@ impl Graph {
     }
 
     /// An operation on other operands, simplified anew.
-    fn rebuild(&mut self, node: Node, [a, b, x, y]: [Expr; 4]) -> Expr {
+    fn rebuild(&mut self, node: Node, operands: [Expr; 5]) -> Expr {
+        let [a, b, x, y, _] = operands;
         match node {
             Node::Constant(_) | Node::Input(_) | Node::Sign(_) => self.intern(node),
             Node::Add(..) => self.add(a, b),
@@ -484,6 +515,7 @@ impl Graph {
             Node::Abs(_) => self.abs(a),
             Node::Max(..) => self.max(a, b),
             Node::Select(_) => self.select_less(a, b, x, y),
+            Node::TrigRoot(_, part) => self.intern(Node::TrigRoot(operands, part)),
         }
     }
 

@@ -59,6 +59,11 @@ impl Line {
         along(d, -dot(d, self.direction), self.direction)
     }
 
+    /// The part of a vector that is perpendicular to the line.
+    pub fn across(&self, v: Vec3) -> Vec3 {
+        along(v, -dot(v, self.direction), self.direction)
+    }
+
     /// The point of this line nearest to another that is not parallel to it:
     /// the foot of the common normal.
     pub fn foot(&self, other: &Line) -> Vec3 {

@@ -40,6 +40,9 @@ pub enum Subproblem {
     Sp3,
     /// Turn a vector to a component along a direction.
     Sp4,
+    /// Two relations between two unknowns, one on each arc of the loop: the
+    /// quartic in the middle of subproblems 5 and 6.
+    Sp6,
     /// Slide a point onto another.
     Slide,
     /// Slide a point to a distance.
@@ -49,10 +52,11 @@ pub enum Subproblem {
 }
 
 impl Subproblem {
-    /// How many signs its solution leaves open.
+    /// How many binary choices its solution leaves open.
     pub fn choices(self) -> u8 {
         match self {
             Subproblem::Sp2 | Subproblem::Sp3 | Subproblem::Sp4 | Subproblem::T1 => 1,
+            Subproblem::Sp6 => 2,
             _ => 0,
         }
     }
@@ -66,6 +70,7 @@ impl fmt::Display for Subproblem {
             Subproblem::Sp2 => "SP2",
             Subproblem::Sp3 => "SP3",
             Subproblem::Sp4 => "SP4",
+            Subproblem::Sp6 => "SP6",
             Subproblem::Slide => "slide",
             Subproblem::T1 => "T1",
             Subproblem::T2 => "T2",

@@ -48,6 +48,9 @@ pub struct Relation {
     /// The unknowns that it depends on, in the order of the loop beginning
     /// behind `from`, and how strongly.
     pub depends: Vec<Dependence>,
+    /// A second relation between the same two unknowns, where one alone does
+    /// not determine them: subproblem 6.
+    pub with: Option<Box<Relation>>,
 }
 
 /// How a relation depends on an unknown.
@@ -62,7 +65,16 @@ pub struct Dependence {
     /// Whether that amplitude is a constant of the arm: then the subproblem
     /// cannot degenerate.
     pub steady: bool,
+    /// Whether the unknown lies between `from` and `to`, and not on the arc
+    /// over the target.
+    pub inner: bool,
+    /// By sample: the first and second derivative of the relation by the
+    /// unknown, when it moves `to`.
+    pub derivatives: [[f64; 2]; SAMPLES],
 }
+
+/// Configurations looked at.
+const SAMPLES: usize = 3;
 
 /// The chain at some configurations, to see which joints matter to what.
 pub struct Samples(Vec<Sample>);
@@ -95,7 +107,7 @@ impl Samples {
             }
             Sample { bodies, axes }
         };
-        Self((1..=3).map(sample).collect())
+        Self((1..=SAMPLES).map(sample).collect())
     }
 }
 
@@ -155,23 +167,25 @@ impl Relation {
                 .iter()
                 .map(|sample| strength(linkage, sample, from, to, joint))
                 .collect();
-            depends.extend(dependence(atom, &strengths));
+            let inner = to.is_some() && (from.joints.end..behind).contains(&joint);
+            depends.extend(dependence(atom, inner, &strengths));
         }
         let says_something = !depends.is_empty();
         says_something.then(|| Self {
             from: from.clone(),
             to: to.cloned(),
             depends,
+            with: None,
         })
     }
 }
 
-fn dependence(atom: Atom, strengths: &[Strength]) -> Option<Dependence> {
+fn dependence(atom: Atom, inner: bool, strengths: &[Strength]) -> Option<Dependence> {
     if strengths.iter().all(|s| s.amplitude < NOTHING) {
         return None;
     }
     // A relation that is always stationary has a double root for a solution.
-    let stationary = strengths.iter().all(|s| s.slope < NOTHING);
+    let stationary = strengths.iter().all(|s| s.slope.abs() < NOTHING);
     let amplitudes = strengths.iter().map(|s| s.amplitude);
     let weakest = amplitudes.clone().fold(f64::INFINITY, f64::min);
     let strongest = amplitudes.fold(0.0, f64::max);
@@ -180,6 +194,8 @@ fn dependence(atom: Atom, strengths: &[Strength]) -> Option<Dependence> {
         atom,
         weakest: if stationary { 0.0 } else { weakest },
         steady,
+        inner,
+        derivatives: std::array::from_fn(|k| [strengths[k].slope, strengths[k].bend]),
     })
 }
 
@@ -187,6 +203,7 @@ fn dependence(atom: Atom, strengths: &[Strength]) -> Option<Dependence> {
 /// joint's best value; lengths relative to the arm's size.
 struct Strength {
     slope: f64,
+    bend: f64,
     amplitude: f64,
 }
 
@@ -207,47 +224,89 @@ fn strength(
         (Kind::Direction, false) => cross(axis.direction, x.direction),
         (_, false) => cross(axis.direction, sub(x.point, axis.point)).map(|v| v / size),
     };
+    // The part of a point or direction that turns with the joint.
+    let turning = |kind: Kind, x: &Line| match (kind, slides) {
+        (_, true) => [0.0; 3],
+        (Kind::Direction, false) => axis.across(x.direction),
+        (_, false) => axis.offset_of(x.point).map(|v| v / size),
+    };
     let a = sample.place(from);
     let Some(to) = to else {
         let speed = norm(velocity(from.kind, &a));
         return Strength {
             slope: speed,
+            bend: speed,
             amplitude: speed,
         };
     };
     let b = sample.place(to);
-    let arm = |x: &Line| norm(axis.offset_of(x.point)) / size;
-    let across = |x: &Line| norm(cross(axis.direction, x.direction));
     match (from.kind, to.kind) {
         (Kind::Point, Kind::Point) => {
             let gap = sub(b.point, a.point).map(|x| x / size);
-            let slope = dot(gap, velocity(Kind::Point, &b)).abs();
+            let (moved, arm) = (velocity(Kind::Point, &b), turning(Kind::Point, &b));
+            let arms = norm(arm) * norm(turning(Kind::Point, &a));
             Strength {
-                slope,
-                amplitude: if slides { 1.0 } else { arm(&a) * arm(&b) },
+                slope: dot(gap, moved),
+                bend: dot(moved, moved) - dot(gap, arm) * f64::from(!slides),
+                amplitude: if slides { 1.0 } else { arms },
             }
         }
         (Kind::Direction, _) => {
-            let slope = dot(a.direction, velocity(Kind::Direction, &b)).abs();
+            let arm = turning(Kind::Direction, &b);
             Strength {
-                slope,
-                amplitude: across(&a) * across(&b),
+                slope: dot(a.direction, velocity(Kind::Direction, &b)),
+                bend: -dot(a.direction, arm),
+                amplitude: norm(turning(Kind::Direction, &a)) * norm(arm),
             }
         }
         (first, _) => {
-            let (plane, point) = if first == Kind::Plane {
-                (&a, &b)
-            } else {
-                (&b, &a)
+            // A plane that moves on is a point that stays behind.
+            let (plane, point, sign) = match first {
+                Kind::Plane => (&a, &b, 1.0),
+                _ => (&b, &a, -1.0),
             };
-            let slope = dot(plane.direction, velocity(Kind::Point, point)).abs();
-            let amplitude = if slides {
-                slope
-            } else {
-                across(plane) * arm(point)
-            };
-            Strength { slope, amplitude }
+            let arm = turning(Kind::Point, point);
+            let slope = sign * dot(plane.direction, velocity(Kind::Point, point));
+            let across = norm(axis.across(plane.direction));
+            Strength {
+                slope,
+                bend: -dot(plane.direction, arm),
+                amplitude: if slides {
+                    slope.abs()
+                } else {
+                    across * norm(arm)
+                },
+            }
         }
+    }
+}
+
+impl Relation {
+    /// How independently two relations determine an unknown on their inner
+    /// arcs: the determinant of their cosine-sine coefficients relative to
+    /// their amplitudes, at its weakest; and whether it is a constant.
+    pub fn independence(&self, other: &Relation, atom: Atom) -> Option<(f64, bool)> {
+        let find = |relation: &Relation| {
+            relation
+                .depends
+                .iter()
+                .find(|d| d.atom == atom && d.inner)
+                .copied()
+        };
+        let (a, b) = (find(self)?, find(other)?);
+        let at = |k: usize| {
+            let ([s, t], [u, v]) = (a.derivatives[k], b.derivatives[k]);
+            let amplitudes = s.hypot(t) * u.hypot(v);
+            if amplitudes > 0.0 {
+                (s * v - t * u).abs() / amplitudes
+            } else {
+                0.0
+            }
+        };
+        let all: [f64; SAMPLES] = std::array::from_fn(at);
+        let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = all.iter().copied().fold(0.0, f64::max);
+        Some((least, most - least < 1e-9 * most && a.steady && b.steady))
     }
 }
 

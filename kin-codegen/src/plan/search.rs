@@ -18,6 +18,12 @@ const REVISITS: usize = 4;
 /// more.
 const MAY_DEGENERATE: u32 = 60;
 
+/// Relations whose dependence on an unknown is weaker than this cannot
+/// determine it.
+const WEAK: f64 = 1e-6;
+/// Two relations more alike than this cannot determine two unknowns.
+const DEPENDENT: f64 = 1e-4;
+
 /// Finds up to `limit` plans, the cheapest first.
 ///
 /// `tip` is the tip's position at home in base coordinates. The cost counts
@@ -179,7 +185,18 @@ struct Candidate<'a> {
     subproblem: Subproblem,
     unknowns: Vec<Atom>,
     relation: &'a Relation,
+    with: Option<&'a Relation>,
     cost: u32,
+}
+
+impl Candidate<'_> {
+    fn posed(&self) -> Relation {
+        let with = self.with.map(|second| Box::new(second.clone()));
+        Relation {
+            with,
+            ..self.relation.clone()
+        }
+    }
 }
 
 impl Partial {
@@ -190,6 +207,10 @@ impl Partial {
                 let key = (candidate.subproblem, candidate.unknowns.clone());
                 steps.entry(key).or_default().push(candidate);
             }
+        }
+        for candidate in self.pairs(linkage, relations) {
+            let key = (candidate.subproblem, candidate.unknowns.clone());
+            steps.entry(key).or_default().push(candidate);
         }
         steps
             .into_values()
@@ -212,7 +233,7 @@ impl Partial {
             }
             _ => return None,
         };
-        if unknown.iter().any(|d| d.weakest < 1e-6) {
+        if unknown.iter().any(|d| d.weakest < WEAK) {
             return None;
         }
         let steady = match unknown[..] {
@@ -227,7 +248,7 @@ impl Partial {
             Subproblem::Sp1 => 30,
             Subproblem::Sp4 | Subproblem::T1 => 40,
             Subproblem::Sp3 => 46,
-            Subproblem::Sp2 => 64,
+            Subproblem::Sp2 | Subproblem::Sp6 => 64,
         };
         let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
         let unknowns = unknown.iter().map(|d| d.atom).collect();
@@ -235,7 +256,66 @@ impl Partial {
             subproblem,
             unknowns,
             relation,
+            with: None,
             cost,
+        })
+    }
+
+    /// Pairs of relations between the same two unknowns, one unknown on the
+    /// inner arc of both and one on the outer.
+    fn pairs<'a>(&self, linkage: &Linkage, relations: &'a [Relation]) -> Vec<Candidate<'a>> {
+        let mut groups: BTreeMap<(Atom, Atom), Vec<&'a Relation>> = BTreeMap::new();
+        for relation in relations {
+            let mut unknown = relation.depends.iter().filter(|d| !self.solved.has(d.atom));
+            let (Some(a), Some(b), None) = (unknown.next(), unknown.next(), unknown.next()) else {
+                continue;
+            };
+            let (inner, outer) = if a.inner { (a, b) } else { (b, a) };
+            let usable = relation.to.is_some()
+                && inner.inner
+                && !outer.inner
+                && [a, b]
+                    .iter()
+                    .all(|d| d.weakest > WEAK && !slides(linkage, d.atom));
+            if usable {
+                groups
+                    .entry((outer.atom, inner.atom))
+                    .or_default()
+                    .push(relation);
+            }
+        }
+        let mut found = Vec::new();
+        for ((outer, inner), group) in groups {
+            for (i, first) in group.iter().enumerate() {
+                found.extend(
+                    group[i + 1..]
+                        .iter()
+                        .filter_map(|second| self.pair_up(first, second, outer, inner)),
+                );
+            }
+        }
+        found
+    }
+
+    fn pair_up<'a>(
+        &self,
+        first: &'a Relation,
+        second: &'a Relation,
+        outer: Atom,
+        inner: Atom,
+    ) -> Option<Candidate<'a>> {
+        let (independence, constant) = first.independence(second, inner)?;
+        if independence < DEPENDENT {
+            return None;
+        }
+        let known = (first.depends.len() + second.depends.len() - 4) as u32;
+        let penalty = if constant { 0 } else { MAY_DEGENERATE };
+        Some(Candidate {
+            subproblem: Subproblem::Sp6,
+            unknowns: vec![outer, inner],
+            relation: first,
+            with: Some(second),
+            cost: 300 + 9 * known + penalty,
         })
     }
 
@@ -256,7 +336,7 @@ impl Partial {
         let relations = candidates
             .iter()
             .filter(|c| c.cost < least + MAY_DEGENERATE)
-            .map(|c| c.relation.clone())
+            .map(Candidate::posed)
             .collect();
         next.steps.push(Step {
             subproblem,
@@ -270,13 +350,16 @@ impl Partial {
     }
 }
 
-fn single(linkage: &Linkage, relation: &Relation, atom: Atom) -> Subproblem {
-    let slides = match atom {
+fn slides(linkage: &Linkage, atom: Atom) -> bool {
+    match atom {
         Atom::Joint(j) => matches!(linkage.links[j].travel, Travel::Slide(_)),
         Atom::Sum { .. } => false,
-    };
+    }
+}
+
+fn single(linkage: &Linkage, relation: &Relation, atom: Atom) -> Subproblem {
     let kinds = (relation.from.kind, relation.to.as_ref().map(|to| to.kind));
-    match (kinds, slides) {
+    match (kinds, slides(linkage, atom)) {
         ((_, None), true) => Subproblem::Slide,
         ((_, None), false) => Subproblem::Sp1,
         ((Kind::Point, Some(Kind::Point)), true) => Subproblem::T1,

@@ -3,8 +3,8 @@
 
 use super::Writer;
 use super::carry::Carried;
-use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
+use crate::expr::{Expr, RootField};
 use crate::geometry::Travel;
 use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 
@@ -29,11 +29,23 @@ struct Split {
     other: Option<[Carried; 2]>,
 }
 
+fn kinds(relation: &Relation) -> (Kind, Option<Kind>) {
+    (relation.from.kind, relation.to.as_ref().map(|to| to.kind))
+}
+
+/// a cos θ + b sin θ + rest.
+struct Side {
+    cos: Expr,
+    sin: Expr,
+    rest: Expr,
+}
+
 impl Writer<'_> {
     /// Writes one step by one of its relations.
     pub(super) fn solve(&mut self, step: &Step, relation: &Relation) {
         match (step.subproblem, &step.unknowns[..]) {
             (Subproblem::Sp2, &[first, second]) => self.sp2(relation, first, second),
+            (Subproblem::Sp6, &[outer, inner]) => self.sp6(relation, outer, inner),
             (Subproblem::Sp1, &[unknown]) => {
                 let split = self.split(relation, unknown);
                 let trig = self.sp1(unknown, split.left, split.right);
@@ -104,41 +116,74 @@ impl Writer<'_> {
 
     /// The relation as u · J w = d.
     fn bilinear(&mut self, relation: &Relation, split: &Split) -> (Vector, Vector, Expr) {
-        let zero = self.g.vector([0.0; 3]);
-        let point = |x: &Carried| x.point.unwrap_or(zero);
-        let direction = |x: &Carried| x.direction.unwrap_or(zero);
+        let (u, w, offset) = self.measure(relation, split);
+        let [near, far] = split.other.unwrap_or([split.left, split.right]);
+        let other = self.value(relation, &near, &far);
+        (u, w, self.g.sub(other, offset))
+    }
+
+    /// What a relation measures at its unknown: u · J w + offset. Of two
+    /// points it is minus half the square of their distance.
+    fn measure(&mut self, relation: &Relation, split: &Split) -> (Vector, Vector, Expr) {
+        let zero = self.g.zero();
         let (left, right) = (&split.left, &split.right);
-        let [near, far] = split.other.unwrap_or([*left, *right]);
-        let kinds = (relation.from.kind, relation.to.as_ref().map(|to| to.kind));
-        match kinds {
-            (Kind::Direction, _) => {
-                let d = self.g.dot(direction(&near), direction(&far));
-                (direction(left), direction(right), d)
-            }
+        match kinds(relation) {
+            (Kind::Direction, _) => (self.direction(left), self.direction(right), zero),
             (Kind::Point, Some(Kind::Point)) => {
-                let (u, w) = (point(left), point(right));
-                let gap = self.g.minus(point(&near), point(&far));
-                let squares = [u, w, gap].map(|v| self.g.dot(v, v));
+                let (u, w) = (self.point(left), self.point(right));
+                let squares = [u, w].map(|v| self.g.dot(v, v));
                 let sum = self.g.add(squares[0], squares[1]);
-                let sum = self.g.sub(sum, squares[2]);
-                let half = self.g.constant(0.5);
+                let half = self.g.constant(-0.5);
                 (u, w, self.g.mul(half, sum))
             }
             _ => {
                 let plane_left = left.direction.is_some();
-                let (plane, x) = if plane_left { (near, far) } else { (far, near) };
-                let gap = self.g.minus(point(&x), point(&plane));
-                let height = self.g.dot(direction(&plane), gap);
                 let here = if plane_left { left } else { right };
-                let level = self.g.dot(direction(here), point(here));
-                let d = self.g.add(height, level);
+                let (normal, foot) = (self.direction(here), self.point(here));
+                let level = self.g.dot(normal, foot);
+                let offset = self.g.neg(level);
                 if plane_left {
-                    (direction(left), point(right), d)
+                    (normal, self.point(right), offset)
                 } else {
-                    (point(left), direction(right), d)
+                    (self.point(left), normal, offset)
                 }
             }
         }
+    }
+
+    /// What a relation measures where both invariants are in one frame.
+    fn value(&mut self, relation: &Relation, near: &Carried, far: &Carried) -> Expr {
+        match kinds(relation) {
+            (Kind::Direction, _) => {
+                let (a, b) = (self.direction(near), self.direction(far));
+                self.g.dot(a, b)
+            }
+            (Kind::Point, Some(Kind::Point)) => {
+                let (a, b) = (self.point(near), self.point(far));
+                let gap = self.g.minus(a, b);
+                let square = self.g.dot(gap, gap);
+                let half = self.g.constant(-0.5);
+                self.g.mul(half, square)
+            }
+            _ => {
+                let (plane, x) = if near.direction.is_some() {
+                    (near, far)
+                } else {
+                    (far, near)
+                };
+                let (foot, x, normal) = (self.point(plane), self.point(x), self.direction(plane));
+                let gap = self.g.minus(x, foot);
+                self.g.dot(normal, gap)
+            }
+        }
+    }
+
+    fn point(&mut self, x: &Carried) -> Vector {
+        x.point.unwrap_or_else(|| self.g.vector([0.0; 3]))
+    }
+
+    fn direction(&mut self, x: &Carried) -> Vector {
+        x.direction.unwrap_or_else(|| self.g.vector([0.0; 3]))
     }
 
     /// u · Rz(θ) w = d as a cos θ + b sin θ = d′.
@@ -328,6 +373,104 @@ impl Writer<'_> {
         };
         let trig = self.normalized(first, turned, factor, scale);
         self.set(first, trig);
+    }
+
+    /// Two relations, each the same along the inner arc, where it depends on
+    /// one unknown, and along the outer, where it depends on the other:
+    /// B y + l = A x + k with x = (cos, sin) of the outer unknown and y of the
+    /// inner. Then |y|² = 1 is a trigonometric quartic in the outer angle.
+    fn sp6(&mut self, relation: &Relation, outer: Atom, inner: Atom) {
+        let Some(second) = &relation.with else { return };
+        let rows = [relation, second]
+            .map(|relation| [self.side(relation, inner), self.side(relation, outer)]);
+        let [[b1, a1], [b2, a2]] = rows;
+        let determinant = self.determinant(b1.cos, b1.sin, b2.cos, b2.sin);
+        let one = self.g.one();
+        let inverse = self.g.div(one, determinant);
+        // y = M x + m, column by column of (cos, sin, 1).
+        let rest = [self.g.sub(a1.rest, b1.rest), self.g.sub(a2.rest, b2.rest)];
+        let columns = [[a1.cos, a2.cos], [a1.sin, a2.sin], rest].map(|[first, second]| {
+            let cos = self.determinant(first, b1.sin, second, b2.sin);
+            let sin = self.determinant(b1.cos, first, b2.cos, second);
+            [self.g.mul(inverse, cos), self.g.mul(inverse, sin)]
+        });
+        let x = self.quartic(columns);
+        let y: [Expr; 2] = [0, 1].map(|i| {
+            let [c, s, m] = columns.map(|column| column[i]);
+            let [cx, sx] = [self.g.mul(c, x.cos), self.g.mul(s, x.sin)];
+            let turning = self.g.add(cx, sx);
+            self.g.add(turning, m)
+        });
+        self.set(outer, x);
+        self.set(
+            inner,
+            Trig {
+                cos: y[0],
+                sin: y[1],
+            },
+        );
+    }
+
+    /// p s − q r.
+    fn determinant(&mut self, p: Expr, q: Expr, r: Expr, s: Expr) -> Expr {
+        let [ps, qr] = [self.g.mul(p, s), self.g.mul(q, r)];
+        self.g.sub(ps, qr)
+    }
+
+    /// |M x + m|² = 1 for the unit vector x, in all four places at once: two
+    /// signs choose among them.
+    fn quartic(&mut self, [c, s, m]: [[Expr; 2]; 3]) -> Trig {
+        let mut dot = |a: [Expr; 2], b: [Expr; 2]| {
+            let [p, q] = [self.g.mul(a[0], b[0]), self.g.mul(a[1], b[1])];
+            self.g.add(p, q)
+        };
+        let (cc, ss, cs) = (dot(c, c), dot(s, s), dot(c, s));
+        let (cm, sm, mm) = (dot(c, m), dot(s, m), dot(m, m));
+        let [half, two, minus] = [0.5, 2.0, -1.0].map(|k| self.g.constant(k));
+        let difference = self.g.sub(cc, ss);
+        let sum = self.g.add(cc, ss);
+        let mean = self.g.mul(half, sum);
+        let level = self.g.add(mean, mm);
+        let coefficients = [
+            self.g.mul(half, difference),
+            cs,
+            self.g.mul(two, cm),
+            self.g.mul(two, sm),
+            self.g.add(level, minus),
+        ];
+        let signs = [self.g.sign(), self.g.sign()];
+        let [sin, cos, state] = [RootField::Sin, RootField::Cos, RootField::State].map(|field| {
+            let places = [0, 1, 2, 3].map(|place| self.g.trig_root(coefficients, place, field));
+            self.choose(signs, places)
+        });
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let [some, double] = [0.5, 1.5].map(|k| self.g.constant(k));
+        let is_double = self.g.select_less(double, state, one, zero);
+        self.singular = self.g.max(self.singular, is_double);
+        let present = self.g.select_less(double, state, zero, one);
+        let absent = self.g.select_less(some, state, present, zero);
+        self.invalid = self.g.max(self.invalid, absent);
+        Trig { sin, cos }
+    }
+
+    /// One of four values by two signs.
+    fn choose(&mut self, [first, second]: [Expr; 2], values: [Expr; 4]) -> Expr {
+        let zero = self.g.zero();
+        let high = self.g.select_less(second, zero, values[2], values[0]);
+        let low = self.g.select_less(second, zero, values[3], values[1]);
+        self.g.select_less(first, zero, low, high)
+    }
+
+    /// What a relation measures, along the arc on which an unknown lies, as
+    /// a cos θ + b sin θ + rest.
+    fn side(&mut self, relation: &Relation, unknown: Atom) -> Side {
+        let zero = self.g.zero();
+        let split = self.split(relation, unknown);
+        let (u, w, offset) = self.measure(relation, &split);
+        let (cos, sin, negative) = self.cosine_sine(u, w, zero);
+        let turning_rest = self.g.neg(negative);
+        let rest = self.g.add(turning_rest, offset);
+        Side { cos, sin, rest }
     }
 
     /// The discriminant of a subproblem 2 without cancellation. Rotations keep
