@@ -57,7 +57,8 @@ const CLOSED: f64 = 1e-12;
 /// ```
 pub fn trig_roots(f: [f64; 5]) -> [TrigRoot; 4] {
     let scale = f.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    if scale.is_nan() || scale < f64::MIN_POSITIVE || scale > 1e300 {
+    // Also where the scale is NaN.
+    if !(f64::MIN_POSITIVE..1e300).contains(&scale) {
         return [TrigRoot {
             sin: 0.0,
             cos: 1.0,
@@ -345,7 +346,7 @@ mod tests {
     fn finds_four_simple_roots() {
         let mut random = Random(7);
         for _ in 0..20_000 {
-            let roots = [0; 4].map(|_| random.next() * 3.14);
+            let roots = [0; 4].map(|_| random.next() * core::f64::consts::PI);
             let gap = (0..4).flat_map(|i| (0..i).map(move |j| (i, j)));
             let gap = gap
                 .map(|(i, j)| distance(roots[i], roots[j]))

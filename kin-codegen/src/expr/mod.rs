@@ -473,10 +473,15 @@ impl Graph {
         }
     }
 
-    /// Rebuilds `e` of a graph that has grown from this one, with some of its
-    /// inputs replaced.
-    pub fn import(&mut self, grown: &Graph, e: Expr, inputs: &[(Expr, Expr)]) -> Expr {
-        let shared = self.nodes.len();
+    /// Rebuilds `e` of another graph, with some of its inputs replaced. The
+    /// first `shared` nodes of both are the same.
+    pub fn import(
+        &mut self,
+        grown: &Graph,
+        shared: usize,
+        e: Expr,
+        inputs: &[(Expr, Expr)],
+    ) -> Expr {
         let needed = grown.reachable(&[e]);
         let mut here: HashMap<Expr, Expr> = inputs.iter().copied().collect();
         for i in (0..=e.index()).filter(|&i| needed[i]) {

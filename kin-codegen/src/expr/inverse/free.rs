@@ -56,11 +56,12 @@ impl Writer<'_> {
         // The level at φ = 0, π and π/2. Its other operands are older than the
         // step, or are rebuilt.
         let mut out = before.clone();
+        let shared = before.g.nodes().len();
         let values = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.0)].map(|(sin, cos)| {
             let sin = out.g.constant(sin);
             let cos = out.g.constant(cos);
             let inputs = [(placeholder.sin, sin), (placeholder.cos, cos)];
-            out.g.import(&ahead.g, level, &inputs)
+            out.g.import(&ahead.g, shared, level, &inputs)
         });
         out.fallback = out.nearest_to_zero(values);
         Some(out)

@@ -11,13 +11,11 @@ use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 /// Roots of a difference: where cancellation leaves noise, relative to the
 /// square of the amplitude. Branches nearer than its square root are one.
 const NOISE: f64 = 1e-13;
-/// Roots of a sum of squares are accurate however small; below this (angle
-/// 1e-10) the branches are one.
-const EXACT_NOISE: f64 = 1e-20;
 /// A root this small (angle 1e-7) is reported singular.
 const SINGULAR: f64 = 1e-14;
 /// Vectors shorter than this, squared and relative to the arm's size, have no
-/// direction: the angle is free.
+/// direction: the angle is free. Roots of a sum of squares are accurate down
+/// to here, and below it the branches are one.
 const FREE: f64 = 1e-24;
 
 /// The two sides of a relation at the unknown: `left` in the frame before the
@@ -211,26 +209,30 @@ impl Writer<'_> {
             let dd = self.g.square(d);
             self.g.sub(amplitude, dd)
         });
-        let noise = if squares.is_some() {
-            EXACT_NOISE
-        } else {
-            NOISE
-        };
-        let root = self.root(discriminant, amplitude, noise);
+        let noise = if squares.is_some() { FREE } else { NOISE };
+        let sign = self.g.sign();
+        let root = self.root(sign, discriminant, amplitude, noise);
         let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
         let [bd, ar] = [self.g.mul(b, d), self.g.mul(a, root)];
         let trig = Trig {
             sin: self.g.add(bd, ar),
             cos: self.g.sub(ad, br),
         };
-        let scale = self.linkage.size;
-        self.normalized(unknown, trig, amplitude, scale.powi(4))
+        let scale = self.linkage.size.powi(4);
+        if self.g.value(amplitude).is_none() {
+            // Where the angle is free its two roots are one.
+            let nothing = self.g.constant(FREE * scale);
+            let zero = self.g.zero();
+            let minus = self.g.neg(sign);
+            let second = self.g.select_less(amplitude, nothing, minus, zero);
+            self.invalid = self.g.max(self.invalid, second);
+        }
+        self.normalized(unknown, trig, amplitude, scale)
     }
 
     /// ± the square root, with what it says about the branch: out of domain is
     /// invalid, a double root is singular and keeps its first branch only.
-    fn root(&mut self, discriminant: Expr, amplitude: Expr, noise: f64) -> Expr {
-        let sign = self.g.sign();
+    fn root(&mut self, sign: Expr, discriminant: Expr, amplitude: Expr, noise: f64) -> Expr {
         let zero = self.g.zero();
         let one = self.g.one();
         let slack = self.slack.0;
@@ -254,7 +256,7 @@ impl Writer<'_> {
         }
         let double = scaled(&mut self.g, noise);
         // A sum of squares is never below zero.
-        let once = match noise == EXACT_NOISE {
+        let once = match noise == FREE {
             true => minus,
             false => self.g.select_less(discriminant, least, one, minus),
         };
@@ -531,7 +533,8 @@ impl Writer<'_> {
         let beside = self.g.sub(gap_squared, foot_squared);
         let discriminant = self.g.sub(distance, beside);
         let scale = self.g.constant(self.linkage.size.powi(2));
-        let root = self.root(discriminant, scale, NOISE);
+        let sign = self.g.sign();
+        let root = self.root(sign, discriminant, scale, NOISE);
         self.g.add(foot, root)
     }
 
