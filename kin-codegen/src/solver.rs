@@ -130,9 +130,13 @@ fn solve_snapped(model: &Model, snap: Snap, target: Target) -> Result<ClosedForm
     let mut refusal = NoClosedForm::NoPlan;
     let mut best: Option<ClosedForm> = None;
     let plans = search(&linkage, snap.model.home.translation, target, PLANS);
-    let ways = plans
-        .iter()
-        .flat_map(|plan| [FreeAngles::Zero, FreeAngles::Spent].map(|free| (plan.clone(), free)));
+    // Spending a free angle costs operations: only where zero loses targets.
+    let ways = plans.iter().flat_map(|plan| {
+        let spent = (0..plan.steps.len()).map(FreeAngles::SpentAt);
+        let all = std::iter::once(FreeAngles::Zero).chain(spent);
+        all.filter(|free| free.may_help(plan))
+            .map(|free| (plan.clone(), free))
+    });
     for (plan, free) in ways {
         let inverse = inverse(&linkage, &plan, Slack(slack), free);
         let mut solver = ClosedForm {

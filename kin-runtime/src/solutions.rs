@@ -87,16 +87,23 @@ impl<const N: usize> Solutions<N> {
     /// ```
     #[inline]
     pub fn build(fill: impl FnOnce(&mut Self)) -> Self {
+        Self::build_with_prismatic(0, fill)
+    }
+
+    /// As [`Solutions::build`], for an arm with prismatic joints; see
+    /// [`Solutions::with_prismatic`].
+    #[inline]
+    pub fn build_with_prismatic(mask: u32, fill: impl FnOnce(&mut Self)) -> Self {
         let mut place = MaybeUninit::uninit();
-        Self::fill(&mut place, fill);
+        Self::fill(&mut place, mask, fill);
         // SAFETY: `fill` has written the place.
         unsafe { place.assume_init() }
     }
 
     /// A call that is kept as one gets the caller's place to write to.
     #[inline(never)]
-    fn fill(place: &mut MaybeUninit<Self>, fill: impl FnOnce(&mut Self)) {
-        fill(place.write(Self::new()));
+    fn fill(place: &mut MaybeUninit<Self>, mask: u32, fill: impl FnOnce(&mut Self)) {
+        fill(place.write(Self::with_prismatic(mask)));
     }
 
     /// Appends a solution.

@@ -1,7 +1,7 @@
 //! Forward kinematics and Jacobians as Rust functions.
 
 use super::matrix;
-use super::straight::Writer;
+use super::straight::{Place, Writer};
 use crate::expr::jacobian::Columns;
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph};
@@ -21,14 +21,16 @@ pub fn block(
             quote!(q[#i])
         })
         .collect();
-    let levels = vec![0; g.nodes().len()];
-    let mut writer = Writer::new(g, outputs, &inputs, &levels);
+    let stages = vec![0; g.nodes().len()];
+    let mut writer = Writer::new(g, outputs, &inputs, &stages);
+    let trig = writer.sines_and_cosines();
     let statements = writer.statements(
+        Place::Scalar,
         |_| true,
         |_, name, value| (quote!(let #name = #value;), quote!(#name)),
     );
     let result = result(&writer);
-    quote!(#(#statements)* #result)
+    quote!(#(#trig)* #(#statements)* #result)
 }
 
 /// `Pose { .. }`.

@@ -21,11 +21,11 @@ pub fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
     quote! {
         #entries
         #(#statements)*
-        let mut solutions = Solutions::with_prismatic(#sliding);
-        for k in 0..#branches {
-            #accept
-        }
-        solutions
+        Solutions::build_with_prismatic(#sliding, |solutions| {
+            for k in 0..#branches {
+                #accept
+            }
+        })
     }
 }
 
@@ -42,7 +42,7 @@ fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
     if solver.polish == 0 {
         return quote! {
             solutions.push_if(
-                #invalid <= 0.0 && #residual <= #tolerance,
+                (#invalid <= 0.0) & (#residual <= #tolerance),
                 Solution {
                     q: [#(#q),*],
                     residual: #residual,
@@ -77,7 +77,7 @@ fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
             #steps,
         );
         solutions.push_distinct_if(
-            #invalid <= 0.0 && residual <= #tolerance,
+            (#invalid <= 0.0) & (residual <= #tolerance),
             Solution {
                 q: [#(#wrapped),*],
                 residual,

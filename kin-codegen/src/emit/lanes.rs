@@ -1,15 +1,18 @@
 //! Inverse kinematics as Rust: all branches together, as array lanes.
 //!
-//! Values that depend on no sign are scalars. Every sign doubles the lanes:
-//! one loop per sign, whose body is straight-line code on lane `k`, which the
-//! compiler turns into vector instructions. Arrays that outlive their loop are
-//! widened, so that every access in a loop is contiguous.
+//! Values that depend on no sign are scalars. Every sign doubles the lanes,
+//! and the values that depend on it are computed in a loop over them, whose
+//! body is straight-line code on lane `k` that the compiler turns into vector
+//! instructions. For that the signs are arrays from outside of the loop, a
+//! loop reads no array that it writes, and arrays that outlive their loop are
+//! widened, so that every access is contiguous. Two lanes are too few to
+//! vectorize, so the first two signs share a loop of four.
 
-use super::straight::{Writer, sign_name};
+use super::straight::{Place, Writer, sign_name};
 use crate::expr::Node;
 use crate::expr::inverse::Inverse;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 
 /// The statements that compute the lanes, and how to read the results.
@@ -28,55 +31,59 @@ pub struct Lanes {
     pub inputs: Vec<bool>,
 }
 
+/// The loops: each handles the signs up to the given number.
+fn loops(choices: u8) -> Vec<u8> {
+    match choices {
+        0 | 1 => (1..=choices).collect(),
+        _ => (2..=choices).collect(),
+    }
+}
+
 /// Writes all lanes of an inverse. `inputs` are the names of the target's
 /// twelve entries.
 pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
     let g = &inverse.graph;
-    let levels = g.levels();
     let outputs = inverse.outputs();
-    let mut writer = Writer::new(g, &outputs, inputs, &levels);
-    // The last level at which each node is read.
-    let mut last_read = vec![0; levels.len()];
-    for (i, node) in g.nodes().iter().enumerate() {
-        for e in node.operands().filter(|_| writer.needs(g.at(i))) {
-            last_read[e.index()] = last_read[e.index()].max(levels[i]);
-        }
-    }
-    // What is returned is read after the last loop, in all lanes.
-    for e in &outputs {
-        last_read[e.index()] = g.choices();
-    }
+    let loops = loops(g.choices());
+    // The loop that computes each node: 0 for none, else 1 + its index.
+    let stage = |level: u8| match level {
+        0 => 0,
+        level => 1 + loops.iter().position(|&last| level <= last).unwrap_or(0),
+    };
+    let stages: Vec<usize> = g.levels().into_iter().map(stage).collect();
+    let mut writer = Writer::new(g, &outputs, inputs, &stages);
+    let last_read = last_read(&writer, inverse, &stages, loops.len());
     let mut statements = writer.statements(
-        |i| levels[i] == 0,
+        Place::Scalar,
+        |i| stages[i] == 0,
         |_, name, value| (quote!(let #name = #value;), quote!(#name)),
     );
-    // Arrays alive, by node: name and last level.
-    let mut alive: BTreeMap<usize, (Ident, u8)> = BTreeMap::new();
-    for level in 1..=g.choices() {
-        statements.push(widened(&alive, level));
-        let width = Literal::usize_unsuffixed(1 << level);
-        let mut arrays = Vec::new();
+    // Arrays alive, by node: name and the last stage that reads them.
+    let mut alive: BTreeMap<usize, (Ident, usize)> = BTreeMap::new();
+    let mut before = 0;
+    for (index, &signs) in loops.iter().enumerate() {
+        let stage = index + 1;
+        statements.push(widened(&alive, stage, 1 << before, 1 << signs));
+        let mut kept: Vec<(Ident, Ident)> = Vec::new();
         let body = writer.statements(
-            |i| levels[i] == level,
+            Place::Lane,
+            |i| stages[i] == stage,
             |e, name, value| {
-                let i = e.index();
-                if last_read[i] > level || outputs.contains(&e) {
-                    arrays.push(name.clone());
-                    alive.insert(i, (name.clone(), last_read[i]));
-                    (quote!(#name[k] = #value;), quote!(#name[k]))
-                } else {
-                    (quote!(let #name = #value;), quote!(#name))
+                let last = last_read[e.index()];
+                if last > stage || outputs.contains(&e) {
+                    let array = format_ident!("{name}_");
+                    kept.push((array.clone(), name.clone()));
+                    alive.insert(e.index(), (array, last));
                 }
+                (quote!(let #name = #value;), quote!(#name))
             },
         );
-        let (sign, sign_lanes) = signs(level);
-        statements.push(quote! {
-            #(let mut #arrays = [0.0; #width];)*
-            for k in 0..#width {
-                let #sign = #sign_lanes[k];
-                #(#body)*
-            }
-        });
+        // From here on they are read from their arrays.
+        for (i, (array, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
+            writer.rename(g.at(*i), quote!(#array[k]));
+        }
+        statements.push(lane_loop(before, signs, &kept, &body));
+        before = signs;
     }
     Lanes {
         q: inverse.q.iter().map(|&e| writer.output(e)).collect(),
@@ -88,23 +95,58 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
     }
 }
 
-/// The sign of a level's choice and its values: + for the first half of the
-/// lanes, − for the second.
-fn signs(level: u8) -> (Ident, TokenStream) {
-    let half = 1 << (level - 1);
-    let plus = std::iter::repeat_n(quote!(1.0), half);
-    let minus = std::iter::repeat_n(quote!(-1.0), half);
-    let lanes = plus.chain(minus);
-    (sign_name(level - 1), quote!([#(#lanes),*]))
+/// The last stage at which each node is read; results are read after all.
+fn last_read(writer: &Writer, inverse: &Inverse, stages: &[usize], loops: usize) -> Vec<usize> {
+    let g = &inverse.graph;
+    let mut last = vec![0; stages.len()];
+    for (i, node) in g.nodes().iter().enumerate() {
+        for e in node.operands().filter(|_| writer.needs(g.at(i))) {
+            last[e.index()] = last[e.index()].max(stages[i]);
+        }
+    }
+    for e in inverse.outputs() {
+        last[e.index()] = loops;
+    }
+    last
 }
 
-/// Statements that bring older arrays to the width of a level.
-fn widened(alive: &BTreeMap<usize, (Ident, u8)>, level: u8) -> TokenStream {
-    let names = alive
-        .values()
-        .filter(|(_, last)| *last >= level)
-        .map(|(name, _)| name);
-    let (from, to) = (1_usize << (level - 1), 1_usize << level);
+/// One loop over the lanes of `signs` choices, of which those beyond `before`
+/// are new.
+fn lane_loop(before: u8, signs: u8, kept: &[(Ident, Ident)], body: &[TokenStream]) -> TokenStream {
+    let width = Literal::usize_unsuffixed(1 << signs);
+    let (names, lanes): (Vec<Ident>, Vec<TokenStream>) = (before..signs)
+        .map(|choice| (sign_name(choice), sign_lanes(choice, signs)))
+        .unzip();
+    let (arrays, values): (Vec<&Ident>, Vec<&Ident>) = kept.iter().map(|(a, v)| (a, v)).unzip();
+    quote! {
+        #(let #names = #lanes;)*
+        #(let mut #arrays = [0.0; #width];)*
+        for k in 0..#width {
+            #(#body)*
+            #(#arrays[k] = #values;)*
+        }
+    }
+}
+
+/// The sign of a choice in every lane: lane k has + where bit `choice` of k is
+/// clear.
+fn sign_lanes(choice: u8, signs: u8) -> TokenStream {
+    let lanes = (0..1_u32 << signs).map(|k| match k >> choice & 1 {
+        0 => quote!(1.0),
+        _ => quote!(-1.0),
+    });
+    quote!([#(#lanes),*])
+}
+
+/// Statements that bring older arrays to the width of a stage.
+fn widened(
+    alive: &BTreeMap<usize, (Ident, usize)>,
+    stage: usize,
+    from: usize,
+    to: usize,
+) -> TokenStream {
+    let read = alive.values().filter(|(_, last)| *last >= stage);
+    let names: Vec<&Ident> = read.map(|(name, _)| name).collect();
     let (from, to) = (
         Literal::usize_unsuffixed(from),
         Literal::usize_unsuffixed(to),

@@ -26,7 +26,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
         const _: () = {
             #[allow(unused_imports)]
             use ::kinematics::{
-                lanes::widen, math, polish::polish, quartic::trig_roots, Jacobian, JointLimit, Kinematics, Pose,
+                lanes::{self, widen}, math, polish::polish, quartic::trig_roots, Jacobian, JointLimit, Kinematics, Pose,
                 Solution, Solutions,
             };
 

@@ -17,6 +17,15 @@ enum Binding {
 /// Expressions longer than this get a name of their own.
 const LONGEST_INLINE: usize = 9;
 
+/// Where statements stand, which decides between equal functions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// In straight-line code on single values.
+    Scalar,
+    /// In a loop over lanes.
+    Lane,
+}
+
 /// Writes parts of a graph as Rust.
 pub struct Writer<'a> {
     graph: &'a Graph,
@@ -31,20 +40,26 @@ pub struct Writer<'a> {
     temporaries: usize,
     /// The quartics solved so far.
     quartics: Vec<[Expr; 5]>,
+    place: Place,
 }
 
 impl<'a> Writer<'a> {
     /// For a function that computes `outputs`. `inputs` are the Rust
-    /// expressions of the inputs, by number. Nodes of different `levels` do
+    /// expressions of the inputs, by number. Nodes of different `stages` do
     /// not stand inline in each other.
-    pub fn new(graph: &'a Graph, outputs: &[Expr], inputs: &[TokenStream], levels: &[u8]) -> Self {
+    pub fn new(
+        graph: &'a Graph,
+        outputs: &[Expr],
+        inputs: &[TokenStream],
+        stages: &[usize],
+    ) -> Self {
         let needed = graph.reachable(outputs);
         let mut uses = vec![0; needed.len()];
         let mut pinned = vec![false; needed.len()];
         for (i, node) in graph.nodes().iter().enumerate().filter(|(i, _)| needed[*i]) {
             for e in node.operands() {
                 uses[e.index()] += 1;
-                pinned[e.index()] |= levels[e.index()] != levels[i];
+                pinned[e.index()] |= stages[e.index()] != stages[i];
             }
         }
         for e in outputs {
@@ -59,6 +74,7 @@ impl<'a> Writer<'a> {
             taken: HashSet::new(),
             temporaries: 0,
             quartics: Vec::new(),
+            place: Place::Scalar,
         };
         writer.decide_inline(&pinned);
         for (i, node) in graph.nodes().iter().enumerate() {
@@ -66,12 +82,17 @@ impl<'a> Writer<'a> {
                 Node::Input(k) => Some(inputs[usize::from(*k)].clone()),
                 Node::Sign(choice) => {
                     let sign = sign_name(choice.0);
-                    Some(quote!(#sign))
+                    Some(quote!(#sign[k]))
                 }
                 _ => None,
             };
         }
         writer
+    }
+
+    /// Reads a node that has been written in another way from here on.
+    pub fn rename(&mut self, e: Expr, reading: TokenStream) {
+        self.names[e.index()] = Some(reading);
     }
 
     /// Whether an input or node takes part.
@@ -123,9 +144,11 @@ impl<'a> Writer<'a> {
     /// read from then on.
     pub fn statements(
         &mut self,
+        place: Place,
         select: impl Fn(usize) -> bool,
         mut bind: impl FnMut(Expr, &Ident, TokenStream) -> (TokenStream, TokenStream),
     ) -> Vec<TokenStream> {
+        self.place = place;
         let mut out = Vec::new();
         for i in 0..self.needed.len() {
             let skip = !self.needed[i] || self.inline[i] || self.names[i].is_some() || !select(i);
@@ -133,10 +156,6 @@ impl<'a> Writer<'a> {
                 continue;
             }
             let e = self.expr(i);
-            if let Node::Sin(a) | Node::Cos(a) = self.graph.node(e) {
-                out.push(self.sine_and_cosine(a));
-                continue;
-            }
             if let Node::TrigRoot(coefficients, _) = self.graph.node(e) {
                 out.extend(self.roots_of(coefficients));
             }
@@ -149,20 +168,63 @@ impl<'a> Writer<'a> {
         out
     }
 
-    fn sine_and_cosine(&mut self, angle: Expr) -> TokenStream {
-        let of = self.read(angle).0;
-        let pair = [Node::Sin(angle), Node::Cos(angle)].map(|node| {
-            match self.graph.find(node).filter(|e| self.needed[e.index()]) {
-                Some(e) => {
-                    let name = self.identifier(e);
-                    self.names[e.index()] = Some(quote!(#name));
-                    quote!(#name)
-                }
-                None => quote!(_),
+    /// The statements that compute every sine and cosine of the function, in
+    /// one call on an array: a loop over lanes is vectorized where single calls
+    /// are not. The array is filled up with zeros to a power of two, for whole
+    /// vectors.
+    pub fn sines_and_cosines(&mut self) -> Vec<TokenStream> {
+        let angles = self.angles();
+        let sums = self.graph.reachable(&angles);
+        let mut out = self.statements(
+            Place::Scalar,
+            |i| sums[i],
+            |_, name, value| (quote!(let #name = #value;), quote!(#name)),
+        );
+        let values: Vec<TokenStream> = angles.iter().map(|&a| self.read(a).0).collect();
+        let sines: Vec<TokenStream> = angles.iter().map(|&a| self.bound(Node::Sin(a))).collect();
+        let cosines: Vec<TokenStream> = angles.iter().map(|&a| self.bound(Node::Cos(a))).collect();
+        let padding = angles.len().next_power_of_two() - angles.len();
+        let zeros = std::iter::repeat_n(quote!(0.0), padding);
+        let rest = if padding > 0 {
+            quote!(, ..)
+        } else {
+            TokenStream::new()
+        };
+        match angles[..] {
+            [] => {}
+            [_] => out.push(quote!(let (#(#sines)*, #(#cosines)*) = math::sin_cos(#(#values)*);)),
+            _ => out.push(quote! {
+                let ([#(#sines),* #rest], [#(#cosines),* #rest]) =
+                    lanes::sin_cos([#(#values,)* #(#zeros),*]);
+            }),
+        }
+        out
+    }
+
+    /// The angles of which a sine or cosine is needed.
+    fn angles(&self) -> Vec<Expr> {
+        let mut angles = Vec::new();
+        for (i, node) in self.graph.nodes().iter().enumerate() {
+            if let (true, Node::Sin(a) | Node::Cos(a)) = (self.needed[i], *node)
+                && !angles.contains(&a)
+            {
+                angles.push(a);
             }
-        });
-        let [sin, cos] = pair;
-        quote!(let (#sin, #cos) = math::sin_cos(#of);)
+        }
+        angles
+    }
+
+    /// The name under which a node is bound by a pattern; `_` if it is not
+    /// needed.
+    fn bound(&mut self, node: Node) -> TokenStream {
+        match self.graph.find(node).filter(|e| self.needed[e.index()]) {
+            Some(e) => {
+                let name = self.identifier(e);
+                self.names[e.index()] = Some(quote!(#name));
+                quote!(#name)
+            }
+            None => quote!(_),
+        }
     }
 
     /// The call that finds the roots of a quartic, unless it stands already.
@@ -247,10 +309,19 @@ impl<'a> Writer<'a> {
                 (quote!(-#a), Unary)
             }
             Node::Sqrt(a) => self.call(quote!(math::sqrt), &[a]),
-            Node::Atan2(y, x) => self.call(quote!(math::atan2), &[y, x]),
+            Node::Atan2(y, x) if self.place == Place::Lane => {
+                self.call(quote!(lanes::angle), &[y, x])
+            }
+            Node::Atan2(y, x) => {
+                let (angle, _) = self.call(quote!(math::atan2), &[y, x]);
+                (quote!(math::wrap(#angle)), Atom)
+            }
             Node::Wrap(a) => self.call(quote!(math::wrap), &[a]),
-            Node::Abs(a) => (self.method(a, quote!(abs), &[]), Atom),
-            Node::Max(a, b) => (self.method(a, quote!(max), &[b]), Atom),
+            Node::Abs(a) => {
+                let a = self.at_least(a, Atom);
+                (quote!(#a.abs()), Atom)
+            }
+            Node::Max(a, b) => self.call(quote!(math::max), &[a, b]),
             Node::Select([a, b, x, y]) => {
                 let [a, b, x, y] = [a, b, x, y].map(|e| self.read(e).0);
                 (quote!(math::select(#a < #b, #x, #y)), Atom)
@@ -273,15 +344,6 @@ impl<'a> Writer<'a> {
         let arguments = arguments.iter().map(|e| self.read(*e).0);
         (quote!(#function(#(#arguments),*)), Binding::Atom)
     }
-
-    fn method(&self, a: Expr, name: TokenStream, arguments: &[Expr]) -> TokenStream {
-        let receiver = match self.graph.value(a) {
-            Some(x) => suffixed(x),
-            None => self.at_least(a, Binding::Atom),
-        };
-        let arguments = arguments.iter().map(|e| self.read(*e).0);
-        quote!(#receiver.#name(#(#arguments),*))
-    }
 }
 
 fn quartic_name(number: usize) -> Ident {
@@ -291,16 +353,6 @@ fn quartic_name(number: usize) -> Ident {
 /// What the sign of a choice is called.
 pub fn sign_name(choice: u8) -> Ident {
     format_ident!("e{}", choice + 1)
-}
-
-/// A literal that has methods.
-fn suffixed(x: f64) -> TokenStream {
-    let literal = Literal::f64_suffixed(x.abs());
-    if x < 0.0 {
-        quote!((-#literal))
-    } else {
-        quote!(#literal)
-    }
 }
 
 /// A literal; a negative one binds like the minus that it has.

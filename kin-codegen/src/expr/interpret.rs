@@ -1,8 +1,8 @@
 //! The interpreter: what the emitted code will compute, one branch at a time.
 
 use super::{Expr, Graph, Node, RootField};
-use kin_runtime::math;
 use kin_runtime::quartic::{TrigRoot, trig_roots};
+use kin_runtime::{lanes, math};
 
 /// One combination of signs: bit i set means that choice i is −1.
 pub type Lane = u32;
@@ -29,10 +29,10 @@ impl Graph {
                 Node::Sqrt(a) => of(a).sqrt(),
                 Node::Sin(a) => math::sin_cos(of(a)).0,
                 Node::Cos(a) => math::sin_cos(of(a)).1,
-                Node::Atan2(y, x) => math::atan2(of(y), of(x)),
+                Node::Atan2(y, x) => lanes::angle(of(y), of(x)),
                 Node::Wrap(a) => math::wrap(of(a)),
                 Node::Abs(a) => of(a).abs(),
-                Node::Max(a, b) => of(a).max(of(b)),
+                Node::Max(a, b) => math::max(of(a), of(b)),
                 Node::TrigRoot(coefficients, part) => {
                     let roots = match quartic {
                         Some((solved, roots)) if solved == *coefficients => roots,

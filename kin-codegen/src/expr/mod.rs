@@ -61,13 +61,13 @@ pub enum Node {
     Sin(Expr),
     /// cos a.
     Cos(Expr),
-    /// The angle of (x, y): `Atan2(y, x)`.
+    /// The angle of (x, y) in (−π, π]: `Atan2(y, x)`.
     Atan2(Expr, Expr),
     /// a modulo 2π, into (−π, π].
     Wrap(Expr),
     /// |a|.
     Abs(Expr),
-    /// The larger of two.
+    /// The larger of two; the second where either is NaN.
     Max(Expr, Expr),
     /// `[a, b, x, y]`: x where a < b, else y (also where a or b is NaN).
     Select([Expr; 4]),
@@ -427,7 +427,7 @@ impl Graph {
     pub fn wrap(&mut self, a: Expr) -> Expr {
         match self.value(a) {
             Some(x) => self.constant(kin_runtime::math::wrap(x)),
-            None if matches!(self.node(a), Node::Wrap(_)) => a,
+            None if matches!(self.node(a), Node::Atan2(..) | Node::Wrap(_)) => a,
             None => self.intern(Node::Wrap(a)),
         }
     }

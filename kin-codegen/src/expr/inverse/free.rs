@@ -11,15 +11,36 @@
 use super::Writer;
 use crate::expr::Expr;
 use crate::expr::linear::Trig;
-use crate::plan::{Atom, Step};
+use crate::plan::{Atom, Plan, Step, Subproblem};
 
 /// What stands for the angles that a singular target leaves free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FreeAngles {
     /// Zero: right where no later step depends on them.
     Zero,
-    /// The value that leaves the next root the most room.
-    Spent,
+    /// At one step of the plan the value that leaves the next root the most
+    /// room, elsewhere zero.
+    SpentAt(usize),
+}
+
+impl FreeAngles {
+    /// Whether a later step of the plan has a root that could depend on the
+    /// step whose angle may be free.
+    pub fn may_help(self, plan: &Plan) -> bool {
+        let FreeAngles::SpentAt(i) = self else {
+            return true;
+        };
+        let (step, later) = (&plan.steps[i], &plan.steps[i + 1..]);
+        let unsteady = |step: &Step| match step.subproblem {
+            Subproblem::Sp2 => true,
+            _ => step
+                .relations
+                .iter()
+                .any(|r| r.depends.iter().any(|d| !d.steady)),
+        };
+        let roots = [Subproblem::Sp3, Subproblem::Sp4, Subproblem::T1];
+        unsteady(step) && later.iter().any(|step| roots.contains(&step.subproblem))
+    }
 }
 
 impl Writer<'_> {

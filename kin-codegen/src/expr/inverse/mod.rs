@@ -57,9 +57,10 @@ impl Inverse {
 pub fn inverse(linkage: &Linkage, plan: &Plan, slack: Slack, free: FreeAngles) -> Inverse {
     let mut writer = Writer::new(linkage, plan.target, slack);
     for (i, step) in plan.steps.iter().enumerate() {
-        match free {
-            FreeAngles::Zero => writer.write(step),
-            FreeAngles::Spent => writer.write_ahead(step, &plan.steps[i + 1..]),
+        if free == FreeAngles::SpentAt(i) {
+            writer.write_ahead(step, &plan.steps[i + 1..]);
+        } else {
+            writer.write(step);
         }
     }
     writer.finish()
@@ -85,6 +86,8 @@ struct Writer<'a> {
     sum_first: Vec<bool>,
     invalid: Expr,
     singular: Expr,
+    /// What has been held against which threshold to flag singularity.
+    watched: Vec<(Expr, Expr)>,
     /// What stands for a free angle.
     fallback: Trig,
     /// The unknown of the step just written whose angle may be free.
@@ -121,6 +124,7 @@ impl<'a> Writer<'a> {
             sum_first: vec![false; linkage.runs.len()],
             invalid: zero,
             singular: zero,
+            watched: Vec::new(),
             fallback,
             may_be_free: None,
             level: None,

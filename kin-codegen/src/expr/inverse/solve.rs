@@ -225,7 +225,7 @@ impl Writer<'_> {
             let zero = self.g.zero();
             let minus = self.g.neg(sign);
             let second = self.g.select_less(amplitude, nothing, minus, zero);
-            self.invalid = self.g.max(self.invalid, second);
+            self.refuse(second);
         }
         self.normalized(unknown, trig, amplitude, scale)
     }
@@ -243,13 +243,12 @@ impl Writer<'_> {
         let least = scaled(&mut self.g, -(noise.max(slack)));
         let near = scaled(&mut self.g, noise.max(SINGULAR));
         let minus = self.g.neg(sign);
-        let singular = self.g.select_less(discriminant, near, one, zero);
-        self.singular = self.g.max(self.singular, singular);
+        self.watch(discriminant, near);
         if slack > 0.0 {
             // The polish decides: branches start apart, and meet if they must.
             let apart = scaled(&mut self.g, slack * slack);
             let invalid = self.g.select_less(discriminant, least, one, zero);
-            self.invalid = self.g.max(self.invalid, invalid);
+            self.refuse(invalid);
             let kept = self.g.max(discriminant, apart);
             let root = self.g.sqrt(kept);
             return self.g.mul(sign, root);
@@ -261,10 +260,39 @@ impl Writer<'_> {
             false => self.g.select_less(discriminant, least, one, minus),
         };
         let invalid = self.g.select_less(discriminant, double, once, zero);
-        self.invalid = self.g.max(self.invalid, invalid);
+        self.refuse(invalid);
         let kept = self.g.select_less(discriminant, double, zero, discriminant);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
+    }
+
+    /// Drops the branches in which a value is positive.
+    fn refuse(&mut self, invalid: Expr) {
+        self.invalid = if self.g.is(self.invalid, 0.0) {
+            invalid
+        } else {
+            self.g.max(self.invalid, invalid)
+        };
+    }
+
+    /// Flags branches in which a value is below a threshold as singular, unless
+    /// it is held against a larger one already.
+    fn watch(&mut self, value: Expr, threshold: Expr) {
+        let covered = self.watched.iter().any(|(watched, already)| {
+            let (new, old) = (self.g.value(threshold), self.g.value(*already));
+            *watched == value && new.is_some() && new <= old
+        });
+        if covered {
+            return;
+        }
+        self.watched.push((value, threshold));
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let singular = self.g.select_less(value, threshold, one, zero);
+        self.singular = if self.g.is(self.singular, 0.0) {
+            singular
+        } else {
+            self.g.max(self.singular, singular)
+        };
     }
 
     /// (sin, cos) over a common factor; a factor of nothing leaves the angle
@@ -276,10 +304,9 @@ impl Writer<'_> {
                 cos: self.g.div(trig.cos, factor),
             };
         }
-        let [zero, one] = [self.g.zero(), self.g.one()];
+        let one = self.g.one();
         let nothing = self.g.constant(FREE * scale);
-        let singular = self.g.select_less(factor, nothing, one, zero);
-        self.singular = self.g.max(self.singular, singular);
+        self.watch(factor, nothing);
         let inverse = self.g.div(one, factor);
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
@@ -451,7 +478,7 @@ impl Writer<'_> {
         self.singular = self.g.max(self.singular, is_double);
         let present = self.g.select_less(double, state, zero, one);
         let absent = self.g.select_less(some, state, present, zero);
-        self.invalid = self.g.max(self.invalid, absent);
+        self.refuse(absent);
         Trig { sin, cos }
     }
 
