@@ -1,0 +1,76 @@
+//! Generated code and what is done with its answers never allocate.
+
+use kinematics::{Kinematics, Pose};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+kinematics::kinematics!("robots/ur5e.urdf");
+kinematics::kinematics!("robots/puma560.yaml");
+kinematics::kinematics!("robots/scara.yaml");
+
+/// The system's allocator, counting what the current thread asks for.
+struct Counting;
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: hands everything on to the system's allocator.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: as promised to us.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as promised to us.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = COUNT.get();
+    work();
+    COUNT.get() - before
+}
+
+#[test]
+fn allocations_are_counted() {
+    assert_eq!(allocations(|| drop(black_box(vec![1]))), 1);
+}
+
+#[test]
+fn robots_do_not_allocate() {
+    assert_eq!(allocations(|| use_everything(&Ur5e)), 0);
+    assert_eq!(allocations(|| use_everything(&Puma560)), 0);
+    assert_eq!(allocations(|| use_everything(&Scara)), 0);
+}
+
+fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
+    let q = black_box([0.4; N]);
+    let pose = arm.fk(&q);
+    black_box(arm.fk_links(&q));
+    black_box(arm.fk_jacobian(&q));
+    black_box(arm.spatial_jacobian(&q));
+    black_box(arm.body_jacobian(&q));
+    black_box(arm.geometric_jacobian(&q));
+    answer(arm, &pose, &q);
+    answer(arm, &Pose::from_translation([9.0; 3]), &q);
+    answer(arm, &arm.fk(&[0.0; N]), &q);
+}
+
+/// Inverse kinematics and what is done with the answers.
+fn answer<K: Kinematics<N>, const N: usize>(arm: &K, target: &Pose, seed: &[f64; N]) {
+    let solutions = arm.ik(target);
+    black_box(solutions.within(&K::LIMITS));
+    black_box(solutions.windings(&K::LIMITS).count());
+    black_box(solutions.nearest(seed));
+    black_box(solutions.nearest_weighted(seed, &[2.0; N]));
+    black_box(solutions.nearest_within(seed, &K::LIMITS));
+    black_box(solutions.into_iter().count());
+}
