@@ -1,9 +1,12 @@
 //! What a step of a plan means in space.
 
-use crate::geometry::{Linkage, Travel, Vec3};
+use crate::geometry::{Linkage, Travel, Vec3, cross, dot, norm};
 use crate::plan::{self, Atom, Invariant, Kind, Relation, Subproblem};
 use serde::Serialize;
 use std::ops::Range;
+
+/// Relations of the plan's arm hold to rounding.
+const NEAR: f64 = 1e-9;
 
 /// One subproblem.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -62,12 +65,13 @@ pub enum ObjectKind {
 impl Step {
     pub(super) fn of(step: &plan::Step, linkage: &Linkage) -> Self {
         let relation = step.relations.first();
-        let given: Vec<String> = relation
+        let mut given: Vec<String> = relation
             .into_iter()
             .flat_map(|relation| &relation.depends)
             .filter(|depends| !step.unknowns.contains(&depends.atom))
             .map(|depends| depends.atom.to_string())
             .collect();
+        given.sort();
         let objects: Vec<Object> = relation
             .into_iter()
             .flat_map(|relation| std::iter::once(&relation.from).chain(&relation.to))
@@ -89,13 +93,20 @@ impl Step {
 /// A single unknown by its amplitude; two that are neighbours degenerate with
 /// the arm alone, because the angle between their axes is a constant.
 fn can_degenerate(step: &plan::Step, relation: &Relation) -> bool {
-    match step.unknowns[..] {
-        [Atom::Joint(a), Atom::Joint(b)] => b != a + 1,
-        [_, _] => true,
-        _ => relation
-            .depends
-            .iter()
-            .any(|depends| step.unknowns.contains(&depends.atom) && !depends.steady),
+    if let [a, b] = step.unknowns[..] {
+        return extent(a).end != extent(b).start;
+    }
+    relation
+        .depends
+        .iter()
+        .any(|depends| step.unknowns.contains(&depends.atom) && !depends.steady)
+}
+
+/// The joints of an unknown.
+fn extent(atom: Atom) -> Range<usize> {
+    match atom {
+        Atom::Joint(joint) => joint..joint + 1,
+        Atom::Sum { first, last, .. } => first..last + 1,
     }
 }
 
@@ -103,7 +114,7 @@ fn sentence(step: &plan::Step, linkage: &Linkage, objects: &[Object]) -> String 
     let unknowns: Vec<String> = step.unknowns.iter().map(Atom::to_string).collect();
     let unknowns = unknowns.join(" and ");
     let verb = match step.unknowns[..] {
-        [Atom::Joint(joint)] if linkage.links[joint].travel != Travel::Turn => "slide",
+        [Atom::Joint(joint)] if slides(linkage, joint) => "slide",
         _ => "turn",
     };
     match (step.subproblem, objects) {
@@ -135,46 +146,72 @@ fn measure(a: &Object, b: &Object) -> String {
 
 impl Object {
     fn of(invariant: &Invariant, linkage: &Linkage) -> Self {
-        let n = linkage.links.len();
-        let Range { start, end } = invariant.joints;
+        let joints = left_alone_by(invariant, linkage);
         Self {
             kind: match invariant.kind {
                 Kind::Point => ObjectKind::Point,
                 Kind::Direction => ObjectKind::Direction,
                 Kind::Plane => ObjectKind::Plane,
             },
-            joints: (start..end.min(n)).map(|i| i + 1).collect(),
             point: invariant.point,
             direction: invariant.direction,
-            text: words(invariant, n),
+            text: words(invariant, &joints, linkage.links.len()),
+            joints: joints.iter().map(|i| i + 1).collect(),
         }
     }
 }
 
-fn words(invariant: &Invariant, n: usize) -> String {
+/// All the joints in a row that leave an object alone; the plan names no more
+/// of them than it needs. A point of axis 4 may well be the wrist's centre.
+fn left_alone_by(invariant: &Invariant, linkage: &Linkage) -> Vec<usize> {
+    let n = linkage.links.len();
     let Range { start, end } = invariant.joints;
+    let alone = |&j: &usize| leaves_alone(invariant, linkage, j);
+    let before = (0..start).rev().take_while(alone).count();
+    let behind = (end.min(n)..n).take_while(alone).count();
+    // Sliding moves no direction, but is no axis of it either.
+    let listed = |&j: &usize| invariant.kind != Kind::Direction || !slides(linkage, j);
+    (start - before..end.min(n) + behind)
+        .filter(listed)
+        .collect()
+}
+
+fn slides(linkage: &Linkage, joint: usize) -> bool {
+    linkage.links[joint].travel != Travel::Turn
+}
+
+fn leaves_alone(invariant: &Invariant, linkage: &Linkage, joint: usize) -> bool {
+    let axis = linkage.axis(joint);
+    let across = dot(axis.direction, invariant.direction).abs() < NEAR;
+    let along = norm(cross(axis.direction, invariant.direction)) < NEAR;
+    let through = norm(axis.offset_of(invariant.point)) < NEAR * linkage.size;
+    match (invariant.kind, slides(linkage, joint)) {
+        (Kind::Point, slides) => through && !slides,
+        (Kind::Direction, slides) => along || slides,
+        (Kind::Plane, true) => across,
+        (Kind::Plane, false) => along,
+    }
+}
+
+fn words(invariant: &Invariant, joints: &[usize], n: usize) -> String {
     let kind = match invariant.kind {
         Kind::Point => "point",
         Kind::Direction => "direction",
         Kind::Plane => "plane",
     };
     // An end behind the last joint is the tip of a target of position.
-    match end.min(n) - start {
-        _ if end > n => "the tip".into(),
-        0 if start == 0 => format!("a {kind} of the base"),
-        0 => format!("a {kind} of the tip link"),
-        1 => match invariant.kind {
-            Kind::Point => format!("a point of axis {end}"),
-            Kind::Direction => format!("the direction of axis {end}"),
-            Kind::Plane => format!("the plane across axis {end}"),
-        },
-        _ => {
-            let joints = super::text::numbers(start + 1..=end);
-            match invariant.kind {
-                Kind::Point => format!("the point where axes {joints} meet"),
-                Kind::Direction => format!("the common direction of axes {joints}"),
-                Kind::Plane => format!("the plane in which joints {joints} move"),
-            }
-        }
+    if invariant.joints.end > n {
+        return "the tip".into();
+    }
+    let numbers = super::text::numbers(joints.iter().map(|i| i + 1));
+    match (joints.len(), invariant.kind) {
+        (0, _) if invariant.joints.start == 0 => format!("a {kind} of the base"),
+        (0, _) => format!("a {kind} of the tip link"),
+        (1, Kind::Point) => format!("a point of axis {numbers}"),
+        (1, Kind::Direction) => format!("the direction of axis {numbers}"),
+        (1, Kind::Plane) => format!("the plane across axis {numbers}"),
+        (_, Kind::Point) => format!("the point where axes {numbers} meet"),
+        (_, Kind::Direction) => format!("the common direction of axes {numbers}"),
+        (_, Kind::Plane) => format!("the plane in which joints {numbers} move"),
     }
 }

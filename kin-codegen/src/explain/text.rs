@@ -261,11 +261,15 @@ impl Display for Snapping {
             self.tolerance
         )?;
         for moved in &self.moved {
-            writeln!(
-                f,
-                "    axis {} turned by {:.1e} rad, shifted by {:.1e} m",
-                moved.joint, moved.angle, moved.distance
-            )?;
+            let ways = [
+                ("turned", moved.angle, "rad"),
+                ("shifted", moved.distance, "m"),
+            ];
+            let ways = ways.iter().filter(|(_, amount, _)| *amount > ROUNDING);
+            let ways: Vec<String> = ways
+                .map(|(way, amount, unit)| format!("{way} by {amount:.1e} {unit}"))
+                .collect();
+            writeln!(f, "    axis {} {}", moved.joint, ways.join(", "))?;
         }
         writeln!(
             f,
