@@ -3,6 +3,7 @@
 use crate::geometry::{Linkage, Travel, Vec3, cross, dot, norm};
 use crate::plan::{self, Atom, Invariant, Kind, Relation, Subproblem};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Relations of the plan's arm hold to rounding.
@@ -11,9 +12,9 @@ const NEAR: f64 = 1e-9;
 /// One subproblem.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Step {
-    /// Its name in short: `SP1` to `SP4` are Paden and Kahan's, `sum` is the
-    /// angle left over from a known sum, `slide`, `T1` and `T2` solve joints
-    /// that slide.
+    /// Its name in short: `SP1` to `SP4` are Paden and Kahan's, `SP6` solves
+    /// two unknowns from two relations, `sum` is the angle left over from a
+    /// known sum, `slide`, `T1` and `T2` solve joints that slide.
     pub subproblem: String,
     /// What it solves: `q1`, or a sum of parallel joints, `q2+q3+q4`.
     pub unknowns: Vec<String>,
@@ -22,8 +23,8 @@ pub struct Step {
     /// How many roots it has.
     pub roots: usize,
     /// The objects whose relation poses it: two, or one that is carried
-    /// around the loop; none for a sum. Where several relations pose a step,
-    /// these are those of the first.
+    /// around the loop; four where it takes two relations, `SP6`; none for a
+    /// sum. Where several relations pose a step, these are those of the first.
     pub objects: Vec<Object>,
     /// How many relations pose it; the one that is cheapest to compute is
     /// written.
@@ -64,42 +65,57 @@ pub enum ObjectKind {
 
 impl Step {
     pub(super) fn of(step: &plan::Step, linkage: &Linkage) -> Self {
-        let relation = step.relations.first();
-        let mut given: Vec<String> = relation
-            .into_iter()
-            .flat_map(|relation| &relation.depends)
+        let relations = posing(step);
+        let depends = relations.iter().flat_map(|relation| &relation.depends);
+        let given: BTreeSet<String> = depends
             .filter(|depends| !step.unknowns.contains(&depends.atom))
             .map(|depends| depends.atom.to_string())
             .collect();
-        given.sort();
-        let objects: Vec<Object> = relation
-            .into_iter()
+        let objects: Vec<Object> = relations
+            .iter()
             .flat_map(|relation| std::iter::once(&relation.from).chain(&relation.to))
             .map(|invariant| Object::of(invariant, linkage))
             .collect();
         Self {
             subproblem: step.subproblem.to_string(),
             unknowns: step.unknowns.iter().map(Atom::to_string).collect(),
-            given,
+            given: given.into_iter().collect(),
             roots: 1 << step.subproblem.choices(),
             text: sentence(step, linkage, &objects),
             objects,
             relations: step.relations.len(),
-            can_degenerate: relation.is_some_and(|relation| can_degenerate(step, relation)),
+            can_degenerate: can_degenerate(step, &relations),
         }
     }
 }
 
-/// A single unknown by its amplitude; two that are neighbours degenerate with
-/// the arm alone, because the angle between their axes is a constant.
-fn can_degenerate(step: &plan::Step, relation: &Relation) -> bool {
-    if let [a, b] = step.unknowns[..] {
-        return extent(a).end != extent(b).start;
+/// The relation that poses a step, and the second one where it takes two.
+fn posing(step: &plan::Step) -> Vec<&Relation> {
+    let first = step.relations.first();
+    let second = first.and_then(|relation| relation.with.as_deref());
+    first.into_iter().chain(second).collect()
+}
+
+/// A single unknown degenerates where the amplitude of its relation does, and
+/// two where their two relations come to say the same. Two that are neighbours
+/// in one relation degenerate with the arm alone, because the angle between
+/// their axes is a constant.
+fn can_degenerate(step: &plan::Step, relations: &[&Relation]) -> bool {
+    let unknown = |atom: Atom| step.unknowns.contains(&atom);
+    match (relations, &step.unknowns[..]) {
+        ([first, second], _) => first
+            .depends
+            .iter()
+            .filter(|depends| unknown(depends.atom))
+            .filter_map(|depends| first.independence(second, depends.atom))
+            .any(|(_, constant)| !constant),
+        (_, [a, b]) => extent(*a).end != extent(*b).start,
+        ([one], _) => one
+            .depends
+            .iter()
+            .any(|depends| unknown(depends.atom) && !depends.steady),
+        _ => false,
     }
-    relation
-        .depends
-        .iter()
-        .any(|depends| step.unknowns.contains(&depends.atom) && !depends.steady)
 }
 
 /// The joints of an unknown.
@@ -128,6 +144,11 @@ fn sentence(step: &plan::Step, linkage: &Linkage, objects: &[Object]) -> String 
         (_, [a, b]) => format!(
             "{verb} {unknowns} until {} is what the target makes it",
             measure(a, b)
+        ),
+        (_, [a, b, c, d]) => format!(
+            "{verb} {unknowns} until both {} and {} are what the target makes them",
+            measure(a, b),
+            measure(c, d)
         ),
         _ => format!("solve {unknowns}"),
     }

@@ -1,0 +1,147 @@
+//! What is said of arms of many kinds.
+
+use kin_codegen::explain::{Explanation, ObjectKind, RowRelation, Verdict, check, explain};
+use kin_codegen::{Ik, Options, Source};
+use std::path::Path;
+
+fn robot(file: &str) -> Source {
+    let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
+    Source::read(file, &robots).unwrap()
+}
+
+fn told(source: &Source) -> Explanation {
+    explain(source, &Options::default()).unwrap()
+}
+
+/// A chain of revolute joints by Denavit-Hartenberg parameters d, a, alpha
+/// (degrees).
+fn chain(joints: &[[f64; 3]]) -> Source {
+    let mut text = "robot: arm\nunits: {angle: deg, length: m}\ndh:\n".to_owned();
+    for (i, [d, a, alpha]) in joints.iter().enumerate() {
+        text += &format!("  - {{name: j{i}, theta: 0, d: {d}, a: {a}, alpha: {alpha}}}\n");
+    }
+    Source {
+        path: "arm.yaml".into(),
+        text,
+    }
+}
+
+/// No two axes of the shoulder are parallel or meet.
+const SKEW_SHOULDER: [[f64; 3]; 3] = [[0.3, 0.2, 80.0], [0.1, 0.3, 70.0], [0.1, 0.1, 60.0]];
+const WRIST: [[f64; 3]; 3] = [[0.4, 0.0, 90.0], [0.0, 0.0, -90.0], [0.1, 0.0, 0.0]];
+
+#[test]
+fn a_point_is_named_by_all_the_axes_through_it() {
+    let explanation = told(&robot("puma560.yaml"));
+    let elbow = &explanation.inverse.unwrap().steps[0];
+    assert_eq!(
+        (elbow.subproblem.as_str(), &elbow.unknowns[..]),
+        ("SP3", &["q3".to_owned()][..])
+    );
+    let texts: Vec<&str> = elbow.objects.iter().map(|o| o.text.as_str()).collect();
+    let [shoulder, wrist] = [
+        "the point where axes 1, 2 meet",
+        "the point where axes 4, 5, 6 meet",
+    ];
+    assert!(
+        texts.contains(&shoulder) && texts.contains(&wrist),
+        "{texts:?}"
+    );
+    assert_eq!(elbow.roots, 2);
+    assert!(!elbow.can_degenerate);
+}
+
+#[test]
+fn a_plane_is_named_by_all_the_joints_that_move_in_it() {
+    let explanation = told(&robot("ur5e.urdf"));
+    let pan = &explanation.inverse.unwrap().steps[0];
+    let plane = pan.objects.iter().find(|o| o.kind == ObjectKind::Plane);
+    assert_eq!(plane.unwrap().joints, [2, 3, 4]);
+}
+
+#[test]
+fn two_relations_are_both_told() {
+    let source = chain(&[SKEW_SHOULDER, WRIST].concat());
+    let inverse = told(&source).inverse.unwrap();
+    let quartic = &inverse.steps[0];
+    assert_eq!((quartic.subproblem.as_str(), quartic.roots), ("SP6", 4));
+    assert_eq!(quartic.objects.len(), 4);
+    assert!(quartic.text.contains("until both "), "{}", quartic.text);
+}
+
+#[test]
+fn wrists_and_shoulders_have_their_names() {
+    let of = |source: &Source| -> Vec<(RowRelation, Vec<usize>)> {
+        let rows = told(source).axes.rows;
+        rows.into_iter()
+            .map(|row| (row.relation, row.joints))
+            .collect()
+    };
+    assert_eq!(
+        of(&robot("inverse_elbow.yaml")),
+        [
+            (RowRelation::Parallel, vec![4, 5]),
+            (RowRelation::SphericalShoulder, vec![1, 2, 3]),
+        ]
+    );
+    assert_eq!(
+        of(&robot("stanford.yaml")),
+        [(RowRelation::SphericalWrist, vec![4, 5, 6])]
+    );
+    // The fourth joint slides along the axes of the others.
+    assert_eq!(
+        of(&robot("scara.yaml")),
+        [(RowRelation::Parallel, vec![1, 2, 3])]
+    );
+}
+
+#[test]
+fn branches_share_work() {
+    let cost = told(&robot("ur5e.urdf")).inverse.unwrap().cost;
+    let (one, all) = (cost.one_branch, cost.all_branches);
+    assert!(all.multiplications > one.multiplications);
+    assert!(all.multiplications < 8 * one.multiplications);
+    assert!(all.roots < 8 * one.roots);
+}
+
+#[test]
+fn a_redundant_arm_without_plan_is_explained() {
+    let general = [0.1, 0.2, 70.0];
+    let explanation = told(&chain(&[general; 7]));
+    assert_eq!(explanation.chain.joints.len(), 7);
+    assert!(explanation.inverse.is_none());
+    assert!(explanation.refusal.is_some());
+    assert!(explanation.fk_jacobian.multiplications > 0);
+    assert!(explanation.to_string().contains("skew"));
+}
+
+#[test]
+fn forward_kinematics_alone_is_no_refusal() {
+    let source = chain(&[[0.1, 0.2, 70.0]; 6]);
+    let options = Options {
+        ik: Ik::None,
+        ..Options::default()
+    };
+    let explanation = explain(&source, &options).unwrap();
+    assert_eq!((explanation.inverse, explanation.refusal), (None, None));
+    let verdict = check(&source, &options, 3).verdict;
+    assert!(matches!(
+        verdict,
+        Verdict::Solved {
+            completeness: None,
+            ..
+        }
+    ));
+}
+
+#[test]
+fn a_broken_file_is_told_from_an_arm_without_closed_form() {
+    let general = chain(&[[0.1, 0.2, 70.0]; 6]);
+    let broken = Source {
+        text: general.text.replace("70", "7O"),
+        ..general.clone()
+    };
+    let verdict = |source: &Source| check(source, &Options::default(), 0).verdict;
+    assert!(matches!(verdict(&general), Verdict::Refused(_)));
+    assert!(matches!(verdict(&broken), Verdict::Broken(_)));
+}
