@@ -5,9 +5,9 @@ use crate::expr::inverse::{FreeAngles, Inverse, Slack, inverse};
 use crate::geometry::{Linkage, Snap, size, snap};
 use crate::model::{JointKind, Model};
 use crate::plan::{Plan, Target, search};
-use crate::verify::{self, Certificate, Failure, SOUND, certify, chain};
+use crate::verify::{self, Certificate, Failure, SOUND, Trials, certify, chain};
+use kin_runtime::Pose;
 use kin_runtime::polish::polish;
-use kin_runtime::{Chain, Jacobian, Pose};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
@@ -20,7 +20,7 @@ const UNMOVED: f64 = 1e-13;
 
 /// Newton doubles the digits: two or three steps do at a regular
 /// configuration. Near a singular one the first steps have to find the way.
-const POLISH: usize = 16;
+const POLISH: usize = 24;
 
 /// A root may be out of domain by this many times the shift of the tip and
 /// still have a solution on the literal arm.
@@ -33,6 +33,8 @@ pub struct ClosedForm {
     pub snap: Snap,
     /// Its frames.
     pub linkage: Linkage,
+    /// The frames of the arm as the file has it.
+    pub literal: Linkage,
     /// The plan.
     pub plan: Plan,
     /// The plan as expressions.
@@ -87,6 +89,7 @@ pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> 
     if model.joints.len() > 6 {
         return Err(NoClosedForm::Redundant);
     }
+    let trials = Trials::new(model, target);
     let mut refusal = NoClosedForm::NoPlan;
     let mut best: Option<ClosedForm> = None;
     let mut last: Option<Vec<crate::geometry::Moved>> = None;
@@ -96,7 +99,7 @@ pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> 
             continue;
         }
         last = Some(snap.moved.clone());
-        match solve_snapped(model, snap, target) {
+        match solve_snapped(&trials, snap, target) {
             Ok(solver) => {
                 // The reading that answers more singular targets wins; one
                 // that is exact or answers all cannot be beaten.
@@ -121,46 +124,49 @@ fn better(best: Option<ClosedForm>, other: ClosedForm) -> Option<ClosedForm> {
     }
 }
 
-fn solve_snapped(model: &Model, snap: Snap, target: Target) -> Result<ClosedForm, NoClosedForm> {
+fn solve_snapped(trials: &Trials, snap: Snap, target: Target) -> Result<ClosedForm, NoClosedForm> {
     let linkage = Linkage::new(&snap.model);
-    let tip_shift = tip_shift(model, &snap.model);
-    let relative = tip_shift / size(model);
-    let literal = relative < UNMOVED;
-    let slack = if literal { 0.0 } else { SLACK * relative };
+    let plans = search(&linkage, snap.model.home.translation, target, PLANS);
+    let tip_shift = tip_shift(trials.model(), &snap.model);
+    let literal = tip_shift < UNMOVED * linkage.size;
     let mut refusal = NoClosedForm::NoPlan;
     let mut best: Option<ClosedForm> = None;
-    let plans = search(&linkage, snap.model.home.translation, target, PLANS);
-    // Spending a free angle costs operations: only where zero loses targets.
-    let ways = plans.iter().flat_map(|plan| {
-        let spent = (0..plan.steps.len()).map(FreeAngles::SpentAt);
-        let all = std::iter::once(FreeAngles::Zero).chain(spent);
-        all.filter(|free| free.may_help(plan))
-            .map(|free| (plan.clone(), free))
-    });
-    for (plan, free) in ways {
-        let inverse = inverse(&linkage, &plan, Slack(slack), free);
+    let mut attempt = |plan: &Plan, free: FreeAngles| {
+        let slack = if literal {
+            0.0
+        } else {
+            SLACK * tip_shift / linkage.size
+        };
         let mut solver = ClosedForm {
             snap: snap.clone(),
             linkage: linkage.clone(),
-            inverse,
+            literal: trials.linkage().clone(),
+            plan: plan.clone(),
+            inverse: inverse(&linkage, plan, Slack(slack), free),
             tip_shift,
             polish: if literal { 0 } else { POLISH },
             certificate: Certificate::default(),
-            plan,
         };
-        match certify(model, &solver) {
+        match certify(trials, &solver) {
             Ok(certificate) => {
                 solver.certificate = certificate;
-                if certificate.unanswered == 0 {
-                    return Ok(solver);
-                }
-                best = better(best, solver);
+                best = better(best.take(), solver);
             }
             Err(failure) => {
-                let plan = solver.plan.to_string();
+                let plan = plan.to_string();
                 refusal = NoClosedForm::Uncertified { plan, failure };
             }
         }
+        best.as_ref()
+            .is_some_and(|best| best.certificate.unanswered == 0)
+    };
+    let done = plans.iter().any(|plan| attempt(plan, FreeAngles::Zero));
+    // Spending a free angle costs operations: only where zero loses targets.
+    if let (false, Some(plan)) = (done, plans.first()) {
+        let spent = (0..plan.steps.len()).map(FreeAngles::SpentAt);
+        let _ = spent
+            .filter(|free| free.may_help(plan))
+            .any(|free| attempt(plan, free));
     }
     best.ok_or(refusal)
 }
@@ -191,8 +197,7 @@ impl ClosedForm {
     }
 
     /// What the generated function will answer, computed by the interpreter.
-    /// `literal` is the arm as the file has it.
-    pub fn answers(&self, literal: &Chain, target: &Pose) -> Vec<Answer> {
+    pub fn answers(&self, target: &Pose) -> Vec<Answer> {
         let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
         inputs.extend(target.translation);
         let mut values = Vec::new();
@@ -202,16 +207,15 @@ impl ClosedForm {
             inverse.graph.evaluate(&inputs, branch, &mut values);
             let of = |e: crate::expr::Expr| values[e.index()];
             let mut q: Vec<f64> = inverse.q.iter().map(|&e| of(e)).collect();
-            let mut valid = of(inverse.invalid) <= 0.0;
-            if self.polish > 0 {
-                let distance;
-                (q, distance) = self.polished(literal, target, &q);
-                valid &= distance <= SOUND * self.linkage.size;
-                valid &= !answers.iter().any(|answer| near(&answer.q, &q));
-            } else {
-                valid &= of(inverse.residual) <= SOUND * self.linkage.size;
+            if of(inverse.invalid) > 0.0 {
+                continue;
             }
-            if valid {
+            let mut residual = of(inverse.residual);
+            if self.polish > 0 {
+                (q, residual) = self.polished(target, &q);
+            }
+            let repeated = self.polish > 0 && answers.iter().any(|answer| near(&answer.q, &q));
+            if residual <= SOUND * self.linkage.size && !repeated {
                 let singular = of(inverse.singular) > 0.0;
                 answers.push(Answer {
                     q,
@@ -223,14 +227,14 @@ impl ClosedForm {
         answers
     }
 
-    fn polished(&self, literal: &Chain, target: &Pose, q: &[f64]) -> (Vec<f64>, f64) {
+    fn polished(&self, target: &Pose, q: &[f64]) -> (Vec<f64>, f64) {
         let (mut q, distance) = match q.len() {
-            1 => self.polished_to::<1>(literal, target, q),
-            2 => self.polished_to::<2>(literal, target, q),
-            3 => self.polished_to::<3>(literal, target, q),
-            4 => self.polished_to::<4>(literal, target, q),
-            5 => self.polished_to::<5>(literal, target, q),
-            _ => self.polished_to::<6>(literal, target, q),
+            1 => self.polished_to::<1>(target, q),
+            2 => self.polished_to::<2>(target, q),
+            3 => self.polished_to::<3>(target, q),
+            4 => self.polished_to::<4>(target, q),
+            5 => self.polished_to::<5>(target, q),
+            _ => self.polished_to::<6>(target, q),
         };
         for (x, joint) in q.iter_mut().zip(&self.snap.model.joints) {
             if joint.kind == JointKind::Revolute {
@@ -240,18 +244,9 @@ impl ClosedForm {
         (q, distance)
     }
 
-    fn polished_to<const N: usize>(
-        &self,
-        literal: &Chain,
-        target: &Pose,
-        q: &[f64],
-    ) -> (Vec<f64>, f64) {
+    fn polished_to<const N: usize>(&self, target: &Pose, q: &[f64]) -> (Vec<f64>, f64) {
         let start: [f64; N] = std::array::from_fn(|i| q[i]);
-        let fk_jacobian = |q: &[f64; N]| {
-            let columns = literal.spatial_jacobian(q);
-            let columns = std::array::from_fn(|i| columns[i]);
-            (literal.fk(q), Jacobian::from_columns(columns))
-        };
+        let fk_jacobian = |q: &[f64; N]| self.literal.fk_jacobian(q);
         let size = self.linkage.size;
         let (q, distance) = match self.plan.target {
             Target::Pose => polish::<N, 6>(fk_jacobian, target, start, size, self.polish),

@@ -68,7 +68,9 @@ fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
         }
     });
     quote! {
-        // The closed form is exact for the snapped arm; this is the literal one.
+        if #invalid > 0.0 {
+            continue;
+        }
         let (q, residual) = polish::<#n, #rows>(
             |q| self.fk_jacobian(q),
             pose,
@@ -77,7 +79,7 @@ fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
             #steps,
         );
         solutions.push_distinct_if(
-            (#invalid <= 0.0) & (residual <= #tolerance),
+            residual <= #tolerance,
             Solution {
                 q: [#(#wrapped),*],
                 residual,

@@ -142,7 +142,7 @@ impl Completeness {
         if found.iter().any(|found| found.conditioning < REGULAR) {
             return;
         }
-        let answers = solver.answers(literal, &target);
+        let answers = solver.answers(&target);
         self.targets += 1;
         self.solutions += found.len();
         let lost = found

@@ -16,7 +16,7 @@
 
 use super::{Line, Vec3, along, cross, dot, norm, size, sub, unit};
 use crate::model::{Joint, JointKind, Model};
-use kin_runtime::Pose;
+use kin_runtime::{Jacobian, Pose, Twist};
 use std::ops::Range;
 
 /// Entries of a constant motion below this (relative to the arm's size) are
@@ -138,6 +138,31 @@ impl Linkage {
             .map(|link| link.variable + 1)
             .max()
             .unwrap_or(0)
+    }
+
+    /// The tip's pose and the spatial Jacobian at `q`, in plain numbers.
+    pub fn fk_jacobian<const N: usize>(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
+        let mut pose = self.base;
+        let mut columns = [Twist::default(); N];
+        for link in &self.links {
+            let value = link.gain * q[link.variable] + link.offset;
+            let (twist, motion) = match link.travel {
+                Travel::Turn => {
+                    let axis = column(&pose, 2);
+                    (Twist::revolute(axis, pose.translation), about_z(value))
+                }
+                Travel::Slide(v) => {
+                    let way = Pose {
+                        translation: v.map(|x| x * value),
+                        ..Pose::IDENTITY
+                    };
+                    (Twist::prismatic(pose.rotate(v)), way)
+                }
+            };
+            columns[link.variable] = columns[link.variable] + twist * link.gain;
+            pose = pose * motion * link.after;
+        }
+        (pose, Jacobian::from_columns(columns))
     }
 
     /// The tip's frame at home, in base coordinates.

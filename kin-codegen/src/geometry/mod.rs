@@ -125,5 +125,12 @@ pub fn size(model: &Model) -> f64 {
         here = next;
     }
     length += norm(sub(model.home.translation, here));
-    if length > 0.0 { length } else { 1.0 }
+    // Axes that all meet in the tip leave rounding; then any length will do.
+    let far = model.joints.iter().map(|joint| norm(joint.point));
+    let extent = far.fold(norm(model.home.translation), f64::max);
+    match (length > 1e-9 * extent, extent > 0.0) {
+        (true, _) => length,
+        (false, true) => extent,
+        (false, false) => 1.0,
+    }
 }

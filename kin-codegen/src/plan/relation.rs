@@ -85,8 +85,8 @@ struct Sample {
     axes: Vec<Line>,
 }
 
-/// Below this a dependence is rounding.
-const NOTHING: f64 = 1e-9;
+/// Below this a dependence is rounding; no looser than what snapping leaves.
+const NOTHING: f64 = 1e-11;
 
 impl Samples {
     /// Moves the chain to a few fixed, irregular configurations.

@@ -9,7 +9,7 @@
 
 mod configurations;
 
-use crate::geometry::size;
+use crate::geometry::{Linkage, size};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Answer, ClosedForm};
@@ -21,11 +21,14 @@ use std::fmt;
 
 /// Answers must reach the target to this, relative to the arm's size.
 pub const SOUND: f64 = 1e-9;
-/// Below this independence of the Jacobian's columns, or below the shift of a
-/// snapped arm's tip, a configuration counts as singular: its target may have
-/// a family of solutions, and one representative is enough.
+/// Below this independence of the Jacobian's columns, a configuration counts
+/// as singular: its target may have a family of solutions, and one
+/// representative is enough.
 const SINGULAR: f64 = 1e-5;
 
+/// How far from a singular configuration, in square roots of the relative
+/// shift of a snapped arm's tip, the literal arm's solutions may be lost.
+const BLUR: f64 = 3.0;
 /// Above this, columns of the Jacobian are independent in general.
 const GENERIC: f64 = 1e-9;
 
@@ -36,7 +39,8 @@ pub struct Certificate {
     pub configurations: usize,
     /// Of these, singular: answered by a representative.
     pub singular: usize,
-    /// Singular ones to which no answer was found.
+    /// Singular ones to which no answer was found; on a snapped arm also those
+    /// near a singular one that did not come back.
     pub unanswered: usize,
     /// Answers found in all.
     pub answers: usize,
@@ -75,36 +79,95 @@ impl fmt::Display for Failure {
     }
 }
 
+/// The configurations to try on an arm, with the targets that they make.
+pub struct Trials<'a> {
+    model: &'a Model,
+    linkage: Linkage,
+    chain: Chain,
+    all: Vec<Trial>,
+}
+
+struct Trial {
+    q: Vec<f64>,
+    pose: Pose,
+    /// How far from singular.
+    independence: f64,
+}
+
+impl<'a> Trials<'a> {
+    /// Moves the arm to all the configurations.
+    pub fn new(model: &'a Model, target: Target) -> Self {
+        let (chain, size) = (chain(model), size(model));
+        let trial = |q: Vec<f64>| Trial {
+            pose: chain.fk(&q),
+            independence: independence(&chain, &q, size, target),
+            q,
+        };
+        let all = configurations(model).into_iter().map(trial).collect();
+        Self {
+            model,
+            linkage: Linkage::new(model),
+            chain,
+            all,
+        }
+    }
+
+    /// The arm as the file has it.
+    pub fn model(&self) -> &Model {
+        self.model
+    }
+
+    /// Its frames.
+    pub fn linkage(&self) -> &Linkage {
+        &self.linkage
+    }
+}
+
 /// Runs a closed form against the literal arm.
 ///
 /// # Errors
 ///
 /// The first configuration on which it is not sound, loses the configuration
 /// or doubles an answer.
-pub fn certify(model: &Model, solver: &ClosedForm) -> Result<Certificate, Failure> {
-    let chain = chain(model);
-    let size = size(model);
+pub fn certify(trials: &Trials, solver: &ClosedForm) -> Result<Certificate, Failure> {
+    let size = trials.linkage.size;
     let mut certificate = Certificate::default();
-    for q in configurations(model) {
-        let pose = chain.fk(&q);
-        let independence = independence(&chain, &q, size, solver.plan.target);
-        let answers = solver.answers(&chain, &pose);
+    // Two roots that are nearer than the root of the shift may have met on the
+    // snapped arm, or have left each other.
+    let blurred = BLUR * (solver.tip_shift / size).sqrt();
+    for Trial {
+        q,
+        pose,
+        independence,
+    } in &trials.all
+    {
+        let answers = solver.answers(pose);
         certificate.configurations += 1;
         certificate.answers += answers.len();
         for answer in &answers {
-            let distance = distance(&chain.fk(&answer.q), &pose, size, solver.plan.target);
+            let found = trials.chain.fk(&answer.q);
+            let distance = distance(&found, pose, size, solver.plan.target);
             certificate.worst_residual = certificate.worst_residual.max(distance);
             if distance.is_nan() || distance > SOUND * size {
-                return Err(Failure::Unsound { q, distance });
+                return Err(Failure::Unsound {
+                    q: q.clone(),
+                    distance,
+                });
             }
         }
-        if independence < SINGULAR.max(2.0 * solver.tip_shift / size) {
+        if *independence < SINGULAR {
             certificate.singular += 1;
             certificate.unanswered += usize::from(answers.is_empty());
             continue;
         }
         certificate.most_answers = certificate.most_answers.max(answers.len());
-        recovered(model, &q, &answers, independence)?;
+        match recovered(trials.model, q, &answers, *independence) {
+            Err(Failure::Lost(_)) if *independence < blurred => {
+                certificate.singular += 1;
+                certificate.unanswered += 1;
+            }
+            other => other?,
+        }
     }
     Ok(certificate)
 }

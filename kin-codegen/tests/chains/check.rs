@@ -61,7 +61,7 @@ impl Solved {
     /// includes `q`.
     pub fn check(&self, q: &[f64]) -> Check {
         let pose = self.chain.fk(q);
-        let answers = self.form.answers(&self.chain, &pose);
+        let answers = self.form.answers(&pose);
         self.sound(&answers, &pose)?;
         self.distinct(&answers)?;
         if self.conditioning(q) > REGULAR {

@@ -11,6 +11,9 @@ use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 /// Roots of a difference: where cancellation leaves noise, relative to the
 /// square of the amplitude. Branches nearer than its square root are one.
 const NOISE: f64 = 1e-13;
+/// On a snapped arm a root may be out of domain by this many times the slack
+/// and still have a solution on the literal one: later steps amplify.
+const OUTSIDE: f64 = 10.0;
 /// A root this small (angle 1e-7) is reported singular.
 const SINGULAR: f64 = 1e-14;
 /// Vectors shorter than this, squared and relative to the arm's size, have no
@@ -240,13 +243,13 @@ impl Writer<'_> {
             let k = g.constant(k);
             g.mul(k, amplitude)
         };
-        let least = scaled(&mut self.g, -(noise.max(slack)));
+        let least = scaled(&mut self.g, -noise.max(OUTSIDE * slack));
         let near = scaled(&mut self.g, noise.max(SINGULAR));
         let minus = self.g.neg(sign);
         self.watch(discriminant, near);
         if slack > 0.0 {
             // The polish decides: branches start apart, and meet if they must.
-            let apart = scaled(&mut self.g, slack * slack);
+            let apart = scaled(&mut self.g, slack);
             let invalid = self.g.select_less(discriminant, least, one, zero);
             self.refuse(invalid);
             let kept = self.g.max(discriminant, apart);
@@ -478,7 +481,9 @@ impl Writer<'_> {
         self.singular = self.g.max(self.singular, is_double);
         let present = self.g.select_less(double, state, zero, one);
         let absent = self.g.select_less(some, state, present, zero);
-        self.refuse(absent);
+        if self.slack.0 == 0.0 {
+            self.refuse(absent);
+        }
         Trig { sin, cos }
     }
 
