@@ -1,10 +1,12 @@
-//! Singular answers are flagged, regular ones are not.
+//! Singular answers are flagged, regular ones are not, and a singular target
+//! has at least one answer.
 
 use crate::subject::Subject;
 use kinematics::Kinematics;
 
 for_every_robot!(regular_answers_are_not_flagged);
 for_every_robot!(singular_answers_are_flagged);
+for_every_robot!(singular_targets_are_answered);
 
 /// Where the Jacobian has lost rank, to rounding.
 const SINGULAR: f64 = 1e-12;
@@ -26,5 +28,15 @@ fn singular_answers_are_flagged<K: Kinematics<N>, const N: usize>(robot: &Subjec
             let singular = robot.conditioning(&answer.q) < SINGULAR;
             assert!(!singular || answer.singular, "{answer:?} of {q:?}");
         }
+    }
+}
+
+fn singular_targets_are_answered<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    for q in robot.structured() {
+        let answers = robot.ik(&robot.chain.fk(&q));
+        assert!(!answers.is_empty(), "no answer to the target of {q:?}");
+        let singular = robot.conditioning(&q) < SINGULAR;
+        let flagged = answers.iter().any(|answer| answer.singular);
+        assert!(!singular || flagged, "{q:?}: {answers:#?}");
     }
 }

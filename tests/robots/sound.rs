@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 for_every_robot!(answers_reach_the_target);
 for_every_robot!(answers_to_other_poses_reach_them);
-for_every_robot!(regular_answers_are_distinct);
+for_every_robot!(answers_are_distinct);
 for_every_robot!(angles_are_in_range);
 for_every_robot!(branches_are_in_order);
 
@@ -50,11 +50,10 @@ fn answers_to_other_poses_reach_them<K: Kinematics<N>, const N: usize>(robot: &S
     }
 }
 
-fn regular_answers_are_distinct<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+fn answers_are_distinct<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for_every_target(robot, |q, answers| {
-        let regular: Vec<_> = answers.iter().filter(|answer| !answer.singular).collect();
-        for (i, a) in regular.iter().enumerate() {
-            for b in &regular[..i] {
+        for (i, a) in answers.iter().enumerate() {
+            for b in &answers[..i] {
                 assert!(robot.apart(&a.q, &b.q) > SAME, "{a:?} and {b:?} of {q:?}");
             }
         }
