@@ -44,14 +44,14 @@ fn structured_targets_have_all_regular_answers<K: Kinematics<N>, const N: usize>
 }
 
 /// Exactly one answer is this solution.
-fn assert_matched<K: Kinematics<N>, const N: usize>(
+pub fn assert_matched<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
     solution: &ChainSolution,
     answers: &[Solution<N>],
-    q: &[f64; N],
+    target: &impl std::fmt::Debug,
 ) {
     let tolerance = SEARCH / robot.conditioning(&solution.q);
     let same = |answer: &&Solution<N>| robot.apart(&answer.q, &solution.q) < tolerance;
     let count = answers.iter().filter(same).count();
-    assert_eq!(count, 1, "{solution:?} of {q:?} among {answers:#?}");
+    assert_eq!(count, 1, "{solution:?} of {target:?} among {answers:#?}");
 }

@@ -17,7 +17,7 @@ fn configurations<K: Kinematics<N>, const N: usize>(
     robot.random(100).chain(robot.structured())
 }
 
-fn poses_agree<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn poses_agree<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in configurations(robot) {
         let expected = robot.chain.fk(&q);
         assert!(entrywise(&robot.arm.fk(&q), &expected) < ROUNDING, "{q:?}");
@@ -30,7 +30,7 @@ fn poses_agree<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     }
 }
 
-fn jacobians_agree<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn jacobians_agree<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     let (arm, chain) = (&robot.arm, &robot.chain);
     for q in configurations(robot) {
         let spatial = chain.spatial_jacobian(&q);

@@ -35,11 +35,11 @@ fn assert_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>, va
     }
 }
 
-fn not_a_number_has_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn not_a_number_has_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     assert_no_answers(robot, f64::NAN);
 }
 
-fn infinity_has_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn infinity_has_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     assert_no_answers(robot, f64::INFINITY);
     assert_no_answers(robot, f64::NEG_INFINITY);
 }

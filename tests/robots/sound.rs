@@ -25,7 +25,7 @@ fn for_every_target<K: Kinematics<N>, const N: usize>(
     }
 }
 
-fn answers_reach_the_target<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn answers_reach_the_target<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for_every_target(robot, |q, answers| {
         let target = robot.chain.fk(q);
         for answer in answers {
@@ -50,7 +50,7 @@ fn answers_to_other_poses_reach_them<K: Kinematics<N>, const N: usize>(robot: &S
     }
 }
 
-fn answers_are_distinct<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn answers_are_distinct<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for_every_target(robot, |q, answers| {
         for (i, a) in answers.iter().enumerate() {
             for b in &answers[..i] {
@@ -60,7 +60,7 @@ fn answers_are_distinct<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>)
     });
 }
 
-fn angles_are_in_range<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn angles_are_in_range<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for_every_target(robot, |q, answers| {
         for answer in answers {
             let angles = (0..N).filter(|&i| robot.turns(i)).map(|i| answer.q[i]);

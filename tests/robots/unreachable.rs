@@ -6,7 +6,7 @@ use kinematics::{Goal, Kinematics, Pose};
 for_every_robot!(far_targets_have_no_answers);
 for_every_robot!(orientations_out_of_reach_have_no_answers);
 
-fn far_targets_have_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn far_targets_have_no_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.random(50) {
         let pose = robot.chain.fk(&q);
         for axis in 0..3 {

@@ -1,17 +1,16 @@
-//! The robots. A property is a function of one robot; it becomes a test for
-//! each of them.
+//! The robots: all of `robots/`, and some whose files are noisy. A property is
+//! a function of one robot; it becomes a test for each of them.
 
-/// Compiles the robots, and defines `for_every_robot!(property)`.
+/// Compiles robots, and defines a macro `$for_every!(property)` that makes the
+/// generic function `property(&Subject<_, N>)` one test for each of them.
 macro_rules! robots {
-    ($($test:ident $name:ident $path:literal)*) => {
+    ($files:ident $for_every:ident: $($test:ident $name:ident $path:literal)*) => {
         $(kinematics::kinematics!($path);)*
 
-        /// The files that are tested.
-        pub const FILES: &[&str] = &[$($path),*];
+        /// Where they are described.
+        pub const $files: &[&str] = &[$($path),*];
 
-        /// The generic function `$property(&Subject<_, N>)` as one test for
-        /// every robot.
-        macro_rules! for_every_robot {
+        macro_rules! $for_every {
             ($property:ident) => {
                 mod $property {
                     use crate::{subject::Subject, zoo};
@@ -26,6 +25,7 @@ macro_rules! robots {
 }
 
 robots! {
+    EXACT for_every_robot:
     elbow Elbow "robots/elbow.yaml"
     inverse_elbow InverseElbow "robots/inverse_elbow.yaml"
     irb6640 Irb6640 "robots/irb6640.yaml"
@@ -40,14 +40,28 @@ robots! {
     ur5e Ur5e "robots/ur5e.urdf"
 }
 
-#[test]
-fn no_robot_is_left_out() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/robots");
+robots! {
+    NOISY for_every_noisy_robot:
+    calibrated Calibrated "tests/robots/noisy/calibrated.yaml"
+    rounded_right_angles RoundedRightAngles "tests/robots/noisy/rounded_right_angles.yaml"
+    stray_offset StrayOffset "tests/robots/noisy/stray_offset.yaml"
+    ten_digits TenDigits "tests/robots/noisy/ten_digits.yaml"
+    truncated_pi TruncatedPi "tests/robots/noisy/truncated_pi.yaml"
+}
+
+/// The files of a folder, by their paths in the project.
+fn files(folder: &str) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
     let mut files: Vec<String> = entries
-        .map(|entry| format!("robots/{}", entry.unwrap().file_name().display()))
+        .map(|entry| format!("{folder}/{}", entry.unwrap().file_name().display()))
         .filter(|file| file.ends_with(".yaml") || file.ends_with(".urdf"))
         .collect();
     files.sort();
-    assert_eq!(files, FILES);
+    files
+}
+
+#[test]
+fn no_robot_is_left_out() {
+    assert_eq!(files("robots"), EXACT);
+    assert_eq!(files("tests/robots/noisy"), NOISY);
 }

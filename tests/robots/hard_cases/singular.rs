@@ -1,0 +1,87 @@
+//! On the way into a singularity: answers stay sound, the configuration is
+//! found as precisely as it is determined, and at the singularity itself a
+//! representative is flagged.
+
+use crate::subject::Subject;
+use crate::zoo::{Elbow, InverseElbow, Irb6640, Kr6R900, Puma560, Stanford, Tx60, Ur5e, Ur10e};
+use kinematics::Kinematics;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// How far from the singularity, radians.
+const STEPS: [f64; 9] = [0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
+/// What answers may miss the target by, relative to the arm's size. This near
+/// to a singularity its representative is an answer.
+const SOUND: f64 = 1e-9;
+/// Rounding in the target, which conditioning magnifies.
+const ROUNDING: f64 = 1e-12;
+
+/// Moves one joint away from a singular configuration, to both sides.
+fn approach<K: Kinematics<6>>(robot: Subject<K, 6>, singular: [f64; 6], joint: usize) {
+    for step in STEPS.into_iter().flat_map(|step| [step, -step]) {
+        let mut q = singular;
+        q[joint] += step;
+        let target = robot.chain.fk(&q);
+        let answers = robot.ik(&target);
+        assert!(!answers.is_empty(), "{q:?}");
+        for answer in &answers {
+            let miss = robot.miss(&answer.q, &target);
+            assert!(miss <= SOUND, "{answer:?} misses that of {q:?} by {miss:e}");
+        }
+        let flagged = answers.iter().any(|answer| answer.singular);
+        assert!(flagged || step != 0.0, "{q:?}: {answers:#?}");
+        let tolerance = ROUNDING / robot.conditioning(&q);
+        let recovered = answers
+            .iter()
+            .any(|answer| robot.apart(&answer.q, &q) < tolerance);
+        assert!(
+            recovered || step.abs() <= SOUND,
+            "{q:?} to {tolerance:e}: {answers:#?}"
+        );
+    }
+}
+
+#[test]
+fn fourth_and_sixth_axis_in_line() {
+    let straight = [0.3, -0.6, 0.8, 0.4, 0.0, -0.9];
+    approach(Subject::new(Irb6640, "robots/irb6640.yaml"), straight, 4);
+    approach(Subject::new(Kr6R900, "robots/kr6_r900.yaml"), straight, 4);
+    approach(Subject::new(Puma560, "robots/puma560.yaml"), straight, 4);
+    approach(Subject::new(Tx60, "robots/tx60.yaml"), straight, 4);
+    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), straight, 4);
+    approach(Subject::new(Ur10e, "robots/ur10e.yaml"), straight, 4);
+    let turned_back = [0.3, -0.6, 0.8, 0.4, PI, -0.9];
+    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), turned_back, 4);
+    approach(Subject::new(Puma560, "robots/puma560.yaml"), turned_back, 4);
+    let quarter = [0.3, -0.6, 0.2, 0.4, FRAC_PI_2, -0.9];
+    approach(
+        Subject::new(Elbow, "robots/elbow.yaml"),
+        [0.3, -0.6, 0.8, 0.4, FRAC_PI_2, -0.9],
+        4,
+    );
+    approach(Subject::new(Stanford, "robots/stanford.yaml"), quarter, 4);
+}
+
+#[test]
+fn elbow_stretched() {
+    let stretched = [0.3, -0.6, 0.0, 0.4, 0.7, -0.9];
+    approach(Subject::new(Elbow, "robots/elbow.yaml"), stretched, 2);
+    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), stretched, 2);
+    approach(Subject::new(Ur10e, "robots/ur10e.yaml"), stretched, 2);
+    // The forearm is offset: 35 mm beside 420 mm.
+    let offset = [0.3, -0.6, 35_f64.atan2(420.0), 0.4, 0.7, -0.9];
+    approach(Subject::new(Kr6R900, "robots/kr6_r900.yaml"), offset, 2);
+    // Read backwards, the elbow is the fourth joint.
+    let backwards = [0.9, -0.7, -0.4, 0.0, 0.6, -0.3];
+    approach(
+        Subject::new(InverseElbow, "robots/inverse_elbow.yaml"),
+        backwards,
+        3,
+    );
+}
+
+#[test]
+fn elbow_folded() {
+    let folded = [0.3, -0.6, PI, 0.4, 0.7, -0.9];
+    approach(Subject::new(Elbow, "robots/elbow.yaml"), folded, 2);
+    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), folded, 2);
+}
