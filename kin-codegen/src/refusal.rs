@@ -58,7 +58,7 @@ pub fn no_closed_form(source: &Source, model: &Model, reason: &NoClosedForm) -> 
             "{n} joints reach a pose in infinitely many ways, and no joint was chosen to stay free"
         ),
         NoClosedForm::NoPlan => format!(
-            "no sequence of the subproblems SP1 to SP4 solves the chain: {}",
+            "no sequence of the subproblems SP1 to SP6 solves the chain: {}",
             structure(model)
         ),
         NoClosedForm::Uncertified { plan, failure } => {

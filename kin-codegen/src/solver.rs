@@ -71,6 +71,8 @@ pub enum NoClosedForm {
 pub struct Answer {
     /// The configuration.
     pub q: Vec<f64>,
+    /// Its distance from the target, metres.
+    pub residual: f64,
     /// Its branch.
     pub branch: u32,
     /// Whether it stands for a family or a double root.
@@ -206,53 +208,61 @@ impl ClosedForm {
             let inverse = &self.inverse;
             inverse.graph.evaluate(&inputs, branch, &mut values);
             let of = |e: crate::expr::Expr| values[e.index()];
-            let mut q: Vec<f64> = inverse.q.iter().map(|&e| of(e)).collect();
             if of(inverse.invalid) > 0.0 {
                 continue;
             }
-            let mut residual = of(inverse.residual);
-            if self.polish > 0 {
-                (q, residual) = self.polished(target, &q);
-            }
-            let repeated = self.polish > 0 && answers.iter().any(|answer| near(&answer.q, &q));
-            if residual <= SOUND * self.linkage.size && !repeated {
-                let singular = of(inverse.singular) > 0.0;
-                answers.push(Answer {
-                    q,
-                    branch,
-                    singular,
-                });
+            let q: Vec<f64> = inverse.q.iter().map(|&e| of(e)).collect();
+            let (residual, singular) = (of(inverse.residual), of(inverse.singular) > 0.0);
+            let found = Answer {
+                q,
+                residual,
+                branch,
+                singular,
+            };
+            let answer = if self.polish > 0 {
+                self.polished(target, found)
+            } else {
+                found
+            };
+            let repeated = self.polish > 0 && answers.iter().any(|other| near(&other.q, &answer.q));
+            if answer.residual <= SOUND * self.linkage.size && !repeated {
+                answers.push(answer);
             }
         }
         answers
     }
 
-    fn polished(&self, target: &Pose, q: &[f64]) -> (Vec<f64>, f64) {
-        let (mut q, distance) = match q.len() {
-            1 => self.polished_to::<1>(target, q),
-            2 => self.polished_to::<2>(target, q),
-            3 => self.polished_to::<3>(target, q),
-            4 => self.polished_to::<4>(target, q),
-            5 => self.polished_to::<5>(target, q),
-            _ => self.polished_to::<6>(target, q),
+    fn polished(&self, target: &Pose, answer: Answer) -> Answer {
+        let mut landed = match answer.q.len() {
+            1 => self.polished_to::<1>(target, answer),
+            2 => self.polished_to::<2>(target, answer),
+            3 => self.polished_to::<3>(target, answer),
+            4 => self.polished_to::<4>(target, answer),
+            5 => self.polished_to::<5>(target, answer),
+            _ => self.polished_to::<6>(target, answer),
         };
-        for (x, joint) in q.iter_mut().zip(&self.snap.model.joints) {
+        for (x, joint) in landed.q.iter_mut().zip(&self.snap.model.joints) {
             if joint.kind == JointKind::Revolute {
                 *x = kin_runtime::math::wrap(*x);
             }
         }
-        (q, distance)
+        landed
     }
 
-    fn polished_to<const N: usize>(&self, target: &Pose, q: &[f64]) -> (Vec<f64>, f64) {
-        let start: [f64; N] = std::array::from_fn(|i| q[i]);
+    fn polished_to<const N: usize>(&self, target: &Pose, answer: Answer) -> Answer {
+        let start: [f64; N] = std::array::from_fn(|i| answer.q[i]);
         let fk_jacobian = |q: &[f64; N]| self.literal.fk_jacobian(q);
         let size = self.linkage.size;
-        let (q, distance) = match self.plan.target {
+        let landed = match self.plan.target {
             Target::Pose => polish::<N, 6>(fk_jacobian, target, start, size, self.polish),
             Target::Position => polish::<N, 3>(fk_jacobian, target, start, size, self.polish),
         };
-        (q.to_vec(), distance)
+        Answer {
+            q: landed.q.to_vec(),
+            residual: landed.residual,
+            singular: landed.singular,
+            ..answer
+        }
     }
 }
 

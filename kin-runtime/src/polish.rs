@@ -5,6 +5,26 @@ use crate::{Jacobian, Pose, math};
 /// Relative to the arm's size, a residual below this is rounding.
 const ROUNDING: f64 = 1e-14;
 
+/// No joint moves by more than this in one step; radians or metres. Short steps follow Newton's flow, along which the error
+/// shrinks in its own direction, and so stay on the branch that they are on.
+const STRIDE: f64 = 0.1;
+
+/// Below this a pivot of the Jacobian, relative to the largest, is that of a
+/// singular configuration.
+const SINGULAR: f64 = 1e-5;
+
+/// Where [`polish`] has landed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polished<const N: usize> {
+    /// The best configuration; angles are not wrapped.
+    pub q: [f64; N],
+    /// Its distance from the target, metres: the translation error and the
+    /// angle times the arm's size, as the legs of a right triangle.
+    pub residual: f64,
+    /// The Jacobian loses rank there.
+    pub singular: bool,
+}
+
 /// Levenberg-Marquardt from a configuration that nearly reaches the target,
 /// until it is there to rounding, for at most `steps` evaluations.
 ///
@@ -12,9 +32,7 @@ const ROUNDING: f64 = 1e-14;
 /// size in metres, which weighs angles against lengths. The damping begins as
 /// the square of the error, so that convergence is quadratic at a regular
 /// configuration, and grows where a step does not help, as near a singular
-/// one. Returns the best configuration, whose angles are not wrapped, and its distance from the
-/// target: the translation error and the angle times `size`, as the legs of a
-/// right triangle; metres.
+/// one.
 ///
 /// `ROWS` is 6 for a full pose and 3 for a position alone.
 ///
@@ -27,8 +45,8 @@ const ROUNDING: f64 = 1e-14;
 ///     (turn * out, Jacobian::from_columns([Twist::revolute([0.0, 0.0, 1.0], [0.0; 3])]))
 /// };
 /// let (target, _) = arm(&[0.5]);
-/// let (q, residual) = polish::<1, 6>(arm, &target, [0.501], 1.0, 3);
-/// assert!((q[0] - 0.5).abs() < 1e-15 && residual < 1e-15);
+/// let landed = polish::<1, 6>(arm, &target, [0.501], 1.0, 4);
+/// assert!((landed.q[0] - 0.5).abs() < 1e-15 && landed.residual < 1e-15);
 /// ```
 #[inline]
 pub fn polish<const N: usize, const ROWS: usize>(
@@ -37,12 +55,14 @@ pub fn polish<const N: usize, const ROWS: usize>(
     mut q: [f64; N],
     size: f64,
     steps: usize,
-) -> ([f64; N], f64) {
+) -> Polished<N> {
     let (mut pose, mut spatial) = fk_jacobian(&q);
     let mut residual = distance::<ROWS>(&pose, target, size);
     let mut caution = 1.0;
-    for _ in 1..steps {
-        if residual < ROUNDING * size {
+    let mut singular = false;
+    for step in 1..steps {
+        // The first step is taken in any case, to see the Jacobian's pivots.
+        if residual < ROUNDING * size && step > 1 {
             break;
         }
         let (error, rows) = if ROWS == 6 {
@@ -51,8 +71,11 @@ pub fn polish<const N: usize, const ROWS: usize>(
             position_error(&pose, target, &spatial)
         };
         let damping = caution * (residual / size) * (residual / size);
-        let step = damped_least_squares::<N, ROWS>(&rows, &error, size, damping);
-        let trial = core::array::from_fn(|i| q[i] + step[i]);
+        let (step, weakest) = damped_least_squares::<N, ROWS>(&rows, &error, size, damping);
+        singular = weakest < SINGULAR;
+        let longest = step.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let stride = STRIDE / longest.max(STRIDE);
+        let trial = core::array::from_fn(|i| q[i] + stride * step[i]);
         let (trial_pose, trial_spatial) = fk_jacobian(&trial);
         let trial_residual = distance::<ROWS>(&trial_pose, target, size);
         if trial_residual < residual {
@@ -62,7 +85,11 @@ pub fn polish<const N: usize, const ROWS: usize>(
             caution *= 30.0;
         }
     }
-    (q, residual)
+    Polished {
+        q,
+        residual,
+        singular,
+    }
 }
 
 fn distance<const ROWS: usize>(pose: &Pose, target: &Pose, size: f64) -> f64 {
@@ -118,13 +145,14 @@ fn position_error<const N: usize>(
     (error, rows)
 }
 
-/// (JᵀJ + λ I) x = Jᵀe with linear rows in units of `size`, by Cholesky.
+/// (JᵀJ + λ I) x = Jᵀe with linear rows in units of `size`, by Cholesky; and
+/// the least pivot of J relative to the largest.
 fn damped_least_squares<const N: usize, const ROWS: usize>(
     rows: &[[f64; N]; 6],
     error: &[f64; 6],
     size: f64,
     damping: f64,
-) -> [f64; N] {
+) -> ([f64; N], f64) {
     let weight: [f64; 6] = core::array::from_fn(|i| if i < 3 { 1.0 / (size * size) } else { 1.0 });
     let mut a = [[0.0; N]; N];
     let mut x = [0.0; N];
@@ -137,12 +165,13 @@ fn damped_least_squares<const N: usize, const ROWS: usize>(
             }
         }
     }
-    cholesky_solve(&mut a, &mut x, damping);
-    x
+    let weakest = cholesky_solve(&mut a, &mut x, damping);
+    (x, weakest)
 }
 
 /// Solves (A + λ I) x = b in place; only the lower triangle of A is read.
-fn cholesky_solve<const N: usize>(a: &mut [[f64; N]; N], x: &mut [f64; N], damping: f64) {
+/// Returns the least diagonal entry of the factor relative to the largest.
+fn cholesky_solve<const N: usize>(a: &mut [[f64; N]; N], x: &mut [f64; N], damping: f64) -> f64 {
     let mut inverse = [0.0; N];
     for i in 0..N {
         a[i][i] += damping;
@@ -168,4 +197,9 @@ fn cholesky_solve<const N: usize>(a: &mut [[f64; N]; N], x: &mut [f64; N], dampi
         }
         x[i] *= inverse[i];
     }
+    let least = inverse.iter().fold(0.0, |most: f64, x| most.max(*x));
+    let largest = inverse
+        .iter()
+        .fold(f64::INFINITY, |least: f64, x| least.min(*x));
+    largest / least
 }

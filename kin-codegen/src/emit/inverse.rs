@@ -62,16 +62,16 @@ fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
     let wrapped = (0..model.variables.len()).map(|i| {
         let index = Literal::usize_unsuffixed(i);
         if model.turns(i) {
-            quote!(math::wrap(q[#index]))
+            quote!(math::wrap(landed.q[#index]))
         } else {
-            quote!(q[#index])
+            quote!(landed.q[#index])
         }
     });
     quote! {
         if #invalid > 0.0 {
             continue;
         }
-        let (q, residual) = polish::<#n, #rows>(
+        let landed = polish::<#n, #rows>(
             |q| self.fk_jacobian(q),
             pose,
             [#(#q),*],
@@ -79,12 +79,12 @@ fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
             #steps,
         );
         solutions.push_distinct_if(
-            residual <= #tolerance,
+            landed.residual <= #tolerance,
             Solution {
                 q: [#(#wrapped),*],
-                residual,
+                residual: landed.residual,
                 branch: k as u32,
-                singular: #singular > 0.0,
+                singular: landed.singular,
             },
         );
     }

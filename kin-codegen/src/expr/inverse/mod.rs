@@ -249,24 +249,28 @@ impl<'a> Writer<'a> {
                         let offset = self.g.constant(link.offset);
                         self.g.sub(slide, offset)
                     }
-                    Travel::Turn => {
-                        let angle = match self.trig[joint] {
-                            Some(t) => self.g.atan2(t.sin, t.cos),
-                            None => zero,
-                        };
-                        let offset = self.g.constant(link.offset);
-                        let mut value = self.g.sub(angle, offset);
-                        if link.gain < 0.0 {
-                            value = self.g.neg(value);
-                        }
-                        self.g.wrap(value)
-                    }
+                    Travel::Turn => self.turned(joint),
                 };
                 let symbol = format!("q{}", link.variable + 1);
                 q[link.variable] = self.g.named(value, symbol);
             }
         }
         q
+    }
+
+    /// q of a joint that turns: its angle without the offset, and in the sense
+    /// of its own axis, in (−π, π].
+    fn turned(&mut self, joint: usize) -> Expr {
+        let link = &self.linkage.links[joint];
+        let (backwards, offset) = (link.gain < 0.0, link.offset);
+        let Some(mut trig) = self.trig[joint] else { return self.g.zero() };
+        if backwards {
+            trig = self.g.reverse(trig);
+        }
+        let angle = self.g.atan2(trig.sin, trig.cos);
+        let offset = self.g.constant(if backwards { offset } else { -offset });
+        let value = self.g.add(angle, offset);
+        self.g.wrap(value)
     }
 
     /// The distance of forward kinematics from the target: translation error
