@@ -263,7 +263,9 @@ impl<'a> Writer<'a> {
     fn turned(&mut self, joint: usize) -> Expr {
         let link = &self.linkage.links[joint];
         let (backwards, offset) = (link.gain < 0.0, link.offset);
-        let Some(mut trig) = self.trig[joint] else { return self.g.zero() };
+        let Some(mut trig) = self.trig[joint] else {
+            return self.g.zero();
+        };
         if backwards {
             trig = self.g.reverse(trig);
         }
