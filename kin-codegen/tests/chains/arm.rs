@@ -164,6 +164,29 @@ pub fn any_arm(steps: &[Step]) -> impl Strategy<Value = Arm> + use<> {
     })
 }
 
+/// A turn and a shift in [-1, 1]³.
+type Flaw = [[f64; 3]; 2];
+
+/// Arms of a structure whose axes are off it by up to one of the `levels`: an
+/// angle, and a distance.
+pub fn noisy_arm(steps: &[Step], levels: &[[f64; 2]]) -> impl Strategy<Value = Arm> + use<> {
+    let vector = || [-1.0..1.0, -1.0..1.0, -1.0..1.0];
+    let flaws = vec([vector(), vector()], steps.len());
+    let level = proptest::sample::select(levels.to_vec());
+    (arm(steps), flaws, level).prop_map(|(arm, flaws, level)| flawed(arm, &flaws, level))
+}
+
+/// Turns and shifts the axes.
+fn flawed(mut arm: Arm, flaws: &[Flaw], [angle, distance]: [f64; 2]) -> Arm {
+    for (joint, [turn, shift]) in arm.0.joints.iter_mut().zip(flaws) {
+        let turned: [f64; 3] = std::array::from_fn(|i| joint.axis[i] + angle * turn[i]);
+        let length = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
+        joint.axis = turned.map(|x| x / length);
+        joint.point = std::array::from_fn(|i| joint.point[i] + distance * shift[i]);
+    }
+    arm
+}
+
 /// A joint about or along the z axis of a frame.
 fn joint(i: usize, kind: JointKind, frame: Pose, slide: f64) -> Joint {
     Joint {

@@ -117,6 +117,13 @@ impl Solved {
         Ok(())
     }
 
+    /// The least conditioning of all configurations with the target of `q`.
+    pub fn least_conditioning(&self, q: &[f64]) -> f64 {
+        let found = self.chain.ik_all(&self.chain.fk(q), &self.search());
+        let conditioning = found.iter().map(|solution| self.conditioning(&solution.q));
+        conditioning.fold(f64::INFINITY, f64::min)
+    }
+
     /// How the arm was read.
     fn reading(&self) -> String {
         let (shift, steps) = (self.form.tip_shift, self.form.polish);

@@ -10,6 +10,7 @@ mod settings;
 mod structures;
 
 mod arbitrary;
+mod noisy;
 mod sliding;
 mod spherical_wrist;
 mod three_parallel;
