@@ -5,9 +5,12 @@ use crate::{Jacobian, Pose, math};
 /// Relative to the arm's size, a residual below this is rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// No joint moves by more than this in one step; radians or metres. Short steps follow Newton's flow, along which the error
-/// shrinks in its own direction, and so stay on the branch that they are on.
-const STRIDE: f64 = 0.1;
+/// No joint moves by more than this in one step; radians or metres. Short
+/// steps follow Newton's flow and so stay on the branch that they are on.
+const STRIDE: f64 = 0.3;
+
+/// A step shorter than this share of Newton's leads nowhere.
+const LEAST_SHARE: f64 = 1e-3;
 
 /// Below this a pivot of the Jacobian, relative to the largest, is that of a
 /// singular configuration.
@@ -16,7 +19,7 @@ const SINGULAR: f64 = 1e-5;
 /// Where [`polish`] has landed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polished<const N: usize> {
-    /// The best configuration; angles are not wrapped.
+    /// The last configuration; angles are not wrapped.
     pub q: [f64; N],
     /// Its distance from the target, metres: the translation error and the
     /// angle times the arm's size, as the legs of a right triangle.
@@ -25,14 +28,15 @@ pub struct Polished<const N: usize> {
     pub singular: bool,
 }
 
-/// Levenberg-Marquardt from a configuration that nearly reaches the target,
-/// until it is there to rounding, for at most `steps` evaluations.
+/// Newton from a configuration that nearly reaches the target, until it is
+/// there to rounding, for at most `steps` evaluations.
 ///
 /// `fk_jacobian` gives the pose and the spatial Jacobian; `size` is the arm's
-/// size in metres, which weighs angles against lengths. The damping begins as
-/// the square of the error, so that convergence is quadratic at a regular
-/// configuration, and grows where a step does not help, as near a singular
-/// one.
+/// size in metres, which weighs angles against lengths. Steps are damped by
+/// the natural monotonicity test (Deuflhard, Newton Methods for Nonlinear
+/// Problems, section 3.3): what has to shrink is the next correction of the
+/// joints, not the residual, which near a singular configuration has to grow
+/// on the way to a solution that is a tenth of a radian off.
 ///
 /// `ROWS` is 6 for a full pose and 3 for a position alone.
 ///
@@ -52,44 +56,80 @@ pub struct Polished<const N: usize> {
 pub fn polish<const N: usize, const ROWS: usize>(
     fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
     target: &Pose,
-    mut q: [f64; N],
+    q: [f64; N],
     size: f64,
     steps: usize,
 ) -> Polished<N> {
-    let (mut pose, mut spatial) = fk_jacobian(&q);
-    let mut residual = distance::<ROWS>(&pose, target, size);
-    let mut caution = 1.0;
-    let mut singular = false;
-    for step in 1..steps {
-        // The first step is taken in any case, to see the Jacobian's pivots.
-        if residual < ROUNDING * size && step > 1 {
+    let look = |q: [f64; N]| Place::<N, ROWS>::new(q, &fk_jacobian, target, size);
+    let mut here = look(q);
+    let mut factor = Factor::new(&here.rows);
+    let mut step = factor.solve(&here.error);
+    let mut share: f64 = 1.0;
+    for _ in 1..steps {
+        if here.residual < ROUNDING * size {
             break;
         }
+        let length = norm(&step);
+        share = share.min(STRIDE / length.max(STRIDE));
+        let there = look(core::array::from_fn(|i| here.q[i] + share * step[i]));
+        // The correction that the same Jacobian would make next.
+        let next = factor.solve(&there.error);
+        let unforeseen: [f64; N] = core::array::from_fn(|i| next[i] - (1.0 - share) * step[i]);
+        let bend = 2.0 * norm(&unforeseen) / (share * share * length).max(f64::MIN_POSITIVE);
+        if norm(&next) <= (1.0 - 0.25 * share) * length || there.residual < ROUNDING * size {
+            here = there;
+            factor = Factor::new(&here.rows);
+            step = factor.solve(&here.error);
+            share = (1.0 / bend.max(f64::MIN_POSITIVE)).clamp(share, 1.0);
+        } else {
+            share = (1.0 / bend).min(0.5 * share);
+            if share < LEAST_SHARE {
+                break;
+            }
+        }
+    }
+    Polished {
+        q: here.q,
+        residual: here.residual,
+        singular: factor.weakest() < SINGULAR,
+    }
+}
+
+/// A configuration as the target sees it.
+struct Place<const N: usize, const ROWS: usize> {
+    q: [f64; N],
+    residual: f64,
+    /// The twist or shift that is missing, and the Jacobian's rows that make
+    /// it, both with lengths in units of the arm's size.
+    error: [f64; ROWS],
+    rows: [[f64; N]; ROWS],
+}
+
+impl<const N: usize, const ROWS: usize> Place<N, ROWS> {
+    fn new(
+        q: [f64; N],
+        fk_jacobian: &impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        target: &Pose,
+        size: f64,
+    ) -> Self {
+        let (pose, spatial) = fk_jacobian(&q);
         let (error, rows) = if ROWS == 6 {
             (spatial_error(&pose, target), spatial.rows)
         } else {
             position_error(&pose, target, &spatial)
         };
-        let damping = caution * (residual / size) * (residual / size);
-        let (step, weakest) = damped_least_squares::<N, ROWS>(&rows, &error, size, damping);
-        singular = weakest < SINGULAR;
-        let longest = step.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let stride = STRIDE / longest.max(STRIDE);
-        let trial = core::array::from_fn(|i| q[i] + stride * step[i]);
-        let (trial_pose, trial_spatial) = fk_jacobian(&trial);
-        let trial_residual = distance::<ROWS>(&trial_pose, target, size);
-        if trial_residual < residual {
-            (q, pose, spatial, residual) = (trial, trial_pose, trial_spatial, trial_residual);
-            caution *= 0.1;
-        } else {
-            caution *= 30.0;
+        let weight = |r: usize| if r < 3 { 1.0 / size } else { 1.0 };
+        Self {
+            q,
+            residual: distance::<ROWS>(&pose, target, size),
+            error: core::array::from_fn(|r| weight(r) * error[r]),
+            rows: core::array::from_fn(|r| rows[r].map(|x| weight(r) * x)),
         }
     }
-    Polished {
-        q,
-        residual,
-        singular,
-    }
+}
+
+fn norm<const N: usize>(x: &[f64; N]) -> f64 {
+    math::sqrt(x.iter().map(|x| x * x).sum())
 }
 
 fn distance<const ROWS: usize>(pose: &Pose, target: &Pose, size: f64) -> f64 {
@@ -145,61 +185,74 @@ fn position_error<const N: usize>(
     (error, rows)
 }
 
-/// (JᵀJ + λ I) x = Jᵀe with linear rows in units of `size`, by Cholesky; and
-/// the least pivot of J relative to the largest.
-fn damped_least_squares<const N: usize, const ROWS: usize>(
-    rows: &[[f64; N]; 6],
-    error: &[f64; 6],
-    size: f64,
-    damping: f64,
-) -> ([f64; N], f64) {
-    let weight: [f64; 6] = core::array::from_fn(|i| if i < 3 { 1.0 / (size * size) } else { 1.0 });
-    let mut a = [[0.0; N]; N];
-    let mut x = [0.0; N];
-    for r in 0..ROWS {
-        for i in 0..N {
-            let scaled = weight[r] * rows[r][i];
-            x[i] += scaled * error[r];
-            for k in 0..=i {
-                a[i][k] += scaled * rows[r][k];
-            }
-        }
-    }
-    let weakest = cholesky_solve(&mut a, &mut x, damping);
-    (x, weakest)
+/// The normal equations JᵀJ x = Jᵀe, factored.
+struct Factor<const N: usize, const ROWS: usize> {
+    rows: [[f64; N]; ROWS],
+    /// Cholesky's L below the diagonal.
+    lower: [[f64; N]; N],
+    /// One over its diagonal.
+    inverse: [f64; N],
 }
 
-/// Solves (A + λ I) x = b in place; only the lower triangle of A is read.
-/// Returns the least diagonal entry of the factor relative to the largest.
-fn cholesky_solve<const N: usize>(a: &mut [[f64; N]; N], x: &mut [f64; N], damping: f64) -> f64 {
-    let mut inverse = [0.0; N];
-    for i in 0..N {
-        a[i][i] += damping;
-        for k in 0..i {
-            let mut sum = a[i][k];
-            for m in 0..k {
-                sum -= a[i][m] * a[k][m];
+impl<const N: usize, const ROWS: usize> Factor<N, ROWS> {
+    fn new(rows: &[[f64; N]; ROWS]) -> Self {
+        let mut a = [[0.0; N]; N];
+        for row in rows {
+            for i in 0..N {
+                for k in 0..=i {
+                    a[i][k] += row[i] * row[k];
+                }
             }
-            a[i][k] = sum * inverse[k];
-            a[i][i] -= a[i][k] * a[i][k];
         }
-        inverse[i] = 1.0 / math::sqrt(a[i][i].max(1e-30));
-    }
-    for i in 0..N {
-        for k in 0..i {
-            x[i] -= a[i][k] * x[k];
+        let mut inverse = [0.0; N];
+        for i in 0..N {
+            for k in 0..i {
+                let mut sum = a[i][k];
+                for m in 0..k {
+                    sum -= a[i][m] * a[k][m];
+                }
+                a[i][k] = sum * inverse[k];
+                a[i][i] -= a[i][k] * a[i][k];
+            }
+            // Rounding may leave a singular pivot below zero.
+            inverse[i] = 1.0 / math::sqrt(a[i][i].max(1e-20));
         }
-        x[i] *= inverse[i];
-    }
-    for i in (0..N).rev() {
-        for k in i + 1..N {
-            x[i] -= a[k][i] * x[k];
+        Self {
+            rows: *rows,
+            lower: a,
+            inverse,
         }
-        x[i] *= inverse[i];
     }
-    let least = inverse.iter().fold(0.0, |most: f64, x| most.max(*x));
-    let largest = inverse
-        .iter()
-        .fold(f64::INFINITY, |least: f64, x| least.min(*x));
-    largest / least
+
+    fn solve(&self, error: &[f64; ROWS]) -> [f64; N] {
+        let mut x = [0.0; N];
+        for (row, e) in self.rows.iter().zip(error) {
+            for i in 0..N {
+                x[i] += row[i] * e;
+            }
+        }
+        for i in 0..N {
+            for k in 0..i {
+                x[i] -= self.lower[i][k] * x[k];
+            }
+            x[i] *= self.inverse[i];
+        }
+        for i in (0..N).rev() {
+            for k in i + 1..N {
+                x[i] -= self.lower[k][i] * x[k];
+            }
+            x[i] *= self.inverse[i];
+        }
+        x
+    }
+
+    /// The least pivot of J relative to the largest.
+    fn weakest(&self) -> f64 {
+        let least = self.inverse.iter().fold(0.0, |most: f64, x| most.max(*x));
+        let largest = self
+            .inverse
+            .iter()
+            .fold(f64::INFINITY, |least: f64, x| least.min(*x));
+        largest / least
+    }
 }
