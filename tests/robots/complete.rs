@@ -12,7 +12,7 @@ const REGULAR: f64 = 1e-4;
 /// size; conditioning magnifies it.
 const SEARCH: f64 = 1e-11;
 
-fn random_targets_have_all_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn random_targets_have_all_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.random(60) {
         let target = robot.chain.fk(&q);
         let (answers, found) = (robot.ik(&target), robot.search(&target));

@@ -13,7 +13,7 @@ const SINGULAR: f64 = 1e-12;
 /// Far from it.
 const REGULAR: f64 = 1e-3;
 
-fn regular_answers_are_not_flagged<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn regular_answers_are_not_flagged<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.random(300).chain(robot.structured()) {
         for answer in robot.ik(&robot.chain.fk(&q)) {
             let regular = robot.conditioning(&answer.q) > REGULAR;
@@ -22,7 +22,7 @@ fn regular_answers_are_not_flagged<K: Kinematics<N>, const N: usize>(robot: &Sub
     }
 }
 
-fn singular_answers_are_flagged<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn singular_answers_are_flagged<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.structured() {
         for answer in robot.ik(&robot.chain.fk(&q)) {
             let singular = robot.conditioning(&answer.q) < SINGULAR;

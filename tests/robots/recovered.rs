@@ -26,7 +26,7 @@ fn structured_configurations_come_back<K: Kinematics<N>, const N: usize>(robot: 
     }
 }
 
-fn assert_comes_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>, q: &[f64; N]) {
+pub fn assert_comes_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>, q: &[f64; N]) {
     let tolerance = ROUNDING / robot.conditioning(q);
     let answers = robot.ik(&robot.chain.fk(q));
     let nearest = answers
