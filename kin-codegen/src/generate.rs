@@ -1,7 +1,7 @@
 //! Robot file in, Rust out.
 
 use crate::compiler::{Compiled, compile};
-use crate::emit::robot;
+use crate::emit::{TAKEN, robot};
 use crate::explain::Cost;
 use crate::options::{Options, file_name};
 use crate::spec::{Diagnostic, Diagnostics, Source};
@@ -43,20 +43,23 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
 }
 
 fn type_ident(source: &Source, name: &str) -> Result<Ident, Diagnostics> {
-    syn::parse_str::<Ident>(name)
-        .map(|_| Ident::new(name, Span::call_site()))
-        .map_err(|_| {
-            let diagnostic = Diagnostic {
-                at: None,
-                line: String::new(),
-                reason: format!("`{name}` cannot name a Rust type"),
-                remedy: "choose one with the option `name`".into(),
-            };
-            Diagnostics {
-                path: source.path.clone(),
-                list: vec![diagnostic],
-            }
-        })
+    let reason = match syn::parse_str::<Ident>(name) {
+        Ok(_) if TAKEN.contains(&name) => {
+            format!("the generated code uses a type `{name}` of its own")
+        }
+        Ok(_) => return Ok(Ident::new(name, Span::call_site())),
+        Err(_) => format!("`{name}` cannot name a Rust type"),
+    };
+    let diagnostic = Diagnostic {
+        at: None,
+        line: String::new(),
+        reason,
+        remedy: "choose one with the option `name`".into(),
+    };
+    Err(Diagnostics {
+        path: source.path.clone(),
+        list: vec![diagnostic],
+    })
 }
 
 impl Generated {

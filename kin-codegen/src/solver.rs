@@ -7,7 +7,7 @@ use crate::model::{JointKind, Model};
 use crate::plan::{Plan, Target, search};
 use crate::verify::{self, Certificate, Failure, SOUND, Trials, certify, chain};
 use kin_runtime::Pose;
-use kin_runtime::polish::polish;
+use kin_runtime::polish::{Aim, polish};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
@@ -202,6 +202,8 @@ impl ClosedForm {
     pub fn answers(&self, target: &Pose) -> Vec<Answer> {
         let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
         inputs.extend(target.translation);
+        // The seed.
+        inputs.resize(usize::from(self.inverse.graph.inputs()), 0.0);
         let mut values = Vec::new();
         let mut answers: Vec<Answer> = Vec::new();
         for branch in 0..self.plan.branches() as u32 {
@@ -253,10 +255,8 @@ impl ClosedForm {
         let start: [f64; N] = std::array::from_fn(|i| answer.q[i]);
         let fk_jacobian = |q: &[f64; N]| self.literal.fk_jacobian(q);
         let size = self.linkage.size;
-        let landed = match self.plan.target {
-            Target::Pose => polish::<N, 6>(fk_jacobian, target, start, size, self.polish),
-            Target::Position => polish::<N, 3>(fk_jacobian, target, start, size, self.polish),
-        };
+        let aim = self.plan.target.aim().unwrap_or(Aim::Pose);
+        let landed = polish(fk_jacobian, target, start, size, aim, self.polish);
         Answer {
             q: landed.q.to_vec(),
             residual: landed.residual,

@@ -1,6 +1,6 @@
 //! What every generated robot can do.
 
-use crate::{Jacobian, JointLimit, Pose, Solutions};
+use crate::{Jacobian, JointLimit, Pose, Solution, Solutions};
 
 /// The kinematics of one serial arm with N moving joints.
 ///
@@ -125,5 +125,20 @@ pub trait Kinematics<const N: usize> {
         }
         let _ = target;
         Solutions::new()
+    }
+
+    /// As [`Kinematics::ik`]; an angle that a singular target leaves free keeps
+    /// its value in `seed`, so that answers along a path are continuous.
+    fn ik_near(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        let _ = seed;
+        self.ik(target)
+    }
+
+    /// A solution if there is one, and for a target out of reach what comes
+    /// nearest, with its distance as the residual; none if the target is not a
+    /// number. Generated robots give the least-squares answer of their
+    /// subproblems.
+    fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
+        self.ik(target).iter().next().copied()
     }
 }

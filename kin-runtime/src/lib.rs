@@ -21,6 +21,7 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+pub mod branches;
 #[cfg(feature = "alloc")]
 mod chain;
 #[cfg(feature = "alloc")]

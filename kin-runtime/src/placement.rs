@@ -1,6 +1,6 @@
 //! Robots with a tool or a base that is known only at run time.
 
-use crate::{Jacobian, JointLimit, Kinematics, Pose, Solutions};
+use crate::{Jacobian, JointLimit, Kinematics, Pose, Solution, Solutions};
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
 /// at `tool` in the robot's own tip frame.
@@ -20,6 +20,13 @@ pub struct WithTool<K> {
     pub robot: K,
     /// The tool's frame in the robot's tip frame.
     pub tool: Pose,
+}
+
+impl<K> WithTool<K> {
+    /// Where the robot's tip has to be for the tool to be at `target`.
+    fn at_tip(&self, target: &Pose) -> Pose {
+        *target * self.tool.inverse()
+    }
 }
 
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
@@ -44,7 +51,15 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     }
 
     fn ik(&self, target: &Pose) -> Solutions<N> {
-        self.robot.ik(&(*target * self.tool.inverse()))
+        self.robot.ik(&self.at_tip(target))
+    }
+
+    fn ik_near(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        self.robot.ik_near(&self.at_tip(target), seed)
+    }
+
+    fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
+        self.robot.ik_closest(&self.at_tip(target))
     }
 }
 
@@ -64,6 +79,13 @@ pub struct WithBase<K> {
     pub robot: K,
     /// The robot's base frame in the world frame.
     pub base: Pose,
+}
+
+impl<K> WithBase<K> {
+    /// `target` as the robot's own base sees it.
+    fn seen_from_base(&self, target: &Pose) -> Pose {
+        self.base.inverse() * *target
+    }
 }
 
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
@@ -93,6 +115,14 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     }
 
     fn ik(&self, target: &Pose) -> Solutions<N> {
-        self.robot.ik(&(self.base.inverse() * *target))
+        self.robot.ik(&self.seen_from_base(target))
+    }
+
+    fn ik_near(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        self.robot.ik_near(&self.seen_from_base(target), seed)
+    }
+
+    fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
+        self.robot.ik_closest(&self.seen_from_base(target))
     }
 }

@@ -38,10 +38,8 @@ pub struct Polished<const N: usize> {
 /// joints, not the residual, which near a singular configuration has to grow
 /// on the way to a solution that is a tenth of a radian off.
 ///
-/// `ROWS` is 6 for a full pose and 3 for a position alone.
-///
 /// ```
-/// use kin_runtime::{Jacobian, Pose, Twist, polish::polish};
+/// use kin_runtime::{Jacobian, Pose, Twist, polish::{Aim, polish}};
 /// // One joint about z, with the tool one metre out.
 /// let arm = |q: &[f64; 1]| {
 ///     let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[0], [0.0; 3]);
@@ -49,18 +47,19 @@ pub struct Polished<const N: usize> {
 ///     (turn * out, Jacobian::from_columns([Twist::revolute([0.0, 0.0, 1.0], [0.0; 3])]))
 /// };
 /// let (target, _) = arm(&[0.5]);
-/// let landed = polish::<1, 6>(arm, &target, [0.501], 1.0, 4);
+/// let landed = polish(arm, &target, [0.501], 1.0, Aim::Pose, 4);
 /// assert!((landed.q[0] - 0.5).abs() < 1e-15 && landed.residual < 1e-15);
 /// ```
 #[inline]
-pub fn polish<const N: usize, const ROWS: usize>(
+pub fn polish<const N: usize>(
     fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
     target: &Pose,
     q: [f64; N],
     size: f64,
+    aim: Aim,
     steps: usize,
 ) -> Polished<N> {
-    let look = |q: [f64; N]| Place::<N, ROWS>::new(q, &fk_jacobian, target, size);
+    let look = |q: [f64; N]| Place::new(q, &fk_jacobian, target, size, aim);
     let mut here = look(q);
     let mut factor = Factor::new(&here.rows);
     let mut step = factor.solve(&here.error);
@@ -95,35 +94,58 @@ pub fn polish<const N: usize, const ROWS: usize>(
     }
 }
 
-/// A configuration as the target sees it.
-struct Place<const N: usize, const ROWS: usize> {
-    q: [f64; N],
-    residual: f64,
-    /// The twist or shift that is missing, and the Jacobian's rows that make
-    /// it, both with lengths in units of the arm's size.
-    error: [f64; ROWS],
-    rows: [[f64; N]; ROWS],
+/// What of a target counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// All of it.
+    Pose,
+    /// The tip's origin.
+    Position,
+    /// The tip's origin and the direction of its z axis.
+    PositionAxis,
+    /// The direction of the tip's z axis.
+    Direction,
+    /// The orientation.
+    Orientation,
 }
 
-impl<const N: usize, const ROWS: usize> Place<N, ROWS> {
+/// A configuration as the target sees it.
+struct Place<const N: usize> {
+    q: [f64; N],
+    residual: f64,
+    /// What is missing, and the Jacobian's rows that make it, with lengths in
+    /// units of the arm's size; zero where the target does not count.
+    error: [f64; 6],
+    rows: [[f64; N]; 6],
+}
+
+impl<const N: usize> Place<N> {
     fn new(
         q: [f64; N],
         fk_jacobian: &impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         size: f64,
+        aim: Aim,
     ) -> Self {
         let (pose, spatial) = fk_jacobian(&q);
-        let (error, rows) = if ROWS == 6 {
-            (spatial_error(&pose, target), spatial.rows)
-        } else {
-            position_error(&pose, target, &spatial)
-        };
-        let weight = |r: usize| if r < 3 { 1.0 / size } else { 1.0 };
+        let mut error = [0.0; 6];
+        let mut rows = [[0.0; N]; 6];
+        if aim.has_position() {
+            shift(&pose, target, &spatial, size, &mut error, &mut rows);
+        }
+        match aim {
+            Aim::Pose | Aim::Orientation => turn(&pose, target, &spatial, &mut error, &mut rows),
+            Aim::PositionAxis | Aim::Direction => {
+                tilt(&pose, target, &spatial, &mut error, &mut rows);
+            }
+            Aim::Position => {}
+        }
+        let residual = aim.distance(&pose, target, size);
         Self {
             q,
-            residual: distance::<ROWS>(&pose, target, size),
-            error: core::array::from_fn(|r| weight(r) * error[r]),
-            rows: core::array::from_fn(|r| rows[r].map(|x| weight(r) * x)),
+            residual,
+            error,
+            rows,
         }
     }
 }
@@ -132,70 +154,98 @@ fn norm<const N: usize>(x: &[f64; N]) -> f64 {
     math::sqrt(x.iter().map(|x| x * x).sum())
 }
 
-fn distance<const ROWS: usize>(pose: &Pose, target: &Pose, size: f64) -> f64 {
-    let square =
-        |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>();
-    let shift = square(&pose.translation, &target.translation);
-    let turn = (0..3)
-        .map(|i| square(&pose.rotation[i], &target.rotation[i]))
-        .sum::<f64>();
-    let weight = if ROWS == 6 { 0.5 * size * size } else { 0.0 };
-    math::sqrt(shift + weight * turn)
+impl Aim {
+    fn has_position(self) -> bool {
+        matches!(self, Aim::Pose | Aim::Position | Aim::PositionAxis)
+    }
+
+    /// How far a pose is from a target, as far as the target counts: the
+    /// translation and the angle times `size`, as the legs of a right triangle.
+    pub fn distance(self, pose: &Pose, target: &Pose, size: f64) -> f64 {
+        let (r, t) = (&pose.rotation, &target.rotation);
+        let square = |a: f64, b: f64| (a - b) * (a - b);
+        let shift: f64 = (0..3)
+            .map(|i| square(pose.translation[i], target.translation[i]))
+            .sum();
+        let column = |j: usize| (0..3).map(|i| square(r[i][j], t[i][j])).sum::<f64>();
+        let turn = match self {
+            // The Frobenius norm of a small rotation's difference is √2 θ.
+            Aim::Pose | Aim::Orientation => 0.5 * (column(0) + column(1) + column(2)),
+            Aim::PositionAxis | Aim::Direction => column(2),
+            Aim::Position => 0.0,
+        };
+        let shift = if self.has_position() { shift } else { 0.0 };
+        math::sqrt(shift + size * size * turn)
+    }
 }
 
-/// The spatial twist that takes `pose` to `target`, to first order.
-fn spatial_error(pose: &Pose, target: &Pose) -> [f64; 6] {
-    let (r, t) = (&pose.rotation, &target.rotation);
-    // Entry (i, j) of target · poseᵀ.
-    let entry = |i: usize, j: usize| (0..3).map(|k| t[i][k] * r[j][k]).sum::<f64>();
-    let w = [
-        0.5 * (entry(2, 1) - entry(1, 2)),
-        0.5 * (entry(0, 2) - entry(2, 0)),
-        0.5 * (entry(1, 0) - entry(0, 1)),
-    ];
-    let p = pose.translation;
-    let d: [f64; 3] = core::array::from_fn(|i| target.translation[i] - p[i]);
-    [
-        d[0] - (w[1] * p[2] - w[2] * p[1]),
-        d[1] - (w[2] * p[0] - w[0] * p[2]),
-        d[2] - (w[0] * p[1] - w[1] * p[0]),
-        w[0],
-        w[1],
-        w[2],
-    ]
-}
-
-/// The position error, and the rows that move the tip's origin: v + ω × p.
-fn position_error<const N: usize>(
+/// Rows 0 to 2: the velocity of the tip's origin, v + ω × p.
+fn shift<const N: usize>(
     pose: &Pose,
     target: &Pose,
     spatial: &Jacobian<N>,
-) -> ([f64; 6], [[f64; N]; 6]) {
-    let p = pose.translation;
-    let j = &spatial.rows;
-    let mut error = [0.0; 6];
-    let mut rows = [[0.0; N]; 6];
+    size: f64,
+    error: &mut [f64; 6],
+    rows: &mut [[f64; N]; 6],
+) {
+    let (p, j) = (pose.translation, &spatial.rows);
     for i in 0..3 {
-        error[i] = target.translation[i] - p[i];
         let (a, b) = ((i + 1) % 3, (i + 2) % 3);
+        error[i] = (target.translation[i] - p[i]) / size;
         for k in 0..N {
-            rows[i][k] = j[i][k] + j[3 + a][k] * p[b] - j[3 + b][k] * p[a];
+            rows[i][k] = (j[i][k] + j[3 + a][k] * p[b] - j[3 + b][k] * p[a]) / size;
         }
     }
-    (error, rows)
+}
+
+/// Rows 3 to 5: the angular velocity, and the rotation that is missing.
+fn turn<const N: usize>(
+    pose: &Pose,
+    target: &Pose,
+    spatial: &Jacobian<N>,
+    error: &mut [f64; 6],
+    rows: &mut [[f64; N]; 6],
+) {
+    let (r, t) = (&pose.rotation, &target.rotation);
+    // Entry (i, j) of target · poseᵀ.
+    let entry = |i: usize, j: usize| (0..3).map(|k| t[i][k] * r[j][k]).sum::<f64>();
+    for i in 0..3 {
+        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
+        error[3 + i] = 0.5 * (entry(b, a) - entry(a, b));
+        rows[3 + i] = spatial.rows[3 + i];
+    }
+}
+
+/// Rows 3 to 5: the velocity ω × z of the tip's z axis.
+fn tilt<const N: usize>(
+    pose: &Pose,
+    target: &Pose,
+    spatial: &Jacobian<N>,
+    error: &mut [f64; 6],
+    rows: &mut [[f64; N]; 6],
+) {
+    let j = &spatial.rows;
+    let z: [f64; 3] = core::array::from_fn(|i| pose.rotation[i][2]);
+    for i in 0..3 {
+        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
+        error[3 + i] = target.rotation[i][2] - z[i];
+        for k in 0..N {
+            rows[3 + i][k] = j[3 + a][k] * z[b] - j[3 + b][k] * z[a];
+        }
+    }
 }
 
 /// The normal equations JᵀJ x = Jᵀe, factored.
-struct Factor<const N: usize, const ROWS: usize> {
-    rows: [[f64; N]; ROWS],
+struct Factor<const N: usize> {
+    rows: [[f64; N]; 6],
     /// Cholesky's L below the diagonal.
     lower: [[f64; N]; N],
     /// One over its diagonal.
     inverse: [f64; N],
 }
 
-impl<const N: usize, const ROWS: usize> Factor<N, ROWS> {
-    fn new(rows: &[[f64; N]; ROWS]) -> Self {
+impl<const N: usize> Factor<N> {
+    fn new(rows: &[[f64; N]; 6]) -> Self {
         let mut a = [[0.0; N]; N];
         for row in rows {
             for i in 0..N {
@@ -224,7 +274,7 @@ impl<const N: usize, const ROWS: usize> Factor<N, ROWS> {
         }
     }
 
-    fn solve(&self, error: &[f64; ROWS]) -> [f64; N] {
+    fn solve(&self, error: &[f64; 6]) -> [f64; N] {
         let mut x = [0.0; N];
         for (row, e) in self.rows.iter().zip(error) {
             for i in 0..N {

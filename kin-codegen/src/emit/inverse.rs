@@ -1,6 +1,6 @@
-//! Inverse kinematics as a Rust function.
+//! Inverse kinematics as Rust functions.
 
-use super::lanes::{Lanes, lanes};
+use super::lanes::lanes;
 use super::straight::literal;
 use crate::model::{JointKind, Model};
 use crate::plan::Target;
@@ -9,84 +9,114 @@ use crate::verify::SOUND;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The body of `ik(&self, pose: &Pose) -> Solutions<N>`.
-pub fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
-    let names = target_names();
-    let lanes = lanes(&solver.inverse, &names);
-    let entries = target_pattern(&names, &lanes.inputs);
-    let statements = &lanes.statements;
-    let branches = Literal::usize_unsuffixed(solver.plan.branches());
-    let accept = accept(model, solver, &lanes);
-    let sliding = sliding_mask(model);
+/// The methods that solve for joint values.
+pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let n = Literal::usize_unsuffixed(model.variables.len());
+    let width = Literal::usize_unsuffixed(solver.plan.branches());
+    let body = body(model, solver);
+    let accept = acceptance(model, solver);
+    let sorted = sorted(solver);
+    let what = what(solver.plan.target);
+    let plan = format!(" Solved by {}.", solver.plan);
     quote! {
-        #entries
-        #(#statements)*
-        Solutions::build_with_prismatic(#sliding, |solutions| {
-            for k in 0..#branches {
-                #accept
-            }
-        })
+        const ACCEPT: Acceptance = #accept;
+
+        #[doc = #what]
+        ///
+        #[doc = #plan]
+        /// Angles are in (−π, π]; limits are not applied, see
+        /// [`Solutions::within`]. A target out of reach has no solutions. A
+        /// singular target has a representative of each family of solutions,
+        /// with zero for an angle that is free.
+        #[must_use]
+        pub fn ik(&self, pose: &Pose) -> Solutions<#n> {
+            self.ik_near(pose, &[0.0; #n])
+        }
+
+        /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+        /// its value in `seed`, so that answers along a path are continuous.
+        #[must_use]
+        pub fn ik_near(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
+            let branches = self.branches(pose, seed);
+            #sorted
+        }
+
+        /// The branch whose subproblems come nearest to `pose`: a solution if
+        /// there is one, and for a target out of reach the least-squares answer
+        /// of the subproblems, with its distance as the residual. None if
+        /// `pose` is not a number.
+        #[must_use]
+        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<#n>> {
+            self.branches(pose, &[0.0; #n]).closest()
+        }
+
+        #[inline]
+        fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
+            #body
+        }
     }
 }
 
-/// What becomes of one lane.
-fn accept(model: &Model, solver: &ClosedForm, lanes: &Lanes) -> TokenStream {
-    let Lanes {
-        q,
-        residual,
-        invalid,
-        singular,
-        ..
-    } = lanes;
-    let tolerance = literal(SOUND * solver.linkage.size);
-    if solver.polish == 0 {
-        return quote! {
-            solutions.push_if(
-                (#invalid <= 0.0) & (#residual <= #tolerance),
-                Solution {
-                    q: [#(#q),*],
-                    residual: #residual,
-                    branch: k as u32,
-                    singular: #singular > 0.0,
-                },
-            );
-        };
-    }
-    let size = Literal::f64_unsuffixed(solver.linkage.size);
-    let steps = Literal::usize_unsuffixed(solver.polish);
-    let n = Literal::usize_unsuffixed(model.variables.len());
-    let rows = match solver.plan.target {
-        Target::Pose => quote!(6),
-        Target::Position => quote!(3),
-    };
-    let wrapped = (0..model.variables.len()).map(|i| {
-        let index = Literal::usize_unsuffixed(i);
-        if model.turns(i) {
-            quote!(math::wrap(landed.q[#index]))
-        } else {
-            quote!(landed.q[#index])
-        }
+fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let target = target_names();
+    let seed = (0..model.variables.len()).map(|i| {
+        let i = Literal::usize_unsuffixed(i);
+        quote!(seed[#i])
     });
+    let names: Vec<TokenStream> = target.iter().cloned().chain(seed).collect();
+    let lanes = lanes(&solver.inverse, &names);
+    let entries = target_pattern(&target, &lanes.inputs);
+    let (statements, q) = (&lanes.statements, &lanes.q);
+    let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
+    let unused = lanes.inputs.iter().skip(target.len()).all(|used| !used);
+    let unused = unused.then(|| quote!(let _ = seed;));
     quote! {
-        if #invalid > 0.0 {
-            continue;
+        #unused
+        #entries
+        #(#statements)*
+        Branches {
+            q: [#(#q),*],
+            residual: #residual,
+            invalid: #invalid,
+            singular: #singular,
         }
-        let landed = polish::<#n, #rows>(
-            |q| self.fk_jacobian(q),
-            pose,
-            [#(#q),*],
-            #size,
-            #steps,
-        );
-        solutions.push_distinct_if(
-            landed.residual <= #tolerance,
-            Solution {
-                q: [#(#wrapped),*],
-                residual: landed.residual,
-                branch: k as u32,
-                singular: landed.singular,
-            },
-        );
+    }
+}
+
+/// How the branches become solutions.
+fn sorted(solver: &ClosedForm) -> TokenStream {
+    let Some(aim) = solver.plan.target.aim().filter(|_| solver.polish > 0) else {
+        return quote!(branches.solutions(&Self::ACCEPT));
+    };
+    let aim = format_ident!("{aim:?}");
+    let steps = Literal::usize_unsuffixed(solver.polish);
+    quote! {
+        branches.polished(|q| self.fk_jacobian(q), pose, Aim::#aim, #steps, &Self::ACCEPT)
+    }
+}
+
+fn acceptance(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let size = literal(solver.linkage.size);
+    let tolerance = literal(SOUND * solver.linkage.size);
+    let slides = |i: &usize| {
+        let mut joints = model.joints.iter();
+        joints.any(|joint| joint.variable == *i && joint.kind == JointKind::Prismatic)
+    };
+    let mask = (0..model.variables.len())
+        .filter(slides)
+        .map(|i| 1_u32 << i)
+        .sum();
+    let prismatic = Literal::u32_unsuffixed(mask);
+    quote!(Acceptance { size: #size, tolerance: #tolerance, prismatic: #prismatic })
+}
+
+fn what(target: Target) -> &'static str {
+    match target {
+        Target::Pose => " All joint values that put the tip at `pose` (base frame, metres).",
+        Target::Position => {
+            " All joint values that put the tip's origin at the translation of `pose` (base \
+             frame, metres). Its rotation is not read."
+        }
     }
 }
 
@@ -113,19 +143,4 @@ fn target_pattern(names: &[TokenStream], used: &[bool]) -> TokenStream {
         let [#(#rows),*] = pose.rotation;
         let #translation = pose.translation;
     }
-}
-
-/// One bit for every prismatic joint.
-fn sliding_mask(model: &Model) -> Literal {
-    let slides = |i: &usize| {
-        model
-            .joints
-            .iter()
-            .any(|joint| joint.variable == *i && joint.kind == JointKind::Prismatic)
-    };
-    let mask = (0..model.variables.len())
-        .filter(slides)
-        .map(|i| 1_u32 << i)
-        .sum();
-    Literal::u32_unsuffixed(mask)
 }

@@ -9,23 +9,23 @@
 //! vectorize, so the first two signs share a loop of four.
 
 use super::straight::{Place, Writer, sign_name};
-use crate::expr::Node;
 use crate::expr::inverse::Inverse;
+use crate::expr::{Expr, Node};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 
-/// The statements that compute the lanes, and how to read the results.
+/// The statements that compute the lanes, and the arrays of the results.
 pub struct Lanes {
     /// The body.
     pub statements: Vec<TokenStream>,
-    /// By coordinate of q: an expression in the lane index `k`.
+    /// By coordinate of q.
     pub q: Vec<TokenStream>,
-    /// Likewise.
+    /// Metres.
     pub residual: TokenStream,
-    /// Likewise.
+    /// Positive where there is no branch.
     pub invalid: TokenStream,
-    /// Likewise.
+    /// Positive where the branch is singular.
     pub singular: TokenStream,
     /// The inputs that are read.
     pub inputs: Vec<bool>,
@@ -39,8 +39,7 @@ fn loops(choices: u8) -> Vec<u8> {
     }
 }
 
-/// Writes all lanes of an inverse. `inputs` are the names of the target's
-/// twelve entries.
+/// Writes all lanes of an inverse. `inputs` are the names of its inputs.
 pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
     let g = &inverse.graph;
     let outputs = inverse.outputs();
@@ -85,11 +84,19 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
         statements.push(lane_loop(before, signs, &kept, &body));
         before = signs;
     }
+    let width = Literal::usize_unsuffixed(1 << before);
+    let array = |e: Expr| match alive.get(&e.index()) {
+        Some((array, _)) => quote!(#array),
+        None => {
+            let value = writer.output(e);
+            quote!([#value; #width])
+        }
+    };
     Lanes {
-        q: inverse.q.iter().map(|&e| writer.output(e)).collect(),
-        residual: writer.output(inverse.residual),
-        invalid: writer.output(inverse.invalid),
-        singular: writer.output(inverse.singular),
+        q: inverse.q.iter().map(|&e| array(e)).collect(),
+        residual: array(inverse.residual),
+        invalid: array(inverse.invalid),
+        singular: array(inverse.singular),
         inputs: used_inputs(&writer, inverse),
         statements,
     }
@@ -156,7 +163,7 @@ fn widened(
 
 fn used_inputs(writer: &Writer, inverse: &Inverse) -> Vec<bool> {
     let g = &inverse.graph;
-    (0..12)
+    (0..g.inputs())
         .map(|k| g.find(Node::Input(k)).is_some_and(|e| writer.needs(e)))
         .collect()
 }

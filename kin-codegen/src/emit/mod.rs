@@ -6,7 +6,7 @@ mod lanes;
 mod robot;
 mod straight;
 
-pub use robot::robot;
+pub use robot::{TAKEN, robot};
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -6,7 +6,6 @@ use crate::compiler::Compiled;
 use crate::expr::Operations;
 use crate::expr::forward::Outputs;
 use crate::model::{JointKind, Model, Variable};
-use crate::plan::Target;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -16,7 +15,10 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
     let doc = documentation(compiled);
     let constants = constants(compiled, &n);
     let methods = methods(compiled, &n);
-    let inverse = inverse_method(compiled, &n);
+    let inverse = compiled
+        .inverse
+        .as_ref()
+        .map(|solver| inverse::methods(&compiled.model, solver));
     let delegation = delegation(compiled, name, &n);
     quote! {
         #(#[doc = #doc])*
@@ -26,7 +28,8 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
         const _: () = {
             #[allow(unused_imports)]
             use ::kinematics::{
-                lanes::{self, widen}, math, polish::polish, quartic::trig_roots, Jacobian, JointLimit, Kinematics, Pose,
+                branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
+                quartic::trig_roots, Jacobian, JointLimit, Kinematics, Pose,
                 Solution, Solutions,
             };
 
@@ -42,6 +45,21 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
         };
     }
 }
+
+/// Names that the generated items use and that a robot cannot have.
+pub const TAKEN: [&str; 11] = [
+    "Acceptance",
+    "Aim",
+    "Branches",
+    "Default",
+    "Jacobian",
+    "JointLimit",
+    "Kinematics",
+    "Pose",
+    "Self",
+    "Solution",
+    "Solutions",
+];
 
 fn documentation(compiled: &Compiled) -> Vec<String> {
     let model = &compiled.model;
@@ -172,55 +190,34 @@ fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
     }
 }
 
-fn inverse_method(compiled: &Compiled, n: &Literal) -> TokenStream {
-    let Some(solver) = &compiled.inverse else {
-        return TokenStream::new();
-    };
-    let body = inverse::body(&compiled.model, solver);
-    let what = match solver.plan.target {
-        Target::Pose => " All joint values that put the tip at `pose` (base frame, metres).",
-        Target::Position => {
-            " All joint values that put the tip's origin at the translation of `pose` (base \
-             frame, metres). Its rotation is not read: the arm cannot choose it."
-        }
-    };
-    let plan = format!(" Solved by {}.", solver.plan);
-    quote! {
-        #[doc = #what]
-        ///
-        #[doc = #plan]
-        /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`]. A target out of reach has no solutions.
-        #[must_use]
-        pub fn ik(&self, pose: &Pose) -> Solutions<#n> { #body }
-    }
-}
-
 /// The trait, by the inherent methods.
 fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
-    let method = |function: &str, argument: TokenStream, result: TokenStream| {
+    let method = |function: &str, parameters: TokenStream, of: TokenStream, result: TokenStream| {
         let function = Ident::new(function, proc_macro2::Span::call_site());
-        let (parameter, of) = if function == "ik" {
-            (quote!(pose), quote!(pose))
-        } else {
-            (quote!(q), quote!(q))
-        };
         quote! {
             #[inline]
-            fn #function(&self, #parameter: #argument) -> #result { #name::#function(self, #of) }
+            fn #function(&self, #parameters) -> #result { #name::#function(self, #of) }
         }
     };
-    let (q, jacobian) = (quote!(&[f64; #n]), quote!(Jacobian<#n>));
+    let of_q = |function: &str, result: TokenStream| {
+        method(function, quote!(q: &[f64; #n]), quote!(q), result)
+    };
+    let jacobian = quote!(Jacobian<#n>);
     let mut methods = vec![
-        method("fk", q.clone(), quote!(Pose)),
-        method("fk_links", q.clone(), quote!([Pose; #n])),
-        method("spatial_jacobian", q.clone(), jacobian.clone()),
-        method("body_jacobian", q.clone(), jacobian.clone()),
-        method("geometric_jacobian", q.clone(), jacobian.clone()),
-        method("fk_jacobian", q, quote!((Pose, #jacobian))),
+        of_q("fk", quote!(Pose)),
+        of_q("fk_links", quote!([Pose; #n])),
+        of_q("spatial_jacobian", jacobian.clone()),
+        of_q("body_jacobian", jacobian.clone()),
+        of_q("geometric_jacobian", jacobian.clone()),
+        of_q("fk_jacobian", quote!((Pose, #jacobian))),
     ];
     if compiled.inverse.is_some() {
-        methods.push(method("ik", quote!(&Pose), quote!(Solutions<#n>)));
+        let (pose, solutions) = (quote!(pose: &Pose), quote!(Solutions<#n>));
+        let near = quote!(pose: &Pose, seed: &[f64; #n]);
+        let closest = quote!(::core::option::Option<Solution<#n>>);
+        methods.push(method("ik", pose.clone(), quote!(pose), solutions.clone()));
+        methods.push(method("ik_near", near, quote!(pose, seed), solutions));
+        methods.push(method("ik_closest", pose, quote!(pose), closest));
     }
     quote! {
         impl Kinematics<#n> for #name {

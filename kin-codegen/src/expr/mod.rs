@@ -201,6 +201,11 @@ impl Graph {
         e
     }
 
+    /// How many inputs there are.
+    pub fn inputs(&self) -> u16 {
+        self.inputs
+    }
+
     /// A new ±1.
     pub fn sign(&mut self) -> Expr {
         let choice = Choice(self.choices);

@@ -15,6 +15,7 @@ pub use invariant::{Invariant, Kind};
 pub use relation::{Atom, Relation};
 pub use search::search;
 
+use kin_runtime::polish::Aim;
 use std::fmt;
 
 /// What of the target pose counts.
@@ -25,6 +26,16 @@ pub enum Target {
     Pose,
     /// The translation; for arms that cannot choose their orientation.
     Position,
+}
+
+impl Target {
+    /// What a polish has to reach; none if it cannot.
+    pub fn aim(self) -> Option<Aim> {
+        match self {
+            Target::Pose => Some(Aim::Pose),
+            Target::Position => Some(Aim::Position),
+        }
+    }
 }
 
 /// The subproblem of a step.

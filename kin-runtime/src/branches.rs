@@ -1,0 +1,101 @@
+//! What generated inverse kinematics computes, before it is sorted out.
+
+use crate::polish::{Aim, polish};
+use crate::{Jacobian, Pose, Solution, Solutions, math};
+
+/// All branches of one target as array lanes: lane k is the branch whose i-th
+/// choice is + where bit i of k is clear.
+#[derive(Clone, Copy, Debug)]
+pub struct Branches<const N: usize, const L: usize> {
+    /// By joint, in (−π, π] radians or metres.
+    pub q: [[f64; L]; N],
+    /// The distance of each branch from the target, metres. Where a root is out
+    /// of domain the branch does as well as it can.
+    pub residual: [f64; L],
+    /// Positive where the branch does not exist or repeats another.
+    pub invalid: [f64; L],
+    /// Positive where a root is double or an angle is free.
+    pub singular: [f64; L],
+}
+
+/// What makes a branch an answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Acceptance {
+    /// The arm's size, metres: angles count as lengths at this distance.
+    pub size: f64,
+    /// Answers may miss the target by this, metres.
+    pub tolerance: f64,
+    /// Bit i is set where joint i is prismatic.
+    pub prismatic: u32,
+}
+
+impl<const N: usize, const L: usize> Branches<N, L> {
+    #[inline(always)]
+    fn lane(&self, k: usize) -> Solution<N> {
+        Solution {
+            q: core::array::from_fn(|i| self.q[i][k]),
+            residual: self.residual[k],
+            branch: k as u32,
+            singular: self.singular[k] > 0.0,
+        }
+    }
+
+    /// The branches that reach the target.
+    #[inline(always)]
+    pub fn solutions(&self, accept: &Acceptance) -> Solutions<N> {
+        Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+            for k in 0..L {
+                let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
+                solutions.push_if(reaches, self.lane(k));
+            }
+        })
+    }
+
+    /// The branch that comes nearest to the target; none if the target is not
+    /// a number. Of equals the first.
+    #[inline]
+    pub fn closest(&self) -> Option<Solution<N>> {
+        let mut best = None;
+        let mut least = f64::INFINITY;
+        for k in 0..L {
+            if self.residual[k] < least {
+                least = self.residual[k];
+                best = Some(self.lane(k));
+            }
+        }
+        best
+    }
+
+    /// The branches of a snapped arm, landed on the literal one, which is given
+    /// by its pose and spatial Jacobian; see [`polish`].
+    #[inline]
+    pub fn polished(
+        &self,
+        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        target: &Pose,
+        aim: Aim,
+        steps: usize,
+        accept: &Acceptance,
+    ) -> Solutions<N> {
+        Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+            for k in 0..L {
+                if self.invalid[k] > 0.0 {
+                    continue;
+                }
+                let start = self.lane(k);
+                let landed = polish(&fk_jacobian, target, start.q, accept.size, aim, steps);
+                let q = core::array::from_fn(|i| {
+                    let slides = accept.prismatic >> i & 1 == 1;
+                    math::select(slides, landed.q[i], math::wrap(landed.q[i]))
+                });
+                let solution = Solution {
+                    q,
+                    residual: landed.residual,
+                    singular: landed.singular,
+                    ..start
+                };
+                solutions.push_distinct_if(landed.residual <= accept.tolerance, solution);
+            }
+        })
+    }
+}
