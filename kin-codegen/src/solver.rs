@@ -162,8 +162,8 @@ fn solve_snapped(trials: &Trials, snap: Snap, target: Target) -> Result<ClosedFo
         best.as_ref()
             .is_some_and(|best| best.certificate.unanswered == 0)
     };
-    let done = plans.iter().any(|plan| attempt(plan, FreeAngles::Zero));
-    // Spending a free angle costs operations: only where zero loses targets.
+    let done = plans.iter().any(|plan| attempt(plan, FreeAngles::Seeded));
+    // Spending a free angle costs operations: only where it is seen to lose targets.
     if let (false, Some(plan)) = (done, plans.first()) {
         let spent = (0..plan.steps.len()).map(FreeAngles::SpentAt);
         let _ = spent

@@ -52,11 +52,12 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
     let stages: Vec<usize> = g.levels().into_iter().map(stage).collect();
     let mut writer = Writer::new(g, &outputs, inputs, &stages);
     let last_read = last_read(&writer, inverse, &stages, loops.len());
-    let mut statements = writer.statements(
+    let mut statements = writer.sines_and_cosines();
+    statements.extend(writer.statements(
         Place::Scalar,
         |i| stages[i] == 0,
         |_, name, value| (quote!(let #name = #value;), quote!(#name)),
-    );
+    ));
     // Arrays alive, by node: name and the last stage that reads them.
     let mut alive: BTreeMap<usize, (Ident, usize)> = BTreeMap::new();
     let mut before = 0;

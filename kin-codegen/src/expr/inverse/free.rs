@@ -2,13 +2,13 @@
 //!
 //! Any value would close the step at hand, but not every value leaves the
 //! steps behind it a real root: a UR with its wrist stretched can turn its
-//! elbow out of reach of the shoulder. So the freedom is spent on the next
-//! root that depends on it: its cosine-sine equation a cos θ + b sin θ = d has
-//! the more room the nearer d is to zero, and as a function of the free angle
-//! d is d₀ + d₁ cos φ + d₂ sin φ. The φ that brings it nearest to zero is one
-//! more such equation.
+//! elbow out of reach of the shoulder. The value of the seed is kept where it
+//! leaves the next root real. Otherwise the freedom is spent on that root: its
+//! cosine-sine equation a cos θ + b sin θ = d has the more room the nearer d is
+//! to zero, and as a function of the free angle d is d₀ + d₁ cos φ + d₂ sin φ.
+//! The φ that brings it nearest to zero is one more such equation.
 
-use super::Writer;
+use super::{Spent, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::Trig;
 use crate::plan::{Atom, Plan, Step, Subproblem};
@@ -16,10 +16,10 @@ use crate::plan::{Atom, Plan, Step, Subproblem};
 /// What stands for the angles that a singular target leaves free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FreeAngles {
-    /// Zero: right where no later step depends on them.
-    Zero,
+    /// The seed's value: right where no later step depends on them.
+    Seeded,
     /// At one step of the plan the value that leaves the next root the most
-    /// room, elsewhere zero.
+    /// room if the seed's leaves none, elsewhere the seed's.
     SpentAt(usize),
 }
 
@@ -55,11 +55,11 @@ impl Writer<'_> {
         };
         *self = best;
         self.write(step);
-        self.fallback = before.fallback;
+        self.spent = None;
     }
 
-    /// The writer as it was before the step, with the fallback that leaves the
-    /// next root the most room; none if no root depends on the free angle.
+    /// The writer as it was before the step, knowing how to spend the free
+    /// angle on the next root; none if no root depends on it.
     fn best_angle(&self, before: &Self, free: Atom, later: &[Step]) -> Option<Self> {
         let mut ahead = self.clone();
         let placeholder = Trig {
@@ -71,20 +71,27 @@ impl Writer<'_> {
             ahead.level = None;
             ahead.write(step);
             let level = ahead.level?;
-            let needed = ahead.g.reachable(&[level]);
+            let needed = ahead.g.reachable(&[level.d]);
             needed[placeholder.sin.index()].then_some(level)
         })?;
-        // The level at φ = 0, π and π/2. Its other operands are older than the
-        // step, or are rebuilt.
         let mut out = before.clone();
         let shared = before.g.nodes().len();
-        let values = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.0)].map(|(sin, cos)| {
-            let sin = out.g.constant(sin);
-            let cos = out.g.constant(cos);
+        let mut at = |out: &mut Self, e: Expr, sin: Expr, cos: Expr| {
             let inputs = [(placeholder.sin, sin), (placeholder.cos, cos)];
-            out.g.import(&ahead.g, shared, level, &inputs)
+            out.g.import(&ahead.g, shared, e, &inputs)
+        };
+        // The level at φ = 0, π and π/2 tells it at all φ.
+        let values = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.0)].map(|(sin, cos)| {
+            let (sin, cos) = (out.g.constant(sin), out.g.constant(cos));
+            at(&mut out, level.d, sin, cos)
         });
-        out.fallback = out.nearest_to_zero(values);
+        let seeded = out.seeded(free);
+        let d = at(&mut out, level.d, seeded.sin, seeded.cos);
+        let amplitude = at(&mut out, level.amplitude, seeded.sin, seeded.cos);
+        let square = out.g.square(d);
+        let room = out.g.sub(amplitude, square);
+        let best = out.nearest_to_zero(values);
+        out.spent = Some(Spent { best, room });
         Some(out)
     }
 

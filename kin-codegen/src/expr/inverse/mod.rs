@@ -24,8 +24,8 @@ use kin_runtime::Pose;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slack(pub f64);
 
-/// The expressions of a plan. Inputs are the target: nine entries of the
-/// rotation by rows, then the translation.
+/// The expressions of a plan. Inputs are the target (nine entries of the
+/// rotation by rows, then the translation) and the seed, by coordinate of q.
 #[derive(Clone, Debug)]
 pub struct Inverse {
     /// Holds everything below.
@@ -75,6 +75,8 @@ struct Writer<'a> {
     tip: Pose,
     target: Target,
     pose: Motion,
+    /// What a free angle keeps, by coordinate of q.
+    seed: Vec<Expr>,
     slack: Slack,
     /// By joint: the sine and cosine of its motion.
     trig: Vec<Option<Trig>>,
@@ -88,13 +90,32 @@ struct Writer<'a> {
     singular: Expr,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
-    /// What stands for a free angle.
-    fallback: Trig,
+    /// What stands for a free angle where the seed's value leaves the next
+    /// root no room.
+    spent: Option<Spent>,
     /// The unknown of the step just written whose angle may be free.
     may_be_free: Option<Atom>,
-    /// The right side of the cosine-sine equation solved last, where its root
-    /// can leave the domain.
-    level: Option<Expr>,
+    /// The cosine-sine equation solved last, where its root can leave the
+    /// domain.
+    level: Option<Level>,
+}
+
+/// The root of a cosine-sine equation is real where d² ≤ a² + b².
+#[derive(Clone, Copy)]
+struct Level {
+    /// d.
+    d: Expr,
+    /// a² + b².
+    amplitude: Expr,
+}
+
+/// How a free angle is spent.
+#[derive(Clone, Copy)]
+struct Spent {
+    /// The angle that leaves the next root the most room.
+    best: Trig,
+    /// Positive where the seed's own angle leaves it real.
+    room: Expr,
 }
 
 impl<'a> Writer<'a> {
@@ -102,11 +123,10 @@ impl<'a> Writer<'a> {
         let mut g = Graph::new();
         let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
         let translation = ["px", "py", "pz"].map(|name| g.input(name));
+        let seed = (1..=linkage.variables())
+            .map(|i| g.input(format!("seed{i}")))
+            .collect();
         let zero = g.zero();
-        let fallback = Trig {
-            sin: zero,
-            cos: g.one(),
-        };
         let n = linkage.links.len();
         Self {
             g,
@@ -117,6 +137,7 @@ impl<'a> Writer<'a> {
                 rotation,
                 translation,
             },
+            seed,
             slack,
             trig: vec![None; n],
             slide: vec![None; n],
@@ -125,7 +146,7 @@ impl<'a> Writer<'a> {
             invalid: zero,
             singular: zero,
             watched: Vec::new(),
-            fallback,
+            spent: None,
             may_be_free: None,
             level: None,
         }
@@ -177,6 +198,24 @@ impl<'a> Writer<'a> {
                 self.sum_first[run] = true;
             }
         }
+    }
+
+    /// The angle that the seed has for an unknown.
+    fn seeded(&mut self, atom: Atom) -> Trig {
+        let joints = match atom {
+            Atom::Joint(joint) => vec![joint],
+            Atom::Sum { run, .. } => self.turning(run),
+        };
+        let mut angle = self.g.zero();
+        for joint in joints {
+            let link = &self.linkage.links[joint];
+            let (gain, offset) = (self.g.constant(link.gain), self.g.constant(link.offset));
+            let scaled = self.g.mul(gain, self.seed[link.variable]);
+            let own = self.g.add(scaled, offset);
+            angle = self.g.add(angle, own);
+        }
+        let (sin, cos) = self.g.sin_cos(angle);
+        Trig { sin, cos }
     }
 
     fn symbol(&self, atom: Atom) -> String {

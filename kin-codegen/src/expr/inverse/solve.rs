@@ -1,8 +1,8 @@
 //! The subproblems as expressions, each in the frame of its joint: the axis
 //! is z, so every rotation is planar.
 
-use super::Writer;
 use super::carry::Carried;
+use super::{Level, Spent, Writer};
 use crate::expr::linear::{Trig, Vector};
 use crate::expr::{Expr, RootField};
 use crate::geometry::Travel;
@@ -195,26 +195,31 @@ impl Writer<'_> {
         (self.g.add(xx, yy), self.g.sub(yx, xy), self.g.sub(d, zz))
     }
 
-    /// a cos θ + b sin θ = d, both roots. `squares` is a² + b² − d² where it
-    /// is known as a sum of squares.
+    /// a cos θ + b sin θ = d, both roots. `known` is a² + b² − d² where there is
+    /// a better way to compute it, and whether it is a sum of squares.
     fn angle_with(
         &mut self,
         unknown: Atom,
         a: Expr,
         b: Expr,
         d: Expr,
-        squares: Option<Expr>,
+        known: Option<(Expr, bool)>,
     ) -> Trig {
-        self.level = squares.is_none().then_some(d);
         let [aa, bb] = [self.g.square(a), self.g.square(b)];
         let amplitude = self.g.add(aa, bb);
-        let discriminant = squares.unwrap_or_else(|| {
-            let dd = self.g.square(d);
-            self.g.sub(amplitude, dd)
-        });
-        let noise = if squares.is_some() { FREE } else { NOISE };
+        let exact = known.is_some_and(|(_, exact)| exact);
+        self.level = (!exact).then_some(Level { d, amplitude });
+        let discriminant = known
+            .map(|(discriminant, _)| discriminant)
+            .unwrap_or_else(|| {
+                let dd = self.g.square(d);
+                self.g.sub(amplitude, dd)
+            });
+        let noise = if exact { FREE } else { NOISE };
         let sign = self.g.sign();
         let root = self.root(sign, discriminant, amplitude, noise);
+        // Out of domain the nearest angle is that of d at its limit.
+        let d = if exact { d } else { self.clamped(d, amplitude) };
         let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
         let [bd, ar] = [self.g.mul(b, d), self.g.mul(a, root)];
         let trig = Trig {
@@ -231,6 +236,17 @@ impl Writer<'_> {
             self.refuse(second);
         }
         self.normalized(unknown, trig, amplitude, scale)
+    }
+
+    /// d within ±√limit.
+    fn clamped(&mut self, d: Expr, limit: Expr) -> Expr {
+        let limit = self.g.sqrt(limit);
+        let lower = self.g.neg(limit);
+        let minus = self.g.neg(d);
+        // min(d, limit) = −max(−d, −limit), and a NaN stays one.
+        let below = self.g.max(lower, minus);
+        let below = self.g.neg(below);
+        self.g.max(lower, below)
     }
 
     /// ± the square root, with what it says about the branch: out of domain is
@@ -314,7 +330,17 @@ impl Writer<'_> {
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
         self.may_be_free = Some(unknown);
-        let fallback = self.fallback;
+        let seeded = self.seeded(unknown);
+        let fallback = match self.spent {
+            None => seeded,
+            Some(Spent { best, room }) => {
+                let zero = self.g.zero();
+                Trig {
+                    sin: self.g.select_less(zero, room, seeded.sin, best.sin),
+                    cos: self.g.select_less(zero, room, seeded.cos, best.cos),
+                }
+            }
+        };
         Trig {
             sin: self.g.select_less(factor, nothing, fallback.sin, sin),
             cos: self.g.select_less(factor, nothing, fallback.cos, cos),
@@ -385,14 +411,18 @@ impl Writer<'_> {
         let level = self.g.dot(h, on_axis);
         let d = self.g.add(x_vector[2], level);
         let (a, b, d) = self.cosine_sine(h, y_vector, d);
-        let squares = self.sum_of_squares(x_vector, y_vector, h, d, point, on_axis);
-        let trig = self.angle_with(second, a, b, d, squares);
+        let square = self.square_axes(x_vector, y_vector, h, d);
+        let squares = square
+            .filter(|(_, exact)| *exact)
+            .map(|(squares, _)| squares);
+        let trig = self.angle_with(second, a, b, d, square);
         self.set(second, trig);
         let moved = self.bring_behind(from, from.joints.start, first_end);
         let turned = self.across(x_vector, of(moved));
         let factor = match squares {
-            Some(squares) => squares,
-            None => {
+            // Of points out of reach the two lengths differ.
+            Some(squares) if !point => squares,
+            _ => {
                 let lengths = [x_vector, of(moved)].map(|v| self.length_squared(v));
                 let product = self.g.mul(lengths[0], lengths[1]);
                 self.g.sqrt(product)
@@ -434,13 +464,21 @@ impl Writer<'_> {
             self.g.add(turning, m)
         });
         self.set(outer, x);
-        self.set(
-            inner,
-            Trig {
-                cos: y[0],
-                sin: y[1],
-            },
-        );
+        let y = self.unit(Trig {
+            cos: y[0],
+            sin: y[1],
+        });
+        self.set(inner, y);
+    }
+
+    /// A vector of nearly unit length, or of any where there is no root.
+    fn unit(&mut self, t: Trig) -> Trig {
+        let length = self.length_squared([t.cos, t.sin, t.sin]);
+        let length = self.g.sqrt(length);
+        Trig {
+            sin: self.g.div(t.sin, length),
+            cos: self.g.div(t.cos, length),
+        }
     }
 
     /// p s − q r.
@@ -507,26 +545,21 @@ impl Writer<'_> {
         Side { cos, sin, rest }
     }
 
-    /// The discriminant of a subproblem 2 without cancellation. Rotations keep
-    /// lengths, |x| = |y|, so a² + b² − d² = (x₁² + x₂²) + rest, and where the
-    /// axes are square to each other and y to the second, the rest is zero.
-    fn sum_of_squares(
-        &mut self,
-        x: Vector,
-        y: Vector,
-        h: Vector,
-        d: Expr,
-        point: bool,
-        on_axis: Vector,
-    ) -> Option<Expr> {
-        let hh = self.length_squared(h);
-        let yy = self.length_squared(y);
-        let reach = self.g.mul(hh, yy);
-        let length = self.g.dot(y, y);
-        let (reach, length) = (self.g.value(reach)?, self.g.value(length)?);
-        let square = (reach - length).abs() < 1e-15 * length;
-        let centred = !point || on_axis.iter().all(|&e| self.g.is(e, 0.0));
-        (square && centred && d == x[2]).then(|| self.length_squared(x))
+    /// The discriminant of a subproblem 2 whose axes are square to each other
+    /// and meet in the origin. Rotations keep lengths, |x| = |y|, so that
+    /// a² + b² − d² = (y₁² + y₂²) − x₃² is (x₁² + x₂²) − y₃² as well, which has
+    /// no cancellation where y₃ = 0: near the first axis the two differ by all
+    /// their digits. Also whether it is such a sum of squares.
+    fn square_axes(&mut self, x: Vector, y: Vector, h: Vector, d: Expr) -> Option<(Expr, bool)> {
+        let unit = self.length_squared(h);
+        let square =
+            self.g.is(h[2], 0.0) && self.g.value(unit).is_some_and(|u| (u - 1.0).abs() < 1e-15);
+        if !square || d != x[2] {
+            return None;
+        }
+        let across = self.length_squared(x);
+        let offset = self.g.square(y[2]);
+        Some((self.g.sub(across, offset), self.g.is(y[2], 0.0)))
     }
 
     /// A sliding joint.
