@@ -85,3 +85,15 @@ fn elbow_folded() {
     approach(Subject::new(Elbow, "robots/elbow.yaml"), folded, 2);
     approach(Subject::new(Ur5e, "robots/ur5e.urdf"), folded, 2);
 }
+/// The elbow manipulator's wrist is above its shoulder where
+/// 0.4 cos q2 + 0.3 cos(q2 + q3) = 0.
+#[test]
+fn wrist_on_the_shoulder_axis() {
+    let shoulder: f64 = 1.2;
+    let elbow = (-0.4 / 0.3 * shoulder.cos()).acos() - shoulder;
+    let above = [0.3, shoulder, elbow, 0.4, 0.7, -0.9];
+    approach(Subject::new(Elbow, "robots/elbow.yaml"), above, 1);
+    // The Stanford arm's, where its slide points up.
+    let up = [0.3, FRAC_PI_2, 0.2, 0.4, 0.7, -0.9];
+    approach(Subject::new(Stanford, "robots/stanford.yaml"), up, 1);
+}

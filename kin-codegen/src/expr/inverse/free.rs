@@ -76,7 +76,7 @@ impl Writer<'_> {
         })?;
         let mut out = before.clone();
         let shared = before.g.nodes().len();
-        let mut at = |out: &mut Self, e: Expr, sin: Expr, cos: Expr| {
+        let at = |out: &mut Self, e: Expr, sin: Expr, cos: Expr| {
             let inputs = [(placeholder.sin, sin), (placeholder.cos, cos)];
             out.g.import(&ahead.g, shared, e, &inputs)
         };

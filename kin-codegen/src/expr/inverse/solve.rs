@@ -554,7 +554,9 @@ impl Writer<'_> {
         let unit = self.length_squared(h);
         let square =
             self.g.is(h[2], 0.0) && self.g.value(unit).is_some_and(|u| (u - 1.0).abs() < 1e-15);
-        if !square || d != x[2] {
+        // The better side is the one whose component is a constant of the arm.
+        let better = self.g.value(y[2]).is_some() && self.g.value(x[2]).is_none();
+        if !square || d != x[2] || !better {
             return None;
         }
         let across = self.length_squared(x);
