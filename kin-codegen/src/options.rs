@@ -52,7 +52,7 @@ impl fmt::Display for Options {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let quoted = |link: &Option<String>| link.as_ref().map(|link| format!("{link:?}"));
         let ik = (self.ik != Ik::default()).then(|| self.ik.to_string());
-        let target = self.target.map(|target| target_word(target).to_owned());
+        let target = self.target.map(|target| target.word().to_owned());
         let settings = [
             ("name", self.name.clone()),
             ("base", quoted(&self.base)),
@@ -96,26 +96,23 @@ impl FromStr for Ik {
 
 impl Target {
     /// The words that stand for it.
-    pub const WORDS: [&'static str; 2] = ["pose", "position"];
-}
-
-/// The word for a target, as options write it.
-pub(crate) fn target_word(target: Target) -> &'static str {
-    match target {
-        Target::Pose => "pose",
-        Target::Position => "position",
-    }
+    pub const WORDS: [&'static str; 7] = {
+        let mut words = [""; 7];
+        let mut i = 0;
+        while i < 7 {
+            words[i] = Target::ALL[i].word();
+            i += 1;
+        }
+        words
+    };
 }
 
 impl FromStr for Target {
     type Err = Unknown;
 
     fn from_str(word: &str) -> Result<Self, Unknown> {
-        match word {
-            "pose" => Ok(Target::Pose),
-            "position" => Ok(Target::Position),
-            _ => Err(Unknown::new("target", word, &Target::WORDS)),
-        }
+        let named = Target::ALL.into_iter().find(|target| target.word() == word);
+        named.ok_or_else(|| Unknown::new("target", word, &Target::WORDS))
     }
 }
 
@@ -125,7 +122,8 @@ impl FromStr for Target {
 /// let refused = "positoin".parse::<kin_codegen::Target>().unwrap_err();
 /// assert_eq!(
 ///     refused.to_string(),
-///     "unknown target `positoin`: did you mean `position`? There are `pose`, `position`."
+///     "unknown target `positoin`: did you mean `position`? There are `pose`, `position`, \
+///      `position_axis`, `position_yaw`, `planar`, `direction`, `orientation`."
 /// );
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -224,7 +222,7 @@ mod tests {
             assert_eq!(word.parse::<Ik>().unwrap().to_string(), word);
         }
         for word in Target::WORDS {
-            assert_eq!(target_word(word.parse().unwrap()), word);
+            assert_eq!(word.parse::<Target>().unwrap().word(), word);
         }
     }
 }

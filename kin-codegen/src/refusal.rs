@@ -57,6 +57,9 @@ pub fn no_closed_form(source: &Source, model: &Model, reason: &NoClosedForm) -> 
         NoClosedForm::Redundant => format!(
             "{n} joints reach a pose in infinitely many ways, and no joint was chosen to stay free"
         ),
+        NoClosedForm::Noisy => "its axes are off exact relations by the noise of the file, and a \
+                                projected target (position_yaw, planar) needs them exact"
+            .to_owned(),
         NoClosedForm::NoPlan => format!(
             "no sequence of the subproblems SP1 to SP6 solves the chain: {}",
             structure(model)

@@ -57,6 +57,9 @@ pub enum NoClosedForm {
     Redundant,
     /// The search found no sequence of subproblems.
     NoPlan,
+    /// The axes are off exact relations, and a target of this kind is projected
+    /// to what the exact arm can choose.
+    Noisy,
     /// The best plan failed its certificate.
     Uncertified {
         /// The plan, in short.
@@ -128,9 +131,12 @@ fn better(best: Option<ClosedForm>, other: ClosedForm) -> Option<ClosedForm> {
 
 fn solve_snapped(trials: &Trials, snap: Snap, target: Target) -> Result<ClosedForm, NoClosedForm> {
     let linkage = Linkage::new(&snap.model);
-    let plans = search(&linkage, snap.model.home.translation, target, PLANS);
+    let plans = search(&linkage, target, PLANS);
     let tip_shift = tip_shift(trials.model(), &snap.model);
     let literal = tip_shift < UNMOVED * linkage.size;
+    if !literal && target.aim().is_none() {
+        return Err(NoClosedForm::Noisy);
+    }
     let mut refusal = NoClosedForm::NoPlan;
     let mut best: Option<ClosedForm> = None;
     let mut attempt = |plan: &Plan, free: FreeAngles| {

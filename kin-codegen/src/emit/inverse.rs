@@ -110,14 +110,26 @@ fn acceptance(model: &Model, solver: &ClosedForm) -> TokenStream {
     quote!(Acceptance { size: #size, tolerance: #tolerance, prismatic: #prismatic })
 }
 
-fn what(target: Target) -> &'static str {
-    match target {
-        Target::Pose => " All joint values that put the tip at `pose` (base frame, metres).",
-        Target::Position => {
-            " All joint values that put the tip's origin at the translation of `pose` (base \
-             frame, metres). Its rotation is not read."
+fn what(target: Target) -> String {
+    let reaches = match target {
+        Target::Pose => "put the tip at `pose`",
+        Target::Position => "put the tip's origin at the translation of `pose`",
+        Target::PositionAxis => {
+            "put the tip's origin at the translation of `pose` and its z axis along that of `pose`"
         }
-    }
+        Target::PositionYaw => {
+            "put the tip's origin at the translation of `pose`, turned as `pose` is about the \
+             first axis"
+        }
+        Target::Planar => {
+            "put the tip's origin at the translation of `pose` across the first axis, turned as \
+             `pose` is about that axis"
+        }
+        Target::Direction => "turn the tip's z axis along that of `pose`",
+        Target::Orientation => "turn the tip as `pose` is turned",
+    };
+    let rest = if target == Target::Pose { "" } else { " The rest of `pose` is not read." };
+    format!(" All joint values that {reaches} (base frame, metres).{rest}")
 }
 
 /// The names of the target's entries: r11 … r33, px, py, pz.

@@ -1,7 +1,6 @@
 //! The closed form: its plan, why it was chosen, and what it costs.
 
 use super::{Cost, Snapping, Step};
-use crate::options::target_word;
 use crate::plan::search;
 use crate::solver::ClosedForm;
 use crate::verify::Certificate;
@@ -45,7 +44,7 @@ impl Inverse {
         let plan = &solver.plan;
         let steps = plan.steps.iter();
         Self {
-            target: target_word(plan.target),
+            target: plan.target.word(),
             snapping: Snapping::of(solver),
             plan: plan.to_string(),
             steps: steps.map(|step| Step::of(step, &solver.linkage)).collect(),
@@ -58,9 +57,8 @@ impl Inverse {
 }
 
 fn others(solver: &ClosedForm) -> Vec<String> {
-    let tip = solver.snap.model.home.translation;
     let chosen = solver.plan.to_string();
-    search(&solver.linkage, tip, solver.plan.target, ALTERNATIVES)
+    search(&solver.linkage, solver.plan.target, ALTERNATIVES)
         .iter()
         .map(ToString::to_string)
         .filter(|plan| *plan != chosen)

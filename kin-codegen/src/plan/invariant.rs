@@ -36,7 +36,7 @@ pub struct Invariant {
 }
 
 /// All candidates for the ends of a relation.
-pub fn invariants(linkage: &Linkage, tip: Vec3, target: Target) -> Vec<Invariant> {
+pub fn invariants(linkage: &Linkage, target: Target) -> Vec<Invariant> {
     let n = linkage.links.len();
     let axes: Vec<Line> = (0..n).map(|i| linkage.axis(i)).collect();
     let mut found = Vec::new();
@@ -49,9 +49,10 @@ pub fn invariants(linkage: &Linkage, tip: Vec3, target: Target) -> Vec<Invariant
         }
     }
     attached(linkage, 0, &mut found);
-    match target {
-        Target::Pose => attached(linkage, n, &mut found),
-        Target::Position => found.push(tip_point(linkage, &axes, tip)),
+    if target.is_free() {
+        left_alone(linkage, &axes, target, &mut found);
+    } else {
+        attached(linkage, n, &mut found);
     }
     found
 }
@@ -145,17 +146,45 @@ fn attached(linkage: &Linkage, body: usize, found: &mut Vec<Invariant>) {
     }
 }
 
-/// The point that a target of position alone fixes, with the last joints
-/// whose axes pass through it.
-fn tip_point(linkage: &Linkage, axes: &[Line], tip: Vec3) -> Invariant {
+/// What the free part of a target leaves alone, with the last joints that do
+/// so as well.
+fn left_alone(linkage: &Linkage, axes: &[Line], target: Target, found: &mut Vec<Invariant>) {
     let n = axes.len();
+    let tip = linkage.tip_home();
+    let point = tip.translation;
+    let column = |j: usize| [0, 1, 2].map(|i| tip.rotation[i][j]);
+    // The last joints that leave something alone, and the free part behind.
+    let row = |leaves: &dyn Fn(usize) -> bool| {
+        let count = (0..n).rev().take_while(|&j| leaves(j)).count();
+        n - count..n + 1
+    };
     let through =
-        |j: usize| !slides(linkage, j) && norm(axes[j].offset_of(tip)) < EXACT * linkage.size;
-    let passing = (0..n).rev().take_while(|&j| through(j)).count();
-    Invariant {
-        kind: Kind::Point,
-        joints: n - passing..n + 1,
-        point: tip,
-        direction: [0.0; 3],
+        |j: usize| !slides(linkage, j) && norm(axes[j].offset_of(point)) < EXACT * linkage.size;
+    let along = |d: Vec3| {
+        move |j: usize| slides(linkage, j) || norm(cross(axes[j].direction, d)) < EXACT
+    };
+    if target.fixes_point() {
+        let joints = row(&through);
+        found.push(Invariant { kind: Kind::Point, joints, point, direction: [0.0; 3] });
+    }
+    if target.fixes_axis() {
+        let direction = column(2);
+        let joints = row(&along(direction));
+        found.push(Invariant { kind: Kind::Direction, joints, point, direction });
+    }
+    if target == Target::PositionAxis {
+        let direction = column(2);
+        let across = |j: usize| {
+            let sliding = dot(axes[j].direction, direction).abs() < EXACT;
+            if slides(linkage, j) { sliding } else { along(direction)(j) }
+        };
+        let joints = row(&across);
+        found.push(Invariant { kind: Kind::Plane, joints, point, direction });
+    }
+    if target == Target::Orientation {
+        for direction in [0, 1, 2].map(column) {
+            let joints = row(&along(direction));
+            found.push(Invariant { kind: Kind::Direction, joints, point, direction });
+        }
     }
 }

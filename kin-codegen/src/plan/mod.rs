@@ -10,33 +10,14 @@
 mod invariant;
 mod relation;
 mod search;
+mod target;
 
 pub use invariant::{Invariant, Kind};
 pub use relation::{Atom, Relation};
 pub use search::search;
+pub use target::Target;
 
-use kin_runtime::polish::Aim;
 use std::fmt;
-
-/// What of the target pose counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Target {
-    /// All of it.
-    #[default]
-    Pose,
-    /// The translation; for arms that cannot choose their orientation.
-    Position,
-}
-
-impl Target {
-    /// What a polish has to reach; none if it cannot.
-    pub fn aim(self) -> Option<Aim> {
-        match self {
-            Target::Pose => Some(Aim::Pose),
-            Target::Position => Some(Aim::Position),
-        }
-    }
-}
 
 /// The subproblem of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,7 +3,7 @@
 use super::invariant::invariants;
 use super::relation::{Dependence, Samples};
 use super::{Atom, Kind, Plan, Relation, Step, Subproblem, Target};
-use crate::geometry::{Linkage, Travel, Vec3, cross, norm};
+use crate::geometry::{Linkage, Travel, cross, norm};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -26,12 +26,12 @@ const DEPENDENT: f64 = 1e-4;
 
 /// Finds up to `limit` plans, the cheapest first.
 ///
-/// `tip` is the tip's position at home in base coordinates. The cost counts
+/// The cost counts
 /// subproblems by the work that they are, times the branches that have to do
 /// it, and prefers relations whose amplitude is a constant of the arm: those
 /// cannot degenerate.
-pub fn search(linkage: &Linkage, tip: Vec3, target: Target, limit: usize) -> Vec<Plan> {
-    let relations = relations(linkage, tip, target);
+pub fn search(linkage: &Linkage, target: Target, limit: usize) -> Vec<Plan> {
+    let relations = relations(linkage, target);
     let n = linkage.links.len();
     let start = Partial {
         cost: 0,
@@ -64,14 +64,14 @@ pub fn search(linkage: &Linkage, tip: Vec3, target: Target, limit: usize) -> Vec
 }
 
 /// Every relation of the loop.
-fn relations(linkage: &Linkage, tip: Vec3, target: Target) -> Vec<Relation> {
+fn relations(linkage: &Linkage, target: Target) -> Vec<Relation> {
     let n = linkage.links.len();
     let samples = Samples::new(linkage);
-    let invariants = invariants(linkage, tip, target);
+    let invariants = invariants(linkage, target);
     // A free part of the target can only be crossed by what it leaves alone.
     let crosses = |relation: &Relation| {
         let ends = |x: &super::Invariant| x.joints.end == n + 1;
-        target == Target::Pose || ends(&relation.from) || relation.to.as_ref().is_some_and(ends)
+        !target.is_free() || ends(&relation.from) || relation.to.as_ref().is_some_and(ends)
     };
     let mut out = Vec::new();
     for a in &invariants {

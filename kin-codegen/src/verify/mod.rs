@@ -9,11 +9,12 @@
 
 mod configurations;
 
-use crate::geometry::{Linkage, size};
+use crate::geometry::{Linkage, along, cross, dot, size};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Answer, ClosedForm};
 use configurations::configurations;
+use kin_runtime::polish::Aim;
 use kin_runtime::{Chain, Pose, Twist};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -246,23 +247,11 @@ pub fn rank(model: &Model) -> usize {
         .unwrap_or(0)
 }
 
-/// How far a pose is from another: translation and rotation angle times the
-/// arm's size, as the legs of a right triangle; of a target of position, the
-/// translation.
+/// How far a pose is from a target, as far as the target counts: translation
+/// and angle times the arm's size, as the legs of a right triangle. A pose that
+/// an arm with a projected target can take has to agree as a whole.
 pub fn distance(a: &Pose, b: &Pose, size: f64, target: Target) -> f64 {
-    let square =
-        |x: &[f64; 3], y: &[f64; 3]| -> f64 { x.iter().zip(y).map(|(x, y)| (x - y).powi(2)).sum() };
-    let shift = square(&a.translation, &b.translation);
-    let turn: f64 = a
-        .rotation
-        .iter()
-        .zip(&b.rotation)
-        .map(|(x, y)| square(x, y))
-        .sum();
-    match target {
-        Target::Pose => (shift + 0.5 * size * size * turn).sqrt(),
-        Target::Position => shift.sqrt(),
-    }
+    target.aim().unwrap_or(Aim::Pose).distance(a, b, size)
 }
 
 /// How independent the columns of the Jacobian are: the shortest that is left
@@ -278,11 +267,23 @@ fn independence(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
 /// those before it, longest first, relative to the longest. Lengths are in
 /// units of the arm's size.
 fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
+    let z = [0, 1, 2].map(|i| chain.fk(q).rotation[i][2]);
+    let yaw = chain.twists().first().map_or([0.0; 3], |twist| twist.angular);
     let rows = |twist: &Twist| -> Vec<f64> {
-        let linear = twist.linear.map(|x| x / size);
+        let v = twist.linear.map(|x| x / size);
+        let w = twist.angular;
+        let about = dot(w, yaw);
         match target {
-            Target::Pose => linear.into_iter().chain(twist.angular).collect(),
-            Target::Position => linear.to_vec(),
+            Target::Pose => [v, w].concat(),
+            Target::Position => v.to_vec(),
+            Target::PositionAxis => [v, cross(w, z)].concat(),
+            Target::Direction => cross(w, z).to_vec(),
+            Target::Orientation => w.to_vec(),
+            Target::PositionYaw => [v[0], v[1], v[2], about].to_vec(),
+            Target::Planar => {
+                let across = along(v, -dot(v, yaw), yaw);
+                [across[0], across[1], across[2], about].to_vec()
+            }
         }
     };
     let norm = |v: &Vec<f64>| v.iter().map(|x| x * x).sum::<f64>().sqrt();

@@ -9,6 +9,7 @@
 
 mod carry;
 mod free;
+mod project;
 mod solve;
 
 pub use free::FreeAngles;
@@ -123,6 +124,8 @@ impl<'a> Writer<'a> {
         let mut g = Graph::new();
         let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
         let translation = ["px", "py", "pz"].map(|name| g.input(name));
+        let given = Motion { rotation, translation };
+        let pose = project::projected(&mut g, linkage, target, given);
         let seed = (1..=linkage.variables())
             .map(|i| g.input(format!("seed{i}")))
             .collect();
@@ -133,10 +136,7 @@ impl<'a> Writer<'a> {
             linkage,
             tip: linkage.tip_home(),
             target,
-            pose: Motion {
-                rotation,
-                translation,
-            },
+            pose,
             seed,
             slack,
             trig: vec![None; n],
@@ -321,20 +321,31 @@ impl<'a> Writer<'a> {
         let stance = self.stance();
         let found = forward::tip(&mut self.g, self.linkage, &stance);
         let wanted = self.pose;
-        let shift = self.g.minus(found.translation, wanted.translation);
-        let mut squares = self.g.dot(shift, shift);
-        if self.target == Target::Pose {
-            let mut turn = self.g.zero();
-            for (row, wanted) in found.rotation.iter().zip(&wanted.rotation) {
-                let d = self.g.minus(*row, *wanted);
-                let d = self.g.dot(d, d);
+        let zero = self.g.zero();
+        let mut squares = zero;
+        if !self.target.is_free() || self.target.fixes_point() {
+            let shift = self.g.minus(found.translation, wanted.translation);
+            squares = self.g.dot(shift, shift);
+        }
+        let columns = match self.target {
+            Target::Position => 3..3,
+            Target::PositionAxis | Target::Direction => 2..3,
+            _ => 0..3,
+        };
+        // The Frobenius norm of a small rotation's difference is √2 θ; a single
+        // column's difference is θ itself.
+        let share = if columns.len() == 3 { 0.5 } else { 1.0 };
+        let mut turn = zero;
+        for (row, wanted) in found.rotation.iter().zip(&wanted.rotation) {
+            for j in columns.clone() {
+                let d = self.g.sub(row[j], wanted[j]);
+                let d = self.g.square(d);
                 turn = self.g.add(turn, d);
             }
-            // The Frobenius norm of a small rotation's difference is √2 θ.
-            let scale = self.g.constant(0.5 * self.linkage.size.powi(2));
-            let turn = self.g.mul(scale, turn);
-            squares = self.g.add(squares, turn);
         }
+        let scale = self.g.constant(share * self.linkage.size.powi(2));
+        let turn = self.g.mul(scale, turn);
+        squares = self.g.add(squares, turn);
         self.g.sqrt(squares)
     }
 

@@ -1,0 +1,77 @@
+//! Targets of which only a part is read, made whole by what the arm does with
+//! the rest: an arm whose axes are all parallel turns its tip about them and
+//! no other way.
+
+use crate::expr::Graph;
+use crate::expr::linear::{Motion, Trig, Vector};
+use crate::geometry::{Linkage, Vec3, cross, dot};
+use crate::plan::Target;
+
+/// The whole pose that a target stands for. Of a projected target the turn
+/// about the first axis is kept, the one that brings the home orientation
+/// nearest to the target's, and for a planar arm the height is that of home.
+pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given: Motion) -> Motion {
+    if !target.is_projected() {
+        return given;
+    }
+    let axis = linkage.axis(0).direction;
+    let home = linkage.tip_home();
+    let rotation = turned_home(g, &given.rotation, axis, &home.rotation);
+    let translation = match target {
+        Target::Planar => {
+            let n = g.vector(axis);
+            let height = g.dot(n, given.translation);
+            let wanted = g.constant(dot(axis, home.translation));
+            let rise = g.sub(wanted, height);
+            let lift = g.scale(rise, n);
+            g.plus(given.translation, lift)
+        }
+        _ => given.translation,
+    };
+    Motion { rotation, translation }
+}
+
+/// Rot(n, ψ) R₀ with the ψ that brings it nearest to R: with M = R R₀ᵀ,
+/// cos ψ ~ tr M − nᵀ M n and sin ψ ~ n · (axial vector of M).
+fn turned_home(g: &mut Graph, r: &[Vector; 3], n: Vec3, home: &[[f64; 3]; 3]) -> [Vector; 3] {
+    let back = [0, 1, 2].map(|i| [0, 1, 2].map(|j| home[j][i]));
+    let back = g.rotation(&back);
+    let m = g.product(r, &back);
+    let mut cos = g.zero();
+    let mut sin = g.zero();
+    for i in 0..3 {
+        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
+        let skew = g.sub(m[b][a], m[a][b]);
+        let part = g.constant(n[i]);
+        let part = g.mul(part, skew);
+        sin = g.add(sin, part);
+        for j in 0..3 {
+            let weight = f64::from(i == j) - n[i] * n[j];
+            let weight = g.constant(if weight.abs() < 1e-15 { 0.0 } else { weight });
+            let part = g.mul(weight, m[i][j]);
+            cos = g.add(cos, part);
+        }
+    }
+    let squares = [sin, cos].map(|x| g.square(x));
+    let length = g.add(squares[0], squares[1]);
+    let length = g.sqrt(length);
+    let turn = Trig { sin: g.div(sin, length), cos: g.div(cos, length) };
+    rotated_home(g, turn, n, home)
+}
+
+/// Column by column, c v + s (n × v) + (1 − c) n (n · v).
+fn rotated_home(g: &mut Graph, t: Trig, n: Vec3, home: &[[f64; 3]; 3]) -> [Vector; 3] {
+    let columns = [0, 1, 2].map(|j| {
+        let v = [0, 1, 2].map(|i| home[i][j]);
+        let (side, height) = (cross(n, v), dot(n, v));
+        [0, 1, 2].map(|i| {
+            let flat = v[i] - n[i] * height;
+            let [flat, side, rest] = [flat, side[i], n[i] * height]
+                .map(|x| g.constant(if x.abs() < 1e-15 { 0.0 } else { x }));
+            let [c, s] = [g.mul(t.cos, flat), g.mul(t.sin, side)];
+            let turning = g.add(c, s);
+            g.add(turning, rest)
+        })
+    });
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]))
+}
