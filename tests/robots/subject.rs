@@ -25,8 +25,9 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     pub fn new(arm: K, path: &str) -> Self {
         let model = read(path);
         let goal = match verify::natural_target(&model) {
-            Target::Pose => Goal::Pose,
             Target::Position => Goal::Position,
+            // Of what a part of the pose leaves open, the whole pose is a part.
+            _ => Goal::Pose,
         };
         Subject {
             arm,

@@ -128,7 +128,11 @@ fn what(target: Target) -> String {
         Target::Direction => "turn the tip's z axis along that of `pose`",
         Target::Orientation => "turn the tip as `pose` is turned",
     };
-    let rest = if target == Target::Pose { "" } else { " The rest of `pose` is not read." };
+    let rest = if target == Target::Pose {
+        ""
+    } else {
+        " The rest of `pose` is not read."
+    };
     format!(" All joint values that {reaches} (base frame, metres).{rest}")
 }
 

@@ -112,8 +112,9 @@ fn completeness(compiled: &Compiled, solver: &ClosedForm, targets: usize) -> Com
     let literal = chain(&compiled.model);
     let options = SearchOptions {
         goal: match solver.plan.target {
-            Target::Pose => Goal::Pose,
             Target::Position => Goal::Position,
+            // Of what a part of the pose leaves open, the whole pose is a part.
+            _ => Goal::Pose,
         },
         ..SearchOptions::default()
     };

@@ -1,7 +1,7 @@
 //! The closed form: its plan, why it was chosen, and what it costs.
 
 use super::{Cost, Snapping, Step};
-use crate::plan::search;
+use crate::plan::{Target, search};
 use crate::solver::ClosedForm;
 use crate::verify::Certificate;
 use serde::Serialize;
@@ -12,7 +12,7 @@ const ALTERNATIVES: usize = 4;
 /// A verified closed form.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inverse {
-    /// `pose`, or `position` where the arm cannot choose its orientation.
+    /// What of a pose counts, as the option `target` has it.
     pub target: &'static str,
     /// What was snapped; none if the file is exact.
     pub snapping: Option<Snapping>,
@@ -53,6 +53,14 @@ impl Inverse {
             cost: LaneCost::of(solver),
             certificate: solver.certificate,
         }
+    }
+}
+
+impl Inverse {
+    /// What of a pose counts in words, if it is not all.
+    pub(super) fn part_of_pose(&self) -> Option<&'static str> {
+        let target = self.target.parse::<Target>().ok()?;
+        (target != Target::Pose).then(|| target.phrase())
     }
 }
 

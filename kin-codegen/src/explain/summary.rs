@@ -34,8 +34,11 @@ pub fn summary(compiled: &Compiled) -> Vec<String> {
             seen.singular, seen.unanswered
         ));
     }
-    if solver.plan.target == Target::Position {
-        lines.push("Targets are positions: the arm cannot choose its orientation.".into());
+    if solver.plan.target != Target::Pose {
+        lines.push(format!(
+            "Targets are {}: the rest of a pose is not read.",
+            solver.plan.target.phrase()
+        ));
     }
     if solver.polish > 0 {
         lines.push(String::new());

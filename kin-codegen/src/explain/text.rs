@@ -181,11 +181,8 @@ impl Display for Row {
 
 impl Display for Inverse {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        if self.target == "position" {
-            writeln!(
-                f,
-                "  Targets are positions: the arm cannot choose its orientation."
-            )?;
+        if let Some(target) = self.part_of_pose() {
+            writeln!(f, "  Targets are {target}: the rest of a pose is not read.")?;
         }
         if let Some(snapping) = &self.snapping {
             write!(f, "{snapping}")?;

@@ -160,31 +160,76 @@ fn left_alone(linkage: &Linkage, axes: &[Line], target: Target, found: &mut Vec<
     };
     let through =
         |j: usize| !slides(linkage, j) && norm(axes[j].offset_of(point)) < EXACT * linkage.size;
-    let along = |d: Vec3| {
-        move |j: usize| slides(linkage, j) || norm(cross(axes[j].direction, d)) < EXACT
-    };
+    let along =
+        |d: Vec3| move |j: usize| slides(linkage, j) || norm(cross(axes[j].direction, d)) < EXACT;
     if target.fixes_point() {
         let joints = row(&through);
-        found.push(Invariant { kind: Kind::Point, joints, point, direction: [0.0; 3] });
+        found.push(Invariant {
+            kind: Kind::Point,
+            joints,
+            point,
+            direction: [0.0; 3],
+        });
     }
     if target.fixes_axis() {
         let direction = column(2);
         let joints = row(&along(direction));
-        found.push(Invariant { kind: Kind::Direction, joints, point, direction });
+        found.push(Invariant {
+            kind: Kind::Direction,
+            joints,
+            point,
+            direction,
+        });
     }
     if target == Target::PositionAxis {
         let direction = column(2);
+        found.extend(points_of_axis(linkage, axes, Line { direction, point }));
         let across = |j: usize| {
             let sliding = dot(axes[j].direction, direction).abs() < EXACT;
-            if slides(linkage, j) { sliding } else { along(direction)(j) }
+            if slides(linkage, j) {
+                sliding
+            } else {
+                along(direction)(j)
+            }
         };
         let joints = row(&across);
-        found.push(Invariant { kind: Kind::Plane, joints, point, direction });
+        found.push(Invariant {
+            kind: Kind::Plane,
+            joints,
+            point,
+            direction,
+        });
     }
     if target == Target::Orientation {
         for direction in [0, 1, 2].map(column) {
             let joints = row(&along(direction));
-            found.push(Invariant { kind: Kind::Direction, joints, point, direction });
+            found.push(Invariant {
+                kind: Kind::Direction,
+                joints,
+                point,
+                direction,
+            });
         }
     }
+}
+
+/// Points of the tip's z axis that the last joints leave alone as well: the
+/// centre of a wrist that the tool points away from.
+fn points_of_axis(linkage: &Linkage, axes: &[Line], tool: Line) -> Vec<Invariant> {
+    let n = axes.len();
+    let turning = (0..n).rev().take_while(|&j| !slides(linkage, j)).count();
+    (n - turning..n)
+        .filter_map(|start| {
+            let mut lines = axes[start..].to_vec();
+            lines.push(tool);
+            let point = concurrency(&lines, EXACT, EXACT * linkage.size)?;
+            let joints = start..n + 1;
+            Some(Invariant {
+                kind: Kind::Point,
+                joints,
+                point,
+                direction: [0.0; 3],
+            })
+        })
+        .collect()
 }

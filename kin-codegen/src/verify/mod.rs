@@ -268,7 +268,10 @@ fn independence(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
 /// units of the arm's size.
 fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
     let z = [0, 1, 2].map(|i| chain.fk(q).rotation[i][2]);
-    let yaw = chain.twists().first().map_or([0.0; 3], |twist| twist.angular);
+    let yaw = chain
+        .twists()
+        .first()
+        .map_or([0.0; 3], |twist| twist.angular);
     let rows = |twist: &Twist| -> Vec<f64> {
         let v = twist.linear.map(|x| x / size);
         let w = twist.angular;

@@ -133,8 +133,9 @@ impl Solved {
     fn search(&self) -> SearchOptions {
         SearchOptions {
             goal: match self.target {
-                Target::Pose => Goal::Pose,
                 Target::Position => Goal::Position,
+                // Of what a part of the pose leaves open, the whole pose is a part.
+                _ => Goal::Pose,
             },
             ..SearchOptions::default()
         }
@@ -156,8 +157,8 @@ impl Solved {
     /// the arm's size.
     fn conditioning(&self, q: &[f64]) -> f64 {
         let rows = match self.target {
-            Target::Pose => 6,
             Target::Position => 3,
+            _ => 6,
         };
         let columns: Vec<_> = self
             .chain

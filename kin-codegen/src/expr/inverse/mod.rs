@@ -124,7 +124,10 @@ impl<'a> Writer<'a> {
         let mut g = Graph::new();
         let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
         let translation = ["px", "py", "pz"].map(|name| g.input(name));
-        let given = Motion { rotation, translation };
+        let given = Motion {
+            rotation,
+            translation,
+        };
         let pose = project::projected(&mut g, linkage, target, given);
         let seed = (1..=linkage.variables())
             .map(|i| g.input(format!("seed{i}")))

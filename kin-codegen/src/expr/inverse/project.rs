@@ -28,7 +28,10 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
         }
         _ => given.translation,
     };
-    Motion { rotation, translation }
+    Motion {
+        rotation,
+        translation,
+    }
 }
 
 /// Rot(n, ψ) R₀ with the ψ that brings it nearest to R: with M = R R₀ᵀ,
@@ -55,7 +58,10 @@ fn turned_home(g: &mut Graph, r: &[Vector; 3], n: Vec3, home: &[[f64; 3]; 3]) ->
     let squares = [sin, cos].map(|x| g.square(x));
     let length = g.add(squares[0], squares[1]);
     let length = g.sqrt(length);
-    let turn = Trig { sin: g.div(sin, length), cos: g.div(cos, length) };
+    let turn = Trig {
+        sin: g.div(sin, length),
+        cos: g.div(cos, length),
+    };
     rotated_home(g, turn, n, home)
 }
 

@@ -411,7 +411,13 @@ impl Writer<'_> {
         let level = self.g.dot(h, on_axis);
         let d = self.g.add(x_vector[2], level);
         let (a, b, d) = self.cosine_sine(h, y_vector, d);
-        let square = self.square_axes(x_vector, y_vector, h, d);
+        // The axes meet in the first frame's origin; from there lengths are kept.
+        let centred = if point {
+            self.g.minus(y_vector, on_axis)
+        } else {
+            y_vector
+        };
+        let square = self.square_axes(x_vector, centred, h, d);
         let squares = square
             .filter(|(_, exact)| *exact)
             .map(|(squares, _)| squares);
