@@ -19,7 +19,8 @@ Exit codes:
   2  the command line is wrong
   3  the arm has no closed form
   4  generate --check: the checked-in code is stale
-  5  check --deep: the closed form lost solutions";
+  5  check --deep, --targets or --at: the closed form lost solutions, or gave
+     wrong ones";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
@@ -70,6 +71,29 @@ pub struct Check {
     /// Compare with the numerical search on so many targets
     #[arg(long, value_name = "TARGETS", default_value_t = 0)]
     pub deep: usize,
+    /// Sweep: run the closed form on so many random targets, and count what is
+    /// lost, unsound or doubled
+    #[arg(long, value_name = "COUNT", default_value_t = 0)]
+    pub targets: usize,
+    /// Hold so many targets of the sweep against the numerical search
+    #[arg(long, value_name = "COUNT", default_value_t = 0, requires = "targets")]
+    pub oracle: usize,
+    /// Which random targets
+    #[arg(long, default_value_t = 1, requires = "targets")]
+    pub seed: u64,
+    /// Show one configuration, its target and all answers to it beside those of
+    /// the numerical search; radians and metres
+    #[arg(
+        long,
+        value_name = "Q1,Q2,..",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        conflicts_with = "targets"
+    )]
+    pub at: Option<Vec<f64>>,
+    /// As JSON, for programs
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// What all commands ask of the compiler.

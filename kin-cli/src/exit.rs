@@ -17,7 +17,7 @@ pub enum Exit {
     Refused = 3,
     /// The checked-in code is not what would be generated.
     Stale = 4,
-    /// A closed form has lost solutions that the numerical search found.
+    /// A closed form has lost solutions, or given wrong ones.
     Incomplete = 5,
 }
 

@@ -30,6 +30,7 @@ mod read;
 mod refusal;
 pub mod solver;
 pub mod spec;
+pub mod sweep;
 pub mod verify;
 
 pub use compiler::{Compiled, compile};

@@ -125,6 +125,39 @@ impl Chain {
         in_order(found)
     }
 
+    /// The configuration that puts the tool at `target` and that a descent from
+    /// `start` arrives at, if it arrives. As exact as those of
+    /// [`Chain::ik_all`]; of `options` only the goal counts.
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Pose, SearchOptions, Twist};
+    /// let turn = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+    /// let chain = Chain::new(vec![turn], Pose::from_translation([1.0, 0.0, 0.0]));
+    /// let found = chain.ik_from(&chain.fk(&[0.5]), &SearchOptions::default(), &[0.4]).unwrap();
+    /// assert!((found.q[0] - 0.5).abs() < 1e-12);
+    /// ```
+    ///
+    /// # Panics
+    /// If `start` has not one value for each joint.
+    pub fn ik_from(
+        &self,
+        target: &Pose,
+        options: &SearchOptions,
+        start: &[f64],
+    ) -> Option<ChainSolution> {
+        let mut descent = Descent::new(Task {
+            chain: self,
+            target,
+            goal: options.goal,
+            length: self.size(),
+        });
+        let mut found = Vec::new();
+        if descent.run(start) {
+            self.insert(&mut found, &mut descent, options.same);
+        }
+        found.pop()
+    }
+
     /// A length that weighs rotations against translations: the farthest that
     /// any axis or the tool lies from the base axis, at home. Metres.
     fn size(&self) -> f64 {

@@ -3,19 +3,10 @@
 use super::{Attempt, structure};
 use crate::compiler::Compiled;
 use crate::options::{Ik, Options};
-use crate::plan::Target;
 use crate::solver::ClosedForm;
 use crate::spec::{Diagnostics, Source};
-use crate::verify::chain;
-use kin_runtime::{Chain, Goal, SearchOptions, math::wrap};
-use std::f64::consts::PI;
+use crate::sweep::{Kind, Settings, sweep};
 use std::fmt;
-
-/// Targets with a solution worse conditioned than this are left out: there
-/// the numerical search itself may miss solutions.
-const REGULAR: f64 = 1e-4;
-/// Two configurations are the same if no joint differs by more.
-const SAME: f64 = 1e-5;
 
 /// A robot file and what became of it. Displayed in one line.
 #[derive(Clone, Debug)]
@@ -37,6 +28,8 @@ pub enum Verdict {
         inverse: String,
         /// The comparison with the numerical search, if it was asked for.
         completeness: Option<Completeness>,
+        /// The arm, to try more on it.
+        compiled: Box<Compiled>,
     },
     /// The file is sound, and the arm has no closed form.
     Refused(String),
@@ -52,7 +45,9 @@ pub struct Completeness {
     /// Their solutions, by the numerical search.
     pub solutions: usize,
     /// Solutions that the closed form lost.
-    pub lost: Vec<Vec<f64>>,
+    pub lost: usize,
+    /// The configuration that made the target of the first of these.
+    pub first: Option<Vec<f64>>,
 }
 
 /// Reruns the certificate of a robot file; compares its closed form with the
@@ -72,7 +67,7 @@ pub struct Completeness {
 /// let Verdict::Solved { completeness, .. } = check(&source, &Options::default(), 5).verdict else {
 ///     panic!("a planar arm is solved")
 /// };
-/// assert!(completeness.is_some_and(|it| it.solutions == 10 && it.lost.is_empty()));
+/// assert!(completeness.is_some_and(|it| it.solutions == 10 && it.lost == 0));
 /// ```
 pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
     let verdict = match Attempt::new(source, options) {
@@ -81,7 +76,7 @@ pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
             refusal: Some(reason),
             ..
         }) => Verdict::Refused(reason),
-        Ok(Attempt { compiled, .. }) => solved(&compiled, options, deep),
+        Ok(Attempt { compiled, .. }) => solved(compiled, options, deep),
     };
     Check {
         path: source.path.clone(),
@@ -89,7 +84,7 @@ pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
     }
 }
 
-fn solved(compiled: &Compiled, options: &Options, deep: usize) -> Verdict {
+fn solved(compiled: Compiled, options: &Options, deep: usize) -> Verdict {
     let inverse = match &compiled.inverse {
         Some(solver) => format!(
             "{}, {} branches, worst residual {:.1e} m",
@@ -104,80 +99,30 @@ fn solved(compiled: &Compiled, options: &Options, deep: usize) -> Verdict {
     Verdict::Solved {
         structure: structure(&compiled.model),
         inverse,
-        completeness: comparable.map(|solver| completeness(compiled, solver, deep)),
+        completeness: comparable.map(|solver| completeness(&compiled, solver, deep)),
+        compiled: Box::new(compiled),
     }
 }
 
 fn completeness(compiled: &Compiled, solver: &ClosedForm, targets: usize) -> Completeness {
-    let literal = chain(&compiled.model);
-    let options = SearchOptions {
-        goal: match solver.plan.target {
-            Target::Position => Goal::Position,
-            // Of what a part of the pose leaves open, the whole pose is a part.
-            _ => Goal::Pose,
-        },
-        ..SearchOptions::default()
+    let settings = Settings {
+        targets,
+        oracle: targets,
+        seed: 0,
     };
-    let mut seen = Completeness {
-        targets: 0,
-        solutions: 0,
-        lost: Vec::new(),
-    };
-    for k in 1..=targets {
-        seen.compare(compiled, solver, &literal, &options, k);
+    let tally = sweep(&compiled.model, solver, &settings, &|_| {});
+    let seen = tally.oracle.unwrap_or_default();
+    let missing = |fault: &&crate::sweep::Fault| fault.kind == Kind::Missing;
+    Completeness {
+        targets: seen.targets,
+        solutions: seen.solutions,
+        lost: seen.missing.regular + seen.missing.near_singular,
+        first: tally
+            .faults
+            .iter()
+            .find(missing)
+            .map(|fault| fault.q.clone()),
     }
-    seen
-}
-
-impl Completeness {
-    fn compare(
-        &mut self,
-        compiled: &Compiled,
-        solver: &ClosedForm,
-        literal: &Chain,
-        options: &SearchOptions,
-        k: usize,
-    ) {
-        let target = literal.fk(&scattered(compiled, k));
-        let found = literal.ik_all(&target, options);
-        if found.iter().any(|found| found.conditioning < REGULAR) {
-            return;
-        }
-        let answers = solver.answers(&target);
-        self.targets += 1;
-        self.solutions += found.len();
-        let lost = found
-            .into_iter()
-            .map(|found| found.q)
-            .filter(|q| !answers.iter().any(|answer| same(compiled, &answer.q, q)));
-        self.lost.extend(lost);
-    }
-}
-
-/// The k-th of a row of configurations that fills the joint space: multiples
-/// of the square roots of primes are spread evenly modulo 1.
-fn scattered(compiled: &Compiled, k: usize) -> Vec<f64> {
-    const PRIMES: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
-    let model = &compiled.model;
-    let place = |i: usize| {
-        let unit =
-            (k as f64 * (PRIMES[i % PRIMES.len()] + (i / PRIMES.len()) as f64).sqrt()).fract();
-        let [lower, upper] = match model.variables[i].limits {
-            Some(limits) if !model.turns(i) => limits,
-            _ if model.turns(i) => [-PI, PI],
-            _ => [-0.5, 0.5],
-        };
-        lower + unit * (upper - lower)
-    };
-    (0..model.variables.len()).map(place).collect()
-}
-
-fn same(compiled: &Compiled, a: &[f64], b: &[f64]) -> bool {
-    let apart = |i: usize| match compiled.model.turns(i) {
-        true => wrap(a[i] - b[i]).abs(),
-        false => (a[i] - b[i]).abs(),
-    };
-    (0..a.len()).all(|i| apart(i) < SAME)
 }
 
 impl fmt::Display for Check {
@@ -193,6 +138,7 @@ impl fmt::Display for Verdict {
                 structure,
                 inverse,
                 completeness,
+                ..
             } => {
                 write!(f, "solved: {inverse}; {structure}")?;
                 completeness
@@ -215,15 +161,17 @@ impl fmt::Display for Verdict {
 impl fmt::Display for Completeness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
-            targets, solutions, ..
+            targets,
+            solutions,
+            lost,
+            ..
         } = self;
-        match &self.lost[..] {
-            [] => write!(f, "all {solutions} solutions of {targets} targets found"),
-            lost => write!(
+        match &self.first {
+            None => write!(f, "all {solutions} solutions of {targets} targets found"),
+            Some(q) => write!(
                 f,
-                "{} of {solutions} solutions of {targets} targets lost, the first at {:.6?}",
-                lost.len(),
-                lost[0]
+                "{lost} of {solutions} solutions of {targets} targets lost, the first to the \
+                 target of {q:.6?}"
             ),
         }
     }

@@ -7,7 +7,7 @@
 //! the target must come back (*recovered*), every answer must reach the target
 //! (*sound*), and no answer twice.
 
-mod configurations;
+pub(crate) mod configurations;
 
 use crate::geometry::{Linkage, along, cross, dot, size};
 use crate::model::Model;
@@ -25,11 +25,11 @@ pub const SOUND: f64 = 1e-9;
 /// Below this independence of the Jacobian's columns, a configuration counts
 /// as singular: its target may have a family of solutions, and one
 /// representative is enough.
-const SINGULAR: f64 = 1e-5;
+pub(crate) const SINGULAR: f64 = 1e-5;
 
 /// How far from a singular configuration, in square roots of the relative
 /// shift of a snapped arm's tip, the literal arm's solutions may be lost.
-const BLUR: f64 = 3.0;
+pub(crate) const BLUR: f64 = 3.0;
 /// Above this, columns of the Jacobian are independent in general.
 const GENERIC: f64 = 1e-9;
 
@@ -175,7 +175,7 @@ pub fn certify(trials: &Trials, solver: &ClosedForm) -> Result<Certificate, Fail
 
 /// The configuration is among the answers, to what its conditioning allows,
 /// and no answer comes twice.
-fn recovered(
+pub(crate) fn recovered(
     model: &Model,
     q: &[f64],
     answers: &[Answer],
@@ -257,7 +257,7 @@ pub fn distance(a: &Pose, b: &Pose, size: f64, target: Target) -> f64 {
 /// How independent the columns of the Jacobian are: the shortest that is left
 /// when each is made perpendicular to those before it, longest first, relative
 /// to the longest. Within a factor of the least singular value.
-fn independence(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
+pub(crate) fn independence(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
     lengths(chain, q, size, target)
         .into_iter()
         .fold(f64::INFINITY, f64::min)

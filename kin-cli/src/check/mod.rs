@@ -1,0 +1,124 @@
+//! `kin check`.
+
+mod bar;
+mod report;
+
+use crate::arguments::{self, read};
+use crate::{Done, Exit};
+use bar::Bar;
+use kin_codegen::explain::{Check, Verdict, check};
+use kin_codegen::sweep::{Replay, Settings, Tally, sweep};
+use kin_codegen::{Compiled, Options};
+
+/// What became of a robot file, and of what was tried on it.
+struct Checked {
+    check: Check,
+    sweep: Option<Tally>,
+    replay: Option<Replay>,
+}
+
+pub fn run(arguments: &arguments::Check) -> Done {
+    let options = arguments.options.options();
+    let mut done = Done::printing("");
+    let mut all = Vec::new();
+    for file in &arguments.files {
+        let mut checked = Checked {
+            check: one(file, &options, arguments.deep),
+            sweep: None,
+            replay: None,
+        };
+        if let Err(complaint) = checked.try_more(arguments) {
+            return Done::failing(Exit::Broken, complaint);
+        }
+        // The line names the first complaint; here are all, with their places.
+        if let Verdict::Broken(diagnostics) = &checked.check.verdict {
+            done.stderr += &format!("{diagnostics}\n\n");
+        }
+        done.exit = worse(done.exit, checked.exit());
+        all.push(checked);
+    }
+    done.stdout = if arguments.json {
+        report::json(&all)
+    } else {
+        all.iter().map(report::text).collect()
+    };
+    done
+}
+
+fn one(file: &str, options: &Options, deep: usize) -> Check {
+    match read(file) {
+        Ok(source) => check(&source, options, deep),
+        Err(diagnostics) => Check {
+            path: file.into(),
+            verdict: Verdict::Broken(diagnostics),
+        },
+    }
+}
+
+impl Checked {
+    /// Sweeps or replays, if that was asked for and there is a closed form.
+    ///
+    /// # Errors
+    ///
+    /// The configuration to be replayed is not one of the arm.
+    fn try_more(&mut self, arguments: &arguments::Check) -> Result<(), String> {
+        let Verdict::Solved { compiled, .. } = &self.check.verdict else {
+            return Ok(());
+        };
+        let Compiled {
+            model,
+            inverse: Some(form),
+            ..
+        } = &**compiled
+        else {
+            return Ok(());
+        };
+        if arguments.targets > 0 {
+            let settings = Settings {
+                targets: arguments.targets,
+                oracle: arguments.oracle,
+                seed: arguments.seed,
+            };
+            let bar = Bar::new(&self.check.path, settings.targets);
+            self.sweep = Some(sweep(model, form, &settings, &|done| bar.advance(done)));
+        }
+        if let Some(q) = &arguments.at {
+            let replay = Replay::new(model, form, q).ok_or_else(|| {
+                format!(
+                    "{}: --at has {} values, and the arm {} joints",
+                    self.check.path,
+                    q.len(),
+                    model.variables.len()
+                )
+            })?;
+            self.replay = Some(replay);
+        }
+        Ok(())
+    }
+
+    fn exit(&self) -> Exit {
+        let replayed = self.replay.as_ref().map(|replay| &replay.tally);
+        let is_clean = self.sweep.iter().chain(replayed).all(Tally::is_clean);
+        match &self.check.verdict {
+            Verdict::Solved { completeness, .. } => {
+                let lost = completeness.as_ref().is_some_and(|it| it.lost > 0);
+                if lost || !is_clean {
+                    Exit::Incomplete
+                } else {
+                    Exit::Success
+                }
+            }
+            Verdict::Refused(_) => Exit::Refused,
+            Verdict::Broken(_) => Exit::Broken,
+        }
+    }
+}
+
+/// Of several files, what needs attention most decides.
+fn worse(a: Exit, b: Exit) -> Exit {
+    let order = [Exit::Incomplete, Exit::Broken, Exit::Refused];
+    order
+        .into_iter()
+        .find(|exit| [a, b].contains(exit))
+        .unwrap_or(Exit::Success)
+}

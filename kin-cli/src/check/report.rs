@@ -1,0 +1,61 @@
+//! What was checked, as text and as JSON.
+
+use super::Checked;
+use kin_codegen::explain::Verdict;
+use serde_json::{Value, json};
+
+/// The version of the JSON. Grows when a field changes its meaning or goes; new
+/// fields may come without.
+const SCHEMA: u32 = 1;
+
+/// One line, and below it what a sweep or a replay has to say.
+pub fn text(checked: &Checked) -> String {
+    let mut text = format!("{}\n", checked.check);
+    if let Some(tally) = &checked.sweep {
+        text += &tally.to_string();
+    }
+    if let Some(replay) = &checked.replay {
+        text += &replay.to_string();
+    }
+    text
+}
+
+/// All files in one object.
+pub fn json(all: &[Checked]) -> String {
+    let files: Vec<Value> = all.iter().map(file).collect();
+    format!("{:#}\n", json!({"schema": SCHEMA, "files": files}))
+}
+
+fn file(checked: &Checked) -> Value {
+    let word = match &checked.check.verdict {
+        Verdict::Solved { .. } => "solved",
+        Verdict::Refused(_) => "refused",
+        Verdict::Broken(_) => "broken",
+    };
+    let (structure, plan, snapped_by) = match &checked.check.verdict {
+        Verdict::Solved {
+            structure,
+            compiled,
+            ..
+        } => {
+            let form = compiled.inverse.as_ref();
+            let snapped = form.filter(|form| form.polish > 0);
+            (
+                Some(structure),
+                form.map(|form| form.plan.to_string()),
+                snapped.map(|form| form.tip_shift),
+            )
+        }
+        _ => (None, None, None),
+    };
+    json!({
+        "file": checked.check.path,
+        "verdict": word,
+        "text": checked.check.verdict.to_string(),
+        "structure": structure,
+        "plan": plan,
+        "snapped_by": snapped_by,
+        "sweep": checked.sweep,
+        "replay": checked.replay,
+    })
+}

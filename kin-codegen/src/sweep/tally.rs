@@ -1,0 +1,199 @@
+//! What a sweep counts.
+
+use super::subject::{Seen, Subject};
+use super::{Comparison, Settings};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Of every kind of fault so many are kept.
+const LISTED: usize = 5;
+
+/// What was seen of all targets.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Tally {
+    /// See [`Settings`].
+    pub seed: u64,
+    /// Random targets.
+    pub targets: usize,
+    /// How many targets had so many answers.
+    pub answers: BTreeMap<usize, usize>,
+    /// The largest distance of an answer from its target by the generic forward
+    /// kinematics, metres.
+    pub worst_residual: f64,
+    /// Configurations are near singular where their Jacobian's columns are less
+    /// independent than this. Wider for an arm that was snapped: what has met
+    /// on the exact arm may have left each other on the one of the file.
+    pub near_singular_below: f64,
+    /// Targets of such configurations.
+    pub near_singular: usize,
+    /// Of these, without any answer.
+    pub unanswered: usize,
+    /// Targets whose configuration is not among the answers.
+    pub lost: Split,
+    /// The largest independence of a configuration that was lost; 0 if none was.
+    pub lost_up_to: f64,
+    /// Answers that miss their target by more than 1e-9 of the arm's size.
+    pub unsound: usize,
+    /// Answers that repeat another.
+    pub doubled: Split,
+    /// The comparison with the numerical search, if it was asked for.
+    pub oracle: Option<Comparison>,
+    /// Of every kind of fault the first few.
+    pub faults: Vec<Fault>,
+    /// What the sweep took, seconds.
+    pub seconds: f64,
+    /// What the closed form took in the interpreter for one target, polish
+    /// included, microseconds.
+    pub microseconds: f64,
+}
+
+/// A number of faults, by where they happened.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Split {
+    /// At regular configurations.
+    pub regular: usize,
+    /// Near singular ones, see [`Tally::near_singular_below`].
+    pub near_singular: usize,
+}
+
+impl Split {
+    /// Counts one.
+    pub(super) fn count(&mut self, near_singular: bool) {
+        if near_singular {
+            self.near_singular += 1;
+        } else {
+            self.regular += 1;
+        }
+    }
+
+    pub(super) fn add(&mut self, other: Split) {
+        self.regular += other.regular;
+        self.near_singular += other.near_singular;
+    }
+}
+
+/// Something wrong with one target.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fault {
+    /// What.
+    pub kind: Kind,
+    /// Which target of the seed, from 0.
+    pub number: usize,
+    /// The configuration that made it.
+    pub q: Vec<f64>,
+    /// Whether the lost, doubled or spurious configuration is near singular.
+    pub near_singular: bool,
+}
+
+/// What can be wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// The configuration is not among the answers.
+    Lost,
+    /// An answer misses the target.
+    Unsound,
+    /// An answer came twice.
+    Doubled,
+    /// A solution of the search is not among the answers.
+    Missing,
+    /// An answer that the search knows nothing of, even if it begins there.
+    Extra,
+}
+
+impl Tally {
+    pub(super) fn new(subject: &Subject, settings: &Settings) -> Self {
+        Self {
+            seed: settings.seed,
+            near_singular_below: subject.near_singular,
+            oracle: (settings.oracle > 0).then(Comparison::default),
+            ..Self::default()
+        }
+    }
+
+    /// Whether nothing is wrong away from singular configurations, and no
+    /// answer anywhere misses its target.
+    pub fn is_clean(&self) -> bool {
+        let regular = [self.lost.regular, self.doubled.regular, self.unsound];
+        let compared = self.oracle.as_ref().is_none_or(Comparison::is_clean);
+        regular == [0; 3] && compared
+    }
+
+    pub(super) fn count(&mut self, subject: &Subject, seen: &Seen, number: usize) {
+        let answers = &seen.answers;
+        let near_singular = seen.independence < subject.near_singular;
+        let before = self.targets as f64;
+        self.targets += 1;
+        self.microseconds += (seen.took.as_secs_f64() * 1e6 - self.microseconds) / (before + 1.0);
+        *self.answers.entry(answers.len()).or_default() += 1;
+        self.near_singular += usize::from(near_singular);
+        self.unanswered += usize::from(near_singular && answers.is_empty());
+        if !subject.is_among(&seen.q, answers, seen.independence) {
+            self.lost.count(near_singular);
+            self.lost_up_to = self.lost_up_to.max(seen.independence);
+            self.note(Kind::Lost, number, &seen.q, near_singular);
+        }
+        for (i, &residual) in seen.residuals.iter().enumerate() {
+            self.worst_residual = self.worst_residual.max(residual);
+            if !subject.is_sound(residual) {
+                self.unsound += 1;
+                self.note(Kind::Unsound, number, &seen.q, near_singular);
+            }
+            if subject.is_doubled(&answers[..=i]) {
+                let near_singular = subject.is_near_singular(&answers[i].q);
+                self.doubled.count(near_singular);
+                self.note(Kind::Doubled, number, &seen.q, near_singular);
+            }
+        }
+    }
+
+    pub(super) fn compare(&mut self, subject: &Subject, seen: &Seen, number: usize) {
+        let mut comparison = self.oracle.take().unwrap_or_default();
+        comparison.compare(subject, seen, |kind, near_singular| {
+            self.note(kind, number, &seen.q, near_singular);
+        });
+        self.oracle = Some(comparison);
+    }
+
+    fn note(&mut self, kind: Kind, number: usize, q: &[f64], near_singular: bool) {
+        let same = |fault: &&Fault| (fault.kind, fault.near_singular) == (kind, near_singular);
+        let known = self.faults.iter().filter(same);
+        // The last one noted is of this target if any is.
+        let (count, last) = known.fold((0, None), |(n, _), fault| (n + 1, Some(fault.number)));
+        if count < LISTED && last != Some(number) {
+            self.faults.push(Fault {
+                kind,
+                number,
+                q: q.to_vec(),
+                near_singular,
+            });
+        }
+    }
+
+    /// Puts what another thread has seen to it.
+    pub(super) fn add(&mut self, other: Tally) {
+        let all = (self.targets + other.targets).max(1) as f64;
+        let share = other.targets as f64 / all;
+        self.microseconds += share * (other.microseconds - self.microseconds);
+        self.targets += other.targets;
+        for (count, targets) in other.answers {
+            *self.answers.entry(count).or_default() += targets;
+        }
+        self.worst_residual = self.worst_residual.max(other.worst_residual);
+        self.near_singular += other.near_singular;
+        self.unanswered += other.unanswered;
+        self.lost.add(other.lost);
+        self.lost_up_to = self.lost_up_to.max(other.lost_up_to);
+        self.unsound += other.unsound;
+        self.doubled.add(other.doubled);
+        if let (Some(ours), Some(theirs)) = (&mut self.oracle, &other.oracle) {
+            ours.add(theirs);
+        }
+        let mut faults = std::mem::take(&mut self.faults);
+        faults.extend(other.faults);
+        faults.sort_by_key(|fault| (fault.near_singular, fault.kind, fault.number));
+        for fault in faults {
+            self.note(fault.kind, fault.number, &fault.q, fault.near_singular);
+        }
+    }
+}
