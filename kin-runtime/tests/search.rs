@@ -216,3 +216,18 @@ fn answers_do_not_vary() {
         solve(&parallel_arm(), &target)
     );
 }
+
+#[test]
+fn a_descent_from_a_start_stays_with_its_solution() {
+    let chain = wrist_arm();
+    let target = chain.fk(&[0.3, -0.4, 0.5, 0.6, 0.7, -0.8]);
+    let options = SearchOptions::default();
+    for solution in solve(&chain, &target) {
+        let start: Vec<f64> = solution.q.iter().map(|x| x + 1e-3).collect();
+        let found = chain.ik_from(&target, &options, &start).unwrap();
+        assert!(differ(&found.q, &solution.q) < 1e-10);
+        assert!(found.residual < 1e-11);
+    }
+    let away = Pose::from_translation([100.0, 0.0, 0.0]);
+    assert_eq!(chain.ik_from(&away, &options, &[0.1; 6]), None);
+}

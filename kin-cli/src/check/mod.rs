@@ -84,12 +84,14 @@ impl Checked {
         }
         if let Some(q) = &arguments.at {
             let replay = Replay::new(model, form, q).ok_or_else(|| {
-                format!(
-                    "{}: --at has {} values, and the arm {} joints",
-                    self.check.path,
-                    q.len(),
-                    model.variables.len()
-                )
+                let (path, joints) = (&self.check.path, model.variables.len());
+                match q.len() == joints {
+                    true => format!("{path}: the values of --at have to be finite"),
+                    false => format!(
+                        "{path}: --at has {} values, and the arm {joints} joints",
+                        q.len()
+                    ),
+                }
             })?;
             self.replay = Some(replay);
         }
@@ -121,4 +123,56 @@ fn worse(a: Exit, b: Exit) -> Exit {
         .into_iter()
         .find(|exit| [a, b].contains(exit))
         .unwrap_or(Exit::Success)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kin_codegen::sweep::Split;
+
+    /// A clean robot, after a sweep that saw `tally`.
+    fn exit_after(tally: Tally) -> Exit {
+        let checked = Checked {
+            check: one("../robots/planar_2r.yaml", &Options::default(), 0),
+            sweep: Some(tally),
+            replay: None,
+        };
+        checked.exit()
+    }
+
+    #[test]
+    fn what_a_sweep_saw_decides() {
+        let one = Split {
+            regular: 1,
+            near_singular: 0,
+        };
+        let near_one = Split {
+            regular: 0,
+            near_singular: 1,
+        };
+        let clean = Tally::default;
+        assert_eq!(exit_after(clean()), Exit::Success);
+        let faulty = [
+            Tally {
+                unsound: 1,
+                ..clean()
+            },
+            Tally {
+                lost: one,
+                ..clean()
+            },
+            Tally {
+                doubled: one,
+                ..clean()
+            },
+        ];
+        for tally in faulty {
+            assert_eq!(exit_after(tally), Exit::Incomplete);
+        }
+        let near = Tally {
+            lost: near_one,
+            ..clean()
+        };
+        assert_eq!(exit_after(near), Exit::Success);
+    }
 }

@@ -32,10 +32,11 @@ fn file(checked: &Checked) -> Value {
         Verdict::Refused(_) => "refused",
         Verdict::Broken(_) => "broken",
     };
-    let (structure, plan, snapped_by) = match &checked.check.verdict {
+    let (structure, plan, snapped_by, deep) = match &checked.check.verdict {
         Verdict::Solved {
             structure,
             compiled,
+            completeness,
             ..
         } => {
             let form = compiled.inverse.as_ref();
@@ -44,9 +45,10 @@ fn file(checked: &Checked) -> Value {
                 Some(structure),
                 form.map(|form| form.plan.to_string()),
                 snapped.map(|form| form.tip_shift),
+                completeness.as_ref(),
             )
         }
-        _ => (None, None, None),
+        _ => (None, None, None, None),
     };
     json!({
         "file": checked.check.path,
@@ -55,6 +57,7 @@ fn file(checked: &Checked) -> Value {
         "structure": structure,
         "plan": plan,
         "snapped_by": snapped_by,
+        "deep": deep,
         "sweep": checked.sweep,
         "replay": checked.replay,
     })

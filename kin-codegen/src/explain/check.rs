@@ -6,6 +6,7 @@ use crate::options::{Ik, Options};
 use crate::solver::ClosedForm;
 use crate::spec::{Diagnostics, Source};
 use crate::sweep::{Kind, Settings, sweep};
+use serde::Serialize;
 use std::fmt;
 
 /// A robot file and what became of it. Displayed in one line.
@@ -38,7 +39,7 @@ pub enum Verdict {
 }
 
 /// A closed form held against the numerical search on targets at random.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Completeness {
     /// Targets compared; singular ones are not.
     pub targets: usize,

@@ -64,8 +64,8 @@ pub struct Found {
 
 impl Replay {
     /// Runs the closed form and the search on the target of a configuration.
-    /// `q` has one value for each coordinate of the arm, radians or metres;
-    /// otherwise there is nothing to run.
+    /// `q` has one finite value for each coordinate of the arm, radians or
+    /// metres; otherwise there is nothing to run.
     ///
     /// ```
     /// use kin_codegen::{Options, Source, compile, sweep::Replay};
@@ -86,7 +86,7 @@ impl Replay {
     /// # Ok::<(), kin_codegen::Diagnostics>(())
     /// ```
     pub fn new(model: &Model, form: &ClosedForm, q: &[f64]) -> Option<Self> {
-        if q.len() != model.variables.len() {
+        if q.len() != model.variables.len() || q.iter().any(|x| !x.is_finite()) {
             return None;
         }
         let subject = Subject::new(model, form);

@@ -15,20 +15,16 @@ impl Display for Tally {
             .map(|(count, targets)| format!("{count} to {targets}"))
             .collect();
         writeln!(f, "  answers: {}", histogram.join(", "))?;
+        write!(f, "  lost {}", self.lost)?;
+        if self.lost_up_to > 0.0 {
+            write!(f, " (up to an independence of {:.1e})", self.lost_up_to)?;
+        }
+        writeln!(f, ", unsound {}, doubled {}", self.unsound, self.doubled)?;
         writeln!(
-            f,
-            "  lost {}, unsound {}, doubled {}",
-            self.lost, self.unsound, self.doubled
-        )?;
-        write!(
             f,
             "  near singular {}, below an independence of {:.1e}; {} of these unanswered",
             self.near_singular, self.near_singular_below, self.unanswered
         )?;
-        if self.lost_up_to > 0.0 {
-            write!(f, ", lost up to {:.1e}", self.lost_up_to)?;
-        }
-        writeln!(f)?;
         if let Some(comparison) = &self.oracle {
             writeln!(f, "  {comparison}")?;
         }

@@ -1,0 +1,228 @@
+//! Sweeps see what is right, and what was made wrong on purpose.
+
+use kin_codegen::expr::{Choice, Node};
+use kin_codegen::geometry::Linkage;
+use kin_codegen::model::Model;
+use kin_codegen::solver::ClosedForm;
+use kin_codegen::sweep::{Kind, Replay, Settings, Tally, sweep};
+use kin_codegen::{Compiled, Options, Source, Target, compile};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const SETTINGS: Settings = Settings {
+    targets: 300,
+    oracle: 10,
+    seed: 5,
+};
+
+fn source(file: &str) -> Source {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    Source::read(file, &root).unwrap()
+}
+
+fn arm(file: &str) -> (Model, ClosedForm) {
+    compiled(&source(file), None)
+}
+
+fn compiled(source: &Source, target: Option<Target>) -> (Model, ClosedForm) {
+    let options = Options {
+        target,
+        ..Options::default()
+    };
+    let Compiled { model, inverse, .. } = compile(source, &options).unwrap();
+    (model, inverse.unwrap())
+}
+
+fn swept((model, form): &(Model, ClosedForm)) -> Tally {
+    sweep(model, form, &SETTINGS, &|_| {})
+}
+
+/// What does not depend on the clock.
+fn timeless(tally: Tally) -> Tally {
+    Tally {
+        seconds: 0.0,
+        microseconds: 0.0,
+        ..tally
+    }
+}
+
+#[test]
+fn sound_arms_are_clean() {
+    for (file, most) in [
+        ("robots/puma560.yaml", 8),
+        ("robots/ur5e.urdf", 8),
+        ("robots/stanford.yaml", 8),
+        ("robots/scara.yaml", 2),
+        ("robots/planar_2r.yaml", 2),
+        ("tests/robots/noisy/calibrated.yaml", 8),
+        ("tests/robots/noisy/rounded_right_angles.yaml", 8),
+    ] {
+        let tally = swept(&arm(file));
+        assert!(tally.is_clean(), "{file}\n{tally}");
+        // Near singular ones the snapped arms may lose.
+        let exact = file.starts_with("robots/");
+        assert!(tally.lost.near_singular == 0 || !exact, "{file}\n{tally}");
+        assert_eq!(tally.targets, SETTINGS.targets);
+        assert_eq!(tally.answers.values().sum::<usize>(), SETTINGS.targets);
+        assert_eq!(tally.answers.last_key_value().unwrap().0, &most, "{file}");
+        assert!(tally.worst_residual < 1e-9);
+        assert!(tally.faults.iter().all(|fault| fault.near_singular));
+        let seen = tally.oracle.unwrap();
+        assert_eq!(seen.targets + seen.skipped, SETTINGS.oracle);
+        assert!(seen.solutions >= 2 * seen.targets);
+        assert_eq!(seen.overlooked, 0, "{file}");
+    }
+}
+
+#[test]
+fn a_part_of_a_pose_is_swept_as_such() {
+    let file = source("robots/scara.yaml");
+    let tally = swept(&compiled(&file, Some(Target::PositionYaw)));
+    assert!(tally.is_clean(), "{tally}");
+    assert_eq!(tally.answers[&2], SETTINGS.targets);
+}
+
+#[test]
+fn a_seed_is_a_sweep() {
+    let arm = arm("robots/puma560.yaml");
+    let other = Settings {
+        seed: 6,
+        ..SETTINGS
+    };
+    let first = timeless(swept(&arm));
+    assert_eq!(first, timeless(swept(&arm)));
+    let second = sweep(&arm.0, &arm.1, &other, &|_| {});
+    assert_ne!(first.worst_residual, second.worst_residual);
+}
+
+#[test]
+fn progress_comes_to_all_targets() {
+    let (model, form) = arm("robots/planar_2r.yaml");
+    let done = AtomicUsize::new(0);
+    let count = |more| {
+        done.fetch_add(more, Ordering::Relaxed);
+    };
+    sweep(&model, &form, &SETTINGS, &count);
+    assert_eq!(done.into_inner(), SETTINGS.targets);
+}
+
+#[test]
+fn no_targets_are_none() {
+    let (model, form) = arm("robots/planar_2r.yaml");
+    let none = Settings {
+        targets: 0,
+        ..SETTINGS
+    };
+    let tally = sweep(&model, &form, &none, &|_| {});
+    assert_eq!((tally.targets, tally.is_clean()), (0, true));
+}
+
+#[test]
+fn the_closed_form_of_another_arm_is_unsound_and_loses() {
+    let (model, _) = arm("robots/puma560.yaml");
+    let mut longer = source("robots/puma560.yaml");
+    longer.text = longer.text.replace("431.8", "431.801");
+    let tally = swept(&(model, compiled(&longer, None).1));
+    assert_eq!(tally.unsound, 8 * SETTINGS.targets, "{tally}");
+    // But for badly conditioned ones, that a micrometre hardly moves.
+    assert!(10 * tally.lost.regular > 9 * SETTINGS.targets, "{tally}");
+    let seen = tally.oracle.as_ref().unwrap();
+    assert_eq!(seen.missing.regular, seen.solutions, "{tally}");
+    assert!(!tally.is_clean());
+    assert!((1e-7..1e-4).contains(&tally.worst_residual), "{tally}");
+}
+
+#[test]
+fn a_polish_onto_another_arm_is_unsound() {
+    let (model, mut form) = arm("tests/robots/noisy/calibrated.yaml");
+    assert!(form.polish > 0);
+    let mut other = model.clone();
+    other.home.translation[0] += 1e-6;
+    form.literal = Linkage::new(&other);
+    let tally = swept(&(model, form));
+    assert!(tally.unsound > SETTINGS.targets, "{tally}");
+}
+
+#[test]
+fn a_branch_left_out_is_lost_and_missing() {
+    let (model, mut form) = arm("robots/puma560.yaml");
+    // +1 where the first choice is a plus.
+    let plus = Node::Sign(Choice(0));
+    form.inverse.invalid = form.inverse.graph.find(plus).unwrap();
+    let tally = swept(&(model, form));
+    assert_eq!(tally.answers[&4], SETTINGS.targets, "{tally}");
+    let half = SETTINGS.targets / 2;
+    assert!(tally.lost.regular.abs_diff(half) < half / 2, "{tally}");
+    let seen = tally.oracle.as_ref().unwrap();
+    assert_eq!(2 * seen.missing.regular, seen.solutions, "{tally}");
+    assert_eq!((tally.unsound, tally.doubled.regular), (0, 0), "{tally}");
+    assert_eq!(seen.extra.regular, 0, "{tally}");
+    assert!(!tally.is_clean());
+}
+
+#[test]
+fn a_choice_without_effect_doubles() {
+    let (model, mut form) = arm("robots/planar_2r.yaml");
+    let two_roots = |step: &&kin_codegen::plan::Step| step.subproblem.choices() == 1;
+    let step = form.plan.steps.iter().find(two_roots).unwrap().clone();
+    form.plan.steps.push(step);
+    let tally = swept(&(model, form));
+    assert_eq!(tally.doubled.regular, 2 * SETTINGS.targets, "{tally}");
+    assert_eq!(tally.lost.regular, 0, "{tally}");
+    assert!(!tally.is_clean());
+}
+
+#[test]
+fn faults_can_be_replayed() {
+    let (model, mut form) = arm("robots/puma560.yaml");
+    let plus = Node::Sign(Choice(0));
+    form.inverse.invalid = form.inverse.graph.find(plus).unwrap();
+    let tally = swept(&(model.clone(), form.clone()));
+    let lost = |kind| tally.faults.iter().filter(move |fault| fault.kind == kind);
+    assert_eq!(lost(Kind::Lost).count(), 5, "the first few");
+    for fault in lost(Kind::Lost) {
+        let replay = Replay::new(&model, &form, &fault.q).unwrap();
+        assert_eq!(replay.tally.lost.regular, 1);
+        assert_eq!((replay.answers.len(), replay.solutions.len()), (4, 8));
+        assert!(replay.answers.iter().all(|answer| !answer.is_q));
+        let unanswered = replay.solutions.iter().filter(|it| it.answer.is_none());
+        assert_eq!(unanswered.count(), 4);
+        let text = replay.to_string();
+        let values: Vec<String> = fault.q.iter().map(|x| format!("{x:?}")).collect();
+        assert!(text.contains(&values.join(",")), "{text}");
+        assert!(tally.to_string().contains(&values.join(",")), "{tally}");
+    }
+}
+
+#[test]
+fn a_replay_pairs_answers_with_solutions() {
+    let (model, form) = arm("robots/ur5e.urdf");
+    let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    let replay = Replay::new(&model, &form, &q).unwrap();
+    assert_eq!((replay.answers.len(), replay.solutions.len()), (8, 8));
+    for (i, answer) in replay.answers.iter().enumerate() {
+        let pair = answer.solution.unwrap();
+        assert_eq!(replay.solutions[pair].answer, Some(i));
+        assert!(answer.residual < 1e-12 && !answer.singular);
+    }
+    let own = replay.answers.iter().filter(|answer| answer.is_q);
+    assert_eq!(own.count(), 1);
+    assert!(replay.tally.is_clean() && !replay.near_singular);
+}
+
+#[test]
+fn a_singular_configuration_is_replayed_as_one() {
+    let (model, form) = arm("robots/ur5e.urdf");
+    let q = [0.3, -1.2, 1.5, -0.7, 0.0, 0.4];
+    let replay = Replay::new(&model, &form, &q).unwrap();
+    assert!(replay.near_singular && replay.independence < 1e-12);
+    assert!(replay.answers.iter().any(|answer| answer.singular));
+    assert_eq!(replay.tally.oracle.as_ref().unwrap().skipped, 1);
+    assert!(replay.tally.is_clean());
+}
+
+#[test]
+fn a_configuration_of_another_length_is_not_replayed() {
+    let (model, form) = arm("robots/ur5e.urdf");
+    assert!(Replay::new(&model, &form, &[0.1; 5]).is_none());
+}
