@@ -10,7 +10,9 @@ mod settings;
 mod structures;
 
 mod arbitrary;
+mod fewer_joints;
 mod noisy;
 mod sliding;
 mod spherical_wrist;
+mod table;
 mod three_parallel;

@@ -1,8 +1,7 @@
-//! Three parallel axes, two others that meet, and one more.
+//! Three parallel axes as they are built; the general ones are rows of the
+//! [table](crate::table).
 
 structures! {
-    second_to_fourth: [SKEW, SKEW, PARALLEL, PARALLEL, SKEW, MEET];
-    second_to_fourth_as_in_universal_robots: [SKEW, MEET, PARALLEL, PARALLEL, MEET, MEET];
-    first_to_third: [SKEW, PARALLEL, PARALLEL, SKEW, SKEW, MEET];
+    as_in_universal_robots: [SKEW, MEET, PARALLEL, PARALLEL, MEET, MEET];
     alone_in_a_plane: [SKEW, PARALLEL, PARALLEL];
 }
