@@ -29,7 +29,7 @@ pub fn random_targets_have_all_answers<K: Kinematics<N>, const N: usize>(robot: 
 
 /// The target of right angles is often singular in one branch and regular in
 /// others: those are all there.
-fn structured_targets_have_all_regular_answers<K: Kinematics<N>, const N: usize>(
+pub fn structured_targets_have_all_regular_answers<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) {
     for q in robot.structured() {

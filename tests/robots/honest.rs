@@ -31,7 +31,7 @@ pub fn singular_answers_are_flagged<K: Kinematics<N>, const N: usize>(robot: &Su
     }
 }
 
-fn singular_targets_are_answered<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn singular_targets_are_answered<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.structured() {
         let answers = robot.ik(&robot.chain.fk(&q));
         assert!(!answers.is_empty(), "no answer to the target of {q:?}");

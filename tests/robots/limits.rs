@@ -14,11 +14,15 @@ for_every_robot!(within_keeps_what_fits);
 fn inside<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) -> impl Iterator<Item = [f64; N]> {
-    let place = |i: usize, angle: f64| {
+    let place = |i: usize, value: f64| {
+        // A slide is already where it may be.
+        if !robot.turns(i) {
+            return value;
+        }
         let limit = K::LIMITS[i];
         let or = |bound: f64, otherwise| if bound.is_finite() { bound } else { otherwise };
         let (lower, upper) = (or(limit.lower(), -3.0), or(limit.upper(), 3.0));
-        lower + (upper - lower) * (angle + PI) / (2.0 * PI)
+        lower + (upper - lower) * (value + PI) / (2.0 * PI)
     };
     let configurations = robot.random(100);
     let placed = configurations.map(move |q| std::array::from_fn(|i| place(i, q[i])));
@@ -29,7 +33,7 @@ fn fits(limit: &JointLimit, q: f64) -> bool {
     limit.lower() <= q && q <= limit.upper()
 }
 
-fn windings_stay_inside_and_reach_the_target<K: Kinematics<N>, const N: usize>(
+pub fn windings_stay_inside_and_reach_the_target<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) {
     for q in inside(robot).take(20) {
@@ -43,7 +47,7 @@ fn windings_stay_inside_and_reach_the_target<K: Kinematics<N>, const N: usize>(
 }
 
 /// Not a turn away.
-fn a_configuration_inside_comes_back_as_it_was<K: Kinematics<N>, const N: usize>(
+pub fn a_configuration_inside_comes_back_as_it_was<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) {
     for q in inside(robot) {

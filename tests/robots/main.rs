@@ -1,6 +1,7 @@
 //! Every robot of `robots/`, compiled by the macro, against the generic
 //! product of exponentials and its numerical search.
 
+mod aim;
 mod measure;
 mod random;
 mod subject;
@@ -17,4 +18,6 @@ mod malformed;
 mod noisy;
 mod recovered;
 mod sound;
+mod table;
+mod targets;
 mod unreachable;

@@ -1,20 +1,30 @@
 //! How far apart things are.
 
-use kinematics::{Pose, Twist};
+use kin_codegen::Target;
+use kinematics::{Goal, Pose, Twist};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// What of a target counts.
-pub use kinematics::Goal;
+/// Translation and rotation as far as they count, the angle as the way at the
+/// distance of `size`, as the legs of a right triangle. Metres.
+pub fn distance(a: &Pose, b: &Pose, counts: Target, size: f64) -> f64 {
+    let way = a.translation_distance(b);
+    match counts {
+        Target::Position => way,
+        Target::PositionAxis => way.hypot(size * tilt(a, b)),
+        Target::Direction => size * tilt(a, b),
+        Target::Orientation => size * a.rotation_distance(b),
+        Target::Pose | Target::PositionYaw | Target::Planar => {
+            way.hypot(size * a.rotation_distance(b))
+        }
+    }
+}
 
-/// Translation and rotation, the angle as the way at the distance of `size`,
-/// as the legs of a right triangle. Metres.
-pub fn distance(a: &Pose, b: &Pose, goal: Goal, size: f64) -> f64 {
-    let turn = match goal {
-        Goal::Pose => a.rotation_distance(b) * size,
-        Goal::Position => 0.0,
-    };
-    a.translation_distance(b).hypot(turn)
+/// The angle between the z axes.
+fn tilt(a: &Pose, b: &Pose) -> f64 {
+    let z = |pose: &Pose| nalgebra::Vector3::from(pose.rotate([0.0, 0.0, 1.0]));
+    let (a, b) = (z(a), z(b));
+    a.cross(&b).norm().atan2(a.dot(&b))
 }
 
 /// The largest difference of two entries of the homogeneous matrices.

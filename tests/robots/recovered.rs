@@ -11,13 +11,15 @@ const SINGULAR: f64 = 1e-6;
 /// Rounding in the target, which conditioning magnifies.
 const ROUNDING: f64 = 1e-12;
 
-fn random_configurations_come_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn random_configurations_come_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.random(1000) {
         assert_comes_back(robot, &q);
     }
 }
 
-fn structured_configurations_come_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn structured_configurations_come_back<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+) {
     let regular = robot
         .structured()
         .filter(|q| robot.conditioning(q) > SINGULAR);

@@ -38,7 +38,7 @@ pub fn answers_reach_the_target<K: Kinematics<N>, const N: usize>(robot: &Subjec
 
 /// Positions of one target with the orientation of another: within reach or
 /// not, there may be answers, and they are sound.
-fn answers_to_other_poses_reach_them<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn answers_to_other_poses_reach_them<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     let poses: Vec<_> = robot.random(300).map(|q| robot.chain.fk(&q)).collect();
     for pair in poses.windows(2) {
         let mut target = pair[0];
@@ -70,7 +70,7 @@ pub fn angles_are_in_range<K: Kinematics<N>, const N: usize>(robot: &Subject<K, 
     });
 }
 
-fn branches_are_in_order<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+pub fn branches_are_in_order<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for_every_target(robot, |q, answers| {
         assert!(
             answers

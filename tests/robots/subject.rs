@@ -1,5 +1,6 @@
 //! A generated robot beside the generic one of the same file.
 
+use crate::aim::{freed, projected};
 use crate::measure::{self, angle_between, largest};
 use crate::random::Random;
 use kin_codegen::model::{JointKind, Model};
@@ -13,8 +14,10 @@ pub struct Subject<K, const N: usize> {
     pub arm: K,
     /// The product of exponentials that the file describes.
     pub chain: Chain,
-    /// What a target can ask of it.
-    pub goal: Goal,
+    /// What of a target counts.
+    pub counts: Target,
+    /// The chain with joints for what does not count, for the search.
+    freed: Chain,
     /// Its size, metres.
     pub size: f64,
     /// The travel of a sliding joint; none for one that turns.
@@ -24,17 +27,24 @@ pub struct Subject<K, const N: usize> {
 impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     pub fn new(arm: K, path: &str) -> Self {
         let model = read(path);
-        let goal = match verify::natural_target(&model) {
-            Target::Position => Goal::Position,
-            // Of what a part of the pose leaves open, the whole pose is a part.
-            _ => Goal::Pose,
-        };
+        let (chain, counts) = (verify::chain(&model), verify::natural_target(&model));
         Subject {
             arm,
-            chain: verify::chain(&model),
-            goal,
+            freed: freed(&chain, counts),
+            chain,
+            counts,
             size: geometry::size(&model),
             travel: std::array::from_fn(|i| travel(&model, i)),
+        }
+    }
+
+    /// The same robot with targets of which counts what an option names.
+    pub fn counting(self, option: &str) -> Self {
+        let counts = option.parse().unwrap();
+        Subject {
+            freed: freed(&self.chain, counts),
+            counts,
+            ..self
         }
     }
 
@@ -46,16 +56,31 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     /// All that the numerical search finds.
     pub fn search(&self, target: &Pose) -> Vec<ChainSolution> {
         let options = SearchOptions {
-            goal: self.goal,
+            goal: self.goal(),
             ..SearchOptions::default()
         };
-        self.chain.ik_all(target, &options)
+        let mut found = self.freed.ik_all(&self.whole(target), &options);
+        found.iter_mut().for_each(|solution| solution.q.truncate(N));
+        found
+    }
+
+    fn goal(&self) -> Goal {
+        match self.counts {
+            Target::Position => Goal::Position,
+            _ => Goal::Pose,
+        }
+    }
+
+    /// The whole pose that a target stands for.
+    fn whole(&self, target: &Pose) -> Pose {
+        projected(&self.chain, self.counts, target)
     }
 
     /// How far `q` leaves the tool from the target, relative to the arm's
     /// size.
     pub fn miss(&self, q: &[f64; N], target: &Pose) -> f64 {
-        measure::distance(&self.chain.fk(q), target, self.goal, self.size) / self.size
+        let (found, target) = (self.chain.fk(q), self.whole(target));
+        measure::distance(&found, &target, self.counts, self.size) / self.size
     }
 
     /// The largest difference of two joint values: angles on the circle,
@@ -69,7 +94,9 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
 
     /// See [`measure::conditioning`].
     pub fn conditioning(&self, q: &[f64]) -> f64 {
-        measure::conditioning(&self.chain.geometric_jacobian(q), self.goal, self.size)
+        let mut all = q.to_vec();
+        all.resize(self.freed.twists().len(), 0.0);
+        measure::conditioning(&self.freed.geometric_jacobian(&all), self.goal(), self.size)
     }
 
     /// Whether joint i turns.

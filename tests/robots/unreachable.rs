@@ -1,7 +1,8 @@
 //! Targets out of reach have no answers, however near they are.
 
 use crate::subject::Subject;
-use kinematics::{Goal, Kinematics, Pose};
+use kin_codegen::Target;
+use kinematics::{Kinematics, Pose};
 
 for_every_robot!(far_targets_have_no_answers);
 for_every_robot!(orientations_out_of_reach_have_no_answers);
@@ -14,6 +15,10 @@ pub fn far_targets_have_no_answers<K: Kinematics<N>, const N: usize>(robot: &Sub
             for way in [-100.0, 100.0] {
                 let mut target = pose;
                 target.translation[axis] += way * robot.size;
+                if robot.miss(&q, &target) < 1.0 {
+                    // Where it is moved to does not count.
+                    continue;
+                }
                 let answers = robot.ik(&target);
                 let along_a_slide = (0..N).any(|i| !robot.turns(i));
                 assert!(answers.is_empty() || along_a_slide, "{answers:?}");
@@ -29,7 +34,7 @@ pub fn far_targets_have_no_answers<K: Kinematics<N>, const N: usize>(robot: &Sub
 fn orientations_out_of_reach_have_no_answers<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) {
-    if N == 6 || robot.goal == Goal::Position {
+    if N == 6 || robot.counts == Target::Position {
         return;
     }
     for q in robot.random(50) {

@@ -1,11 +1,13 @@
-//! The robots: all of `robots/`, and some whose files are noisy. A property is
-//! a function of one robot; it becomes a test for each of them.
+//! The robots: all of `robots/`, some whose files are noisy, some of rare
+//! structure, and some of whose targets only a part counts. A property is a function of one robot; it
+//! becomes a test for each of them.
 
 /// Compiles robots, and defines a macro `$for_every!(property)` that makes the
-/// generic function `property(&Subject<_, N>)` one test for each of them.
+/// generic function `property(&Subject<_, N>)` one test for each of them. What
+/// of their targets counts can be said behind an arrow.
 macro_rules! robots {
-    ($files:ident $for_every:ident: $($test:ident $name:ident $path:literal)*) => {
-        $(kinematics::kinematics!($path);)*
+    ($files:ident $for_every:ident: $($test:ident $name:ident $path:literal $(=> $target:ident)?)*) => {
+        $(kinematics::kinematics!($path, name = $name $(, target = $target)?);)*
 
         /// Where they are described.
         pub const $files: &[&str] = &[$($path),*];
@@ -16,7 +18,8 @@ macro_rules! robots {
                     use crate::{subject::Subject, zoo};
                     $(#[test]
                     fn $test() {
-                        super::$property(&Subject::new(zoo::$name, $path));
+                        let robot = Subject::new(zoo::$name, $path);
+                        super::$property(&robot$(.counting(stringify!($target)))?);
                     })*
                 }
             };
@@ -49,6 +52,33 @@ robots! {
     truncated_pi TruncatedPi "tests/robots/noisy/truncated_pi.yaml"
 }
 
+robots! {
+    TABLE for_every_table_row:
+    concurrent_345 Concurrent345 "tests/robots/table/concurrent_345.yaml"
+    parallel_123 Parallel123 "tests/robots/table/parallel_123.yaml"
+    parallel_234 Parallel234 "tests/robots/table/parallel_234.yaml"
+    wrist_alone WristAlone "tests/robots/table/wrist_alone.yaml"
+}
+
+robots! {
+    AIMED for_every_aimed_robot:
+    shoulder Shoulder "tests/robots/targets/shoulder.yaml" => position
+    welder Welder "tests/robots/targets/welder.yaml" => position_axis
+    sprayer_pose SprayerPose "tests/robots/targets/sprayer.yaml" => pose
+    antenna Antenna "tests/robots/targets/antenna.yaml" => direction
+    gimbal Gimbal "tests/robots/targets/gimbal.yaml" => orientation
+    scara_yaw ScaraYaw "robots/scara.yaml" => position_yaw
+    planar PlanarTarget "robots/planar_3r.yaml" => planar
+    cylindrical Cylindrical "tests/robots/targets/cylindrical.yaml"
+    gantry Gantry "tests/robots/targets/gantry.yaml"
+    palletizer Palletizer "tests/robots/targets/palletizer.yaml"
+    arm_2r_pose Arm2rPose "tests/robots/targets/arm_2r.yaml" => pose
+    crank Crank "tests/robots/targets/crank.yaml"
+    crank_pose CrankPose "tests/robots/targets/crank.yaml" => pose
+    slide Slide "tests/robots/targets/slide.yaml"
+    slide_pose SlidePose "tests/robots/targets/slide.yaml" => pose
+}
+
 /// The files of a folder, by their paths in the project.
 fn files(folder: &str) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
@@ -64,4 +94,7 @@ fn files(folder: &str) -> Vec<String> {
 fn no_robot_is_left_out() {
     assert_eq!(files("robots"), EXACT);
     assert_eq!(files("tests/robots/noisy"), NOISY);
+    assert_eq!(files("tests/robots/table"), TABLE);
+    let aimed = files("tests/robots/targets");
+    assert!(aimed.iter().all(|file| AIMED.contains(&file.as_str())));
 }

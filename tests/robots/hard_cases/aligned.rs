@@ -3,7 +3,8 @@
 
 use crate::complete::assert_matched;
 use crate::subject::Subject;
-use kinematics::{Goal, Kinematics};
+use kin_codegen::Target;
+use kinematics::Kinematics;
 
 for_every_robot!(axis_aligned_targets_have_all_answers);
 
@@ -31,7 +32,7 @@ fn there_are_24_rotations() {
 }
 
 fn axis_aligned_targets_have_all_answers<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    if N < 6 || robot.goal == Goal::Position {
+    if N < 6 || robot.counts == Target::Position {
         return;
     }
     let places = robot.random(24).map(|q| robot.chain.fk(&q));
