@@ -38,6 +38,7 @@ fn a_sweep_tells_what_it_counted() {
         "robots/ur5e.urdf: solved: ",
         "  200 targets of seed 1 in ",
         "  answers: 8 to 1",
+        "  worst residual ",
         "  lost 0, unsound 0, doubled 0",
         "  near singular 0, below an independence of 1.0e-5; 0 of these unanswered",
         "  numerical search: ",
@@ -46,7 +47,7 @@ fn a_sweep_tells_what_it_counted() {
     for (line, beginning) in lines.iter().zip(beginnings) {
         assert!(line.starts_with(beginning), "{line}");
     }
-    assert!(lines[5].contains(" solutions of 5 targets; missing 0, extra 0"));
+    assert!(lines[6].contains(" solutions of 5 targets; missing 0, extra 0"));
 }
 
 #[test]

@@ -57,7 +57,8 @@ fn sound_arms_are_clean() {
         ("tests/robots/noisy/calibrated.yaml", 8),
         ("tests/robots/noisy/rounded_right_angles.yaml", 8),
     ] {
-        let tally = swept(&arm(file));
+        let arm = arm(file);
+        let tally = swept(&arm);
         assert!(tally.is_clean(), "{file}\n{tally}");
         // Near singular ones the snapped arms may lose.
         let exact = file.starts_with("robots/");
@@ -65,6 +66,8 @@ fn sound_arms_are_clean() {
         assert_eq!(tally.targets, SETTINGS.targets);
         assert_eq!(tally.answers.values().sum::<usize>(), SETTINGS.targets);
         assert_eq!(tally.answers.last_key_value().unwrap().0, &most, "{file}");
+        let replay = Replay::new(&arm.0, &arm.1, &tally.worst_at).unwrap();
+        assert_eq!(replay.tally.worst_residual, tally.worst_residual);
         assert!(tally.worst_residual < 1e-9);
         assert!(tally.faults.iter().all(|fault| fault.near_singular));
         let seen = tally.oracle.unwrap();

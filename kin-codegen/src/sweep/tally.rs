@@ -20,6 +20,8 @@ pub struct Tally {
     /// The largest distance of an answer from its target by the generic forward
     /// kinematics, metres.
     pub worst_residual: f64,
+    /// The configuration that made the target of that answer.
+    pub worst_at: Vec<f64>,
     /// Configurations are near singular where their Jacobian's columns are less
     /// independent than this. Wider for an arm that was snapped: what has met
     /// on the exact arm may have left each other on the one of the file.
@@ -134,7 +136,10 @@ impl Tally {
             self.note(Kind::Lost, number, &seen.q, near_singular);
         }
         for (i, &residual) in seen.residuals.iter().enumerate() {
-            self.worst_residual = self.worst_residual.max(residual);
+            if residual > self.worst_residual {
+                self.worst_residual = residual;
+                self.worst_at.clone_from(&seen.q);
+            }
             if !subject.is_sound(residual) {
                 self.unsound += 1;
                 self.note(Kind::Unsound, number, &seen.q, near_singular);
@@ -179,7 +184,10 @@ impl Tally {
         for (count, targets) in other.answers {
             *self.answers.entry(count).or_default() += targets;
         }
-        self.worst_residual = self.worst_residual.max(other.worst_residual);
+        if other.worst_residual > self.worst_residual {
+            self.worst_residual = other.worst_residual;
+            self.worst_at = other.worst_at;
+        }
         self.near_singular += other.near_singular;
         self.unanswered += other.unanswered;
         self.lost.add(other.lost);

@@ -7,14 +7,20 @@ impl Display for Tally {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "  {} targets of seed {} in {:.1} s, {:.1} µs each; worst residual {:.1e} m",
-            self.targets, self.seed, self.seconds, self.microseconds, self.worst_residual
+            "  {} targets of seed {} in {:.1} s, {:.1} µs each",
+            self.targets, self.seed, self.seconds, self.microseconds
         )?;
         let histogram = self.answers.iter().rev();
         let histogram: Vec<String> = histogram
             .map(|(count, targets)| format!("{count} to {targets}"))
             .collect();
         writeln!(f, "  answers: {}", histogram.join(", "))?;
+        writeln!(
+            f,
+            "  worst residual {:.1e} m, at {}",
+            self.worst_residual,
+            listed(&self.worst_at)
+        )?;
         write!(f, "  lost {}", self.lost)?;
         if self.lost_up_to > 0.0 {
             write!(f, " (up to an independence of {:.1e})", self.lost_up_to)?;
