@@ -81,6 +81,10 @@ pub struct Check {
     /// Which random targets
     #[arg(long, default_value_t = 1, requires = "targets")]
     pub seed: u64,
+    /// Draw the targets of the sweep next to quarter turns of some joint, where
+    /// many arms are singular
+    #[arg(long, requires = "targets")]
+    pub aligned: bool,
     /// Show one configuration, its target and all answers to it beside those of
     /// the numerical search; radians and metres
     #[arg(

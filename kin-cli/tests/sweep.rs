@@ -47,6 +47,8 @@ fn a_sweep_tells_what_it_counted() {
     for (line, beginning) in lines.iter().zip(beginnings) {
         assert!(line.starts_with(beginning), "{line}");
     }
+    let aligned = check(&["robots/ur5e.urdf", "--targets", "50", "--aligned"]);
+    assert!(stdout(&aligned).contains("\n  50 aligned targets of seed 1 in "));
     assert!(lines[6].contains(" solutions of 5 targets; missing 0, extra 0"));
 }
 

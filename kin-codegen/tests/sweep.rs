@@ -4,7 +4,7 @@ use kin_codegen::expr::{Choice, Node};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::solver::ClosedForm;
-use kin_codegen::sweep::{Kind, Replay, Settings, Tally, sweep};
+use kin_codegen::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::{Compiled, Options, Source, Target, compile};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,6 +13,7 @@ const SETTINGS: Settings = Settings {
     targets: 300,
     oracle: 10,
     seed: 5,
+    draw: Draw::Anywhere,
 };
 
 fn source(file: &str) -> Source {
@@ -96,6 +97,19 @@ fn a_seed_is_a_sweep() {
     assert_eq!(first, timeless(swept(&arm)));
     let second = sweep(&arm.0, &arm.1, &other, &|_| {});
     assert_ne!(first.worst_residual, second.worst_residual);
+}
+
+#[test]
+fn aligned_targets_are_near_singular_ones() {
+    let (model, form) = arm("robots/ur5e.urdf");
+    let aligned = Settings {
+        draw: Draw::Aligned,
+        ..SETTINGS
+    };
+    let tally = sweep(&model, &form, &aligned, &|_| {});
+    assert!(tally.near_singular > SETTINGS.targets / 20, "{tally}");
+    assert!(tally.is_clean(), "{tally}");
+    assert_eq!(tally.unanswered, 0, "{tally}");
 }
 
 #[test]

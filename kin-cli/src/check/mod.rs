@@ -7,7 +7,7 @@ use crate::arguments::{self, read};
 use crate::{Done, Exit};
 use bar::Bar;
 use kin_codegen::explain::{Check, Verdict, check};
-use kin_codegen::sweep::{Replay, Settings, Tally, sweep};
+use kin_codegen::sweep::{Draw, Replay, Settings, Tally, sweep};
 use kin_codegen::{Compiled, Options};
 
 /// What became of a robot file, and of what was tried on it.
@@ -78,6 +78,10 @@ impl Checked {
                 targets: arguments.targets,
                 oracle: arguments.oracle,
                 seed: arguments.seed,
+                draw: match arguments.aligned {
+                    true => Draw::Aligned,
+                    false => Draw::Anywhere,
+                },
             };
             let bar = Bar::new(&self.check.path, settings.targets);
             self.sweep = Some(sweep(model, form, &settings, &|done| bar.advance(done)));

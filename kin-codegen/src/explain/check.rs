@@ -109,7 +109,7 @@ fn completeness(compiled: &Compiled, solver: &ClosedForm, targets: usize) -> Com
     let settings = Settings {
         targets,
         oracle: targets,
-        seed: 0,
+        ..Settings::default()
     };
     let tally = sweep(&compiled.model, solver, &settings, &|_| {});
     let seen = tally.oracle.unwrap_or_default();

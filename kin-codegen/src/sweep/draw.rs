@@ -2,10 +2,27 @@
 
 use crate::model::Model;
 use crate::verify::configurations::Random;
-use std::f64::consts::PI;
+use serde::Serialize;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Which configurations are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Draw {
+    /// Evenly from everywhere.
+    #[default]
+    Anywhere,
+    /// With one joint, on average, next to a multiple of a quarter turn, where
+    /// the singular configurations of many arms are: by 10⁻¹² to 0.1 radians,
+    /// evenly by magnitude.
+    Aligned,
+}
 
 /// How far the coordinates of a configuration go.
-pub(super) struct Ranges(Vec<[f64; 2]>);
+pub(super) struct Ranges {
+    ranges: Vec<[f64; 2]>,
+    turns: Vec<bool>,
+}
 
 impl Ranges {
     pub(super) fn new(model: &Model, size: f64) -> Self {
@@ -16,15 +33,38 @@ impl Ranges {
             Some(limits) => limits,
             None => [-size, size],
         };
-        Self((0..model.variables.len()).map(range).collect())
+        let variables = 0..model.variables.len();
+        Self {
+            ranges: variables.clone().map(range).collect(),
+            turns: variables.map(|i| model.turns(i)).collect(),
+        }
     }
 
     /// The configuration of a number: random, but always the same for a seed.
-    pub(super) fn draw(&self, seed: u64, number: usize) -> Vec<f64> {
+    pub(super) fn draw(&self, draw: Draw, seed: u64, number: usize) -> Vec<f64> {
         let mut random = Random(scrambled(scrambled(seed) ^ number as u64) | 1);
-        let value = |&[from, to]: &[f64; 2]| random.between(from, to);
-        self.0.iter().map(value).collect()
+        let mut q: Vec<f64> = (self.ranges.iter())
+            .map(|&[from, to]| random.between(from, to))
+            .collect();
+        if draw == Draw::Aligned {
+            let joints = q.len() as f64;
+            let turning = q.iter_mut().zip(&self.turns).filter(|(_, turns)| **turns);
+            for (value, _) in turning {
+                if random.between(0.0, joints) < 1.0 {
+                    *value = aligned(&mut random);
+                }
+            }
+        }
+        q
     }
+}
+
+/// An angle next to 0, ±π/2 or π.
+fn aligned(random: &mut Random) -> f64 {
+    let quarters = random.between(-2.0, 2.0).ceil();
+    let off = 10.0_f64.powf(random.between(-12.0, -1.0));
+    let sign = random.between(-1.0, 1.0).signum();
+    kin_runtime::math::wrap(quarters * FRAC_PI_2 + sign * off)
 }
 
 /// Numbers in a row become unrelated ones: the mixing of SplitMix64 (Steele,

@@ -19,7 +19,7 @@
 //! ";
 //! let source = Source { path: "planar.yaml".into(), text: text.into() };
 //! let compiled = compile(&source, &Options::default())?;
-//! let settings = Settings { targets: 100, oracle: 10, seed: 1 };
+//! let settings = Settings { targets: 100, oracle: 10, ..Settings::default() };
 //! let form = compiled.inverse.as_ref().unwrap();
 //! let tally = sweep(&compiled.model, form, &settings, &|_| {});
 //! assert!(tally.is_clean());
@@ -34,6 +34,7 @@ mod subject;
 mod tally;
 mod text;
 
+pub use draw::Draw;
 pub use oracle::Comparison;
 pub use replay::{Answered, Found, Replay};
 pub use tally::{Fault, Kind, Split, Tally};
@@ -51,7 +52,7 @@ use subject::Subject;
 const PORTION: usize = 64;
 
 /// How far a sweep goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Settings {
     /// Random targets.
     pub targets: usize,
@@ -60,6 +61,8 @@ pub struct Settings {
     /// Which targets. The same seed draws the same ones on any number of
     /// processors.
     pub seed: u64,
+    /// Where they are drawn from.
+    pub draw: Draw,
 }
 
 impl Settings {
@@ -72,8 +75,8 @@ impl Settings {
 }
 
 /// Runs a closed form of an arm on the targets of random configurations, on all
-/// processors. Angles are drawn from (−π, π], whatever the limits; sliding
-/// joints within their limits, or to the arm's size both ways.
+/// processors. Angles are drawn from (−π, π], whatever the limits; slides
+/// within their limits, or to the arm's size both ways.
 ///
 /// `progress` is told how many targets are done since it was told last; from
 /// several threads.
@@ -118,7 +121,7 @@ pub fn sweep(
 
 fn examine(subject: &Subject, settings: &Settings, numbers: Range<usize>, tally: &mut Tally) {
     for number in numbers {
-        let q = subject.draw(settings.seed, number);
+        let q = subject.draw(settings, number);
         let seen = subject.look(q);
         tally.count(subject, &seen, number);
         if settings.is_compared(number) {

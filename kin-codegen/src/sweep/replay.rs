@@ -94,7 +94,7 @@ impl Replay {
         let settings = Settings {
             targets: 1,
             oracle: 1,
-            seed: 0,
+            ..Settings::default()
         };
         let mut tally = Tally::new(&subject, &settings);
         tally.count(&subject, &seen, 0);

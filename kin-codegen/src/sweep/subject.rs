@@ -1,5 +1,6 @@
 //! An arm and its closed form under examination.
 
+use super::Settings;
 use super::draw::Ranges;
 use crate::model::Model;
 use crate::solver::{Answer, ClosedForm};
@@ -46,8 +47,8 @@ impl<'a> Subject<'a> {
         }
     }
 
-    pub(super) fn draw(&self, seed: u64, number: usize) -> Vec<f64> {
-        self.ranges.draw(seed, number)
+    pub(super) fn draw(&self, settings: &Settings, number: usize) -> Vec<f64> {
+        self.ranges.draw(settings.draw, settings.seed, number)
     }
 
     pub(super) fn look(&self, q: Vec<f64>) -> Seen {

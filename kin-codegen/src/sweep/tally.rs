@@ -1,7 +1,7 @@
 //! What a sweep counts.
 
 use super::subject::{Seen, Subject};
-use super::{Comparison, Settings};
+use super::{Comparison, Draw, Settings};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -13,6 +13,8 @@ const LISTED: usize = 5;
 pub struct Tally {
     /// See [`Settings`].
     pub seed: u64,
+    /// See [`Settings`].
+    pub draw: Draw,
     /// Random targets.
     pub targets: usize,
     /// How many targets had so many answers.
@@ -107,6 +109,7 @@ impl Tally {
     pub(super) fn new(subject: &Subject, settings: &Settings) -> Self {
         Self {
             seed: settings.seed,
+            draw: settings.draw,
             near_singular_below: subject.near_singular,
             oracle: (settings.oracle > 0).then(Comparison::default),
             ..Self::default()

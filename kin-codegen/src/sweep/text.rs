@@ -1,13 +1,17 @@
 //! Sweeps as text for a terminal.
 
-use super::{Answered, Comparison, Fault, Found, Kind, Replay, Split, Tally};
+use super::{Answered, Comparison, Draw, Fault, Found, Kind, Replay, Split, Tally};
 use std::fmt::{self, Display, Formatter};
 
 impl Display for Tally {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let aligned = match self.draw {
+            Draw::Anywhere => "",
+            Draw::Aligned => "aligned ",
+        };
         writeln!(
             f,
-            "  {} targets of seed {} in {:.1} s, {:.1} µs each",
+            "  {} {aligned}targets of seed {} in {:.1} s, {:.1} µs each",
             self.targets, self.seed, self.seconds, self.microseconds
         )?;
         let histogram = self.answers.iter().rev();
