@@ -243,3 +243,15 @@ fn a_configuration_of_another_length_is_not_replayed() {
     let (model, form) = arm("robots/ur5e.urdf");
     assert!(Replay::new(&model, &form, &[0.1; 5]).is_none());
 }
+
+#[test]
+fn a_target_without_answers_is_told_from_a_lost_configuration() {
+    let (model, mut form) = arm("robots/scara.yaml");
+    form.inverse.invalid = form.inverse.graph.one();
+    let tally = swept(&(model, form));
+    assert_eq!(tally.answers[&0], SETTINGS.targets, "{tally}");
+    assert_eq!(tally.lost.regular, SETTINGS.targets, "{tally}");
+    let kinds: Vec<Kind> = tally.faults.iter().map(|fault| fault.kind).collect();
+    let expected = [[Kind::Unanswered; 5], [Kind::Missing; 5]].concat();
+    assert_eq!(kinds, expected, "{tally}");
+}

@@ -93,6 +93,8 @@ pub struct Fault {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
+    /// There is no answer at all.
+    Unanswered,
     /// The configuration is not among the answers.
     Lost,
     /// An answer misses the target.
@@ -136,7 +138,11 @@ impl Tally {
         if !subject.is_among(&seen.q, answers, seen.independence) {
             self.lost.count(near_singular);
             self.lost_up_to = self.lost_up_to.max(seen.independence);
-            self.note(Kind::Lost, number, &seen.q, near_singular);
+            let kind = match answers.is_empty() {
+                true => Kind::Unanswered,
+                false => Kind::Lost,
+            };
+            self.note(kind, number, &seen.q, near_singular);
         }
         for (i, &residual) in seen.residuals.iter().enumerate() {
             if residual > self.worst_residual {

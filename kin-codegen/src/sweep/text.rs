@@ -85,6 +85,7 @@ impl Display for Fault {
 impl Display for Kind {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Kind::Unanswered => "unanswered",
             Kind::Lost => "lost",
             Kind::Unsound => "unsound",
             Kind::Doubled => "doubled",
