@@ -1,7 +1,7 @@
 //! The whole way from a robot file to verified expressions.
 
 use crate::expr::forward::{Outputs, Stance, link_frame, tip};
-use crate::expr::jacobian::{Columns, Which, jacobian, tip_and_jacobian};
+use crate::expr::jacobian::{Columns, TipAndColumns, Which, jacobian, tip_and_jacobian};
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
 use crate::geometry::Linkage;
@@ -43,8 +43,8 @@ pub struct Forward {
     pub body: Columns,
     /// The geometric Jacobian.
     pub geometric: Columns,
-    /// J_s where the tip is computed as well.
-    pub with_tip: Columns,
+    /// The tip and J_s, sharing what they can.
+    pub both: TipAndColumns,
 }
 
 impl Forward {
@@ -61,7 +61,7 @@ impl Forward {
                 link_frame(&mut g, linkage, &stance, joint)
             })
             .collect();
-        let with_tip = tip_and_jacobian(&mut g, linkage, &stance, Which::Spatial).columns;
+        let both = tip_and_jacobian(&mut g, linkage, &stance, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
             .map(|which| jacobian(&mut g, linkage, &stance, which));
         Self {
@@ -71,7 +71,7 @@ impl Forward {
             spatial,
             body,
             geometric,
-            with_tip,
+            both,
         }
     }
 
@@ -87,7 +87,7 @@ impl Forward {
 
     /// The cost of forward kinematics with the spatial Jacobian.
     pub fn tip_and_jacobian_cost(&self) -> Operations {
-        self.cost(&[self.tip.expressions(), self.with_tip.expressions()].concat())
+        self.cost(&self.both.expressions())
     }
 }
 

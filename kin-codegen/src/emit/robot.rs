@@ -142,9 +142,12 @@ fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
     let spatial = jacobian(&f.spatial);
     let body = jacobian(&f.body);
     let geometric = jacobian(&f.geometric);
-    let both = [f.tip.expressions(), f.with_tip.expressions()].concat();
+    let both = f.both.expressions();
     let fk_jacobian = forward::block(g, &both, count, |w| {
-        let (tip, columns) = (forward::pose(w, &f.tip), forward::jacobian(w, &f.with_tip));
+        let (tip, columns) = (
+            forward::pose(w, &f.both.tip),
+            forward::jacobian(w, &f.both.columns),
+        );
         quote!((#tip, #columns))
     });
     let fk_cost = cost(f.cost(&f.tip.expressions()));

@@ -2,14 +2,15 @@
 //!
 //! T = C₀ J₁ C₁ … Jₙ Cₙ is gathered by runs of parallel joints: a run turns by
 //! the sum of its angles and travels by a vector of its own frame. Orientation
-//! multiplies up from the base. The position has a choice: the first runs by
-//! Horner's rule (innermost vector first, turned outwards), the rest forwards
-//! with the columns of the orientation; what is cheaper is counted, not
-//! guessed.
+//! multiplies up from the base, or two of its columns come in from the tip and
+//! their cross product is the third, which a chain without structure prefers.
+//! The position has a choice: the first runs by Horner's rule (innermost vector
+//! first, turned outwards), the rest forwards with the columns of the
+//! orientation; what is cheaper is counted, not guessed.
 
-use super::linear::{Motion, Trig, Vector};
+use super::linear::{Motion, Trig, Vector, transpose};
 use super::{Expr, Graph};
-use crate::geometry::{Linkage, Travel};
+use crate::geometry::{Linkage, Travel, Vec3};
 use kin_runtime::Pose;
 
 /// What the joints of a linkage do, as expressions.
@@ -77,6 +78,8 @@ pub(super) struct Stage {
     pub travel: Vector,
     /// C, the constant motion behind the run.
     pub after: Pose,
+    /// The translation of C in the axes behind it.
+    pub advance: Vec3,
     /// The run's joints.
     pub members: Vec<Member>,
 }
@@ -100,6 +103,7 @@ pub(super) fn stages(g: &mut Graph, linkage: &Linkage, stance: &Stance, upto: us
             turn: None,
             travel,
             after: Pose::IDENTITY,
+            advance: [0.0; 3],
             members: Vec::new(),
         };
         for i in run.joints.clone().take_while(|&i| i < upto) {
@@ -129,8 +133,104 @@ impl Stage {
             }
         }
         self.after = link.after;
+        self.advance = link.advance;
         self.members.push(Member { point, slide });
     }
+
+    /// The frame behind the turn, without the travel.
+    pub(super) fn spin(&self, g: &mut Graph, mut frame: Motion) -> Motion {
+        if let Some(turn) = self.turn {
+            let turn = g.rotation_z(turn);
+            frame.rotation = g.product(&frame.rotation, &turn);
+        }
+        frame
+    }
+
+    /// Ends at another motion than the chain has there.
+    fn end_at(&mut self, pose: Pose) {
+        self.after = pose;
+        self.advance = pose.rotate_back(pose.translation);
+    }
+
+    /// Whether to translate behind the rotation of C, where the vector has
+    /// more zeros.
+    fn turns_first(&self) -> bool {
+        let entries = |v: &Vec3| v.iter().filter(|x| **x != 0.0).count();
+        entries(&self.advance) < entries(&self.after.translation)
+    }
+
+    /// The frame behind C, from the frame before it.
+    pub(super) fn leave(&self, g: &mut Graph, frame: Motion) -> Motion {
+        let rotation = onwards(g, &frame.rotation, &self.after.rotation);
+        let shift = if self.turns_first() {
+            let advance = g.vector(self.advance);
+            g.rotate(&rotation, advance)
+        } else {
+            let shift = g.vector(self.after.translation);
+            g.rotate(&frame.rotation, shift)
+        };
+        Motion {
+            rotation,
+            translation: g.plus(frame.translation, shift),
+        }
+    }
+
+    /// The frame before C, from the frame behind it.
+    pub(super) fn enter(&self, g: &mut Graph, frame: Motion) -> Motion {
+        let back = self.after.inverse();
+        let rotation = onwards(g, &frame.rotation, &back.rotation);
+        let shift = if self.turns_first() {
+            let advance = g.vector(self.advance);
+            g.rotate(&frame.rotation, advance)
+        } else {
+            let shift = g.vector(self.after.translation);
+            g.rotate(&rotation, shift)
+        };
+        Motion {
+            rotation,
+            translation: g.minus(frame.translation, shift),
+        }
+    }
+
+    /// A direction before the run, from the same direction behind it.
+    fn direction(&self, g: &mut Graph, v: Vector) -> Vector {
+        let constant = g.rotation(&self.after.rotation);
+        let v = g.rotate(&constant, v);
+        turned(g, self.turn, v)
+    }
+
+    /// A point before the run, from the same point behind it.
+    fn point(&self, g: &mut Graph, x: Vector) -> Vector {
+        let constant = g.rotation(&self.after.rotation);
+        let x = if self.turns_first() {
+            let advance = g.vector(self.advance);
+            let x = g.plus(advance, x);
+            g.rotate(&constant, x)
+        } else {
+            let shift = g.vector(self.after.translation);
+            let x = g.rotate(&constant, x);
+            g.plus(shift, x)
+        };
+        let x = turned(g, self.turn, x);
+        g.plus(self.travel, x)
+    }
+}
+
+/// R C with a constant C. Where a column of C has no zero, the cross product
+/// of the other two is cheaper.
+fn onwards(g: &mut Graph, rotation: &[Vector; 3], constant: &[Vec3; 3]) -> [Vector; 3] {
+    let full = (0..3).find(|&j| constant.iter().all(|row| row[j] != 0.0));
+    let mut columns = [0, 1, 2].map(|j| {
+        if Some(j) == full {
+            return g.vector([0.0; 3]);
+        }
+        let column = g.vector(constant.map(|row| row[j]));
+        g.rotate(rotation, column)
+    });
+    if let Some(j) = full {
+        columns[j] = g.cross(columns[(j + 1) % 3], columns[(j + 2) % 3]);
+    }
+    transpose(&columns)
 }
 
 pub(super) fn turned(g: &mut Graph, turn: Option<Trig>, v: Vector) -> Vector {
@@ -160,12 +260,33 @@ fn behind(
 ) -> Motion {
     let mut stages = stages(g, linkage, stance, upto);
     if let (Some(stage), Some(pose)) = (stages.last_mut(), last) {
-        stage.after = pose;
+        stage.end_at(pose);
     }
+    let base = g.motion(&linkage.base);
+    let forwards = stages.len() + 1;
+    cheapest(g, forwards + 3, |g, variant| {
+        if variant < forwards {
+            position_split(g, base, &stages, variant)
+        } else {
+            from_the_tip(g, base, &stages, variant - forwards)
+        }
+    })
+}
+
+/// The pose of the tip, its orientation from the base onwards.
+pub(super) fn tip_by_splitting(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
+    let stages = stages(g, linkage, stance, linkage.links.len());
     let base = g.motion(&linkage.base);
     cheapest(g, stages.len() + 1, |g, horner| {
         position_split(g, base, &stages, horner)
     })
+}
+
+/// The pose of the tip with every frame on the way, which Jacobians share.
+pub(super) fn tip_forwards(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
+    let stages = stages(g, linkage, stance, linkage.links.len());
+    let base = g.motion(&linkage.base);
+    position_split(g, base, &stages, 0)
 }
 
 /// Builds every variant in a copy of the graph and keeps the cheapest.
@@ -211,37 +332,45 @@ impl Outputs for Motion {
 
 /// The first `horner` stages by Horner's rule, the rest forwards.
 fn position_split(g: &mut Graph, base: Motion, stages: &[Stage], horner: usize) -> Motion {
-    let mut inner = g.vector([0.0; 3]);
-    for stage in stages[..horner].iter().rev() {
-        let rotation = g.rotation(&stage.after.rotation);
-        let shift = g.vector(stage.after.translation);
-        let x = g.rotate(&rotation, inner);
-        let x = g.plus(shift, x);
-        let x = turned(g, stage.turn, x);
-        inner = g.plus(stage.travel, x);
+    let (inner, outer) = stages.split_at(horner);
+    let mut frame = base;
+    frame.translation = horners_rule(g, &base, inner);
+    for stage in inner {
+        let after = stage.spin(g, frame);
+        frame.rotation = onwards(g, &after.rotation, &stage.after.rotation);
     }
-    let shift = g.rotate(&base.rotation, inner);
-    let mut translation = g.plus(base.translation, shift);
-    let mut rotation = base.rotation;
-    for (k, stage) in stages.iter().enumerate() {
-        if k >= horner {
-            let travel = g.rotate(&rotation, stage.travel);
-            translation = g.plus(translation, travel);
-        }
-        if let Some(turn) = stage.turn {
-            let turn = g.rotation_z(turn);
-            rotation = g.product(&rotation, &turn);
-        }
-        if k >= horner {
-            let shift = g.vector(stage.after.translation);
-            let shift = g.rotate(&rotation, shift);
-            translation = g.plus(translation, shift);
-        }
-        let constant = g.rotation(&stage.after.rotation);
-        rotation = g.product(&rotation, &constant);
+    for stage in outer {
+        let travel = g.rotate(&frame.rotation, stage.travel);
+        frame.translation = g.plus(frame.translation, travel);
+        let behind = stage.spin(g, frame);
+        frame = stage.leave(g, behind);
     }
+    frame
+}
+
+/// Everything from the tip inwards: the position, and the orientation without
+/// its column `left_out`, which the other two make.
+fn from_the_tip(g: &mut Graph, base: Motion, stages: &[Stage], left_out: usize) -> Motion {
+    let mut columns = [0, 1, 2].map(|j| g.vector([0, 1, 2].map(|i| f64::from(i == j))));
+    for j in (0..3).filter(|&j| j != left_out) {
+        for stage in stages.iter().rev() {
+            columns[j] = stage.direction(g, columns[j]);
+        }
+        columns[j] = g.rotate(&base.rotation, columns[j]);
+    }
+    columns[left_out] = g.cross(columns[(left_out + 1) % 3], columns[(left_out + 2) % 3]);
     Motion {
-        rotation,
-        translation,
+        rotation: transpose(&columns),
+        translation: horners_rule(g, &base, stages),
     }
+}
+
+/// Where the origin behind the stages is, innermost vector first.
+fn horners_rule(g: &mut Graph, base: &Motion, stages: &[Stage]) -> Vector {
+    let mut x = g.vector([0.0; 3]);
+    for stage in stages.iter().rev() {
+        x = stage.point(g, x);
+    }
+    let x = g.rotate(&base.rotation, x);
+    g.plus(base.translation, x)
 }

@@ -7,10 +7,13 @@
 //! the cheapest kept: on a UR5 the one behind the first joint, in which axes
 //! 2 to 4 are constant.
 
-use super::forward::{Outputs, Stage, Stance, cheapest, stages, tip};
+use super::forward::{
+    Outputs, Stage, Stance, cheapest, stages, tip, tip_by_splitting, tip_forwards,
+};
 use super::linear::{Motion, Vector, transpose};
 use super::{Expr, Graph};
 use crate::geometry::Linkage;
+use kin_runtime::Pose;
 
 /// Which Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,25 +53,30 @@ impl Outputs for TipAndColumns {
 
 /// The Jacobian alone.
 pub fn jacobian(g: &mut Graph, linkage: &Linkage, stance: &Stance, which: Which) -> Columns {
-    let variants = 2 * (linkage.runs.len() + 1);
-    cheapest(g, variants, |g, variant| {
+    cheapest(g, variants(linkage), |g, variant| {
         columns(g, linkage, stance, which, variant)
     })
 }
 
-/// The pose of the tip and the Jacobian together.
+/// The pose of the tip and the Jacobian together. The cheapest way to the pose
+/// alone need not be the one whose frames the Jacobian can use.
 pub fn tip_and_jacobian(
     g: &mut Graph,
     linkage: &Linkage,
     stance: &Stance,
     which: Which,
 ) -> TipAndColumns {
-    let tip = tip(g, linkage, stance);
-    let variants = 2 * (linkage.runs.len() + 1);
-    cheapest(g, variants, |g, variant| TipAndColumns {
-        tip,
-        columns: columns(g, linkage, stance, which, variant),
+    let tips = [tip, tip_by_splitting, tip_forwards].map(|way| way(g, linkage, stance));
+    let variants = variants(linkage);
+    cheapest(g, tips.len() * variants, |g, variant| TipAndColumns {
+        tip: tips[variant / variants],
+        columns: columns(g, linkage, stance, which, variant % variants),
     })
+}
+
+/// The base, every middle frame, and two places to shift the reference point.
+fn variants(linkage: &Linkage) -> usize {
+    2 * (linkage.runs.len() + 2)
 }
 
 /// An axis as seen from the middle frame.
@@ -133,11 +141,21 @@ fn columns(
     Columns(out)
 }
 
-/// Looks at all axes from the frame before run number `middle`.
+/// Looks at all axes from the frame before run number `middle`; one past the
+/// frame behind the last is the base.
 fn look_around(g: &mut Graph, linkage: &Linkage, stance: &Stance, middle: usize) -> Middle {
     let stages = stages(g, linkage, stance, linkage.links.len());
+    let here = g.motion(&Pose::IDENTITY);
+    if middle > stages.len() {
+        let first = g.motion(&linkage.base);
+        let (axes, tip) = look_out(g, &stages, first);
+        return Middle {
+            axes,
+            base: here,
+            tip,
+        };
+    }
     let (inner, outer) = stages.split_at(middle);
-    let here = g.motion(&kin_runtime::Pose::IDENTITY);
     let (mut axes, before) = look_back(g, inner, here);
     let (later, tip) = look_out(g, outer, here);
     axes.extend(later);
@@ -150,73 +168,44 @@ fn look_around(g: &mut Graph, linkage: &Linkage, stance: &Stance, middle: usize)
     Middle { axes, base, tip }
 }
 
-/// Outwards: the axes of later runs, and the frame behind the last.
-fn look_out(g: &mut Graph, outer: &[Stage], here: Motion) -> (Vec<Axis>, Motion) {
-    let Motion {
-        mut rotation,
-        mut translation,
-    } = here;
+/// Outwards from `frame`: the axes of later runs, and the frame behind the
+/// last.
+fn look_out(g: &mut Graph, outer: &[Stage], mut frame: Motion) -> (Vec<Axis>, Motion) {
     let mut axes = Vec::new();
     for stage in outer {
-        push_axes(g, stage, rotation, translation, &mut axes);
-        let travel = g.rotate(&rotation, stage.travel);
-        translation = g.plus(translation, travel);
-        if let Some(turn) = stage.turn {
-            let turn = g.rotation_z(turn);
-            rotation = g.product(&rotation, &turn);
-        }
-        let after = g.motion(&stage.after);
-        let shift = g.rotate(&rotation, after.translation);
-        translation = g.plus(translation, shift);
-        rotation = g.product(&rotation, &after.rotation);
+        push_axes(g, stage, frame, &mut axes);
+        let travel = g.rotate(&frame.rotation, stage.travel);
+        frame.translation = g.plus(frame.translation, travel);
+        let behind = stage.spin(g, frame);
+        frame = stage.leave(g, behind);
     }
-    (
-        axes,
-        Motion {
-            rotation,
-            translation,
-        },
-    )
+    (axes, frame)
 }
 
-/// Backwards: the axes of earlier runs, and the frame before the first.
-fn look_back(g: &mut Graph, inner: &[Stage], here: Motion) -> (Vec<Axis>, Motion) {
-    let Motion {
-        mut rotation,
-        mut translation,
-    } = here;
+/// Backwards from `frame`: the axes of earlier runs, and the frame before the
+/// first.
+fn look_back(g: &mut Graph, inner: &[Stage], mut frame: Motion) -> (Vec<Axis>, Motion) {
     let mut groups = Vec::new();
     for stage in inner.iter().rev() {
-        let back = g.motion(&stage.after.inverse());
-        let shift = g.rotate(&rotation, back.translation);
-        translation = g.plus(translation, shift);
-        rotation = g.product(&rotation, &back.rotation);
+        frame = stage.enter(g, frame);
         if let Some(turn) = stage.turn {
             let turn = g.rotation_z(turn);
-            rotation = g.product(&rotation, &transpose(&turn));
+            frame.rotation = g.product(&frame.rotation, &transpose(&turn));
         }
-        let travel = g.rotate(&rotation, stage.travel);
-        translation = g.minus(translation, travel);
+        let travel = g.rotate(&frame.rotation, stage.travel);
+        frame.translation = g.minus(frame.translation, travel);
         let mut group = Vec::new();
-        push_axes(g, stage, rotation, translation, &mut group);
+        push_axes(g, stage, frame, &mut group);
         groups.push(group);
     }
-    (
-        groups.into_iter().rev().flatten().collect(),
-        Motion {
-            rotation,
-            translation,
-        },
-    )
+    (groups.into_iter().rev().flatten().collect(), frame)
 }
 
-fn push_axes(
-    g: &mut Graph,
-    stage: &Stage,
-    rotation: [Vector; 3],
-    translation: Vector,
-    axes: &mut Vec<Axis>,
-) {
+fn push_axes(g: &mut Graph, stage: &Stage, frame: Motion, axes: &mut Vec<Axis>) {
+    let Motion {
+        rotation,
+        translation,
+    } = frame;
     for member in &stage.members {
         axes.push(match member.slide {
             Some(slide) => Axis::Slide {

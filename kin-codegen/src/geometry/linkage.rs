@@ -55,6 +55,9 @@ pub struct Link {
     pub offset: f64,
     /// C: from behind the joint to before the next one, or to the tip.
     pub after: Pose,
+    /// The translation of C in the axes behind it: where these look along the
+    /// next joint, Denavit and Hartenberg's a and d stand apart.
+    pub advance: Vec3,
     /// The child link's own frame, as seen from behind the joint.
     pub body: Pose,
     /// The frame before the joint at home, in base coordinates.
@@ -120,7 +123,10 @@ impl Linkage {
         for i in 0..links.len() {
             let next = links.get(i + 1).map_or(model.home, |link| link.before_home);
             let home = links[i].after_home.inverse();
-            links[i].after = clean(home * next, size);
+            let after = home * next;
+            let advance = after.rotate_back(after.translation);
+            links[i].advance = tidy(advance, size).map(short);
+            links[i].after = clean(after, size);
             links[i].body = clean(home * model.joints[i].frame, size);
         }
         Linkage {
@@ -208,6 +214,7 @@ fn link(joint: &Joint, sign: f64, turn: f64, before: Pose, after: Pose) -> Link 
         gain: sign * joint.multiplier,
         offset: sign * joint.offset + turn,
         after: Pose::IDENTITY,
+        advance: [0.0; 3],
         body: Pose::IDENTITY,
         before_home: before,
         after_home: after,
