@@ -1,6 +1,6 @@
 //! The whole way from a robot file to verified expressions.
 
-use crate::expr::forward::{Outputs, Stance, link_frame, tip};
+use crate::expr::forward::{Outputs, Stance, link_frames, tip};
 use crate::expr::jacobian::{Columns, TipAndColumns, Which, jacobian, tip_and_jacobian};
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
@@ -54,13 +54,13 @@ impl Forward {
         let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
         let stance = Stance::at(&mut g, linkage, &q);
         let tip = tip(&mut g, linkage, &stance);
-        let links = (0..n)
+        let joints: Vec<usize> = (0..n)
             .map(|variable| {
                 let own = |i: &usize| model.joints[*i].is_coordinate(variable);
-                let joint = (0..model.joints.len()).find(own).unwrap_or(variable);
-                link_frame(&mut g, linkage, &stance, joint)
+                (0..model.joints.len()).find(own).unwrap_or(variable)
             })
             .collect();
+        let links = link_frames(&mut g, linkage, &stance, &joints);
         let both = tip_and_jacobian(&mut g, linkage, &stance, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
             .map(|which| jacobian(&mut g, linkage, &stance, which));

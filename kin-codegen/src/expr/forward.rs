@@ -240,24 +240,35 @@ pub(super) fn turned(g: &mut Graph, turn: Option<Trig>, v: Vector) -> Vector {
 /// The pose of the tip (in base coordinates), by the cheapest of the ways to
 /// accumulate the position that are tried.
 pub fn tip(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
-    behind(g, linkage, stance, linkage.links.len(), None)
+    behind(g, linkage, stance, linkage.links.len(), None, &[])[0]
 }
 
-/// The frame of the link that joint `i` moves, in base coordinates.
-pub fn link_frame(g: &mut Graph, linkage: &Linkage, stance: &Stance, i: usize) -> Motion {
-    let body = linkage.links[i].body;
-    behind(g, linkage, stance, i + 1, Some(body))
+/// The frames of the links that some joints move, in base coordinates. What
+/// one frame takes serves the next.
+pub fn link_frames(
+    g: &mut Graph,
+    linkage: &Linkage,
+    stance: &Stance,
+    joints: &[usize],
+) -> Vec<Motion> {
+    let mut frames = Vec::new();
+    for &joint in joints {
+        let body = linkage.links[joint].body;
+        frames = behind(g, linkage, stance, joint + 1, Some(body), &frames);
+    }
+    frames
 }
 
 /// The motion from the base to behind joint `upto − 1` and on by its constant
-/// motion, or by `last` in place of it.
+/// motion, or by `last` in place of it; added to `known` motions.
 fn behind(
     g: &mut Graph,
     linkage: &Linkage,
     stance: &Stance,
     upto: usize,
     last: Option<Pose>,
-) -> Motion {
+    known: &[Motion],
+) -> Vec<Motion> {
     let mut stages = stages(g, linkage, stance, upto);
     if let (Some(stage), Some(pose)) = (stages.last_mut(), last) {
         stage.end_at(pose);
@@ -265,11 +276,12 @@ fn behind(
     let base = g.motion(&linkage.base);
     let forwards = stages.len() + 1;
     cheapest(g, forwards + 3, |g, variant| {
-        if variant < forwards {
+        let motion = if variant < forwards {
             position_split(g, base, &stages, variant)
         } else {
             from_the_tip(g, base, &stages, variant - forwards)
-        }
+        };
+        [known, &[motion]].concat()
     })
 }
 
@@ -327,6 +339,12 @@ impl Outputs for Motion {
             .chain(&self.translation)
             .copied()
             .collect()
+    }
+}
+
+impl Outputs for Vec<Motion> {
+    fn expressions(&self) -> Vec<Expr> {
+        self.iter().flat_map(Outputs::expressions).collect()
     }
 }
 

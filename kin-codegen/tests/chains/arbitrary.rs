@@ -4,7 +4,7 @@
 use crate::arm::{Arm, any_arm, configuration, structure};
 use crate::check::Solved;
 use crate::settings::cases;
-use kin_codegen::expr::forward::{Outputs, Stance, link_frame, tip};
+use kin_codegen::expr::forward::{Outputs, Stance, link_frames, tip};
 use kin_codegen::expr::jacobian::{Which, jacobian, tip_and_jacobian};
 use kin_codegen::expr::{Expr, Graph};
 use kin_codegen::geometry::Linkage;
@@ -25,10 +25,10 @@ proptest! {
         let chain = chain(&arm.0);
         let found = evaluated(&arm, &q, tip);
         assert_close(&found, &pose_entries(&chain.fk(&q)));
-        for (i, link) in chain.fk_links(&q).iter().enumerate() {
-            let found = evaluated(&arm, &q, |g, linkage, stance| link_frame(g, linkage, stance, i));
-            assert_close(&found, &pose_entries(link));
-        }
+        let joints: Vec<usize> = (0..q.len()).collect();
+        let found = evaluated(&arm, &q, |g, linkage, stance| link_frames(g, linkage, stance, &joints));
+        let links: Vec<f64> = chain.fk_links(&q).iter().flat_map(pose_entries).collect();
+        assert_close(&found, &links);
     }
 
     #[test]
@@ -39,9 +39,10 @@ proptest! {
         assert_close(&columns(Which::Body), &column_entries(&chain.body_jacobian(&q)));
         assert_close(&columns(Which::Geometric), &column_entries(&chain.geometric_jacobian(&q)));
         let together = evaluated(&arm, &q, |g, linkage, stance| {
-            tip_and_jacobian(g, linkage, stance, Which::Spatial).columns
+            tip_and_jacobian(g, linkage, stance, Which::Spatial)
         });
-        assert_close(&together, &column_entries(&chain.spatial_jacobian(&q)));
+        let tip = pose_entries(&chain.fk(&q));
+        assert_close(&together, &[tip, column_entries(&chain.spatial_jacobian(&q))].concat());
     }
 
     #[test]

@@ -1,0 +1,113 @@
+//! What forward kinematics and Jacobians may cost: within 15 % of counts that
+//! are known to be possible, and at them for arms with parallel axes.
+
+use kin_codegen::expr::Operations;
+use kin_codegen::{Compiled, Ik, Options, Source, compile};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+use std::fmt::Write;
+use std::path::Path;
+
+/// The forward half of a robot of `robots/`.
+fn robot(file: &str) -> Compiled {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
+    forward(&Source::read(file, &root).unwrap())
+}
+
+fn forward(source: &Source) -> Compiled {
+    let options = Options {
+        ik: Ik::None,
+        ..Options::default()
+    };
+    compile(source, &options).unwrap_or_else(|refused| panic!("{refused}\n{}", source.text))
+}
+
+/// Multiplications and additions of the pose, and of pose and spatial Jacobian.
+fn counts(compiled: &Compiled) -> [[usize; 2]; 2] {
+    let pair = |cost: Operations| [cost.multiplications, cost.additions];
+    let forward = &compiled.forward;
+    [
+        pair(forward.tip_cost()),
+        pair(forward.tip_and_jacobian_cost()),
+    ]
+}
+
+#[track_caller]
+fn assert_within(found: [[usize; 2]; 2], limits: [[usize; 2]; 2]) {
+    let within = found.as_flattened().iter().zip(limits.as_flattened());
+    assert!(
+        within.into_iter().all(|(count, limit)| count <= limit),
+        "{found:?} exceeds {limits:?}"
+    );
+}
+
+#[test]
+fn universal_robots() {
+    for file in ["ur5e.urdf", "ur10e.yaml"] {
+        assert_within(counts(&robot(file)), [[40, 23], [62, 38]]);
+    }
+}
+
+#[test]
+fn spherical_wrists_on_parallel_shoulders() {
+    for file in [
+        "puma560.yaml",
+        "irb6640.yaml",
+        "kr6_r900.yaml",
+        "tx60.yaml",
+        "elbow.yaml",
+    ] {
+        assert_within(counts(&robot(file)), [[52, 26], [85, 45]]);
+    }
+}
+
+/// Six rows of Denavit-Hartenberg parameters without any structure.
+fn general() -> impl Strategy<Value = Source> {
+    let row = [-0.5..0.5, -0.5..0.5, -3.0..3.0_f64];
+    prop::array::uniform6(row).prop_map(|rows| {
+        let mut text = String::from("robot: general\nunits: {angle: rad, length: m}\ndh:\n");
+        for (i, [d, a, alpha]) in rows.iter().enumerate() {
+            writeln!(text, "  - {{name: j{i}, d: {d}, a: {a}, alpha: {alpha}}}").unwrap();
+        }
+        Source {
+            path: "general.yaml".into(),
+            text,
+        }
+    })
+}
+
+proptest! {
+    #![proptest_config(Config {
+        cases: 20,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(1994),
+        ..Config::default()
+    })]
+
+    #[test]
+    fn any_six_revolute_joints(source in general()) {
+        assert_within(counts(&forward(&source)), [[133, 78], [183, 117]]);
+    }
+}
+
+/// Base and tip anywhere cost a rotation each, and every joint its zero.
+#[test]
+fn a_base_and_a_tip_in_general_position_are_added() {
+    let text = "\
+robot: general
+units: {angle: rad, length: m}
+screws:
+  - {name: j1, axis: [0.9, -1.4, -0.7], point: [0.1, -0.1, 0.3]}
+  - {name: j2, axis: [0.4, -0.4, 1.1], point: [0.2, 0.4, 0]}
+  - {name: j3, axis: [-0.3, 1.6, -0.6], point: [0.4, 0.5, 0.3]}
+  - {name: j4, axis: [-0.5, 0.7, 0.5], point: [0.2, 0.4, 0.2]}
+  - {name: j5, axis: [-0.5, 0.1, -1.3], point: [0.4, 0.5, 0.1]}
+  - {name: j6, axis: [0.6, 0.5, -0.6], point: [0.3, 0.1, -0.5]}
+home: {xyz: [0.2, -0.1, 0.3], rpy: [0.3, -1.1, 0.7]}
+";
+    let source = Source {
+        path: "general.yaml".into(),
+        text: text.into(),
+    };
+    assert_within(counts(&forward(&source)), [[153, 100], [210, 134]]);
+}
