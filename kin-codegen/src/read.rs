@@ -1,6 +1,6 @@
 //! From a path to a source, the same behind every door.
 
-use crate::spec::{Diagnostic, Diagnostics, Source};
+use crate::spec::{Diagnostic, Diagnostics, Location, Source};
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -13,13 +13,55 @@ impl Source {
     /// The file cannot be read, or is not text.
     pub fn read(path: &str, root: &Path) -> Result<Source, Diagnostics> {
         let file = root.join(path);
-        std::fs::read_to_string(&file)
+        let bytes = std::fs::read(&file).map_err(|error| unreadable(path, root, &file, &error))?;
+        text(bytes)
+            .map_err(|diagnostic| Diagnostics {
+                path: path.into(),
+                list: vec![diagnostic],
+            })
             .map(|text| Source {
                 path: path.into(),
                 text,
             })
-            .map_err(|error| unreadable(path, root, &file, &error))
     }
+}
+
+/// The text of a file, or why it is none.
+fn text(bytes: Vec<u8>) -> Result<String, Diagnostic> {
+    const UTF_16: [&[u8]; 2] = [&[0xff, 0xfe], &[0xfe, 0xff]];
+    let whole = |reason: &str, remedy: &str| Diagnostic {
+        at: None,
+        line: String::new(),
+        reason: reason.into(),
+        remedy: remedy.into(),
+    };
+    if UTF_16.iter().any(|mark| bytes.starts_with(mark)) {
+        return Err(whole("the file is in UTF-16", "save it in UTF-8"));
+    }
+    if bytes.contains(&0) {
+        return Err(whole(
+            "the file is binary",
+            "give a URDF or YAML file, which are text",
+        ));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let end = error.utf8_error().valid_up_to();
+        let bytes = error.as_bytes();
+        let start = bytes[..end]
+            .iter()
+            .rposition(|b| *b == b'\n')
+            .map_or(0, |i| i + 1);
+        let line = bytes[start..].split(|b| matches!(b, b'\n' | b'\r')).next();
+        Diagnostic {
+            at: Some(Location {
+                line: bytes[..end].iter().filter(|b| **b == b'\n').count() as u32 + 1,
+                column: String::from_utf8_lossy(&bytes[start..end]).chars().count() as u32 + 1,
+            }),
+            line: String::from_utf8_lossy(line.unwrap_or_default()).into_owned(),
+            reason: format!("the byte {:#04x} is not UTF-8", bytes[end]),
+            remedy: "save the file in UTF-8".into(),
+        }
+    })
 }
 
 fn unreadable(path: &str, root: &Path, file: &Path, error: &std::io::Error) -> Diagnostics {
@@ -31,9 +73,9 @@ fn unreadable(path: &str, root: &Path, file: &Path, error: &std::io::Error) -> D
             format!("write the path relative to {}, or absolute", root.display()),
         ),
         ErrorKind::NotFound => ("there is no such file".into(), "check the path".into()),
-        ErrorKind::InvalidData => (
-            "the file is not UTF-8 text".into(),
-            "give a URDF or YAML file, in UTF-8".into(),
+        ErrorKind::IsADirectory => (
+            "this is a folder".into(),
+            "give the path of a URDF or YAML file in it".into(),
         ),
         _ => (
             format!("cannot read {shown}: {error}"),
@@ -68,6 +110,22 @@ mod tests {
     #[test]
     fn a_folder_is_no_file() {
         let refused = Source::read("src", Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap_err();
-        assert!(refused.to_string().starts_with("src: cannot read"));
+        assert!(refused.to_string().starts_with("src: this is a folder"));
+    }
+
+    #[test]
+    fn other_encodings_are_told() {
+        let message = |bytes: &[u8]| {
+            let list = vec![text(bytes.to_vec()).unwrap_err()];
+            let path = "arm.urdf".into();
+            Diagnostics { path, list }.to_string()
+        };
+        assert_eq!(
+            message(b"<robot\r\n  name=\"M\xfcller\">\r\n"),
+            "arm.urdf:2:10: the byte 0xfc is not UTF-8\n  name=\"M\u{fffd}ller\">\n         ^\n\
+             help: save the file in UTF-8"
+        );
+        assert!(message(b"\xff\xfe<\0").starts_with("arm.urdf: the file is in UTF-16"));
+        assert!(message(b"solid \0").starts_with("arm.urdf: the file is binary"));
     }
 }

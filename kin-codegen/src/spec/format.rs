@@ -13,6 +13,7 @@ pub(super) enum Format {
 /// Decides by the file's extension, and by its first character when the
 /// extension says nothing.
 pub(super) fn of(source: &Source) -> Result<Format, Diagnostics> {
+    refuse_stand_in(source)?;
     let extension = Path::new(&source.path)
         .extension()
         .and_then(|e| e.to_str())
@@ -34,14 +35,32 @@ pub(super) fn of(source: &Source) -> Result<Format, Diagnostics> {
     }
 }
 
+/// What lies where a robot file should, when it could not be fetched.
+fn refuse_stand_in(source: &Source) -> Result<(), Diagnostics> {
+    let start: String = source.text.trim_start().chars().take(40).collect();
+    let start = start.to_ascii_lowercase();
+    if start.starts_with("version https://git-lfs.") {
+        return Err(refuse(
+            source,
+            "this is not the file itself but the pointer that Git LFS keeps in its place",
+            "fetch the file: `git lfs pull`",
+        ));
+    }
+    if start.starts_with("<!doctype html") || start.starts_with("<html") {
+        return Err(refuse(
+            source,
+            "this is a web page, perhaps the one that shows the file",
+            "download the file itself (on GitHub: Raw)",
+        ));
+    }
+    Ok(())
+}
+
 fn sniff(source: &Source) -> Result<Format, Diagnostics> {
     let text = source.text.trim_start();
     if text.starts_with('<') {
         Ok(Format::Urdf)
-    } else if text
-        .lines()
-        .any(|line| line.starts_with("robot:") || line.starts_with("units:"))
-    {
+    } else if is_yaml_robot(text) {
         Ok(Format::Yaml)
     } else {
         Err(refuse(
@@ -50,6 +69,12 @@ fn sniff(source: &Source) -> Result<Format, Diagnostics> {
             "name the file `.urdf` (or `.xml`), or `.yaml` (or `.yml`)",
         ))
     }
+}
+
+/// Whether a text has the keys that every YAML robot has.
+pub(super) fn is_yaml_robot(text: &str) -> bool {
+    text.lines()
+        .any(|line| line.starts_with("robot:") || line.starts_with("units:"))
 }
 
 fn refuse(source: &Source, reason: impl Into<String>, remedy: &str) -> Diagnostics {

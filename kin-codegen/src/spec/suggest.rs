@@ -17,6 +17,7 @@ pub(crate) fn did_you_mean(word: &str, candidates: &[&str]) -> String {
     match nearest(word, candidates.iter().copied()) {
         Some(candidate) => format!("did you mean `{candidate}`?"),
         None if candidates.is_empty() => "there is none to choose from".into(),
+        None if candidates.len() == 1 => format!("use `{}`", candidates[0]),
         None => format!("use one of {}", list(candidates)),
     }
 }

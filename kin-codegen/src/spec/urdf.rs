@@ -14,7 +14,7 @@ mod vocabulary;
 mod witness;
 mod xacro;
 
-use super::{Complaints, Diagnostics, Source, Spec, tree};
+use super::{Complaints, Diagnostics, Source, Spec, format, tree};
 use roxmltree::Node;
 
 /// Reads a URDF.
@@ -99,12 +99,46 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Compl
                 "close every element; the file may have been cut off",
             );
         }
+        _ if !source.text.trim_start().starts_with('<') => {
+            complaints.at(
+                at,
+                "this is no XML: it does not begin with `<`",
+                rename(source),
+            );
+        }
+        Error::MalformedEntityReference(_) => complaints.at(
+            at,
+            format!("this is no well-formed XML: {}", without_place(error)),
+            "write &amp; for the character `&`",
+        ),
+        Error::UnknownToken(_) if second_root(at, source) => complaints.at(
+            at,
+            "a second element stands behind the root, and XML has one root",
+            "keep one <robot> in a file",
+        ),
         _ => complaints.at(
             at,
             format!("this is no well-formed XML: {}", without_place(error)),
             "correct the XML at this place",
         ),
     }
+}
+
+/// What to do with a file that is not XML at all.
+fn rename(source: &Source) -> &'static str {
+    if format::is_yaml_robot(&source.text) {
+        "name the file `.yaml` if it is one"
+    } else {
+        "give a URDF: <robot name=\"arm\"> ... </robot>"
+    }
+}
+
+/// Whether an element begins behind the end of the robot.
+fn second_root(at: super::Location, source: &Source) -> bool {
+    let mut lines = source.text.lines().skip(at.line as usize - 1);
+    let line = lines.next().unwrap_or("");
+    let mut rest = line.chars().skip(at.column as usize - 1);
+    rest.next() == Some('<') && rest.next().is_some_and(char::is_alphabetic)
 }
 
 /// The message without the "at 1:2" which ours starts with already.

@@ -155,6 +155,11 @@ impl<'a, 'i> Parts<'a, 'i> {
             None => Some(0.0),
         };
         let (lower, upper) = (bound("lower", complaints), bound("upper", complaints));
+        for rating in ["effort", "velocity"] {
+            if let Some(attribute) = node.attribute_node(rating) {
+                numbers::refuse_junk(&attribute, complaints);
+            }
+        }
         let (lower, upper) = (lower?, upper?);
         let at = place(node, complaints);
         Some(if continuous {

@@ -20,8 +20,9 @@ pub(super) fn read<const N: usize>(
             ""
         };
         let reason = format!(
-            "{name}=\"{value}\" has {} where {N} belong",
-            count(words.len())
+            "{name}=\"{value}\" has {} where {N} belong{}",
+            count(words.len()),
+            if N == 1 { "s" } else { "" }
         );
         complaints.at(at, reason, format!("write {}{commas}", count(N)));
         return None;
@@ -43,18 +44,45 @@ fn finite(word: &str, attribute: &Attribute, complaints: &mut Complaints) -> Opt
         Ok(number) if number.is_finite() => Some(number),
         Ok(_) => {
             let reason = format!("{}: `{word}` is not a finite number", attribute.name());
-            complaints.at(at, reason, "write the value in metres or radians");
+            let remedy = match attribute.name() {
+                "lower" | "upper" => {
+                    "write the value in metres or radians; a joint that turns without stops is \
+                     type=\"continuous\""
+                }
+                _ => "write the value in metres or radians",
+            };
+            complaints.at(at, reason, remedy);
             None
         }
         Err(_) => {
             let reason = format!("{}: `{word}` is not a number", attribute.name());
-            complaints.at(
-                at,
-                reason,
-                "write a plain decimal number such as 1.5707963267948966",
-            );
+            complaints.at(at, reason, plainly(word));
             None
         }
+    }
+}
+
+/// Complains about an attribute that is not read, unless it is a number or
+/// empty: a file with junk in it has been damaged elsewhere too.
+pub(super) fn refuse_junk(attribute: &Attribute, complaints: &mut Complaints) {
+    let word = attribute.value().trim();
+    if !word.is_empty() && word.parse::<f64>().is_err() {
+        let at = complaints.place(attribute.range_value().start);
+        let reason = format!("{}: `{word}` is not a number", attribute.name());
+        complaints.at(at, reason, plainly(word));
+    }
+}
+
+/// How to write what is no number.
+fn plainly(word: &str) -> String {
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
+    let point = word.replacen(',', ".", 1);
+    if is_number(word.trim_matches(',')) {
+        "separate the numbers by blanks instead of commas".into()
+    } else if is_number(&point) {
+        format!("write a decimal point: {point}")
+    } else {
+        "write a plain decimal number such as 1.5707963267948966".into()
     }
 }
 

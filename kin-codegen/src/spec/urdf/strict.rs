@@ -15,15 +15,7 @@ pub(super) fn read(
 ) -> Option<Draft> {
     let robot = document.root_element();
     if robot.tag_name().name() != "robot" {
-        let reason = format!(
-            "the root element is <{}>, and a URDF's is <robot>",
-            robot.tag_name().name()
-        );
-        complaints.at(
-            place(robot, complaints),
-            reason,
-            "convert the robot to URDF",
-        );
+        refuse_root(robot, complaints);
         return None;
     }
     let mut draft = Draft {
@@ -44,6 +36,19 @@ pub(super) fn read(
         }
     }
     Some(draft)
+}
+
+fn refuse_root(root: Node, complaints: &mut Complaints) {
+    let name = root.tag_name().name();
+    let reason = match vocabulary::other_format(name) {
+        Some(format) => format!("this is {format}: its root is <{name}>, and a URDF's is <robot>"),
+        None => format!("the root element is <{name}>, and a URDF's is <robot>"),
+    };
+    let remedy = match suggest::nearest(name, ["robot"]) {
+        Some(_) => "write <robot>",
+        None => "convert the robot to URDF, or write it down in YAML",
+    };
+    complaints.at(place(root, complaints), reason, remedy);
 }
 
 fn name_if_any(node: Node, complaints: &Complaints) -> Option<Name> {

@@ -58,6 +58,19 @@ pub(super) const JOINT_TYPES: [&str; 7] = [
     "spherical",
 ];
 
+/// The format that an XML file with this root is in, where it is one that
+/// robots come in.
+pub(super) fn other_format(root: &str) -> Option<&'static str> {
+    Some(match root {
+        "sdf" | "gazebo" => "SDF, the format of Gazebo",
+        "mujoco" => "MJCF, the format of MuJoCo",
+        "COLLADA" => "COLLADA, a format of meshes",
+        "launch" => "a ROS launch file",
+        "html" => "a web page",
+        _ => return None,
+    })
+}
+
 /// The motion that a joint type stands for.
 pub(super) fn joint_type(word: &str) -> Option<JointType> {
     Some(match word {

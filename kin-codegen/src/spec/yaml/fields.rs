@@ -38,7 +38,7 @@ impl<'n> Fields<'n> {
             reader.at(
                 self.id,
                 format!("`{key}` is missing"),
-                format!("add `{key}: ...`"),
+                format!("add `{key}: {}`", example(key)),
             );
         }
         found
@@ -76,7 +76,7 @@ impl<'s> Reader<'s> {
     /// The text is no YAML at all.
     pub(super) fn explain_syntax(&mut self, error: &serde_yaml::Error) {
         let mut message = format!("this cannot be read: {error}");
-        let remedy = "correct the YAML; the format is described in kin_codegen::spec::yaml";
+        let mut remedy = "correct the YAML; the format is described in kin_codegen::spec::yaml";
         let Some(at) = node::place(error) else {
             return self.complaints.whole(message, remedy);
         };
@@ -84,6 +84,16 @@ impl<'s> Reader<'s> {
         let place = format!(" at line {} column {}", at.line, at.column);
         if let Some(start) = message.find(&place) {
             message.replace_range(start..start + place.len(), "");
+        }
+        let line = self.text.lines().nth(at.line.saturating_sub(1) as usize);
+        let line = line.unwrap_or("");
+        let before = at.column.saturating_sub(1) as usize;
+        if line.chars().nth(before) == Some('\t') {
+            message = "this line is indented with a tab, and YAML takes blanks alone".into();
+            remedy = "replace the tab by blanks";
+        } else if before > 0 && line.chars().take(before).all(|c| c == ' ') {
+            remedy = "indent the line as its neighbours: entries of one list or mapping begin in \
+                      one column";
         }
         self.complaints.at(at, message, remedy);
     }
@@ -100,11 +110,13 @@ impl<'s> Reader<'s> {
                 "this should be a {what}, a mapping, and is {}",
                 kind(&node.value)
             );
-            self.at(
-                node.id,
-                reason,
-                format!("write {{key: value, ...}} with {}", list_names(known)),
-            );
+            let remedy = match &node.value {
+                Value::Text(text) if text.starts_with('<') => {
+                    "name the file `.urdf`, if this is XML".into()
+                }
+                _ => format!("write {{key: value, ...}} with {}", list_names(known)),
+            };
+            self.at(node.id, reason, remedy);
             return None;
         };
         let mut fields = Fields {
@@ -128,13 +140,24 @@ impl<'s> Reader<'s> {
     ) {
         let Value::Text(name) = &key.value else {
             let reason = format!("a key is a word, and this is {}", kind(&key.value));
-            return self.at(key.id, reason, format!("use one of {}", list_names(known)));
+            let point = match key.value {
+                Value::Number(_) => "write decimals with a point, and ",
+                _ => "",
+            };
+            let remedy = format!("{point}use one of {}", list_names(known));
+            return self.at(key.id, reason, remedy);
         };
         if !known.contains(&name.as_str()) {
             let meant = suggest::nearest(name, known.iter().copied());
             fields.misspelt.extend(meant.map(str::to_string));
             let reason = format!("unknown key `{name}` in a {what}");
-            self.at(key.id, reason, did_you_mean(name, known));
+            let remedy = match name.split_once(':') {
+                Some((key, value)) if known.contains(&key) => {
+                    format!("put a blank behind the colon: `{key}: {value}`")
+                }
+                _ => did_you_mean(name, known),
+            };
+            self.at(key.id, reason, remedy);
         } else if fields.get(name).is_some() {
             let reason = format!("the key `{name}` stands here twice");
             self.at(key.id, reason, "remove one of the two");
@@ -200,14 +223,13 @@ impl<'s> Reader<'s> {
             Value::Text(text) => expression::evaluate(text),
             _ => None,
         };
-        let remedy = "write a number, or an expression of numbers and pi such as `pi/2`";
         let reason = match (number, &node.value) {
             (Some((number, pi)), _) if number.is_finite() => return Some((number, pi)),
             (Some((number, _)), _) => format!("this number is {number}, which is not finite"),
             (None, Value::Text(text)) => format!("`{text}` is not a number"),
             (None, value) => format!("this should be a number, and is {}", kind(value)),
         };
-        self.at(node.id, reason, remedy);
+        self.at(node.id, reason, plainly(&node.value));
         None
     }
 
@@ -228,6 +250,33 @@ impl<'s> Reader<'s> {
         let read: Vec<T> = read.into_iter().collect::<Option<_>>()?;
         read.try_into().ok()
     }
+}
+
+/// What stands behind a key.
+fn example(key: &str) -> &'static str {
+    match key {
+        "units" => "{angle: rad, length: m}`, or with `deg` and `mm",
+        "angle" => "rad` or `angle: deg",
+        "length" => "m` or `length: mm",
+        _ => "...",
+    }
+}
+
+/// How to write what is no number.
+fn plainly(value: &Value) -> String {
+    if let Value::Text(text) = value {
+        let unit = |c: char| c.is_alphabetic() || c == '°';
+        let point = text.replacen(',', ".", 1);
+        let bare = text.trim_end_matches(unit).trim_end();
+        let is_unit = bare != text && !text.ends_with("pi");
+        if is_unit && expression::evaluate(bare).is_some() {
+            return format!("write `{bare}` alone: `units` tells what numbers measure");
+        }
+        if point != *text && expression::evaluate(&point).is_some() {
+            return format!("write a decimal point: `{point}`");
+        }
+    }
+    "write a number, or an expression of numbers and pi such as `pi/2`".into()
 }
 
 fn kind(value: &Value) -> &'static str {

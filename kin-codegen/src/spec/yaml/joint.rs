@@ -1,7 +1,7 @@
 //! What a joint has in each of the four ways.
 
 use super::fields::{Fields, Reader};
-use super::node::Node;
+use super::node::{Node, Value};
 use super::units::Units;
 use super::{denavit_hartenberg, frames, pose, screws};
 use crate::spec::tree::{DraftMimic, Name};
@@ -124,6 +124,14 @@ fn limits(fields: &Fields, kind: JointType, units: &Units, reader: &mut Reader) 
     let Some(node) = fields.get("limits") else {
         return Some(Limits::Unlimited);
     };
+    if !matches!(node.value, Value::List(_)) {
+        reader.at(
+            node.id,
+            "`limits` are a list of two numbers",
+            "write [lower, upper], or leave `limits` out if the joint has no stops",
+        );
+        return None;
+    }
     let [lower, upper] =
         reader.exactly(node, |reader, node| units.joint_value(kind, node, reader))?;
     Some(Limits::Range {
