@@ -2,6 +2,7 @@
 
 use crate::explain::structure;
 use crate::model::Model;
+use crate::plan::Target;
 use crate::solver::NoClosedForm;
 use crate::spec::{Diagnostic, Diagnostics, Source};
 use crate::verify::rank;
@@ -49,7 +50,12 @@ fn coaxial(model: &Model) -> Option<[String; 2]> {
 }
 
 /// The complaint about an arm without a closed form.
-pub fn no_closed_form(source: &Source, model: &Model, reason: &NoClosedForm) -> Diagnostics {
+pub fn no_closed_form(
+    source: &Source,
+    model: &Model,
+    target: Target,
+    reason: &NoClosedForm,
+) -> Diagnostics {
     let n = model.joints.len();
     let remedy = "`ik = none` generates forward kinematics and Jacobians alone";
     let why = match reason {
@@ -61,7 +67,8 @@ pub fn no_closed_form(source: &Source, model: &Model, reason: &NoClosedForm) -> 
                                 projected target (position_yaw, planar) needs them exact"
             .to_owned(),
         NoClosedForm::NoPlan => format!(
-            "no sequence of the subproblems SP1 to SP6 solves the chain: {}",
+            "no sequence of the subproblems SP1 to SP6 solves the chain{}: {}",
+            aimed_at(target),
             structure(model)
         ),
         NoClosedForm::Uncertified { plan, failure } => {
@@ -73,6 +80,14 @@ pub fn no_closed_form(source: &Source, model: &Model, reason: &NoClosedForm) -> 
         model.base, model.tip
     );
     whole(source, reason, remedy.into())
+}
+
+/// What targets are, unless they are whole poses.
+fn aimed_at(target: Target) -> String {
+    match target {
+        Target::Pose => String::new(),
+        other => format!(" for {}", other.phrase()),
+    }
 }
 
 fn whole(source: &Source, reason: String, remedy: String) -> Diagnostics {

@@ -223,6 +223,7 @@ fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
         methods.push(method("ik_closest", pose, quote!(pose), closest));
     }
     quote! {
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl Kinematics<#n> for #name {
             const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;
             const LIMITS: [JointLimit; #n] = #name::LIMITS;
