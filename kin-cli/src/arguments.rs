@@ -115,8 +115,9 @@ pub struct RobotOptions {
     /// Forward kinematics and Jacobians alone, as --ik none
     #[arg(long, conflicts_with = "ik")]
     pub no_ik: bool,
-    /// What of a target counts: pose or position [default: position where it
-    /// fixes the joints of an arm of up to three, otherwise pose]
+    /// What of a target counts: pose, position, position_axis, position_yaw,
+    /// planar, direction or orientation [default: position where it fixes the
+    /// joints of an arm of up to three, otherwise pose]
     #[arg(long)]
     pub target: Option<Target>,
 }

@@ -107,7 +107,10 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnosti
         Ik::ClosedForm => {
             let target = options.target.unwrap_or_else(|| natural_target(&model));
             let solver = solve(&model, target);
-            Some(solver.map_err(|reason| refusal::no_closed_form(source, &model, target, &reason))?)
+            Some(
+                solver
+                    .map_err(|reason| refusal::no_closed_form(source, &model, target, &reason))?,
+            )
         }
     };
     let forward = Forward::new(&model, &linkage);

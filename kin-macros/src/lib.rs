@@ -35,11 +35,14 @@ use proc_macro::TokenStream;
 /// - **`ik = none`**: forward kinematics and Jacobians alone. By default
 ///   (`ik = closed_form`) an arm without a closed form is an error that says
 ///   why there is none.
-/// - **`target = position`**: the target of inverse kinematics is the tip's
-///   position; its orientation is whatever comes of it. **`target = pose`**:
-///   it is the whole pose. By default `position` for arms of up to three joints
-///   whose position fixes them, such as a planar 2R arm, and `pose` for all
-///   others.
+/// - **`target = position`**: what of a target inverse kinematics reaches; the
+///   rest is whatever comes of it. `pose` is all of it, `position` the tip's
+///   origin, `position_axis` that with the direction of the tip's z axis,
+///   `position_yaw` that with the turn about the first axis (SCARA), `planar`
+///   the position across the first axis with the turn about it, `direction` the
+///   tip's z axis, `orientation` the rotation. By default `position` for arms
+///   of up to three joints whose position fixes them, such as a planar 2R arm,
+///   and `pose` for all others.
 /// - **`debug = true`**: the code is formatted and written to a file, which the
 ///   macro includes. Compiler errors, backtraces and debuggers then point into
 ///   that file. It is `kinematics/<crate>/<Name>-<hash>.rs` in the `OUT_DIR` of
