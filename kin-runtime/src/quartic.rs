@@ -17,7 +17,8 @@ pub struct TrigRoot {
 pub const SIMPLE: f64 = 0.0;
 /// [`TrigRoot::state`] of a place that holds no root.
 pub const NONE: f64 = 1.0;
-/// [`TrigRoot::state`] of two roots that have met; the second has no place.
+/// [`TrigRoot::state`] of two or more roots that have met; only the first has
+/// a place.
 pub const DOUBLE: f64 = 2.0;
 
 /// Two roots nearer than this are one: radians. A double root is only
@@ -29,6 +30,12 @@ const NOISE: f64 = 1e-7;
 /// An extremum this near to zero, relative to the coefficients, is a double
 /// root.
 const MET: f64 = 1e-14;
+/// Slopes below this may be those near a root of multiplicity three or four.
+const FLAT: f64 = 1e-2;
+/// An extremum this near to a root, radians, may be the root.
+const NEAR: f64 = 1e-3;
+/// As [`NEAR`], for a root of multiplicity three or four.
+const WIDE: f64 = 0.1;
 /// A root must satisfy the equation to this, relative to the coefficients.
 const CLOSED: f64 = 1e-12;
 
@@ -45,8 +52,11 @@ const CLOSED: f64 = 1e-12;
 /// directions, opposite. The quartic is split into two real quadratics by the
 /// largest root of its resolvent cubic (Ferrari), without dividing by what
 /// vanishes in the biquadratic case, and every root is polished on f itself.
-/// Simple roots are accurate to a few units of rounding over the slope of f,
-/// double ones to its square root. An identically vanishing f has no roots.
+/// Simple roots are accurate to a few units of rounding over the slope of f. So
+/// are multiple ones, found as roots of a derivative, unless rounding in the
+/// coefficients has parted them. Two roots less than 2e-7 apart, and three or
+/// four between which f stays below 1e-14 of its coefficients, are one. An
+/// identically vanishing f has no roots.
 ///
 /// ```
 /// use kin_runtime::quartic::{SIMPLE, trig_roots};
@@ -66,14 +76,22 @@ pub fn trig_roots(f: [f64; 5]) -> [TrigRoot; 4] {
         }; 4];
     }
     let f = f.map(|x| x / scale);
+    let mut derivatives = [f; 5];
+    for i in 1..5 {
+        derivatives[i] = derivative(&derivatives[i - 1]);
+    }
     let (sin, cos) = best_reference(&f);
     let turned = turn(&f, sin, cos);
     let mut roots = half_angle_roots(&turned).map(|(t, real)| {
         // tan(θ/2) = t, turned back by the reference.
         let (s, c) = (2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t));
-        let root = polish(&f, (s * cos + c * sin, c * cos - s * sin));
-        let closed = value(&f, root.0, root.1).abs() < CLOSED;
-        let state = if real && closed { SIMPLE } else { NONE };
+        let (root, met) = polish(&derivatives, (s * cos + c * sin, c * cos - s * sin));
+        let closed = value(&f, root).abs() < CLOSED;
+        let state = match (closed, met) {
+            (true, true) => DOUBLE,
+            (true, false) if real => SIMPLE,
+            _ => NONE,
+        };
         TrigRoot {
             sin: root.0,
             cos: root.1,
@@ -85,7 +103,7 @@ pub fn trig_roots(f: [f64; 5]) -> [TrigRoot; 4] {
 }
 
 /// f at an angle.
-fn value(f: &[f64; 5], s: f64, c: f64) -> f64 {
+fn value(f: &[f64; 5], (s, c): (f64, f64)) -> f64 {
     let [a2, b2, a1, b1, a0] = *f;
     a2 * (c - s) * (c + s) + 2.0 * b2 * s * c + a1 * c + b1 * s + a0
 }
@@ -105,7 +123,7 @@ fn best_reference(f: &[f64; 5]) -> (f64, f64) {
     ];
     let mut best = (0.0, DIRECTIONS[0]);
     for (s, c) in DIRECTIONS {
-        let size = value(f, -s, -c).abs();
+        let size = value(f, (-s, -c)).abs();
         if size > best.0 {
             best = (size, (s, c));
         }
@@ -231,37 +249,71 @@ fn largest_root(a: f64, b: f64, c: f64) -> f64 {
     m.max(0.0)
 }
 
-/// Newton on f as long as it brings f nearer to zero. If the extremum nearby
-/// is a zero to rounding, two roots have met there, and the extremum is where.
-fn polish(f: &[f64; 5], start: (f64, f64)) -> (f64, f64) {
+/// Newton on f as long as it brings f nearer to zero, and whether roots have
+/// met there. `f` stands before its derivatives.
+fn polish(f: &[[f64; 5]; 5], start: (f64, f64)) -> ((f64, f64), bool) {
     let mut best = start;
-    let mut y = value(f, best.0, best.1);
+    let mut y = value(&f[0], best);
     for _ in 0..6 {
-        let trial = nudged(best, -y, slope(f, best));
-        let trial_y = value(f, trial.0, trial.1);
+        let trial = nudged(best, -y, value(&f[1], best));
+        let trial_y = value(&f[0], trial);
         if trial_y.abs() < y.abs() {
             (best, y) = (trial, trial_y);
         }
     }
-    let mut extremum = best;
-    for _ in 0..3 {
-        extremum = nudged(extremum, -slope(f, extremum), bend(f, extremum));
+    if value(&f[1], best).abs() < FLAT {
+        for order in [4, 3] {
+            if let Some(root) = multiple(f, best, order) {
+                return (root, true);
+            }
+        }
     }
-    let apart = (extremum.0 - best.0).abs() + (extremum.1 - best.1).abs();
-    let met = apart < 1e-3 && value(f, extremum.0, extremum.1).abs() < MET;
-    if met { extremum } else { best }
+    let extremum = newton::<3>(&f[1], &f[2], best);
+    let height = value(&f[0], extremum);
+    let missed = height * value(&f[2], extremum) > 0.0 && height.abs() < CLOSED;
+    // Newton stays where it is if f″ vanishes; that is no extremum.
+    let flat = value(&f[1], extremum).abs() < SAME && apart(extremum, best) < NEAR;
+    let met = flat && (height.abs() < MET || missed);
+    (if met { extremum } else { best }, met)
+}
+
+/// The root of multiplicity 3 or 4 nearby, if there is one.
+///
+/// Ferrari finds its way to such roots only to a few hundredths of a radian,
+/// and Newton on f creeps; but the last derivative that vanishes has a simple
+/// root there. It is multiple if f is too shallow around to tell its roots
+/// apart.
+fn multiple(f: &[[f64; 5]; 5], best: (f64, f64), order: usize) -> Option<(f64, f64)> {
+    let centre = newton::<6>(&f[order - 1], &f[order], best);
+    let d = f.map(|f| value(&f, centre).abs());
+    let shallow = if order == 4 {
+        // d₁ x, d₂ x²/2 where d₄ x⁴/24 reaches the rounding error.
+        d[1] * d[1] * d[1] * d[1] <= MET * MET * MET * d[4] && d[2] * d[2] <= MET * d[4]
+    } else {
+        // The height of the extrema of d₁ x + d₃ x³/6.
+        d[1] * d[1] * d[1] <= MET * MET * d[3]
+    };
+    let met = apart(centre, best) < WIDE && d[0] < MET && shallow;
+    met.then_some(centre)
+}
+
+/// `STEPS` Newton steps towards a root of f, given f′.
+fn newton<const STEPS: usize>(f: &[f64; 5], slope: &[f64; 5], start: (f64, f64)) -> (f64, f64) {
+    let mut root = start;
+    for _ in 0..STEPS {
+        root = nudged(root, -value(f, root), value(slope, root));
+    }
+    root
 }
 
 /// f′.
-fn slope(f: &[f64; 5], (s, c): (f64, f64)) -> f64 {
+fn derivative(f: &[f64; 5]) -> [f64; 5] {
     let [a2, b2, a1, b1, _] = *f;
-    2.0 * (b2 * (c - s) * (c + s) - 2.0 * a2 * s * c) + b1 * c - a1 * s
+    [2.0 * b2, -2.0 * a2, b1, -a1, 0.0]
 }
 
-/// f″.
-fn bend(f: &[f64; 5], (s, c): (f64, f64)) -> f64 {
-    let [a2, b2, a1, b1, _] = *f;
-    -4.0 * (a2 * (c - s) * (c + s) + 2.0 * b2 * s * c) - a1 * c - b1 * s
+fn apart(a: (f64, f64), b: (f64, f64)) -> f64 {
+    (a.0 - b.0).abs() + (a.1 - b.1).abs()
 }
 
 /// A unit vector turned by the Newton step `rise / rate`, at most a little.
