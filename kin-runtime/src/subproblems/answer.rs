@@ -1,10 +1,10 @@
 //! What a subproblem yields.
 
 /// The answer to a subproblem whose unknown is a `T`: an angle, a translation,
-/// or a pair of angles.
+/// or two or three angles.
 ///
-/// The three cases are kept apart so that neither a member of a family nor a
-/// best approximation can be mistaken for a solution.
+/// The cases are kept apart so that neither a member of a family nor a best
+/// approximation can be mistaken for a solution.
 ///
 /// ```
 /// use kin_runtime::subproblems::{Answer, subproblem4};
@@ -17,17 +17,20 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Answer<T> {
-    /// One or two isolated solutions. A double root is given once.
+    /// One to four isolated solutions. A double root is given once.
     Exact(Roots<T>),
-    /// Infinitely many solutions, of which this is one.
+    /// Infinitely many solutions, of which this is one. Isolated solutions that
+    /// stand beside the family, if there are any, are not given.
     Any(T),
-    /// No solution.
+    /// No solution, but a best approximation.
     Closest {
         /// The unknown that comes closest, in the sense of least squares.
         value: T,
         /// What the equation is off by there, in its own unit. Not zero.
         residual: f64,
     },
+    /// No solution; what comes closest is not known in closed form.
+    None,
 }
 
 impl<T> Answer<T> {
@@ -35,18 +38,22 @@ impl<T> Answer<T> {
     pub fn exact(&self) -> &[T] {
         match self {
             Answer::Exact(roots) => roots,
-            Answer::Any(_) | Answer::Closest { .. } => &[],
+            Answer::Any(_) | Answer::Closest { .. } | Answer::None => &[],
         }
     }
 }
 
-/// One or two values; behaves as a slice.
+/// One to four values; behaves as a slice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots<T> {
     /// A single or a double root.
     One([T; 1]),
     /// Two distinct roots.
     Two([T; 2]),
+    /// Three distinct roots, one of them double.
+    Three([T; 3]),
+    /// Four distinct roots.
+    Four([T; 4]),
 }
 
 impl<T> core::ops::Deref for Roots<T> {
@@ -55,6 +62,8 @@ impl<T> core::ops::Deref for Roots<T> {
         match self {
             Roots::One(root) => root,
             Roots::Two(roots) => roots,
+            Roots::Three(roots) => roots,
+            Roots::Four(roots) => roots,
         }
     }
 }
@@ -91,11 +100,24 @@ impl<T> Answer<T> {
         match self {
             Answer::Exact(Roots::One(root)) => Answer::Exact(Roots::One(root.map(f))),
             Answer::Exact(Roots::Two(roots)) => Answer::Exact(Roots::Two(roots.map(f))),
+            Answer::Exact(Roots::Three(roots)) => Answer::Exact(Roots::Three(roots.map(f))),
+            Answer::Exact(Roots::Four(roots)) => Answer::Exact(Roots::Four(roots.map(f))),
             Answer::Any(value) => Answer::Any(f(value)),
             Answer::Closest { value, residual } => Answer::Closest {
                 value: f(value),
                 residual,
             },
+            Answer::None => Answer::None,
+        }
+    }
+
+    /// Solutions, a member of a family or what comes closest: values to go on
+    /// from.
+    pub(crate) fn values(&self) -> &[T] {
+        match self {
+            Answer::Exact(roots) => roots,
+            Answer::Any(value) | Answer::Closest { value, .. } => core::slice::from_ref(value),
+            Answer::None => &[],
         }
     }
 }

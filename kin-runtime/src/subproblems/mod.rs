@@ -4,8 +4,13 @@
 //! |---|---|---|---|
 //! | [`subproblem1`] | t | R(k, t) p₁ = p₂ | 1 |
 //! | [`subproblem2`] | t₁, t₂ | R(k₁, t₁) p₁ = R(k₂, t₂) p₂ | 0 to 2 |
+//! | [`subproblem2e`] | t₁, t₂ | p₀ + R(k₁, t₁) p₁ = R(k₂, t₂) p₂ | 0 to 2 |
 //! | [`subproblem3`] | t | ‖R(k, t) p₁ − p₂‖ = d | 0 to 2 |
 //! | [`subproblem4`] | t | h · R(k, t) p = d | 0 to 2 |
+//! | [`subproblem5`] | t₁, t₂, t₃ | p₀ + R(k₁, t₁) p₁ = R(k₂, t₂) (p₂ + R(k₃, t₃) p₃) | 0 to 4 |
+//! | [`subproblem6`] | t₁, t₂ | h₁ · R(k₁, t₁) p₁ + h₂ · R(k₂, t₂) p₂ = d₁ and so with h₃, h₄ | 0 to 4 |
+//! | [`parallel_pair`] | t₁, t₂ | e^(ξ̂₁ t₁) e^(ξ̂₂ t₂) p = q, axes parallel | 0 to 2 |
+//! | [`two_distances`] | t₁, t₂ | ‖R(k₁, t₁) R(k₂, t₂) p − qᵢ‖ = dᵢ, i = 1, 2 | 0 to 4 |
 //! | [`translation1`] | t | ‖p + t v − q‖ = d | 0 to 2 |
 //! | [`translation2`] | t | h · (p + t v) = d | 1 |
 //!
@@ -15,23 +20,37 @@
 //!
 //! Sources: B. Paden, "Kinematics and Control of Robot Manipulators", 1986, and
 //! MLS section 3.2 for 1 to 3; A. J. Elias and J. T. Wen, "Canonical
-//! Subproblems for Robot Inverse Kinematics", arXiv 2211.05737, for 4 and for
-//! the least-squares answers.
+//! Subproblems for Robot Inverse Kinematics", arXiv 2211.05737, for 2 extended,
+//! 4, 5, 6 and for the least-squares answers.
 //!
 //! # Tolerances
 //!
 //! An equation counts as solved when it is off by less than 1e-10 of the size
 //! of its terms. Two roots so close that the equation cannot tell them apart in
-//! double precision, 1e-13 of that size, are one double root.
+//! double precision, 1e-13 of that size, are one double root. Lengths may have
+//! any unit: only their ratios matter.
 
 mod answer;
+mod circles;
+mod components;
+mod distances;
+mod parallel;
+mod radial;
 mod rotation;
 mod screw;
+mod settle;
+mod three_axes;
+mod torus;
 mod translation;
 
 pub use answer::{Answer, Roots};
+pub use circles::subproblem2e;
+pub use components::subproblem6;
+pub use distances::two_distances;
+pub use parallel::parallel_pair;
 pub use rotation::{subproblem1, subproblem2, subproblem3, subproblem4};
 pub use screw::{paden_kahan1, paden_kahan2, paden_kahan3};
+pub use three_axes::subproblem5;
 pub use translation::{translation1, translation2};
 
 /// Relative error up to which an equation counts as solved.

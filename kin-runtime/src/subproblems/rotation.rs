@@ -1,5 +1,6 @@
 //! Subproblems whose unknowns are rotations about axes through the origin.
 
+use super::radial::Radial;
 use super::{Answer, DOUBLE, ON_AXIS, SOLVED};
 use crate::math;
 use crate::vector::{add, cross, dot, norm, scale, sub};
@@ -57,7 +58,10 @@ pub fn subproblem2(k1: [f64; 3], k2: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> An
 }
 
 /// A family of which the answer to the remaining angle is a member.
-fn family(answer: Answer<f64>, place: impl Fn(f64) -> [f64; 2]) -> Answer<[f64; 2]> {
+pub(super) fn family<const N: usize>(
+    answer: Answer<f64>,
+    place: impl Fn(f64) -> [f64; N],
+) -> Answer<[f64; N]> {
     match answer.map(place) {
         Answer::Exact(roots) => Answer::Any(roots[0]),
         other => other,
@@ -201,39 +205,4 @@ fn symmetric_roots(
     let (sine, cosine) = (math::sqrt(half_tangent.0), math::sqrt(half_tangent.1));
     let offset = 2.0 * math::atan2(sine, cosine);
     Answer::two(math::wrap(phase - offset), math::wrap(phase + offset))
-}
-
-/// A vector split into its parts along and across an axis.
-struct Radial {
-    across: [f64; 3],
-    /// The component along the axis.
-    height: f64,
-    /// The length of `across`.
-    length: f64,
-}
-
-impl Radial {
-    fn new(k: [f64; 3], p: [f64; 3]) -> Radial {
-        let height = dot(k, p);
-        let across = sub(p, scale(height, k));
-        Radial {
-            across,
-            height,
-            length: norm(across),
-        }
-    }
-
-    fn norm(&self) -> f64 {
-        math::sqrt(self.height * self.height + self.length * self.length)
-    }
-
-    fn on_axis(&self) -> bool {
-        self.length <= ON_AXIS * self.norm()
-    }
-
-    /// The rotation about the axis `k` that takes this direction to the other.
-    fn angle_to(&self, other: &Radial, k: [f64; 3]) -> f64 {
-        let sine = dot(k, cross(self.across, other.across));
-        math::wrap(math::atan2(sine, dot(self.across, other.across)))
-    }
 }

@@ -52,9 +52,8 @@ pub fn paden_kahan2(xi1: &Twist, xi2: &Twist, p: [f64; 3], q: [f64; 3]) -> Answe
         let moved = (Pose::exp(xi1, t1) * Pose::exp(xi2, t2)).transform_point(p);
         norm(sub(moved, q))
     };
-    let value = match answer {
-        Answer::Exact(ref roots) => roots[0],
-        Answer::Any(value) | Answer::Closest { value, .. } => value,
+    let Some(&value) = answer.values().first() else {
+        return answer;
     };
     let size = norm(from).max(norm(to)).max(norm(p)).max(norm(q));
     // Twice: once for the subproblem, once for the distance of the axes.
@@ -88,7 +87,7 @@ pub fn paden_kahan3(xi: &Twist, p: [f64; 3], q: [f64; 3], delta: f64) -> Answer<
 }
 
 /// The point of the axis nearest to the origin, ω × v.
-fn point_on(xi: &Twist) -> [f64; 3] {
+pub(super) fn point_on(xi: &Twist) -> [f64; 3] {
     cross(xi.angular, xi.linear)
 }
 
