@@ -1,9 +1,8 @@
 //! Subproblem 2E: two circles in space.
 
 use super::radial::{Radial, toward, turned};
-use super::rotation::family;
-use super::settle::{Local, Settled};
-use super::{Answer, ON_AXIS, subproblem1};
+use super::settle::{Local, Settled, length, polish};
+use super::{Answer, ON_AXIS, SOLVED};
 use crate::math;
 use crate::vector::{add, cross, dot, scale, sub};
 
@@ -15,8 +14,8 @@ use crate::vector::{add, cross, dot, scale, sub};
 /// vectors have been made so that there is any, and two where the circles lie
 /// on one sphere or in one plane; touching circles meet once. Infinitely many
 /// if a vector lies on its axis (its angle is given as 0) or the circles are
-/// the same, provided that the other angle solves the equation. Else none: the
-/// closest for a vector on its axis, otherwise [`Answer::None`].
+/// the same, provided that the other angle solves the equation; what comes
+/// closest if it does not. Otherwise none: [`Answer::None`].
 ///
 /// The circles meet where the first has the component along k₂ and the distance
 /// from the second's centre that the second has everywhere. Both conditions
@@ -48,15 +47,7 @@ pub fn subproblem2e(
         .iter()
         .fold(0.0, |most: f64, x| most.max(x.abs()));
     let unit = if size > 0.0 { size } else { 1.0 };
-    let scaled = given.map(|p| p.map(|x| x / unit));
-    let (first, second) = (Radial::new(k1, scaled[1]), Radial::new(k2, scaled[2]));
-    if first.length <= ON_AXIS {
-        return family(subproblem1(k2, p2, add(p0, p1)), |t| [0.0, t]);
-    }
-    if second.length <= ON_AXIS {
-        return family(subproblem1(k1, p1, sub(p2, p0)), |t| [t, 0.0]);
-    }
-    let [p0, p1, p2] = scaled;
+    let [p0, p1, p2] = given.map(|p| p.map(|x| x / unit));
     let equations = |t: &[f64; 2]| {
         let (left, right) = (turned(k1, t[0], p1), turned(k2, t[1], p2));
         Local {
@@ -64,6 +55,45 @@ pub fn subproblem2e(
             slopes: [cross(k1, left), cross(right, k2)],
         }
     };
+    match meet(k1, k2, p0, p1, p2) {
+        Meeting::Free(value) => {
+            let value = polish(value, &equations);
+            let residual = length(&equations(&value).off);
+            Answer::whatever(value, unit * residual, unit * SOLVED)
+        }
+        Meeting::Places(places) => {
+            let mut settled = Settled::new();
+            places.iter().for_each(|t| settled.add(*t, equations));
+            settled.answer()
+        }
+    }
+}
+
+/// Where two circles may meet.
+pub(super) enum Meeting {
+    /// One angle is free. If any pair solves the equation this one does, and
+    /// otherwise it comes closest.
+    Free([f64; 2]),
+    /// Near every solution.
+    Places([[f64; 2]; 2]),
+}
+
+/// Candidates for p₀ + R(k₁, t₁) p₁ = R(k₂, t₂) p₂, with vectors of order one.
+pub(super) fn meet(
+    k1: [f64; 3],
+    k2: [f64; 3],
+    p0: [f64; 3],
+    p1: [f64; 3],
+    p2: [f64; 3],
+) -> Meeting {
+    let (first, second) = (Radial::new(k1, p1), Radial::new(k2, p2));
+    let at = |t1| [t1, toward(k2, p2, add(p0, turned(k1, t1, p1)))];
+    if first.length <= ON_AXIS {
+        return Meeting::Free(at(0.0));
+    }
+    if second.length <= ON_AXIS {
+        return Meeting::Free([toward(k1, p1, sub(p2, p0)), 0.0]);
+    }
     // The centre of the first circle, seen from that of the second.
     let between = sub(add(p0, scale(first.height, k1)), scale(second.height, k2));
     let squares = (second.length - first.length) * (second.length + first.length);
@@ -72,33 +102,15 @@ pub fn subproblem2e(
     let levels = [-dot(k2, between), 0.5 * (squares - dot(between, between))];
     let (row, level) = strongest(rows, levels);
     let amplitude = math::sqrt(row[0] * row[0] + row[1] * row[1]);
-    let at = |t1| {
-        let tip = add(p0, turned(k1, t1, p1));
-        [t1, toward(k2, p2, tip)]
-    };
+    // Circles about one axis: the same everywhere or nowhere.
     if amplitude <= ON_AXIS {
-        // Circles about one axis: the same everywhere or nowhere.
-        let mut settled = Settled::new();
-        settled.add(at(0.0), equations);
-        return family_of(settled.answer());
+        return Meeting::Free(at(0.0));
     }
     let phase = math::atan2(row[1], row[0]);
     // Touching circles are approached from both sides.
     let rise = (amplitude - level) * (amplitude + level);
     let offset = math::atan2(math::sqrt(rise.max(0.0)).max(1e-8 * amplitude), level);
-    let mut settled = Settled::new();
-    for t1 in [phase - offset, phase + offset] {
-        settled.add(at(t1), equations);
-    }
-    settled.answer()
-}
-
-/// One solution as a member of a family.
-fn family_of(answer: Answer<[f64; 2]>) -> Answer<[f64; 2]> {
-    match answer {
-        Answer::Exact(roots) => Answer::Any(roots[0]),
-        other => other,
-    }
+    Meeting::Places([at(phase - offset), at(phase + offset)])
 }
 
 /// Of all combinations, with a unit vector, of two equations in the same two

@@ -1,8 +1,9 @@
 //! Two distances: a point that two axes through the origin carry.
 
+use super::circles::{Meeting, meet};
 use super::radial::{Radial, turned};
-use super::settle::{Local, Settled, length};
-use super::{Answer, DOUBLE, ON_AXIS, SOLVED, subproblem2, subproblem4};
+use super::settle::{Local, Settled, length, polish};
+use super::{Answer, DOUBLE, ON_AXIS, SOLVED, subproblem4};
 use crate::math;
 use crate::vector::{add, cross, dot, norm, scale, sub};
 
@@ -13,7 +14,7 @@ use crate::vector::{add, cross, dot, norm, scale, sub};
 ///
 /// Up to four solutions: the spheres about the origin, q₁ and q₂ meet in up to
 /// two points (trilateration), and each can be reached in up to two ways
-/// ([`subproblem2`]). Double ones, where spheres touch or the arm is stretched,
+/// ([`subproblem2`](super::subproblem2)). Double ones, where spheres touch or the arm is stretched,
 /// are given once. Infinitely many if the axes are parallel, if p lies on k₂,
 /// if a point where the spheres meet lies on k₁, or if q₁, q₂ and the origin lie
 /// on one line, so that the spheres meet in a circle, and that circle can be
@@ -56,13 +57,17 @@ pub fn two_distances(
             let mut settled = Settled::new();
             let mut free = None;
             for x in points {
-                let ways = subproblem2(k[0], k[1], x, p).map(|[t1, t2]| [math::wrap(-t1), t2]);
-                match ways {
-                    Answer::Any(member) if solved(&member) => free = Some(member),
-                    _ => ways
-                        .values()
-                        .iter()
-                        .for_each(|t| settled.add(*t, equations)),
+                // R(k₁, −t₁) x = R(k₂, t₂) p.
+                match meet(k[0], k[1], [0.0; 3], x, p) {
+                    Meeting::Free([back, t2]) => {
+                        let member = polish([-back, t2], &equations);
+                        free = free.or(Some(member).filter(solved));
+                    }
+                    Meeting::Places(places) => {
+                        places
+                            .iter()
+                            .for_each(|[back, t2]| settled.add([-back, *t2], equations));
+                    }
                 }
             }
             match free {

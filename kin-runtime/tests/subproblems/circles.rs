@@ -220,8 +220,16 @@ fn subproblem2e_names_its_families() {
         subproblem2e(Z, X, X, Z, X),
         Answer::Closest { .. }
     ));
-    assert_eq!(subproblem2e(Z, Z, Z, X, Y), Answer::None);
-    assert_eq!(subproblem2e(Z, Z, [0.0; 3], X, times(2.0, X)), Answer::None);
+    for p in [[Z, X, Y], [[0.0; 3], X, times(2.0, X)]] {
+        let answer = subproblem2e(Z, Z, p[0], p[1], p[2]);
+        assert!(
+            matches!(answer, Answer::Closest { residual, .. } if (residual - 1.0).abs() < 1e-15)
+        );
+    }
+    assert_eq!(subproblem2e(Z, X, times(3.0, X), X, Y), Answer::None);
+    // A vector that is nearly nothing, and on its axis to rounding.
+    let tiny = subproblem2e(Z, X, [0.0, 1e-16, -1.0], Z, [1e-16, 0.0, 3e-16]);
+    assert!(matches!(tiny, Answer::Any(_)), "{tiny:?}");
 }
 
 #[test]
