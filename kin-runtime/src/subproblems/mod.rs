@@ -32,10 +32,10 @@
 //!
 //! Input that is degenerate in several ways at once, but in each only to
 //! within 1e-5 to 1e-12 (a vector nearly on its axis, next to an axis nearly
-//! parallel, in a stretched posture), can have solutions that rounding hides:
-//! of special geometry disturbed at random, subproblems 2E and 6 miss up to 3
-//! in 1000 of such, subproblem 5 up to 15, and two distances up to 80. Exact
-//! degeneracy, and a single one approached, are safe.
+//! parallel, in a stretched posture), can have solutions that rounding hides.
+//! Of special geometry disturbed at random by that much, subproblems 2E and 6
+//! find no solution in up to 3 cases of 1000, subproblem 5 in up to 15 and two
+//! distances in up to 81, and where they find some, others may be missing.
 
 mod answer;
 mod circles;
