@@ -2,6 +2,7 @@
 //! product of exponentials and its numerical search.
 
 mod aim;
+mod descent;
 mod measure;
 mod random;
 mod subject;
@@ -9,12 +10,14 @@ mod subject;
 mod zoo;
 
 mod book;
+mod closest;
 mod complete;
 mod forward;
 mod hard_cases;
 mod honest;
 mod limits;
 mod malformed;
+mod near;
 mod noisy;
 mod recovered;
 mod sound;

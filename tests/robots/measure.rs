@@ -52,10 +52,9 @@ pub fn angle_between(a: f64, b: f64) -> f64 {
     d.min(TAU - d)
 }
 
-/// The least singular value of the Jacobian of the goal, lengths in units of
-/// `size`: how little the tool moves for a unit of joint motion. `columns` are
-/// those of the geometric Jacobian.
-pub fn conditioning(columns: &[Twist], goal: Goal, size: f64) -> f64 {
+/// The singular values of the Jacobian of the goal, the largest first, lengths
+/// in units of `size`. `columns` are those of the geometric Jacobian.
+pub fn singular_values(columns: &[Twist], goal: Goal, size: f64) -> Vec<f64> {
     let rows = match goal {
         Goal::Pose => 6,
         Goal::Position => 3,
@@ -65,5 +64,11 @@ pub fn conditioning(columns: &[Twist], goal: Goal, size: f64) -> f64 {
         DVector::from_iterator(rows, linear.into_iter().chain(twist.angular).take(rows))
     };
     let columns: Vec<_> = columns.iter().map(column).collect();
-    DMatrix::from_columns(&columns).singular_values().min()
+    let mut values = DMatrix::from_columns(&columns)
+        .singular_values()
+        .data
+        .as_vec()
+        .clone();
+    values.sort_by(|a, b| b.total_cmp(a));
+    values
 }

@@ -2,10 +2,15 @@
 //! one calibrated arm. Closed forms are for the arm that was meant; answers are
 //! for the one that is described.
 
+use crate::closest::{
+    little_is_gained_by_descending_from_it, not_a_number_has_none,
+    out_of_reach_it_claims_no_solution,
+};
 use crate::complete::random_targets_have_all_answers;
 use crate::forward::{jacobians_agree, poses_agree};
 use crate::honest::{regular_answers_are_not_flagged, singular_answers_are_flagged};
 use crate::malformed::{infinity_has_no_answers, not_a_number_has_no_answers};
+use crate::near::regular_targets_do_not_look_at_the_seed;
 use crate::recovered::assert_comes_back;
 use crate::sound::{angles_are_in_range, answers_are_distinct, answers_reach_the_target};
 use crate::subject::Subject;
@@ -24,6 +29,10 @@ for_every_noisy_robot!(random_targets_have_all_answers);
 for_every_noisy_robot!(regular_answers_are_not_flagged);
 for_every_noisy_robot!(singular_answers_are_flagged);
 for_every_noisy_robot!(regular_configurations_come_back);
+for_every_noisy_robot!(out_of_reach_it_claims_no_solution);
+for_every_noisy_robot!(little_is_gained_by_descending_from_it);
+for_every_noisy_robot!(not_a_number_has_none);
+for_every_noisy_robot!(regular_targets_do_not_look_at_the_seed);
 
 /// Conditioning of configurations well away from singular ones, compared to
 /// the noise.

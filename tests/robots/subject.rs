@@ -64,7 +64,8 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
         found
     }
 
-    fn goal(&self) -> Goal {
+    /// What of the whole pose counts.
+    pub fn goal(&self) -> Goal {
         match self.counts {
             Target::Position => Goal::Position,
             _ => Goal::Pose,
@@ -92,11 +93,23 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
         }))
     }
 
-    /// See [`measure::conditioning`].
+    /// The least of [`measure::singular_values`]: how little the tool moves for
+    /// a unit of joint motion.
     pub fn conditioning(&self, q: &[f64]) -> f64 {
+        self.least_singular_values(q)[0]
+    }
+
+    /// The least two of [`measure::singular_values`].
+    pub fn least_singular_values(&self, q: &[f64]) -> [f64; 2] {
         let mut all = q.to_vec();
         all.resize(self.freed.twists().len(), 0.0);
-        measure::conditioning(&self.freed.geometric_jacobian(&all), self.goal(), self.size)
+        let jacobian = self.freed.geometric_jacobian(&all);
+        let values = measure::singular_values(&jacobian, self.goal(), self.size);
+        let from_end = |i: usize| values.iter().rev().nth(i).copied();
+        [
+            from_end(0).unwrap_or(0.0),
+            from_end(1).unwrap_or(f64::INFINITY),
+        ]
     }
 
     /// Whether joint i turns.

@@ -7,6 +7,7 @@ use crate::forward::{jacobians_agree, poses_agree};
 use crate::honest::{
     regular_answers_are_not_flagged, singular_answers_are_flagged, singular_targets_are_answered,
 };
+use crate::near::regular_targets_do_not_look_at_the_seed;
 use crate::recovered::{random_configurations_come_back, structured_configurations_come_back};
 use crate::sound::{
     angles_are_in_range, answers_are_distinct, answers_reach_the_target,
@@ -29,3 +30,4 @@ for_every_table_row!(regular_answers_are_not_flagged);
 for_every_table_row!(singular_answers_are_flagged);
 for_every_table_row!(singular_targets_are_answered);
 for_every_table_row!(far_targets_have_no_answers);
+for_every_table_row!(regular_targets_do_not_look_at_the_seed);

@@ -15,6 +15,7 @@ use crate::limits::{
     a_configuration_inside_comes_back_as_it_was, windings_stay_inside_and_reach_the_target,
 };
 use crate::malformed::{infinity_has_no_answers, not_a_number_has_no_answers};
+use crate::near::regular_targets_do_not_look_at_the_seed;
 use crate::recovered::{random_configurations_come_back, structured_configurations_come_back};
 use crate::sound::{
     angles_are_in_range, answers_are_distinct, answers_reach_the_target,
@@ -41,3 +42,4 @@ for_every_aimed_robot!(not_a_number_has_no_answers);
 for_every_aimed_robot!(infinity_has_no_answers);
 for_every_aimed_robot!(windings_stay_inside_and_reach_the_target);
 for_every_aimed_robot!(a_configuration_inside_comes_back_as_it_was);
+for_every_aimed_robot!(regular_targets_do_not_look_at_the_seed);
