@@ -8,6 +8,7 @@ use std::hint::black_box;
 kinematics::kinematics!("robots/ur5e.urdf");
 kinematics::kinematics!("robots/puma560.yaml");
 kinematics::kinematics!("robots/scara.yaml");
+kinematics::kinematics!("tests/robots/noisy/calibrated.yaml");
 
 /// The system's allocator, counting what the current thread asks for.
 struct Counting;
@@ -49,6 +50,8 @@ fn robots_do_not_allocate() {
     assert_eq!(allocations(|| use_everything(&Ur5e)), 0);
     assert_eq!(allocations(|| use_everything(&Puma560)), 0);
     assert_eq!(allocations(|| use_everything(&Scara)), 0);
+    // Its branches are polished.
+    assert_eq!(allocations(|| use_everything(&Calibrated)), 0);
 }
 
 fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
@@ -66,6 +69,8 @@ fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
 
 /// Inverse kinematics and what is done with the answers.
 fn answer<K: Kinematics<N>, const N: usize>(arm: &K, target: &Pose, seed: &[f64; N]) {
+    black_box(arm.ik_near(target, seed));
+    black_box(arm.ik_closest(target));
     let solutions = arm.ik(target);
     black_box(solutions.within(&K::LIMITS));
     black_box(solutions.windings(&K::LIMITS).count());
