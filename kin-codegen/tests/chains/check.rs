@@ -6,7 +6,7 @@ use kin_codegen::model::{JointKind, Model};
 use kin_codegen::plan::Target;
 use kin_codegen::solver::{Answer, ClosedForm, NoClosedForm, solve};
 use kin_codegen::verify::{chain, distance, natural_target};
-use kin_runtime::{Chain, Goal, Pose, SearchOptions};
+use kin_runtime::{Chain, ChainSolution, Goal, Pose, SearchOptions, Twist};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -31,6 +31,8 @@ pub type Check = Result<(), TestCaseError>;
 pub struct Solved {
     arm: Model,
     chain: Chain,
+    /// The chain with joints for what of a target does not count.
+    freed: Chain,
     form: ClosedForm,
     size: f64,
     target: Target,
@@ -39,11 +41,19 @@ pub struct Solved {
 impl Solved {
     /// # Errors
     /// The arm has no closed form.
-    pub fn try_new(Arm(arm): &Arm) -> Result<Solved, NoClosedForm> {
-        let target = natural_target(arm);
+    pub fn try_new(arm: &Arm) -> Result<Solved, NoClosedForm> {
+        Solved::for_target(arm, natural_target(&arm.0))
+    }
+
+    /// With targets of which only a part counts.
+    ///
+    /// # Errors
+    /// The arm has no closed form.
+    pub fn for_target(Arm(arm): &Arm, target: Target) -> Result<Solved, NoClosedForm> {
         Ok(Solved {
             arm: arm.clone(),
             chain: chain(arm),
+            freed: freed(&chain(arm), target),
             form: solve(arm, target)?,
             size: size(arm),
             target,
@@ -53,8 +63,14 @@ impl Solved {
     /// # Errors
     /// The arm has no closed form.
     pub fn new(arm: &Arm) -> Result<Solved, TestCaseError> {
+        Solved::new_for_target(arm, natural_target(&arm.0))
+    }
+
+    /// # Errors
+    /// The arm has no closed form.
+    pub fn new_for_target(arm: &Arm, target: Target) -> Result<Solved, TestCaseError> {
         let refused = |reason| TestCaseError::fail(format!("refused: {reason:?}"));
-        Solved::try_new(arm).map_err(refused)
+        Solved::for_target(arm, target).map_err(refused)
     }
 
     /// The target of `q` has exactly the answers that the search finds, which
@@ -109,7 +125,7 @@ impl Solved {
     }
 
     fn complete(&self, answers: &[Answer], pose: &Pose) -> Check {
-        let found = self.chain.ik_all(pose, &self.search());
+        let found = self.found(pose);
         let conditioning = |q: &Vec<f64>| self.conditioning(q);
         let regular = |q: &Vec<f64>| conditioning(q) > REGULAR;
         for solution in found.iter().filter(|solution| regular(&solution.q)) {
@@ -127,7 +143,7 @@ impl Solved {
 
     /// The least conditioning of all configurations with the target of `q`.
     pub fn least_conditioning(&self, q: &[f64]) -> f64 {
-        let found = self.chain.ik_all(&self.chain.fk(q), &self.search());
+        let found = self.found(&self.chain.fk(q));
         let conditioning = found.iter().map(|solution| self.conditioning(&solution.q));
         conditioning.fold(f64::INFINITY, f64::min)
     }
@@ -138,15 +154,21 @@ impl Solved {
         format!("tip shifted by {shift:e} m, {steps} steps of polish")
     }
 
-    fn search(&self) -> SearchOptions {
-        SearchOptions {
+    /// What the numerical search finds.
+    fn found(&self, pose: &Pose) -> Vec<ChainSolution> {
+        let options = SearchOptions {
             goal: match self.target {
                 Target::Position => Goal::Position,
-                // Of what a part of the pose leaves open, the whole pose is a part.
                 _ => Goal::Pose,
             },
             ..SearchOptions::default()
-        }
+        };
+        let mut found = self.freed.ik_all(pose, &options);
+        let joints = self.arm.joints.len();
+        found
+            .iter_mut()
+            .for_each(|solution| solution.q.truncate(joints));
+        found
     }
 
     fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
@@ -161,22 +183,58 @@ impl Solved {
         difference.fold(0.0, f64::max)
     }
 
-    /// The least singular value of the target's Jacobian, lengths in units of
-    /// the arm's size.
+    /// See [`conditioning`].
     fn conditioning(&self, q: &[f64]) -> f64 {
-        let rows = match self.target {
-            Target::Position => 3,
-            _ => 6,
-        };
-        let columns: Vec<_> = self
-            .chain
-            .geometric_jacobian(q)
-            .iter()
-            .map(|twist| {
-                let linear = twist.linear.map(|x| x / self.size);
-                DVector::from_iterator(rows, linear.into_iter().chain(twist.angular).take(rows))
-            })
-            .collect();
-        DMatrix::from_columns(&columns).singular_values().min()
+        conditioning(&self.freed, q, self.size, self.target)
     }
+}
+
+/// Whether the joints move what of a target counts independently, somewhere.
+pub fn commands(Arm(arm): &Arm, target: Target) -> bool {
+    let freed = freed(&chain(arm), target);
+    let somewhere = |k: usize| -> Vec<f64> {
+        let value = |i: usize| (i * 5 + k * 7) as f64 * 0.61 % 3.0;
+        (0..arm.joints.len()).map(value).collect()
+    };
+    (0..4).any(|k| conditioning(&freed, &somewhere(k), size(arm), target) > 0.01)
+}
+
+/// The least singular value of the target's Jacobian, lengths in units of the
+/// arm's size.
+fn conditioning(freed: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
+    let mut q = q.to_vec();
+    q.resize(freed.twists().len(), 0.0);
+    let rows = match target {
+        Target::Position => 3,
+        _ => 6,
+    };
+    let columns: Vec<_> = freed
+        .geometric_jacobian(&q)
+        .iter()
+        .map(|twist| {
+            let linear = twist.linear.map(|x| x / size);
+            DVector::from_iterator(rows, linear.into_iter().chain(twist.angular).take(rows))
+        })
+        .collect();
+    DMatrix::from_columns(&columns).singular_values().min()
+}
+
+/// The chain with joints at its tip for what of a target does not count; it
+/// reaches a whole pose where the chain reaches the part that counts.
+fn freed(chain: &Chain, target: Target) -> Chain {
+    let tip = chain.home();
+    let spin = Twist::revolute(tip.rotate([0.0, 0.0, 1.0]), tip.translation);
+    let slides =
+        [0, 1, 2].map(|i| Twist::prismatic([0, 1, 2].map(|j| f64::from(u8::from(i == j)))));
+    let mut twists = chain.twists().to_vec();
+    match target {
+        Target::PositionAxis => twists.push(spin),
+        Target::Orientation => twists.extend(slides),
+        Target::Direction => {
+            twists.push(spin);
+            twists.extend(slides);
+        }
+        Target::Pose | Target::Position | Target::PositionYaw | Target::Planar => {}
+    }
+    Chain::new(twists, *tip)
 }

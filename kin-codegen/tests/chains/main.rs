@@ -15,4 +15,5 @@ mod noisy;
 mod sliding;
 mod spherical_wrist;
 mod table;
+mod targets;
 mod three_parallel;

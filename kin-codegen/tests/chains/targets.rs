@@ -1,0 +1,43 @@
+//! Targets of which a part counts.
+
+/// `name: part, [how each axis lies to the one before];`
+macro_rules! targets {
+    ($($name:ident: $target:ident, [$($step:expr),*];)*) => {
+        $(mod $name {
+            use crate::arm::*;
+            use crate::check::{Solved, commands};
+            use crate::settings::cases;
+            use kin_codegen::Target;
+            use proptest::prelude::*;
+
+            const STEPS: &[Step] = &[$($step),*];
+
+            proptest! {
+                #![proptest_config(cases(16))]
+
+                #[test]
+                fn is_solved(arm in arm(STEPS), q in configuration(STEPS)) {
+                    prop_assume!(commands(&arm, Target::$target));
+                    Solved::new_for_target(&arm, Target::$target)?.check(&q)?;
+                }
+            }
+        })*
+    };
+}
+
+targets! {
+    pan_and_tilt: Direction, [SKEW, MEET];
+    pan_and_tilt_apart: Direction, [SKEW, SKEW];
+    gimbal: Orientation, [SKEW, MEET, MEET_THERE];
+    rings_apart: Orientation, [SKEW, SKEW, SKEW];
+    shoulder: Position, [SKEW, SKEW, PARALLEL];
+    three_skew_joints: Position, [SKEW, SKEW, SKEW];
+    gantry: Position, [SLIDE, SLIDE, SLIDE];
+    column: Position, [SKEW, SLIDE_ALONG, SLIDE];
+    telescope: Position, [SKEW, MEET, SLIDE];
+    four_axes_and_a_swing: PositionAxis, [SKEW, MEET, PARALLEL, PARALLEL, MEET];
+    gantry_with_two_turns: PositionAxis, [SLIDE, SLIDE, SLIDE, SKEW, MEET];
+    rail_under_four: PositionAxis, [SLIDE, SKEW, MEET, PARALLEL, PARALLEL];
+    scara: PositionYaw, [SKEW, PARALLEL, PARALLEL, SLIDE_ALONG];
+    planar: Planar, [SKEW, PARALLEL, PARALLEL];
+}
