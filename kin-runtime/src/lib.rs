@@ -11,7 +11,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `alloc` | `Chain`, the generic product of exponentials, and its numerical search |
+//! | `alloc` | `Chain`, the generic product of exponentials, its numerical search, and `Mechanism` |
 //! | `std` (default) | the processor's square root instead of `libm`'s; implies `alloc` |
 //! | `nalgebra` (default), `glam`, `mint` | conversions |
 #![no_std]
@@ -36,6 +36,7 @@ mod kinematics;
 pub mod lanes;
 mod limits;
 pub mod math;
+mod mechanism;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "nalgebra")]
@@ -57,6 +58,9 @@ pub use chain::Chain;
 pub use jacobian::Jacobian;
 pub use kinematics::Kinematics;
 pub use limits::JointLimit;
+#[cfg(feature = "alloc")]
+pub use mechanism::Mechanism;
+pub use mechanism::{ParallelKinematics, Postures, three_spheres};
 pub use placement::{WithBase, WithTool};
 pub use pose::Pose;
 #[cfg(feature = "alloc")]

@@ -1,0 +1,112 @@
+//! Newton's method on the structure equation, from a seed.
+
+use super::posture::{Posture, back_substitute};
+use super::span::{Vector6, dot};
+use super::triangle;
+use crate::{Pose, Twist};
+
+/// Near the solution every step doubles the digits; far from it, or towards a
+/// singular one, more are needed.
+const STEPS: usize = 60;
+
+/// Loops closed to this, relative to the mechanism's length, leave nothing to
+/// improve but rounding.
+const CLOSED: f64 = 1e-14;
+
+/// The longest step: radians, or metres by the mechanism's length.
+const LONGEST: f64 = 0.6;
+
+/// A mechanism whose loops are to be closed.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub chains: &'a [[usize; 2]],
+    /// These joints keep the values that they have.
+    pub actuated: &'a [usize],
+    pub length: f64,
+}
+
+/// Moves the passive joints of `q` until the loops are closed, at most so many
+/// steps, and tells the gap that is left, metres. `evaluate` gives the chains'
+/// poses and displaced twists. The best configuration seen stays in `q`; `best`
+/// has room for as many numbers.
+pub(super) fn close(
+    task: Task,
+    mut evaluate: impl FnMut(&[f64], &mut [Pose], &mut [Twist]),
+    q: &mut [f64],
+    best: &mut [f64],
+    poses: &mut [Pose],
+    twists: &mut [Twist],
+) -> f64 {
+    let mut least = f64::INFINITY;
+    let mut platform = None;
+    let mut idle = 0;
+    for _ in 0..STEPS {
+        evaluate(q, poses, twists);
+        let posture = Posture {
+            poses,
+            twists,
+            chains: task.chains,
+            actuated: task.actuated,
+            length: task.length,
+        };
+        let gap = posture.gap();
+        idle = if gap < 0.5 * least { 0 } else { idle + 1 };
+        if gap < least {
+            least = gap;
+            best.copy_from_slice(q);
+        }
+        if gap <= CLOSED * task.length || gap.is_nan() || (idle > 3 && least < 1e-12) {
+            break;
+        }
+        let at = platform.unwrap_or(poses[0]);
+        platform = Some(step(&posture, at, gap, q));
+    }
+    q.copy_from_slice(best);
+    least
+}
+
+/// One step: of the platform, such that no chain needs an impossible motion to
+/// follow, and then of every chain. The nearer the loops are to being closed,
+/// the less is the platform's motion damped (Levenberg and Marquardt).
+fn step(posture: &Posture, platform: Pose, gap: f64, q: &mut [f64]) -> Pose {
+    let missing = |chain: usize| -> Vector6 {
+        let pose = &posture.poses[chain];
+        posture.scaled(&(platform * pose.inverse()).log())
+    };
+    let (mut r, mut tails) = posture.wrenches(|chain, wrench| [-dot(wrench, &missing(chain))]);
+    let damping = (gap / posture.length).min(0.1);
+    for i in 0..6 {
+        let mut row: Vector6 = core::array::from_fn(|j| if i == j { damping } else { 0.0 });
+        let (r, tails) = (r.as_flattened_mut(), tails.as_flattened_mut());
+        triangle::absorb(r, tails, &mut row, &mut [0.0]);
+    }
+    let motion = back_substitute(&r, |i| tails[i][0]);
+    let limit = limit(posture, &motion, missing);
+    for (chain, [first, _]) in posture.chains.iter().enumerate() {
+        let rest = missing(chain);
+        let wanted = core::array::from_fn(|i| motion[i] + rest[i]);
+        posture
+            .passive(chain)
+            .coordinates(&wanted, |j, change| q[first + j] += limit * change);
+    }
+    Pose::exp(&posture.spatial(&motion), limit) * platform
+}
+
+/// The part of a step that turns no joint and no platform too far.
+fn limit(posture: &Posture, motion: &Vector6, missing: impl Fn(usize) -> Vector6) -> f64 {
+    let mut longest = motion.iter().fold(0.0, |most: f64, x| most.max(x.abs())) / posture.length;
+    for (chain, [first, _]) in posture.chains.iter().enumerate() {
+        let rest = missing(chain);
+        let wanted = core::array::from_fn(|i| motion[i] + rest[i]);
+        posture.passive(chain).coordinates(&wanted, |j, change| {
+            let turns = posture.twists[first + j].angular != [0.0; 3];
+            let unit = if turns { 1.0 } else { posture.length };
+            longest = longest.max(change.abs() / unit);
+        });
+    }
+    if longest > LONGEST {
+        LONGEST / longest
+    } else {
+        1.0
+    }
+}
