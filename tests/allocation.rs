@@ -1,6 +1,6 @@
 //! Generated code and what is done with its answers never allocate.
 
-use kinematics::{Kinematics, Pose};
+use kinematics::{Kinematics, Pose, Wrench};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -62,6 +62,10 @@ fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
     black_box(arm.spatial_jacobian(&q));
     black_box(arm.body_jacobian(&q));
     black_box(arm.geometric_jacobian(&q));
+    black_box(arm.body_velocity(&q, &q));
+    black_box(arm.geometric_torques(&q, &Wrench::default()));
+    black_box(arm.body_jacobian_dot(&q, &q));
+    black_box(arm.body_hessian(&q));
     answer(arm, &pose, &q);
     answer(arm, &Pose::from_translation([9.0; 3]), &q);
     answer(arm, &arm.fk(&[0.0; N]), &q);

@@ -1,7 +1,9 @@
 //! The whole way from a robot file to verified expressions.
 
 use crate::expr::forward::{Outputs, Stance, link_frames, tip};
-use crate::expr::jacobian::{Columns, TipAndColumns, Which, jacobian, tip_and_jacobian};
+use crate::expr::jacobian::{
+    Columns, TipAndColumns, Which, jacobian, jacobian_dot, tip_and_jacobian,
+};
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
 use crate::geometry::Linkage;
@@ -31,7 +33,8 @@ pub struct Compiled {
 /// Forward kinematics and Jacobians as expressions of q.
 #[derive(Clone, Debug)]
 pub struct Forward {
-    /// Holds everything below; the inputs are the coordinates of q.
+    /// Holds everything below; the inputs are the coordinates of q, and for
+    /// `dot` their rates behind them.
     pub graph: Graph,
     /// The tip.
     pub tip: Motion,
@@ -45,6 +48,9 @@ pub struct Forward {
     pub geometric: Columns,
     /// The tip and J_s, sharing what they can.
     pub both: TipAndColumns,
+    /// The time derivative of J_s, where joints mimic others. Elsewhere the
+    /// runtime has it from J_s, which costs as much time and no code.
+    pub dot: Option<Columns>,
 }
 
 impl Forward {
@@ -64,6 +70,10 @@ impl Forward {
         let both = tip_and_jacobian(&mut g, linkage, &stance, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
             .map(|which| jacobian(&mut g, linkage, &stance, which));
+        let dot = model.is_coupled().then(|| {
+            let rates: Vec<Expr> = (1..=n).map(|i| g.input(format!("rate{i}"))).collect();
+            jacobian_dot(&mut g, linkage, &stance, &rates)
+        });
         Self {
             graph: g,
             tip,
@@ -72,6 +82,7 @@ impl Forward {
             body,
             geometric,
             both,
+            dot,
         }
     }
 

@@ -84,11 +84,13 @@ impl<const N: usize> Jacobian<N> {
     /// From the spatial to the geometric Jacobian; `pose` is the tool's.
     #[inline]
     pub fn spatial_to_geometric(&self, pose: &Pose) -> Self {
-        let to_tool = Pose {
-            translation: pose.translation,
-            ..Pose::IDENTITY
-        };
-        Self::from_columns(self.columns().map(|twist| to_tool.adjoint_inverse(&twist)))
+        Self::from_columns(self.columns().map(|twist| twist.spatial_to_geometric(pose)))
+    }
+
+    /// From the geometric to the spatial Jacobian; `pose` is the tool's.
+    #[inline]
+    pub fn geometric_to_spatial(&self, pose: &Pose) -> Self {
+        Self::from_columns(self.columns().map(|twist| twist.geometric_to_spatial(pose)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! What every generated robot can do.
 
-use crate::{Jacobian, JointLimit, Pose, Solution, Solutions};
+use crate::derivative::Change;
+use crate::{Hessian, Jacobian, JointLimit, Pose, Solution, Solutions, Twist, Wrench};
 
 /// The kinematics of one serial arm with N moving joints.
 ///
@@ -140,5 +141,99 @@ pub trait Kinematics<const N: usize> {
     /// subproblems.
     fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
         self.ik(target).iter().next().copied()
+    }
+
+    /// V_s = J_s q̇: the tool's spatial velocity (MLS section 3.4) at the joint
+    /// rates, rad/s and m/s.
+    fn spatial_velocity(&self, q: &[f64; N], rates: &[f64; N]) -> Twist {
+        self.spatial_jacobian(q).velocity(rates)
+    }
+
+    /// V_b = J_b q̇: the velocity of the tool's origin and the angular velocity,
+    /// both in tool axes.
+    fn body_velocity(&self, q: &[f64; N], rates: &[f64; N]) -> Twist {
+        self.body_jacobian(q).velocity(rates)
+    }
+
+    /// The velocity of the tool's origin and the angular velocity, both in base
+    /// axes.
+    fn geometric_velocity(&self, q: &[f64; N], rates: &[f64; N]) -> Twist {
+        self.geometric_jacobian(q).velocity(rates)
+    }
+
+    /// τ = J_sᵀ F_s (MLS section 3.4.2): the joint torques and forces, N m and
+    /// N, that balance a wrench on the tool given in base coordinates, with the
+    /// moment about the base's origin.
+    fn spatial_torques(&self, q: &[f64; N], wrench: &Wrench) -> [f64; N] {
+        self.spatial_jacobian(q).torques(wrench)
+    }
+
+    /// τ = J_bᵀ F_t: as [`Kinematics::spatial_torques`], with the wrench in tool
+    /// coordinates, as a sensor at the tool reads it.
+    fn body_torques(&self, q: &[f64; N], wrench: &Wrench) -> [f64; N] {
+        self.body_jacobian(q).torques(wrench)
+    }
+
+    /// As [`Kinematics::spatial_torques`], with force and moment in base axes
+    /// and the moment about the tool's origin.
+    fn geometric_torques(&self, q: &[f64; N], wrench: &Wrench) -> [f64; N] {
+        self.geometric_jacobian(q).torques(wrench)
+    }
+
+    /// J̇_s: the time derivative of the spatial Jacobian at the joint rates. The
+    /// tool's spatial acceleration is V̇_s = J_s q̈ + J̇_s q̇.
+    ///
+    /// Robots with joints that mimic others have to implement it, because the
+    /// Jacobian does not tell those joints apart.
+    fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        self.spatial_jacobian(q).spatial_dot(rates)
+    }
+
+    /// J̇_b: the time derivative of the body Jacobian at the joint rates.
+    fn body_jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        let (pose, spatial) = self.fk_jacobian(q);
+        let change = Change {
+            pose: &pose,
+            spatial: &spatial,
+            derivative: &self.jacobian_dot(q, rates),
+            velocity: spatial.velocity(rates),
+        };
+        change.of_body()
+    }
+
+    /// The time derivative of the geometric Jacobian at the joint rates. The
+    /// tool's origin accelerates by the linear part of J q̈ + J̇ q̇.
+    fn geometric_jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        let (pose, spatial) = self.fk_jacobian(q);
+        let change = Change {
+            pose: &pose,
+            spatial: &spatial,
+            derivative: &self.jacobian_dot(q, rates),
+            velocity: spatial.velocity(rates),
+        };
+        change.of_geometric()
+    }
+
+    /// The Hessian of forward kinematics: the derivatives of the spatial
+    /// Jacobian by every joint.
+    ///
+    /// As [`Kinematics::jacobian_dot`], to be implemented where joints mimic
+    /// others.
+    fn hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        self.spatial_jacobian(q).spatial_hessian()
+    }
+
+    /// The derivatives of the body Jacobian by every joint.
+    fn body_hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        let (pose, spatial) = self.fk_jacobian(q);
+        self.hessian(q)
+            .seen(&pose, &spatial, |change| change.of_body())
+    }
+
+    /// The derivatives of the geometric Jacobian by every joint.
+    fn geometric_hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        let (pose, spatial) = self.fk_jacobian(q);
+        self.hessian(q)
+            .seen(&pose, &spatial, |change| change.of_geometric())
     }
 }

@@ -26,11 +26,13 @@ pub mod branches;
 mod chain;
 #[cfg(feature = "alloc")]
 mod cholesky;
+mod derivative;
 #[cfg(feature = "alloc")]
 mod descent;
 mod exponential;
 #[cfg(feature = "glam")]
 mod glam;
+mod inherent;
 mod jacobian;
 mod kinematics;
 pub mod lanes;
@@ -52,9 +54,11 @@ mod solutions;
 pub mod subproblems;
 mod twist;
 mod vector;
+mod wrench;
 
 #[cfg(feature = "alloc")]
 pub use chain::Chain;
+pub use derivative::Hessian;
 pub use jacobian::Jacobian;
 pub use kinematics::Kinematics;
 pub use limits::JointLimit;
@@ -66,4 +70,5 @@ pub use pose::Pose;
 #[cfg(feature = "alloc")]
 pub use search::{ChainSolution, Goal, SearchOptions};
 pub use solutions::{IntoIter, Solution, Solutions, Windings};
-pub use twist::{Twist, Wrench};
+pub use twist::Twist;
+pub use wrench::Wrench;

@@ -1,6 +1,6 @@
 //! Robots with a tool or a base that is known only at run time.
 
-use crate::{Jacobian, JointLimit, Kinematics, Pose, Solution, Solutions};
+use crate::{Hessian, Jacobian, JointLimit, Kinematics, Pose, Solution, Solutions};
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
 /// at `tool` in the robot's own tip frame.
@@ -48,6 +48,14 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
         let (tip, jacobian) = self.robot.fk_jacobian(q);
         (tip * self.tool, jacobian)
+    }
+
+    fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        self.robot.jacobian_dot(q, rates)
+    }
+
+    fn hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        self.robot.hessian(q)
     }
 
     fn ik(&self, target: &Pose) -> Solutions<N> {
@@ -112,6 +120,18 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     /// The body Jacobian does not depend on where the robot stands.
     fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
         self.robot.body_jacobian(q)
+    }
+
+    fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        let derivative = self.robot.jacobian_dot(q, rates);
+        derivative.body_to_spatial(&self.base)
+    }
+
+    fn hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        let derivatives = self.robot.hessian(q).derivatives;
+        Hessian {
+            derivatives: derivatives.map(|slice| slice.body_to_spatial(&self.base)),
+        }
     }
 
     fn ik(&self, target: &Pose) -> Solutions<N> {

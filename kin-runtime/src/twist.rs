@@ -1,8 +1,9 @@
-//! Twists and wrenches, in the coordinates of MLS: linear part first.
+//! Twists, in the coordinates of MLS: linear part first.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::vector::{add, cross, dot, scale, sub};
+use crate::Pose;
+use crate::vector::{add, cross, scale, sub};
 
 /// A twist ξ = (v, ω): the velocity of a rigid body, or the axis of a joint
 /// (MLS section 2.3.2). Metres and radians (per second, for a velocity).
@@ -39,6 +40,64 @@ impl Twist {
         Twist {
             linear: direction,
             angular: [0.0; 3],
+        }
+    }
+
+    /// The Lie bracket [ξ₁, ξ₂] = (ω₁ × v₂ − ω₂ × v₁, ω₁ × ω₂) (MLS appendix
+    /// A): how fast the second twist changes when it is carried along with unit
+    /// velocity of the first.
+    ///
+    /// ```
+    /// use kin_runtime::Twist;
+    /// let turn = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+    /// let slide = Twist::prismatic([1.0, 0.0, 0.0]);
+    /// assert_eq!(turn.bracket(&slide), Twist::prismatic([0.0, 1.0, 0.0]));
+    /// ```
+    #[inline]
+    pub fn bracket(&self, other: &Twist) -> Twist {
+        let turned = cross(self.angular, other.linear);
+        Twist {
+            linear: add(turned, cross(self.linear, other.angular)),
+            angular: cross(self.angular, other.angular),
+        }
+    }
+
+    /// V_b = Ad_g⁻¹ V_s: the body velocity of a tool at `pose` that has this
+    /// spatial velocity (MLS section 2.4).
+    #[inline]
+    pub fn spatial_to_body(&self, pose: &Pose) -> Twist {
+        pose.adjoint_inverse(self)
+    }
+
+    /// V_s = Ad_g V_b: the inverse of [`Twist::spatial_to_body`].
+    #[inline]
+    pub fn body_to_spatial(&self, pose: &Pose) -> Twist {
+        pose.adjoint(self)
+    }
+
+    /// The velocity of the tool's origin, and the angular velocity, both in
+    /// base axes, of a tool at `pose` that has this spatial velocity.
+    ///
+    /// ```
+    /// use kin_runtime::{Pose, Twist};
+    /// let turning = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+    /// let tool = Pose::from_translation([0.8, 0.0, 0.0]);
+    /// assert_eq!(turning.spatial_to_geometric(&tool).linear, [0.0, 0.8, 0.0]);
+    /// ```
+    #[inline]
+    pub fn spatial_to_geometric(&self, pose: &Pose) -> Twist {
+        Twist {
+            linear: add(self.linear, cross(self.angular, pose.translation)),
+            ..*self
+        }
+    }
+
+    /// The inverse of [`Twist::spatial_to_geometric`].
+    #[inline]
+    pub fn geometric_to_spatial(&self, pose: &Pose) -> Twist {
+        Twist {
+            linear: sub(self.linear, cross(self.angular, pose.translation)),
+            ..*self
         }
     }
 
@@ -96,48 +155,6 @@ impl Mul<f64> for Twist {
         Twist {
             linear: scale(k, self.linear),
             angular: scale(k, self.angular),
-        }
-    }
-}
-
-/// A wrench F = (f, τ): force and moment (MLS section 2.5). Newtons and newton
-/// metres.
-///
-/// ```
-/// use kin_runtime::{Twist, Wrench};
-/// let weight = Wrench { force: [0.0, 0.0, -9.81], moment: [0.0; 3] };
-/// let lift = Twist::prismatic([0.0, 0.0, 0.1]);
-/// assert!((weight.power(&lift) + 0.981).abs() < 1e-15);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wrench {
-    /// f.
-    pub force: [f64; 3],
-    /// τ.
-    pub moment: [f64; 3],
-}
-
-impl Wrench {
-    /// The instantaneous work F · V that the wrench does on a body moving with
-    /// `velocity`, both in the same coordinates; watts.
-    #[inline]
-    pub fn power(&self, velocity: &Twist) -> f64 {
-        dot(self.force, velocity.linear) + dot(self.moment, velocity.angular)
-    }
-
-    /// The six coordinates (f, τ).
-    #[inline]
-    pub fn to_array(self) -> [f64; 6] {
-        let (f, t) = (self.force, self.moment);
-        [f[0], f[1], f[2], t[0], t[1], t[2]]
-    }
-
-    /// From the six coordinates (f, τ).
-    #[inline]
-    pub fn from_array([fx, fy, fz, tx, ty, tz]: [f64; 6]) -> Wrench {
-        Wrench {
-            force: [fx, fy, fz],
-            moment: [tx, ty, tz],
         }
     }
 }

@@ -8,17 +8,19 @@ use crate::expr::{Expr, Graph};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// A block that computes outputs from `q` and returns `result`.
+/// A block that computes outputs from `q`, and from `rates` if the graph has
+/// inputs for them, and returns `result`.
 pub fn block(
     g: &Graph,
     outputs: &[Expr],
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
 ) -> TokenStream {
-    let inputs: Vec<TokenStream> = (0..n)
+    let inputs: Vec<TokenStream> = (0..usize::from(g.inputs()))
         .map(|i| {
-            let i = Literal::usize_unsuffixed(i);
-            quote!(q[#i])
+            let of = if i < n { quote!(q) } else { quote!(rates) };
+            let i = Literal::usize_unsuffixed(i % n);
+            quote!(#of[#i])
         })
         .collect();
     let stages = vec![0; g.nodes().len()];

@@ -5,6 +5,7 @@ use super::{forward, inverse};
 use crate::compiler::Compiled;
 use crate::expr::Operations;
 use crate::expr::forward::Outputs;
+use crate::expr::jacobian::Columns;
 use crate::model::{JointKind, Model, Variable};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -29,7 +30,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
             #[allow(unused_imports)]
             use ::kinematics::{
                 branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
-                quartic::trig_roots, Jacobian, JointLimit, Kinematics, Pose,
+                quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
                 Solution, Solutions,
             };
 
@@ -42,16 +43,18 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
             }
 
             #delegation
+            ::kinematics::inherent_methods!(#name, #n);
         };
     }
 }
 
 /// Names that the generated items use and that a robot cannot have.
-pub const TAKEN: [&str; 11] = [
+pub const TAKEN: [&str; 12] = [
     "Acceptance",
     "Aim",
     "Branches",
     "Default",
+    "Hessian",
     "Jacobian",
     "JointLimit",
     "Kinematics",
@@ -134,7 +137,7 @@ fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
         let poses = f.links.iter().map(|link| forward::pose(w, link));
         quote!([#(#poses),*])
     });
-    let jacobian = |columns: &crate::expr::jacobian::Columns| {
+    let jacobian = |columns: &Columns| {
         forward::block(g, &columns.expressions(), count, |w| {
             forward::jacobian(w, columns)
         })
@@ -222,6 +225,9 @@ fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
         methods.push(method("ik_near", near, quote!(pose, seed), solutions));
         methods.push(method("ik_closest", pose, quote!(pose), closest));
     }
+    if let Some(dot) = &compiled.forward.dot {
+        methods.push(derivatives(compiled, dot, n));
+    }
     quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl Kinematics<#n> for #name {
@@ -231,6 +237,24 @@ fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
             const TIP: &'static str = #name::TIP;
             const BRANCHES: usize = #name::BRANCHES;
             #(#methods)*
+        }
+    }
+}
+
+/// The derivatives of the Jacobian where joints mimic others, so that the trait
+/// cannot tell them from the Jacobian.
+fn derivatives(compiled: &Compiled, dot: &Columns, n: &Literal) -> TokenStream {
+    let count = compiled.model.variables.len();
+    let body = forward::block(&compiled.forward.graph, &dot.expressions(), count, |w| {
+        forward::jacobian(w, dot)
+    });
+    quote! {
+        fn jacobian_dot(&self, q: &[f64; #n], rates: &[f64; #n]) -> Jacobian<#n> { #body }
+
+        fn hessian(&self, q: &[f64; #n]) -> Hessian<#n> {
+            let unit = |k| ::core::array::from_fn(|j| if j == k { 1.0 } else { 0.0 });
+            let derivative = |k| Kinematics::jacobian_dot(self, q, &unit(k));
+            Hessian { derivatives: ::core::array::from_fn(derivative) }
         }
     }
 }

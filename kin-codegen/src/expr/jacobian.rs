@@ -74,6 +74,53 @@ pub fn tip_and_jacobian(
     })
 }
 
+/// The time derivative of the spatial Jacobian at the rates of q. Joints that
+/// mimic others are told apart, which the Jacobian itself no longer can.
+///
+/// The axes are carried along as seen from the middle frame: a column changes
+/// by its bracket with the velocity of the link before it.
+pub fn jacobian_dot(g: &mut Graph, linkage: &Linkage, stance: &Stance, rates: &[Expr]) -> Columns {
+    cheapest(g, variants(linkage), |g, variant| {
+        let (middle, shift_last) = (variant / 2, variant % 2 == 1);
+        let seen = look_around(g, linkage, stance, middle);
+        let zero = g.vector([0.0; 3]);
+        let late = g.rotate_back(&seen.base.rotation, seen.base.translation);
+        let mut carrier = [zero; 2];
+        let mut out = vec![[zero; 2]; linkage.variables()];
+        for (joint, axis) in seen.axes.iter().enumerate() {
+            let link = &linkage.links[joint];
+            let gain = g.constant(link.gain);
+            let (v, w) = match *axis {
+                Axis::Turn { direction, point } => (g.cross(point, direction), direction),
+                Axis::Slide { direction } => (direction, zero),
+            };
+            let (v, w) = (g.scale(gain, v), g.scale(gain, w));
+            let [turned, moved] = [g.cross(carrier[1], v), g.cross(carrier[0], w)];
+            let change = [g.plus(turned, moved), g.cross(carrier[1], w)];
+            let (v_rate, w_rate) = (
+                g.scale(rates[link.variable], v),
+                g.scale(rates[link.variable], w),
+            );
+            carrier = [g.plus(carrier[0], v_rate), g.plus(carrier[1], w_rate)];
+            // From the middle frame's origin to the base's, and to its axes.
+            let turned_to = &seen.base.rotation;
+            let w = g.rotate_back(turned_to, change[1]);
+            let v = if shift_last {
+                let v = g.rotate_back(turned_to, change[0]);
+                let shift = g.cross(w, late);
+                g.plus(v, shift)
+            } else {
+                let shift = g.cross(change[1], seen.base.translation);
+                let v = g.plus(change[0], shift);
+                g.rotate_back(turned_to, v)
+            };
+            let column = &mut out[link.variable];
+            *column = [g.plus(column[0], v), g.plus(column[1], w)];
+        }
+        Columns(out)
+    })
+}
+
 /// The base, every middle frame, and two places to shift the reference point.
 fn variants(linkage: &Linkage) -> usize {
     2 * (linkage.runs.len() + 2)

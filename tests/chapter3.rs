@@ -1,0 +1,11 @@
+//! The items of Murray, Li and Sastry, chapter 3, one test each and named
+//! after it: formulas and values of the book's arms, and properties of all.
+
+mod chapter3 {
+    mod arms;
+    mod differences;
+    mod random;
+
+    mod statics;
+    mod velocities;
+}
