@@ -66,6 +66,10 @@ fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
     black_box(arm.geometric_torques(&q, &Wrench::default()));
     black_box(arm.body_jacobian_dot(&q, &q));
     black_box(arm.body_hessian(&q));
+    black_box(arm.structural_wrenches(&q));
+    black_box(arm.manipulability_gradient(&q));
+    black_box(arm.geometric_jacobian(&q).force_ellipsoid());
+    black_box(arm.null_space_projection(&q, &q));
     answer(arm, &pose, &q);
     answer(arm, &Pose::from_translation([9.0; 3]), &q);
     answer(arm, &arm.fk(&[0.0; N]), &q);

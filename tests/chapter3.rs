@@ -6,6 +6,8 @@ mod chapter3 {
     mod differences;
     mod random;
 
+    mod manipulability;
+    mod redundancy;
     mod statics;
     mod velocities;
 }

@@ -63,6 +63,25 @@ macro_rules! inherent_methods {
             fn body_hessian(q: &[f64; $n]) -> $crate::Hessian<$n>;
             /// The derivatives of the geometric Jacobian by every joint.
             fn geometric_hessian(q: &[f64; $n]) -> $crate::Hessian<$n>;
+            /// The wrenches that the structure bears without joint torques, in
+            /// base coordinates.
+            fn structural_wrenches(q: &[f64; $n]) -> $crate::Basis<$crate::Wrench, 6>;
+            /// How far the arm is from a singularity.
+            fn manipulability(q: &[f64; $n]) -> $crate::Manipulability;
+            /// The same for the velocity of the tip's origin alone.
+            fn translational_manipulability(q: &[f64; $n]) -> $crate::Manipulability;
+            /// The same for the angular velocity alone.
+            fn rotational_manipulability(q: &[f64; $n]) -> $crate::Manipulability;
+            /// How the volume of `manipulability` changes with every joint.
+            fn manipulability_gradient(q: &[f64; $n]) -> [f64; $n];
+            /// The same for the velocity of the tip's origin alone.
+            fn translational_manipulability_gradient(q: &[f64; $n]) -> [f64; $n];
+            /// The same for the angular velocity alone.
+            fn rotational_manipulability_gradient(q: &[f64; $n]) -> [f64; $n];
+            /// The joint rates that leave the tip at rest.
+            fn internal_motions(q: &[f64; $n]) -> $crate::Basis<[f64; $n], $n>;
+            /// The internal motion nearest to some joint rates.
+            fn null_space_projection(q: &[f64; $n], rates: &[f64; $n]) -> [f64; $n];
         }
     };
     ($robot:ident, $n:literal: $(

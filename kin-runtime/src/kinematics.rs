@@ -1,7 +1,9 @@
 //! What every generated robot can do.
 
 use crate::derivative::Change;
-use crate::{Hessian, Jacobian, JointLimit, Pose, Solution, Solutions, Twist, Wrench};
+use crate::{
+    Basis, Hessian, Jacobian, JointLimit, Manipulability, Pose, Solution, Solutions, Twist, Wrench,
+};
 
 /// The kinematics of one serial arm with N moving joints.
 ///
@@ -235,5 +237,63 @@ pub trait Kinematics<const N: usize> {
         let (pose, spatial) = self.fk_jacobian(q);
         self.hessian(q)
             .seen(&pose, &spatial, |change| change.of_geometric())
+    }
+
+    /// The wrenches that the structure bears without joint torques, see
+    /// [`Jacobian::structural_wrenches`], in base coordinates with the moment
+    /// about the base's origin.
+    fn structural_wrenches(&self, q: &[f64; N]) -> Basis<Wrench, 6> {
+        self.spatial_jacobian(q).structural_wrenches()
+    }
+
+    /// How far the arm is from a singularity: the measures of the geometric
+    /// Jacobian (and of the body Jacobian, which has the same).
+    fn manipulability(&self, q: &[f64; N]) -> Manipulability {
+        self.geometric_jacobian(q).manipulability()
+    }
+
+    /// As [`Kinematics::manipulability`], for the velocity of the tool's origin
+    /// alone.
+    fn translational_manipulability(&self, q: &[f64; N]) -> Manipulability {
+        self.geometric_jacobian(q).translational_manipulability()
+    }
+
+    /// As [`Kinematics::manipulability`], for the angular velocity alone.
+    fn rotational_manipulability(&self, q: &[f64; N]) -> Manipulability {
+        self.geometric_jacobian(q).rotational_manipulability()
+    }
+
+    /// How the volume of [`Kinematics::manipulability`] changes with every
+    /// joint; 0 at a singularity, where it has a kink.
+    fn manipulability_gradient(&self, q: &[f64; N]) -> [f64; N] {
+        let jacobian = self.geometric_jacobian(q);
+        jacobian.manipulability_gradient(&self.geometric_hessian(q))
+    }
+
+    /// As [`Kinematics::manipulability_gradient`], for the velocity of the
+    /// tool's origin alone.
+    fn translational_manipulability_gradient(&self, q: &[f64; N]) -> [f64; N] {
+        let jacobian = self.geometric_jacobian(q);
+        jacobian.translational_manipulability_gradient(&self.geometric_hessian(q))
+    }
+
+    /// As [`Kinematics::manipulability_gradient`], for the angular velocity
+    /// alone.
+    fn rotational_manipulability_gradient(&self, q: &[f64; N]) -> [f64; N] {
+        let jacobian = self.geometric_jacobian(q);
+        jacobian.rotational_manipulability_gradient(&self.geometric_hessian(q))
+    }
+
+    /// The joint rates that leave the tool at rest; see
+    /// [`Jacobian::internal_motions`]. One vector for an arm of seven joints
+    /// that is not singular.
+    fn internal_motions(&self, q: &[f64; N]) -> Basis<[f64; N], N> {
+        self.geometric_jacobian(q).internal_motions()
+    }
+
+    /// The internal motion nearest to some joint rates; see
+    /// [`Jacobian::null_space_projection`].
+    fn null_space_projection(&self, q: &[f64; N], rates: &[f64; N]) -> [f64; N] {
+        self.geometric_jacobian(q).null_space_projection(rates)
     }
 }

@@ -21,6 +21,7 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+mod basis;
 pub mod branches;
 #[cfg(feature = "alloc")]
 mod chain;
@@ -37,6 +38,7 @@ mod jacobian;
 mod kinematics;
 pub mod lanes;
 mod limits;
+mod manipulability;
 pub mod math;
 mod mechanism;
 #[cfg(feature = "mint")]
@@ -48,27 +50,36 @@ mod placement;
 pub mod polish;
 mod pose;
 pub mod quartic;
+mod redundancy;
+mod resolved_rate;
+mod row_space;
 #[cfg(feature = "alloc")]
 mod search;
+mod singular_values;
 mod solutions;
+mod statics;
 pub mod subproblems;
 mod twist;
 mod vector;
 mod wrench;
 
+pub use basis::Basis;
 #[cfg(feature = "alloc")]
 pub use chain::Chain;
 pub use derivative::Hessian;
 pub use jacobian::Jacobian;
 pub use kinematics::Kinematics;
 pub use limits::JointLimit;
+pub use manipulability::{Ellipsoid, Manipulability};
 #[cfg(feature = "alloc")]
 pub use mechanism::Mechanism;
 pub use mechanism::{ParallelKinematics, Postures, three_spheres};
 pub use placement::{WithBase, WithTool};
 pub use pose::Pose;
+pub use redundancy::{centering_gradient, null_space};
 #[cfg(feature = "alloc")]
 pub use search::{ChainSolution, Goal, SearchOptions};
 pub use solutions::{IntoIter, Solution, Solutions, Windings};
+pub use statics::RANK_TOLERANCE;
 pub use twist::Twist;
 pub use wrench::Wrench;

@@ -1,0 +1,158 @@
+//! Singular values of a matrix of a few rows by one-sided Jacobi rotations.
+//!
+//! M. R. Hestenes, "Inversion of matrices by biorthogonalization and related
+//! results", J. SIAM 6, 1958: pairs of rows are rotated until all are
+//! orthogonal. Nothing is squared, so that small singular values keep their
+//! digits, and a matrix of fewer columns than rows needs no special case.
+
+use crate::math::sqrt;
+
+/// Jacobians take 4 to 6 sweeps; this bounds those that hold no numbers.
+const SWEEPS: usize = 30;
+
+/// The cosine between rows that counts as 0. A singular value is off by no more
+/// than its square, but inner products of ten terms cannot be had more exactly.
+const ORTHOGONAL: f64 = 8.0 * f64::EPSILON;
+
+/// A = Σ uᵢ σᵢ vᵢᵀ, the largest σ first.
+pub(crate) struct SingularValues<const R: usize, const N: usize> {
+    /// σ; those that are not above rounding are 0.
+    pub values: [f64; R],
+    /// The rows are u, a complete orthonormal basis.
+    pub left: [[f64; R]; R],
+    /// The rows are σ v.
+    scaled_right: [[f64; N]; R],
+}
+
+impl<const R: usize, const N: usize> SingularValues<R, N> {
+    /// How many there are; any further ones are 0.
+    pub const COUNT: usize = if R < N { R } else { N };
+
+    pub fn new(rows: &[[f64; N]; R]) -> Self {
+        let mut rows = *rows;
+        let mut left = [[0.0; R]; R];
+        for i in 0..R {
+            left[i][i] = 1.0;
+        }
+        let rounding = 4.0 * f64::EPSILON * sqrt(rows.iter().map(|row| inner(row, row)).sum());
+        let mut turned = true;
+        for _ in 0..SWEEPS {
+            if !core::mem::take(&mut turned) {
+                break;
+            }
+            for i in 0..R {
+                for j in i + 1..R {
+                    if let Some((cosine, sine)) = rotation(&rows[i], &rows[j], rounding) {
+                        rotate(&mut rows, i, j, cosine, sine);
+                        rotate(&mut left, i, j, cosine, sine);
+                        turned = true;
+                    }
+                }
+            }
+        }
+        let values = rows.map(|row| sqrt(inner(&row, &row)));
+        let order = descending(&values);
+        SingularValues {
+            values: order.map(|i| {
+                if values[i] <= rounding {
+                    0.0
+                } else {
+                    values[i]
+                }
+            }),
+            left: order.map(|i| left[i]),
+            scaled_right: order.map(|i| rows[i]),
+        }
+    }
+
+    /// vᵢ; zero where σᵢ is 0.
+    pub fn right(&self, i: usize) -> [f64; N] {
+        let value = self.values[i];
+        self.scaled_right[i].map(|x| if value > 0.0 { x / value } else { 0.0 })
+    }
+
+    /// How many are above `tolerance` times the largest.
+    pub fn rank(&self, tolerance: f64) -> usize {
+        let least = tolerance * self.values[0];
+        self.values.iter().filter(|&&value| value > least).count()
+    }
+}
+
+/// The rotation that makes two rows orthogonal; none if they are, or if one of
+/// them is zero to rounding.
+#[inline]
+fn rotation<const N: usize>(a: &[f64; N], b: &[f64; N], rounding: f64) -> Option<(f64, f64)> {
+    let (aa, bb, ab) = (inner(a, a), inner(b, b), inner(a, b));
+    let zero = rounding * rounding;
+    if ab.abs() <= ORTHOGONAL * sqrt(aa * bb) || aa <= zero || bb <= zero {
+        return None;
+    }
+    let zeta = (bb - aa) / (2.0 * ab);
+    let tangent = 1.0_f64.copysign(zeta) / (zeta.abs() + sqrt(1.0 + zeta * zeta));
+    let cosine = 1.0 / sqrt(1.0 + tangent * tangent);
+    Some((cosine, cosine * tangent))
+}
+
+#[inline]
+fn rotate<const D: usize>(rows: &mut [[f64; D]], i: usize, j: usize, cosine: f64, sine: f64) {
+    for k in 0..D {
+        let (a, b) = (rows[i][k], rows[j][k]);
+        rows[i][k] = cosine * a - sine * b;
+        rows[j][k] = sine * a + cosine * b;
+    }
+}
+
+fn descending<const R: usize>(values: &[f64; R]) -> [usize; R] {
+    let mut order = core::array::from_fn(|i| i);
+    order.sort_unstable_by(|&i, &j| values[j].total_cmp(&values[i]));
+    order
+}
+
+#[inline]
+pub(crate) fn inner<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The Vandermonde-like rows of a matrix whose inverse is known to be bad:
+    /// A = Σ uᵢ σᵢ vᵢᵀ must hold to rounding.
+    #[test]
+    fn the_factors_multiply_to_the_matrix() {
+        let rows: [[f64; 4]; 3] = [
+            [1.0, 0.5, 1.0 / 3.0, 0.25],
+            [0.5, 1.0 / 3.0, 0.25, 0.2],
+            [1.0 / 3.0, 0.25, 0.2, 1.0 / 6.0],
+        ];
+        let found = SingularValues::new(&rows);
+        for i in 0..3 {
+            for j in 0..4 {
+                let term = |k: usize| found.left[k][i] * found.values[k] * found.right(k)[j];
+                let entry: f64 = (0..3).map(term).sum();
+                assert!((entry - rows[i][j]).abs() < 1e-15);
+            }
+        }
+        assert!(found.values[0] > found.values[1] && found.values[1] > found.values[2]);
+    }
+
+    #[test]
+    fn more_rows_than_columns_leave_zeros_and_a_complete_basis() {
+        let found = SingularValues::new(&[[3.0, 4.0], [6.0, 8.0], [0.0, 0.0], [4.0, -3.0]]);
+        assert!((found.values[0] - 125.0_f64.sqrt()).abs() < 1e-14);
+        assert!((found.values[1] - 5.0).abs() < 1e-14);
+        assert_eq!(found.values[2..], [0.0; 2]);
+        for i in 0..4 {
+            for j in 0..4 {
+                let expected = f64::from(u8::from(i == j));
+                assert!((inner(&found.left[i], &found.left[j]) - expected).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_ends() {
+        assert!(SingularValues::new(&[[f64::NAN, 1.0], [1.0, 2.0]]).values[0].is_nan());
+    }
+}
