@@ -99,29 +99,29 @@ fn projection_is_that_of_the_pseudo_inverse() {
 }
 
 /// A secondary task: a posture amid the limits, and one far from singularities,
-/// with the tool at rest.
+/// with the tool at rest. Each goes as far as it can.
 #[test]
 fn secondary_tasks_improve_while_the_tool_rests() {
     let start = [1.6, 0.9, -1.5, 1.2, 0.7, -0.8, 0.2];
     let target = Seven.fk(&start);
     let centered = |q: &[f64; 7]| centering_gradient(&Seven::LIMITS, q).map(|x| -30.0 * x);
-    let dextrous = |q: &[f64; 7]| Seven.manipulability_gradient(q).map(|x| 30.0 * x);
     let cost = |q: &[f64; 7]| -> f64 {
-        (0..7)
-            .map(|i| 0.5 * (q[i] / (2.0 * Seven::LIMITS[i].upper())).powi(2))
-            .sum()
+        let share = |i: usize| q[i] / (2.0 * Seven::LIMITS[i].upper());
+        (0..7).map(|i| 0.5 * share(i).powi(2)).sum()
     };
     let q = rest(&start, centered);
+    assert!(cost(&q) < 0.97 * cost(&start));
     assert_rest(&q, &target);
     assert_close(
         Seven.null_space_projection(&q, &centered(&q)),
         [0.0; 7],
         1e-6,
     );
-    let q = rest(&start, dextrous);
+    let dextrous = |q: &[f64; 7]| Seven.manipulability_gradient(q).map(|x| 30.0 * x);
     let volume = |q: &[f64; 7]| Seven.manipulability(q).volume;
+    let q = rest(&start, dextrous);
+    assert!(volume(&q) > 1.4 * volume(&start));
     assert_rest(&q, &target);
-    // There the projected gradient vanishes: the task has done what it can.
     assert_close(
         Seven.null_space_projection(&q, &dextrous(&q)),
         [0.0; 7],
