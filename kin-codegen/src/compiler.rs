@@ -11,6 +11,7 @@ use crate::model::Model;
 use crate::options::{Ik, Options};
 use crate::plan::Target;
 use crate::refusal;
+use crate::singularity::Singular;
 use crate::solver::{ClosedForm, solve};
 use crate::spec::{Diagnostics, Source, Spec};
 use crate::verify::natural_target;
@@ -28,6 +29,8 @@ pub struct Compiled {
     pub forward: Forward,
     /// Inverse kinematics; none if it was not asked for.
     pub inverse: Option<ClosedForm>,
+    /// Determinant and singularities; none if no square Jacobian is there.
+    pub singular: Option<Singular>,
 }
 
 /// Forward kinematics and Jacobians as expressions of q.
@@ -113,10 +116,10 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnosti
     let model = Model::new(&spec, options.base.as_deref(), options.tip.as_deref())?;
     let linkage = Linkage::new(&model);
     refusal::singular_everywhere(source, &model)?;
+    let target = options.target.unwrap_or_else(|| natural_target(&model));
     let inverse = match options.ik {
         Ik::None => None,
         Ik::ClosedForm => {
-            let target = options.target.unwrap_or_else(|| natural_target(&model));
             let solver = solve(&model, target);
             Some(
                 solver
@@ -125,12 +128,15 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnosti
         }
     };
     let forward = Forward::new(&model, &linkage);
+    let meant = inverse.as_ref().filter(|solver| solver.polish > 0);
+    let singular = Singular::new(&model, meant.map(|solver| &solver.snap.model), target);
     Ok(Compiled {
         path: source.path.clone(),
         model,
         linkage,
         forward,
         inverse,
+        singular,
     })
 }
 

@@ -28,6 +28,7 @@ mod options;
 pub mod plan;
 mod read;
 mod refusal;
+pub mod singularity;
 pub mod solver;
 pub mod spec;
 pub mod sweep;

@@ -56,6 +56,7 @@ mod row_space;
 #[cfg(feature = "alloc")]
 mod search;
 mod singular_values;
+mod singularity;
 mod solutions;
 mod statics;
 pub mod subproblems;
@@ -79,6 +80,7 @@ pub use pose::Pose;
 pub use redundancy::{centering_gradient, null_space};
 #[cfg(feature = "alloc")]
 pub use search::{ChainSolution, Goal, SearchOptions};
+pub use singularity::Singularity;
 pub use solutions::{IntoIter, Solution, Solutions, Windings};
 pub use statics::RANK_TOLERANCE;
 pub use twist::Twist;

@@ -4,6 +4,7 @@ mod forward;
 mod inverse;
 mod lanes;
 mod robot;
+mod singular;
 mod straight;
 
 pub use robot::{TAKEN, robot};

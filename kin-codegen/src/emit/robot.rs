@@ -1,7 +1,7 @@
 //! The type of a robot, with its constants, methods and documentation.
 
 use super::straight::signed;
-use super::{forward, inverse};
+use super::{forward, inverse, singular};
 use crate::compiler::Compiled;
 use crate::expr::Operations;
 use crate::expr::forward::Outputs;
@@ -20,6 +20,9 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
         .inverse
         .as_ref()
         .map(|solver| inverse::methods(&compiled.model, solver));
+    let variables = compiled.model.variables.len();
+    let singular = compiled.singular.as_ref();
+    let singular = singular.map(|singular| singular::methods(singular, variables));
     let delegation = delegation(compiled, name, &n);
     quote! {
         #(#[doc = #doc])*
@@ -31,7 +34,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
             use ::kinematics::{
                 branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
                 quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-                Solution, Solutions,
+                Singularity, Solution, Solutions,
             };
 
             // Constants are written with the digits that they have.
@@ -40,6 +43,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
                 #constants
                 #methods
                 #inverse
+                #singular
             }
 
             #delegation
@@ -49,7 +53,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
 }
 
 /// Names that the generated items use and that a robot cannot have.
-pub const TAKEN: [&str; 12] = [
+pub const TAKEN: [&str; 13] = [
     "Acceptance",
     "Aim",
     "Branches",
@@ -60,6 +64,7 @@ pub const TAKEN: [&str; 12] = [
     "Kinematics",
     "Pose",
     "Self",
+    "Singularity",
     "Solution",
     "Solutions",
 ];
@@ -120,7 +125,7 @@ fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {
     }
 }
 
-fn cost(operations: Operations) -> String {
+pub(super) fn cost(operations: Operations) -> String {
     format!(
         " {} multiplications, {} additions, {} sines with cosines.",
         operations.multiplications, operations.additions, operations.sincos

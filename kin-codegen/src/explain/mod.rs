@@ -10,6 +10,7 @@ mod chain;
 mod check;
 mod cost;
 mod inverse;
+mod singular;
 mod snapping;
 mod step;
 mod summary;
@@ -20,6 +21,7 @@ pub use chain::{Chain, Joint, JointMotion, Mimic};
 pub use check::{Check, Completeness, Verdict, check};
 pub use cost::Cost;
 pub use inverse::{Inverse, LaneCost};
+pub use singular::{AxesCondition, ConditionKind, Singularities, Singularity};
 pub use snapping::{Moved, Snapping};
 pub use step::{Object, ObjectKind, Step};
 pub(crate) use summary::{structure, summary};
@@ -54,6 +56,8 @@ pub struct Explanation {
     pub fk: Cost,
     /// What forward kinematics with the spatial Jacobian takes.
     pub fk_jacobian: Cost,
+    /// The singular configurations; none if no rows of the Jacobian are square.
+    pub singularities: Option<Singularities>,
     /// The closed form; none if it was not asked for, or is refused.
     pub inverse: Option<Inverse>,
     /// Why there is no closed form, if one was asked for.
@@ -85,7 +89,12 @@ pub struct Explanation {
 /// What is wrong with the file or the options.
 pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagnostics> {
     let attempt = Attempt::new(source, options)?;
-    let Compiled { model, forward, .. } = &attempt.compiled;
+    let Compiled {
+        model,
+        forward,
+        singular,
+        ..
+    } = &attempt.compiled;
     Ok(Explanation {
         schema: SCHEMA,
         file: file_name(&source.path).to_owned(),
@@ -94,6 +103,9 @@ pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagno
         axes: Axes::of(model),
         fk: forward.tip_cost().into(),
         fk_jacobian: forward.tip_and_jacobian_cost().into(),
+        singularities: singular
+            .as_ref()
+            .map(|singular| Singularities::of(model, singular)),
         inverse: attempt.compiled.inverse.as_ref().map(Inverse::of),
         refusal: attempt.refusal,
     })

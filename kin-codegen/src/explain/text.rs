@@ -1,5 +1,6 @@
 //! An explanation as text for a terminal.
 
+use super::singular::NOT_SQUARE;
 use super::{
     Axes, Chain, Explanation, Inverse, Joint, JointMotion, Neighbours, PairRelation, Row,
     RowRelation, Snapping, Step,
@@ -14,6 +15,12 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn numbers(joints: impl IntoIterator<Item = usize>) -> String {
     let numbers: Vec<String> = joints.into_iter().map(|i| i.to_string()).collect();
     numbers.join(", ")
+}
+
+/// `0.3, -1.2`.
+pub(super) fn vector_of(values: &[f64]) -> String {
+    let shown: Vec<String> = values.iter().map(|x| format!("{x:.3}")).collect();
+    shown.join(", ")
 }
 
 impl Display for Explanation {
@@ -37,6 +44,11 @@ impl Display for Explanation {
         writeln!(f, "Axes\n{}", self.axes)?;
         writeln!(f, "Forward kinematics\n  {}", self.fk)?;
         writeln!(f, "  with the spatial Jacobian: {}\n", self.fk_jacobian)?;
+        writeln!(f, "Singularities")?;
+        match &self.singularities {
+            Some(singularities) => writeln!(f, "{singularities}")?,
+            None => writeln!(f, "{NOT_SQUARE}\n")?,
+        }
         writeln!(f, "Inverse kinematics")?;
         match (&self.inverse, &self.refusal) {
             (Some(inverse), _) => write!(f, "{inverse}"),

@@ -11,11 +11,13 @@
 //! signs at a time.
 
 mod count;
+pub mod determinant;
 pub mod forward;
 mod interpret;
 pub mod inverse;
 pub mod jacobian;
 pub mod linear;
+mod outlook;
 
 pub use count::Operations;
 pub use interpret::Lane;
@@ -258,7 +260,7 @@ impl Graph {
     }
 
     /// If the node is −a, the a.
-    fn negated(&self, e: Expr) -> Option<Expr> {
+    pub(super) fn negated(&self, e: Expr) -> Option<Expr> {
         match self.node(e) {
             Node::Neg(a) => Some(a),
             _ => None,

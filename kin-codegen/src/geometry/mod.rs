@@ -3,10 +3,12 @@
 
 mod linkage;
 mod relation;
+mod singular;
 mod snap;
 
 pub use linkage::{Link, Linkage, Run, Travel};
 pub use relation::{AxisRelation, concurrency, relate};
+pub use singular::{Condition, conditions};
 pub use snap::{Moved, Snap, snap};
 
 use crate::model::{JointKind, Model};

@@ -1,0 +1,111 @@
+//! The determinant and the ways of being singular, as Rust functions.
+
+use super::forward::block;
+use crate::expr::determinant::Rows;
+use crate::plan::Target;
+use crate::singularity::{Place, Singular, Way};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// Determinants of more multiplications than this are left to elimination.
+const LONGEST: usize = 64;
+
+/// `jacobian_determinant` and `singularities` of an arm with `n` coordinates.
+pub fn methods(singular: &Singular, n: usize) -> TokenStream {
+    let count = Literal::usize_unsuffixed(n);
+    let g = &singular.graph;
+    let product = singular.determinant.product;
+    let operations = singular.cost();
+    // Of a noisy arm it is a long polynomial.
+    let (determinant, cost) = if operations.multiplications > LONGEST && n == 6 {
+        let by_elimination = quote!(self.spatial_jacobian(q).determinant());
+        (by_elimination, " By elimination.".into())
+    } else {
+        let expanded = block(g, &[product], n, |w| w.output(product));
+        // One that is constant reads nothing.
+        let expanded = match g.value(product) {
+            Some(_) => quote!(let _ = q; #expanded),
+            None => expanded,
+        };
+        (expanded, super::robot::cost(operations))
+    };
+    let rows = rows(singular.determinant.rows);
+    let determinant = quote! {
+        #[doc = #rows]
+        /// 0 where the arm is singular.
+        ///
+        #[doc = #cost]
+        #[allow(dead_code)]
+        #[inline]
+        #[must_use]
+        pub fn jacobian_determinant(&self, q: &[f64; #count]) -> f64 { #determinant }
+    };
+    if singular.ways.is_empty() {
+        return determinant;
+    }
+    let values = singular.values();
+    let ways = block(g, &values, n, |w| {
+        let names = singular.ways.iter().map(|way| &way.name);
+        let values = values.iter().map(|&value| w.output(value));
+        quote!(Singularity::by_name([#(#names),*], [#(#values),*]))
+    });
+    let of_which = match singular.snapped {
+        Some(_) => " How far from singular the arm is that the file was read as, way by way:",
+        None => " How far from singular the arm is, way by way:",
+    };
+    let lines = singular.ways.iter().map(line);
+    let number = Literal::usize_unsuffixed(values.len());
+    quote! {
+        #determinant
+
+        #[doc = #of_which]
+        ///
+        #(#[doc = #lines])*
+        #[allow(dead_code)]
+        #[inline]
+        #[must_use]
+        pub fn singularities(&self, q: &[f64; #count]) -> [Singularity; #number] { #ways }
+    }
+}
+
+fn rows(rows: Rows) -> String {
+    match rows {
+        Rows::All => " The determinant of the Jacobian, the same for the spatial, body and \
+                      geometric one."
+            .into(),
+        Rows::Moving => " The determinant of the rows of the Jacobian that are not zero in every \
+                         configuration."
+            .into(),
+        Rows::Counting(target) => format!(
+            " The determinant of the Jacobian's rows for {}{}.",
+            target.phrase(),
+            match target {
+                Target::PositionAxis | Target::Direction => " (in the tip's axes)",
+                _ => "",
+            }
+        ),
+    }
+}
+
+fn line(way: &Way) -> String {
+    format!(
+        " - `{}`: {}; its value: {}.",
+        way.name,
+        place(way),
+        way.unit()
+    )
+}
+
+/// Where a way of being singular is met.
+fn place(way: &Way) -> String {
+    let coordinate = |i: &usize| format!("q{}", i + 1);
+    let names: Vec<String> = way.coordinates.iter().map(coordinate).collect();
+    match &way.place {
+        Place::Values(values) => {
+            let values: Vec<String> = values.iter().map(|x| format!("{x:.4}")).collect();
+            format!("at {} = {}", names.concat(), values.join(" or "))
+        }
+        Place::Surface(_) => format!("on a surface of {}", names.join(", ")),
+        Place::Never => "not seen to be reached".into(),
+    }
+}
