@@ -8,6 +8,7 @@ mod chapter3 {
 
     mod manipulability;
     mod redundancy;
+    mod self_motion;
     mod singularities;
     mod statics;
     mod velocities;

@@ -11,7 +11,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `alloc` | `Chain`, the generic product of exponentials, its numerical search, and `Mechanism` |
+//! | `alloc` | `Chain`, the generic product of exponentials, its numerical search, self-motions, and `Mechanism` |
 //! | `std` (default) | the processor's square root instead of `libm`'s; implies `alloc` |
 //! | `nalgebra` (default), `glam`, `mint` | conversions |
 #![no_std]
@@ -55,6 +55,8 @@ mod resolved_rate;
 mod row_space;
 #[cfg(feature = "alloc")]
 mod search;
+#[cfg(feature = "alloc")]
+mod self_motion;
 mod singular_values;
 mod singularity;
 mod solutions;
@@ -80,6 +82,10 @@ pub use pose::Pose;
 pub use redundancy::{centering_gradient, null_space};
 #[cfg(feature = "alloc")]
 pub use search::{ChainSolution, Goal, SearchOptions};
+#[cfg(feature = "alloc")]
+pub use self_motion::{
+    SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
+};
 pub use singularity::Singularity;
 pub use solutions::{IntoIter, Solution, Solutions, Windings};
 pub use statics::RANK_TOLERANCE;

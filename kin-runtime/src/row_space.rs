@@ -99,6 +99,26 @@ impl<const R: usize, const N: usize> RowSpace<R, N> {
             -self.orientation
         }
     }
+
+    /// How far the independent rows are from being dependent: the least singular
+    /// value but for a small factor.
+    #[cfg(feature = "alloc")]
+    pub fn least_pivot(&self) -> f64 {
+        let last = self.rank.checked_sub(1);
+        last.map_or(0.0, |k| self.lower[k][k].abs())
+    }
+
+    /// The shortest x with A x = b for as many rows as are independent.
+    #[cfg(any(feature = "alloc", test))]
+    pub fn least_norm(&self, b: &[f64; R]) -> [f64; N] {
+        let mut x = [0.0; N];
+        for k in 0..self.rank {
+            let row = &self.lower[k];
+            let known: f64 = (0..k).map(|i| row[i] * x[i]).sum();
+            x[k] = (b[self.order[k]] - known) / row[k];
+        }
+        self.expand(x)
+    }
 }
 
 /// x − 2 w (w · x).
@@ -158,6 +178,11 @@ mod tests {
         let rows = [ROWS[0], ROWS[0].map(|x| -2.0 * x), [0.0; 4], ROWS[1]];
         let found = RowSpace::new(&rows, 1e-9);
         assert_eq!(found.rank, 2);
+        let x = found.least_norm(&[3.0, -6.0, 0.0, 1.0]);
+        let reached = times(&rows, &x);
+        for (a, b) in reached.iter().zip([3.0, -6.0, 0.0, 1.0]) {
+            assert!((a - b).abs() < 1e-14);
+        }
         assert!(
             found.null_space()[..2]
                 .iter()

@@ -1,0 +1,134 @@
+//! An arm whose tool is held at a target.
+
+use super::SelfMotionOptions;
+use crate::row_space::RowSpace;
+use crate::singular_values::inner;
+use crate::vector::{norm, sub};
+use crate::{Goal, JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
+
+/// Newton's method from a good prediction takes 3 or 4 steps.
+const NEWTON_STEPS: usize = 10;
+/// How exactly the target is met, relative to its distance from the base or to
+/// a metre. Rounding in forward kinematics is a hundredth of this.
+const MET: f64 = 1e-12;
+
+pub(super) struct Held<'a, K, const N: usize> {
+    pub robot: &'a K,
+    pub target: Pose,
+    pub options: &'a SelfMotionOptions<N>,
+}
+
+/// A hyperplane n · (q − p) = 0 that cuts the curve.
+pub(super) struct Cut<const N: usize> {
+    pub normal: [f64; N],
+    pub point: [f64; N],
+}
+
+/// How an arm can move while its tool rests.
+pub(super) struct Internal<const N: usize> {
+    /// How many independent motions there are.
+    pub dimension: usize,
+    /// One of them, a unit vector.
+    pub tangent: [f64; N],
+    /// How far along it the nearest singularity may be, where the curve may
+    /// cross another: that far the Jacobian keeps its rank if it goes on to
+    /// change as it does here. ∞ if it does not change.
+    pub reach: f64,
+}
+
+impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
+    /// The rows that have to rest, and how far they are from where they should.
+    fn task(&self, q: &[f64; N]) -> ([[f64; N]; 6], [f64; 6]) {
+        let (pose, spatial) = self.robot.fk_jacobian(q);
+        let mut rows = spatial.spatial_to_geometric(&pose).rows;
+        let [x, y, z] = sub(self.target.translation, pose.translation);
+        let mut rest = [x, y, z, 0.0, 0.0, 0.0];
+        match self.options.goal {
+            Goal::Position => rows[3..].fill([0.0; N]),
+            Goal::Pose => {
+                let back = Pose {
+                    translation: [0.0; 3],
+                    ..pose
+                };
+                let turn = (self.target * back.inverse()).log().angular;
+                rest[3..].copy_from_slice(&turn);
+            }
+        }
+        (rows, rest)
+    }
+
+    /// The independent internal motions at a configuration.
+    pub fn internal(&self, q: &[f64; N]) -> Internal<N> {
+        let space = RowSpace::new(&self.task(q).0, RANK_TOLERANCE);
+        let tangent = space.null_space().first().copied().unwrap_or([0.0; N]);
+        let mut change = self.robot.geometric_jacobian_dot(q, &tangent).rows;
+        if self.options.goal == Goal::Position {
+            change[3..].fill([0.0; N]);
+        }
+        let rate = math::sqrt(change.iter().map(|row| inner(row, row)).sum());
+        Internal {
+            dimension: N - space.rank,
+            tangent,
+            reach: space.least_pivot() / rate,
+        }
+    }
+
+    /// Where the curve meets a hyperplane, by Newton's method; none if it does
+    /// not get there.
+    pub fn meet(&self, cut: &Cut<N>, guess: [f64; N]) -> Option<[f64; N]> {
+        let size = norm(self.target.translation).max(1.0);
+        let mut q = guess;
+        for _ in 0..NEWTON_STEPS {
+            let (task, rest) = self.task(&q);
+            let beyond = core::array::from_fn(|i| q[i] - cut.point[i]);
+            let off = -inner(&cut.normal, &beyond);
+            let error = [rest[0], rest[1], rest[2], rest[3], rest[4], rest[5], off];
+            let largest = error.iter().fold(0.0, |a: f64, x| math::max(a, x.abs()));
+            if largest <= MET * size {
+                return Some(q);
+            }
+            let rows: [[f64; N]; 7] =
+                core::array::from_fn(|i| if i < 6 { task[i] } else { cut.normal });
+            let space = RowSpace::new(&rows, RANK_TOLERANCE);
+            let change = space.least_norm(&error);
+            q = core::array::from_fn(|i| q[i] + change[i]);
+        }
+        None
+    }
+
+    /// The shortest way in joint space from one posture to another.
+    pub fn way(&self, from: &[f64; N], to: &[f64; N]) -> [f64; N] {
+        core::array::from_fn(|i| {
+            let limit = self.limit(i);
+            let stops = self.options.limits.is_some() && limit != JointLimit::Continuous;
+            let way = to[i] - from[i];
+            if limit.is_revolute() && !stops {
+                math::wrap(way)
+            } else {
+                way
+            }
+        })
+    }
+
+    /// The first joint that is beyond its limits.
+    pub fn beyond(&self, q: &[f64; N]) -> Option<usize> {
+        let stops = self.options.limits?;
+        (0..N).find(|&i| {
+            let slack = JointLimit::TOLERANCE;
+            !(stops[i].lower() - slack <= q[i] && q[i] <= stops[i].upper() + slack)
+        })
+    }
+
+    fn limit(&self, i: usize) -> JointLimit {
+        self.options.limits.map_or(K::LIMITS[i], |limits| limits[i])
+    }
+}
+
+pub(super) fn length<const N: usize>(x: &[f64; N]) -> f64 {
+    math::sqrt(inner(x, x))
+}
+
+/// q + t d.
+pub(super) fn along<const N: usize>(q: &[f64; N], d: &[f64; N], t: f64) -> [f64; N] {
+    core::array::from_fn(|i| q[i] + t * d[i])
+}
