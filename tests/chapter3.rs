@@ -12,4 +12,5 @@ mod chapter3 {
     mod singularities;
     mod statics;
     mod velocities;
+    mod workspace;
 }

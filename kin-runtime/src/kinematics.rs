@@ -137,6 +137,12 @@ pub trait Kinematics<const N: usize> {
         self.ik(target)
     }
 
+    /// Whether the target is in the complete workspace: whether [`Kinematics::ik`]
+    /// has an answer. Positions alone are asked of a `Workspace`.
+    fn is_reachable_pose(&self, target: &Pose) -> bool {
+        !self.ik(target).is_empty()
+    }
+
     /// A solution if there is one, and for a target out of reach what comes
     /// nearest, with its distance as the residual; none if the target is not a
     /// number. Generated robots give the least-squares answer of their

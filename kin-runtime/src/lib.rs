@@ -64,6 +64,8 @@ mod statics;
 pub mod subproblems;
 mod twist;
 mod vector;
+#[cfg(feature = "alloc")]
+mod workspace;
 mod wrench;
 
 pub use basis::Basis;
@@ -90,4 +92,6 @@ pub use singularity::Singularity;
 pub use solutions::{IntoIter, Solution, Solutions, Windings};
 pub use statics::RANK_TOLERANCE;
 pub use twist::Twist;
+#[cfg(feature = "alloc")]
+pub use workspace::{Workspace, WorkspaceMethod};
 pub use wrench::Wrench;

@@ -1,0 +1,73 @@
+//! Arms about which nothing is known: by descending.
+
+use core::f64::consts::TAU;
+
+use crate::{Chain, Goal, Pose, SearchOptions};
+
+/// Orientations tried at a point.
+pub(super) const ORIENTATIONS: usize = 60;
+
+fn is_found(chain: &Chain, target: &Pose, goal: Goal, max_starts: usize) -> bool {
+    let options = SearchOptions {
+        goal,
+        max_starts,
+        max_solutions: 1,
+        ..SearchOptions::default()
+    };
+    !chain.ik_all(target, &options).is_empty()
+}
+
+pub(super) fn is_reachable(chain: &Chain, point: [f64; 3]) -> bool {
+    is_found(chain, &Pose::from_translation(point), Goal::Position, 256)
+}
+
+pub(super) fn is_dextrous(chain: &Chain, point: [f64; 3]) -> bool {
+    let reaches = |rotation: Pose| {
+        let target = Pose {
+            translation: point,
+            ..rotation
+        };
+        is_found(chain, &target, Goal::Pose, 128)
+    };
+    chain.twists().len() >= 6 && scattered(ORIENTATIONS).all(reaches)
+}
+
+/// Rotations that fill SO(3) evenly: unit quaternions on a spiral (M. Alexa,
+/// "Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3)", 2022).
+pub(super) fn scattered(count: usize) -> impl Iterator<Item = Pose> {
+    // The two numbers of the spiral: √2, and the positive root of x⁴ = x + 4.
+    const PHI: f64 = core::f64::consts::SQRT_2;
+    const PSI: f64 = 1.533_751_168_755_204_4;
+    (0..count).map(move |i| {
+        let s = i as f64 + 0.5;
+        let t = s / count as f64;
+        let (r, rest) = (libm::sqrt(t), libm::sqrt(1.0 - t));
+        let ((sa, ca), (sb, cb)) = (libm::sincos(TAU * s / PHI), libm::sincos(TAU * s / PSI));
+        from_quaternion([r * sa, r * ca, rest * sb, rest * cb])
+    })
+}
+
+/// The rotation of a unit quaternion (x, y, z, w).
+fn from_quaternion([x, y, z, w]: [f64; 4]) -> Pose {
+    let rotation = [
+        [
+            1.0 - 2.0 * (y * y + z * z),
+            2.0 * (x * y - w * z),
+            2.0 * (x * z + w * y),
+        ],
+        [
+            2.0 * (x * y + w * z),
+            1.0 - 2.0 * (x * x + z * z),
+            2.0 * (y * z - w * x),
+        ],
+        [
+            2.0 * (x * z - w * y),
+            2.0 * (y * z + w * x),
+            1.0 - 2.0 * (x * x + y * y),
+        ],
+    ];
+    Pose {
+        rotation,
+        translation: [0.0; 3],
+    }
+}
