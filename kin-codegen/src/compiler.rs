@@ -114,7 +114,6 @@ impl Forward {
 pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnostics> {
     let spec = Spec::parse(source)?;
     let model = Model::new(&spec, options.base.as_deref(), options.tip.as_deref())?;
-    let linkage = Linkage::new(&model);
     refusal::singular_everywhere(source, &model)?;
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let inverse = match options.ik {
@@ -127,20 +126,29 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnosti
             )
         }
     };
-    let forward = Forward::new(&model, &linkage);
     let meant = inverse.as_ref().filter(|solver| solver.polish > 0);
     let singular = Singular::new(&model, meant.map(|solver| &solver.snap.model), target);
     Ok(Compiled {
-        path: source.path.clone(),
-        model,
-        linkage,
-        forward,
-        inverse,
         singular,
+        ..Compiled::of(&source.path, model, inverse)
     })
 }
 
 impl Compiled {
+    /// From a chain and what was found to invert it; its singularities are not
+    /// looked for.
+    pub(crate) fn of(path: &str, model: Model, inverse: Option<ClosedForm>) -> Self {
+        let linkage = Linkage::new(&model);
+        Self {
+            path: path.to_owned(),
+            forward: Forward::new(&model, &linkage),
+            model,
+            linkage,
+            inverse,
+            singular: None,
+        }
+    }
+
     /// How many branches inverse kinematics looks at; 0 without it.
     pub fn branches(&self) -> usize {
         self.inverse

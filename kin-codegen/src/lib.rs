@@ -23,6 +23,7 @@ pub mod explain;
 pub mod expr;
 mod generate;
 pub mod geometry;
+pub mod mechanism;
 pub mod model;
 mod options;
 pub mod plan;

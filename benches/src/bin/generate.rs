@@ -22,7 +22,12 @@ fn main() {
 
 fn robots() -> Vec<PathBuf> {
     let files = std::fs::read_dir(Path::new(ROOT).join("robots")).expect("robots/ is there");
-    let mut files: Vec<PathBuf> = files.map(|file| file.expect("readable").path()).collect();
+    let is_arm = |path: &PathBuf| {
+        let text = std::fs::read_to_string(path).expect("readable");
+        !text.contains("\nmechanism:")
+    };
+    let files = files.map(|file| file.expect("readable").path());
+    let mut files: Vec<PathBuf> = files.filter(is_arm).collect();
     files.sort();
     files
 }

@@ -63,7 +63,7 @@ pub struct Mimic {
 }
 
 impl Chain {
-    pub(super) fn of(model: &Model) -> Self {
+    pub(crate) fn of(model: &Model) -> Self {
         Self {
             base: model.base.clone(),
             tip: model.tip.clone(),

@@ -9,6 +9,7 @@
 mod complaints;
 mod diagnostic;
 mod format;
+mod mechanism;
 mod orientation;
 mod suggest;
 mod tree;
@@ -17,6 +18,7 @@ pub mod yaml;
 
 pub(crate) use complaints::Complaints;
 pub use diagnostic::{Diagnostic, Diagnostics, Location};
+pub use mechanism::{ChainSpec, MechanismSpec};
 pub(crate) use suggest::{did_you_mean, list as list_names};
 
 use kin_runtime::Pose;

@@ -61,6 +61,10 @@
 //! unless `fixed`). `parent` names the link it hangs on: by default that of the
 //! joint listed before it, or the base. With `parent` the robot can be a tree.
 //!
+//! # Parallel mechanisms
+//!
+//! Several chains between a base and a platform: see [`mechanism`].
+//!
 //! # Poses
 //!
 //! `xyz: [x, y, z]` and at most one of `rpy: [roll, pitch, yaw]` (fixed axes x,
@@ -76,6 +80,7 @@ mod expression;
 mod fields;
 mod frames;
 mod joint;
+pub mod mechanism;
 mod node;
 mod pose;
 mod screws;
@@ -113,6 +118,12 @@ fn read(source: &Source, reader: &mut Reader) -> Option<Draft> {
             return None;
         }
     };
+    if let Some(key) = mechanism::key(&document) {
+        let reason = "this file describes a parallel mechanism, not one arm";
+        let remedy = "generate it, or `kin explain` it; whatever takes one arm cannot take it";
+        reader.at(key, reason, remedy);
+        return None;
+    }
     let file = reader.fields(&document, "robot file", &KEYS)?;
     let name = file
         .required("robot", reader)

@@ -136,21 +136,22 @@ impl Mechanism {
     /// The dimension of the smallest group of motions that holds those of all
     /// joints: that of the Lie algebra which their twists generate.
     pub fn motion_dimension(&self) -> usize {
-        let twists = self.twists(&vec![0.0; self.joints()]);
-        let scaled = |twist: &Twist| self.at_home(|posture| posture.scaled(twist));
-        let mut basis: Vec<Twist> = Vec::new();
-        let mut waiting = twists;
-        while let Some(twist) = waiting.pop() {
-            let known: Vec<Vector6> = basis.iter().map(&scaled).collect();
-            let span = Span::of(known.len(), |j| known[j]);
-            let vector = scaled(&twist);
-            let (rest, all) = (size(&span.reject(vector)), size(&vector));
-            if rest > 1e-7 * all {
-                waiting.extend(basis.iter().map(|other| bracket(other, &twist)));
-                basis.push(twist);
+        self.at_home(|posture| {
+            let mut basis: Vec<Twist> = Vec::new();
+            let mut waiting = posture.twists.to_vec();
+            while let Some(twist) = waiting.pop() {
+                let known: Vec<Vector6> = basis.iter().map(|b| posture.scaled(b)).collect();
+                let vector = posture.scaled(&twist);
+                let rest = size(&Span::of(known.len(), |j| known[j]).reject(vector));
+                // Brackets of unit twists below this are rounding.
+                if rest > 1e-7 * self.length {
+                    let unit = twist * (self.length / size(&vector));
+                    waiting.extend(basis.iter().map(|other| bracket(other, &unit)));
+                    basis.push(unit);
+                }
             }
-        }
-        basis.len()
+            basis.len()
+        })
     }
 
     /// How many independent motions there are where the mechanism is regular:
@@ -173,6 +174,15 @@ impl Mechanism {
     /// one configuration.
     pub fn mobility_at(&self, q: &[f64]) -> usize {
         Posture::mobility(&self.structure(q))
+    }
+
+    /// How many independent motions the platform has at one configuration: those
+    /// of the mechanism less the idle ones, such as a leg that spins about
+    /// itself.
+    pub fn platform_freedom(&self, q: &[f64]) -> usize {
+        // With nothing actuated, what the chains bear is what they forbid.
+        let held = self.look_with(q, &[], |posture| posture.held());
+        held.iter().filter(|x| **x <= posture::FREE).count()
     }
 
     /// The singular values of the structure equation's Jacobian, one for each
@@ -261,9 +271,9 @@ impl Mechanism {
         close(task, evaluate, q, &mut best, &mut poses, &mut twists)
     }
 
-    /// Closed configurations near home, each away from it by at least a part of
-    /// what was tried: half a dozen, unless the mechanism is stuck.
-    fn neighbours(&self) -> Vec<Vec<f64>> {
+    /// Up to eight closed configurations near home, always the same: none if
+    /// the mechanism is stuck there.
+    pub fn neighbours(&self) -> Vec<Vec<f64>> {
         let n = self.joints();
         // Nothing is held: Newton's method finds the nearest closed posture.
         let free = Mechanism {

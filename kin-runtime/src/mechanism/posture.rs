@@ -23,7 +23,7 @@ pub(super) struct Posture<'a> {
 
 /// A direction in which the platform is held no better than this counts as
 /// free; relative to wrenches of length 1.
-const FREE: f64 = 1e-9;
+pub(super) const FREE: f64 = 1e-9;
 
 impl Posture<'_> {
     fn origin(&self) -> [f64; 3] {

@@ -8,6 +8,8 @@ use crate::spec::{Location, list_names, suggest};
 pub(super) struct Reader<'s> {
     text: &'s str,
     pub complaints: Complaints<'s>,
+    /// Whether joints may be passive, and say so.
+    pub of_mechanism: bool,
 }
 
 /// A mapping whose keys are all known.
@@ -59,6 +61,15 @@ impl<'s> Reader<'s> {
         Reader {
             text: &source.text,
             complaints: Complaints::new(source),
+            of_mechanism: false,
+        }
+    }
+
+    /// Reads the chains of a mechanism.
+    pub(super) fn of_mechanism(source: &'s Source) -> Self {
+        Reader {
+            of_mechanism: true,
+            ..Reader::new(source)
         }
     }
 
@@ -216,6 +227,16 @@ impl<'s> Reader<'s> {
         found
     }
 
+    /// `true` or `false`.
+    pub(super) fn truth(&mut self, node: &Node) -> Option<bool> {
+        if let Value::Bool(truth) = node.value {
+            return Some(truth);
+        }
+        let reason = format!("this should be true or false, and is {}", kind(&node.value));
+        self.at(node.id, reason, "write `true` or `false`");
+        None
+    }
+
     /// A finite number without a unit, and whether it was written with `pi`.
     pub(super) fn number(&mut self, node: &Node) -> Option<(f64, bool)> {
         let number = match &node.value {
@@ -282,7 +303,7 @@ fn plainly(value: &Value) -> String {
 fn kind(value: &Value) -> &'static str {
     match value {
         Value::Null => "empty",
-        Value::Bool => "a truth value",
+        Value::Bool(_) => "a truth value",
         Value::Number(_) => "a number",
         Value::Text(_) => "a text",
         Value::List(_) => "a list",

@@ -19,6 +19,8 @@ pub(super) struct Row {
     /// The link that the joint moves.
     pub link: Name,
     pub mimic: Option<DraftMimic>,
+    /// Whether a joint of a mechanism is driven.
+    pub actuated: bool,
     pub geometry: Geometry,
 }
 
@@ -57,7 +59,12 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
         "joints" => &frames::KEYS,
         _ => &denavit_hartenberg::KEYS,
     };
-    let fields = reader.fields(node, "joint", &[&COMMON, special].concat())?;
+    let drive: &[&str] = if reader.of_mechanism {
+        &["actuated"]
+    } else {
+        &[]
+    };
+    let fields = reader.fields(node, "joint", &[&COMMON, drive, special].concat())?;
     let name = fields
         .required("name", reader)
         .and_then(|node| reader.name(node));
@@ -73,6 +80,10 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
     };
     let limits = limits(&fields, kind, units, reader);
     let mimic = mimic(&fields, kind, units, reader);
+    let actuated = match fields.get("actuated") {
+        Some(node) => reader.truth(node),
+        None => Some(false),
+    };
     let name = name?;
     let link = match fields.get("link") {
         Some(node) => reader.name(node)?,
@@ -87,12 +98,13 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
         limits: limits?,
         link,
         mimic: mimic?,
+        actuated: actuated?,
         geometry: geometry?,
     })
 }
 
 fn refuse_motion_of_fixed(fields: &Fields, kind: JointType, reader: &mut Reader) {
-    for key in ["axis", "limits", "mimic"] {
+    for key in ["axis", "limits", "mimic", "actuated"] {
         if kind == JointType::Fixed && fields.get(key).is_some() {
             let reason = format!("`{key}` has no meaning for a fixed joint");
             reader.at(

@@ -23,7 +23,7 @@ pub(super) struct Node {
 #[derive(Debug)]
 pub(super) enum Value {
     Null,
-    Bool,
+    Bool(bool),
     Number(f64),
     Text(String),
     List(Vec<Node>),
@@ -110,8 +110,8 @@ impl<'de> Visitor<'de> for Reading<'_> {
         self.leaf(Value::Null)
     }
 
-    fn visit_bool<E: Error>(self, _: bool) -> Result<Node, E> {
-        self.leaf(Value::Bool)
+    fn visit_bool<E: Error>(self, truth: bool) -> Result<Node, E> {
+        self.leaf(Value::Bool(truth))
     }
 
     fn visit_i64<E: Error>(self, number: i64) -> Result<Node, E> {

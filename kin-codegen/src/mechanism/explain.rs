@@ -1,0 +1,300 @@
+//! What was found in a mechanism's file and decided about it.
+
+use super::compiled::{CompiledMechanism, compile};
+use super::forward::Forward;
+use super::inverse::{Aim, LegForm};
+use crate::explain::Chain;
+use crate::options::{Ik, Options, file_name};
+use crate::spec::{Diagnostics, Source};
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
+
+/// The version of the JSON that [`Explanation`] serializes to.
+pub const SCHEMA: u32 = 1;
+
+/// All that there is to tell about a mechanism's file. Lengths are metres,
+/// angles radians, coordinates those of the base.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Explanation {
+    /// [`SCHEMA`].
+    pub schema: u32,
+    /// The robot file's name.
+    pub file: String,
+    /// The mechanism's name.
+    pub robot: String,
+    /// The link that all chains begin at.
+    pub base: String,
+    /// The link that all chains end at.
+    pub platform: String,
+    /// The chains, in the order of the file.
+    pub chains: Vec<LegExplanation>,
+    /// How it can move.
+    pub mobility: Mobility,
+    /// What its actuators do.
+    pub actuation: Actuation,
+    /// Inverse kinematics, if there is any.
+    pub inverse: Option<InverseExplanation>,
+    /// Why there is none, if it was asked for.
+    pub refusal: Option<String>,
+    /// How forward kinematics is found.
+    pub forward: ForwardExplanation,
+}
+
+/// One chain.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LegExplanation {
+    /// Its name.
+    pub name: String,
+    /// By letters: `UP*S`, the star behind actuated joints.
+    pub structure: String,
+    /// Its joints.
+    pub chain: Chain,
+    /// Its actuated joints, by name.
+    pub actuated: Vec<String>,
+}
+
+/// How a mechanism can move.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mobility {
+    /// The dimension of the group that holds all joints' motions.
+    pub dimension: usize,
+    /// The joints.
+    pub joints: usize,
+    /// The independent loops.
+    pub loops: usize,
+    /// joints − dimension × loops.
+    pub gruebler: isize,
+    /// By the rank of the structure equation's Jacobian.
+    pub rank: usize,
+    /// Of these, motions of the platform.
+    pub platform: usize,
+}
+
+/// What the actuators do, at home.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Actuation {
+    /// The actuated joints, by name.
+    pub joints: Vec<String>,
+    /// The least singular value of the wrenches that hold the platform while
+    /// they are locked.
+    pub actuator_singularity: f64,
+    /// The least of the structure equation's Jacobian, by the largest.
+    pub kinematic_singularity: f64,
+}
+
+/// Inverse kinematics.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct InverseExplanation {
+    /// What of a target is read.
+    pub target: String,
+    /// The plan of every chain.
+    pub plans: Vec<String>,
+    /// The branches of every chain.
+    pub branches: Vec<usize>,
+    /// Closed configurations that came back from the pose that they make.
+    pub verified: usize,
+}
+
+/// Forward kinematics.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ForwardExplanation {
+    /// In words.
+    pub method: String,
+    /// Assemblies looked at; 0 if it takes a seed.
+    pub assemblies: usize,
+}
+
+/// Explains a mechanism's file. One whose chains have no closed form is
+/// explained too.
+///
+/// # Errors
+///
+/// What is wrong with the file, the mechanism or the options.
+pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagnostics> {
+    let (compiled, refusal) = match compile(source, options) {
+        Ok(compiled) => (compiled, None),
+        Err(refused) => {
+            let options = Options {
+                ik: Ik::None,
+                ..options.clone()
+            };
+            let reason = refused.list.into_iter().next().map(|first| first.reason);
+            (compile(source, &options)?, reason)
+        }
+    };
+    Ok(Explanation::of(&compiled, refusal))
+}
+
+impl Explanation {
+    fn of(compiled: &CompiledMechanism, refusal: Option<String>) -> Self {
+        let CompiledMechanism {
+            mechanism, freedom, ..
+        } = compiled;
+        let generic = mechanism.generic();
+        let home = vec![0.0; mechanism.joints()];
+        let legs = mechanism.legs.iter().map(|leg| LegExplanation {
+            name: leg.name.clone(),
+            structure: leg.structure(),
+            chain: Chain::of(&leg.model),
+            actuated: leg.actuated_names(),
+        });
+        let chains: Vec<LegExplanation> = legs.collect();
+        Explanation {
+            schema: SCHEMA,
+            file: file_name(&compiled.path).to_owned(),
+            robot: mechanism.name.clone(),
+            base: mechanism.base.clone(),
+            platform: mechanism.platform.clone(),
+            mobility: Mobility {
+                dimension: freedom.dimension,
+                joints: mechanism.joints(),
+                loops: chains.len() - 1,
+                gruebler: freedom.gruebler,
+                rank: freedom.mobility,
+                platform: freedom.platform,
+            },
+            actuation: Actuation {
+                joints: chains.iter().flat_map(|leg| leg.actuated.clone()).collect(),
+                actuator_singularity: generic.actuator_singularity(&home),
+                kinematic_singularity: generic.kinematic_singularity(&home, freedom.mobility),
+            },
+            inverse: compiled.inverse.as_ref().map(|inverse| InverseExplanation {
+                target: target(compiled, inverse.aim),
+                plans: inverse.legs.iter().map(LegForm::plan).collect(),
+                branches: inverse.legs.iter().map(LegForm::branches).collect(),
+                verified: inverse.verified,
+            }),
+            refusal,
+            forward: ForwardExplanation {
+                method: method(&compiled.forward),
+                assemblies: compiled.forward.assemblies(),
+            },
+            chains,
+        }
+    }
+}
+
+/// What of a target is read, in words.
+pub(super) fn target(compiled: &CompiledMechanism, aim: Aim) -> String {
+    match aim {
+        Aim::Pose => "whole poses of the platform".into(),
+        Aim::Translation => {
+            "positions of the platform, which never turns: the rotation of a target is not read"
+                .into()
+        }
+        Aim::Lead(leg) => format!(
+            "positions of the platform, which fix the chain `{}`: the rotation of a target is not \
+             read, and comes of it",
+            compiled.mechanism.legs[leg].name
+        ),
+    }
+}
+
+/// How forward kinematics is found, in words.
+pub(super) fn method(forward: &Forward) -> String {
+    match forward {
+        Forward::Loop(found) => format!(
+            "closed form: the passive joints around the loop are a serial chain between ends that \
+             the actuated ones place, solved by {}",
+            found
+                .passive
+                .inverse
+                .as_ref()
+                .map_or_else(String::new, |form| form.plan.to_string())
+        ),
+        Forward::Spheres(rods) => format!(
+            "closed form: the platform translates at {} from points that the actuators place, so \
+             its position is where three spheres meet",
+            rods.iter()
+                .map(|rod| format!("{:.4} m", rod.length))
+                .collect::<Vec<_>>()
+                .join(", ")
+        ),
+        Forward::Newton => {
+            "Newton's method on the structure equation, from a seed, in at most 60 steps".into()
+        }
+    }
+}
+
+impl Display for Explanation {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Mobility {
+            dimension,
+            joints,
+            loops,
+            gruebler,
+            rank,
+            platform,
+        } = self.mobility;
+        writeln!(
+            f,
+            "{}, from {}: {} chains from {} to {}, {joints} joints, {} of them actuated\n",
+            self.robot,
+            self.file,
+            self.chains.len(),
+            self.base,
+            self.platform,
+            self.actuation.joints.len(),
+        )?;
+        writeln!(f, "Chains at home, in metres and {}'s axes", self.base)?;
+        for leg in &self.chains {
+            writeln!(f, "  {}, {}\n{}", leg.name, leg.structure, leg.chain)?;
+        }
+        writeln!(f, "Mobility")?;
+        let kind = match dimension {
+            6 => "in space",
+            _ => "in a group of motions of that dimension",
+        };
+        writeln!(
+            f,
+            "  Grübler: {joints} joints - {dimension} x {loops} loops = {gruebler}, {kind}"
+        )?;
+        let idle = match rank - platform {
+            0 => "all of them motions of the platform".into(),
+            idle => format!("{platform} of them motions of the platform, {idle} idle"),
+        };
+        writeln!(f, "  By rank: {rank}, {idle}\n")?;
+        writeln!(f, "Actuation")?;
+        writeln!(f, "  {}", self.actuation.joints.join(", "))?;
+        writeln!(
+            f,
+            "  At home, distance from actuator singularities {:.4}, from kinematic ones {:.4}\n",
+            self.actuation.actuator_singularity, self.actuation.kinematic_singularity
+        )?;
+        writeln!(f, "Inverse kinematics, chain by chain")?;
+        match (&self.inverse, &self.refusal) {
+            (Some(inverse), _) => self.write_inverse(inverse, f)?,
+            (None, Some(reason)) => writeln!(f, "  {reason}")?,
+            (None, None) => writeln!(f, "  not asked for")?,
+        }
+        writeln!(
+            f,
+            "\nForward kinematics\n  {}",
+            sentence(&self.forward.method)
+        )?;
+        match self.forward.assemblies {
+            0 => Ok(()),
+            n => writeln!(f, "  {n} assemblies at most."),
+        }
+    }
+}
+
+impl Explanation {
+    fn write_inverse(&self, inverse: &InverseExplanation, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "  Targets are {}.", inverse.target)?;
+        let plans = inverse.plans.iter().zip(&inverse.branches);
+        for (leg, (plan, branches)) in self.chains.iter().zip(plans) {
+            writeln!(f, "  {}: {plan}, {branches} branches", leg.name)?;
+        }
+        writeln!(
+            f,
+            "  Verified on {} closed configurations: every chain was recovered.",
+            inverse.verified
+        )
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let (first, rest) = text.split_at(1);
+    format!("{}{rest}.", first.to_uppercase())
+}

@@ -1,0 +1,211 @@
+//! Forward kinematics: closed forms where a loop or three spheres give them.
+
+use super::freedom::Freedom;
+use super::inverse::{Aim, Inverse};
+use super::model::{Leg, Mechanism, meeting_point};
+use crate::compiler::Compiled;
+use crate::geometry::{Vec3, norm, sub};
+use crate::model::{Joint, JointKind, Model};
+use crate::plan::Target;
+use crate::solver::solve;
+use kin_runtime::{Pose, math};
+
+/// How forward kinematics finds the assemblies.
+#[derive(Clone, Debug)]
+pub enum Forward {
+    /// One loop: the passive joints around it are a serial chain, and the
+    /// actuated ones place its end.
+    Loop(Box<Loop>),
+    /// A platform that translates at three constant distances from points that
+    /// the actuators place.
+    Spheres(Vec<Rod>),
+    /// From a seed.
+    Newton,
+}
+
+/// A single loop, cut where the actuated joints are.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// The actuated joints, which place the end of the others.
+    pub drive: Compiled,
+    /// The number among the actuated joints of each joint of `drive`.
+    pub driven: Vec<usize>,
+    /// The passive joints, with their inverse kinematics.
+    pub passive: Compiled,
+    /// The number among all joints of each joint of `passive`.
+    pub joints: Vec<usize>,
+}
+
+/// One rod of constant length, from a point that the actuators carry to one of
+/// the platform.
+#[derive(Clone, Debug)]
+pub struct Rod {
+    /// The actuated joints; the tip is where the rod begins.
+    pub drive: Compiled,
+    /// The numbers among the actuated joints.
+    pub driven: Vec<usize>,
+    /// Where the rod ends, less the platform's origin: base coordinates.
+    pub end: Vec3,
+    /// Metres.
+    pub length: f64,
+}
+
+impl Forward {
+    /// Finds a closed form, verified on the samples.
+    pub fn find(
+        mechanism: &Mechanism,
+        freedom: &Freedom,
+        inverse: Option<&Inverse>,
+        path: &str,
+    ) -> Self {
+        if let Some(found) = single_loop(mechanism, path)
+            && recovers(mechanism, freedom, &found)
+        {
+            return Forward::Loop(Box::new(found));
+        }
+        if inverse.is_some_and(|inverse| inverse.aim == Aim::Translation)
+            && let Some(rods) = rods(mechanism, path)
+        {
+            return Forward::Spheres(rods);
+        }
+        Forward::Newton
+    }
+
+    /// How many assemblies it looks at; 0 without a closed form.
+    pub fn assemblies(&self) -> usize {
+        match self {
+            Forward::Loop(found) => found.passive.branches(),
+            Forward::Spheres(_) => 2,
+            Forward::Newton => 0,
+        }
+    }
+}
+
+/// A joint of the loop: its number, and whether the loop passes it from base to
+/// platform.
+type Passed = (usize, bool);
+
+fn single_loop(mechanism: &Mechanism, path: &str) -> Option<Loop> {
+    let [out, back] = &mechanism.ranges()[..] else {
+        return None;
+    };
+    let away = (out[0]..out[1]).map(|j| (j, true));
+    let home = (back[0]..back[1]).rev().map(|j| (j, false));
+    let around: Vec<Passed> = away.chain(home).collect();
+    let actuated = mechanism.actuated();
+    let is_passive = |passed: &Passed| !actuated.contains(&passed.0);
+    // Where the passive joints begin, behind an actuated one.
+    let n = around.len();
+    let begins = |i: &usize| is_passive(&around[*i]) && !is_passive(&around[(i + n - 1) % n]);
+    let mut beginnings = (0..n).filter(begins);
+    let (Some(begin), None) = (beginnings.next(), beginnings.next()) else {
+        return None;
+    };
+    let turned: Vec<Passed> = (0..n).map(|i| around[(begin + i) % n]).collect();
+    let (passive, drive): (Vec<Passed>, Vec<Passed>) = turned.into_iter().partition(is_passive);
+    // Around the loop the product is 1: the passive part is the inverse of the
+    // rest.
+    let undone: Vec<Passed> = drive.into_iter().rev().map(|(j, way)| (j, !way)).collect();
+    let model = chain_of(mechanism, &passive, Pose::IDENTITY);
+    let form = solve(&model, Target::Pose).ok()?;
+    let number = |joint: usize| actuated.iter().position(|a| *a == joint);
+    Some(Loop {
+        drive: Compiled::of(path, chain_of(mechanism, &undone, Pose::IDENTITY), None),
+        driven: undone.iter().filter_map(|(j, _)| number(*j)).collect(),
+        passive: Compiled::of(path, model, Some(form)),
+        joints: passive.iter().map(|(j, _)| *j).collect(),
+    })
+}
+
+/// Some joints of the mechanism in a row, those passed backwards with their
+/// axes turned round.
+fn chain_of(mechanism: &Mechanism, passed: &[Passed], home: Pose) -> Model {
+    let joints: Vec<_> = mechanism
+        .legs
+        .iter()
+        .flat_map(|leg| &leg.model.joints)
+        .collect();
+    let variables: Vec<_> = mechanism
+        .legs
+        .iter()
+        .flat_map(|leg| &leg.model.variables)
+        .collect();
+    let joint = |(i, (j, outwards)): (usize, &Passed)| Joint {
+        axis: if *outwards {
+            joints[*j].axis
+        } else {
+            joints[*j].axis.map(|x| 0.0 - x)
+        },
+        variable: i,
+        ..joints[*j].clone()
+    };
+    Model {
+        name: mechanism.name.clone(),
+        base: mechanism.base.clone(),
+        tip: mechanism.base.clone(),
+        joints: passed.iter().enumerate().map(joint).collect(),
+        variables: passed.iter().map(|(j, _)| variables[*j].clone()).collect(),
+        home,
+    }
+}
+
+/// Every sample comes back from its actuated values.
+fn recovers(mechanism: &Mechanism, freedom: &Freedom, found: &Loop) -> bool {
+    let generic = mechanism.generic();
+    let actuated = mechanism.actuated();
+    let drive = crate::verify::chain(&found.drive.model);
+    let Some(form) = &found.passive.inverse else {
+        return false;
+    };
+    let regular = |q: &&Vec<f64>| generic.actuator_singularity(q) > 1e-4;
+    freedom.samples.iter().filter(regular).all(|q| {
+        let values: Vec<f64> = found.driven.iter().map(|a| q[actuated[*a]]).collect();
+        let same = |(i, x): (usize, &f64)| {
+            let d = x - q[found.joints[i]];
+            let turns = found.passive.model.joints[i].kind == JointKind::Revolute;
+            (if turns { math::wrap(d) } else { d }).abs() < 1e-6
+        };
+        let answers = form.answers(&drive.fk(&values));
+        answers
+            .iter()
+            .any(|answer| answer.q.iter().enumerate().all(same))
+    })
+}
+
+/// Three rods, if every chain is actuated joints and then passive axes that meet
+/// in one or the other end of a rod.
+fn rods(mechanism: &Mechanism, path: &str) -> Option<Vec<Rod>> {
+    if mechanism.legs.len() != 3 {
+        return None;
+    }
+    let mut first = 0;
+    let mut rods = Vec::new();
+    for leg in &mechanism.legs {
+        rods.push(rod(leg, first, mechanism.home(), path)?);
+        first += leg.actuated.len();
+    }
+    Some(rods)
+}
+
+fn rod(leg: &Leg, first: usize, home: Pose, path: &str) -> Option<Rod> {
+    let model = &leg.model;
+    let (n, driven) = (model.joints.len(), leg.actuated.len());
+    if driven == 0 || leg.actuated != (0..driven).collect::<Vec<_>>() {
+        return None;
+    }
+    let turn = |j: usize| model.joints[j].kind == JointKind::Revolute;
+    if !(driven..n).all(turn) {
+        return None;
+    }
+    let (begin, end) = (driven + 2..n - 1).find_map(|at| {
+        let begin = meeting_point(model, driven..at)?;
+        Some((begin, meeting_point(model, at..n)?))
+    })?;
+    let drive = super::inverse::part(model, 0..driven, Pose::from_translation(begin), "rod");
+    Some(Rod {
+        drive: Compiled::of(path, drive, None),
+        driven: (first..first + driven).collect(),
+        end: sub(end, home.translation),
+        length: norm(sub(end, begin)),
+    })
+}

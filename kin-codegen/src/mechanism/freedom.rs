@@ -1,0 +1,173 @@
+//! How a mechanism can move, and whether its actuators make it.
+
+use super::Mechanism;
+use crate::spec::{Diagnostic, Diagnostics, Source};
+
+/// How a mechanism can move.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Freedom {
+    /// The dimension of the smallest group that holds all joints' motions: 3
+    /// in a plane or about a point, 6 in general.
+    pub dimension: usize,
+    /// By Grübler's formula for motions of that dimension.
+    pub gruebler: isize,
+    /// By the rank of the structure equation's Jacobian.
+    pub mobility: usize,
+    /// Of these, motions of the platform; the others are idle.
+    pub platform: usize,
+    /// Closed configurations: home, some near it, and some on the ways that
+    /// the actuators drive it.
+    pub samples: Vec<Vec<f64>>,
+}
+
+/// Steps of a drive away from home, and how many drives.
+const STEPS: usize = 6;
+const DRIVES: usize = 16;
+
+impl Freedom {
+    /// Counts freedoms at home and nearby.
+    pub fn of(mechanism: &Mechanism) -> Self {
+        let generic = mechanism.generic();
+        let home = vec![0.0; generic.joints()];
+        let mut samples = generic.neighbours();
+        samples.push(home.clone());
+        let least = |count: &dyn Fn(&[f64]) -> usize| {
+            let counts = samples.iter().map(|q| count(q));
+            counts.min().unwrap_or(0)
+        };
+        let mobility = least(&|q| generic.mobility_at(q));
+        let platform = least(&|q| generic.platform_freedom(q));
+        for k in 0..DRIVES {
+            samples.extend(drive(&generic, &home, k));
+        }
+        let dimension = generic.motion_dimension();
+        Freedom {
+            dimension,
+            gruebler: generic.gruebler(dimension),
+            mobility,
+            platform,
+            samples,
+        }
+    }
+
+    /// Refuses what cannot move, or not as its actuators want.
+    ///
+    /// # Errors
+    ///
+    /// The mechanism is immobile, under-actuated or over-actuated.
+    pub fn check(&self, mechanism: &Mechanism, source: &Source) -> Result<(), Diagnostics> {
+        let generic = mechanism.generic();
+        let actuated = mechanism.actuated().len();
+        let moves = |n: usize| {
+            if n == 1 {
+                "1 way".into()
+            } else {
+                format!("{n} ways")
+            }
+        };
+        let (reason, remedy) = if self.mobility == 0 || !generic.is_mobile() {
+            (
+                format!(
+                    "the mechanism is immobile: its {} joints lose all their freedom to the loops \
+                     (Grübler's formula gives {})",
+                    mechanism.joints(),
+                    self.gruebler
+                ),
+                "check axes and points; a joint may be missing".to_owned(),
+            )
+        } else if self.platform == 0 {
+            (
+                "the platform cannot move: all that the joints can do is idle".to_owned(),
+                "choose as platform the link that is to be moved".to_owned(),
+            )
+        } else if actuated < self.platform {
+            (
+                format!(
+                    "the mechanism is under-actuated: the platform can move in {}, and {actuated} \
+                     of its joints {} actuated",
+                    moves(self.platform),
+                    if actuated == 1 { "is" } else { "are" }
+                ),
+                format!("mark {} with `actuated: true`", joints(self.platform)),
+            )
+        } else if actuated > self.platform {
+            (
+                format!(
+                    "the mechanism is over-actuated: the platform can move in {}, and {actuated} \
+                     joints are actuated, whose values cannot be chosen independently",
+                    moves(self.platform)
+                ),
+                format!("mark {} with `actuated: true`", joints(self.platform)),
+            )
+        } else if self
+            .samples
+            .iter()
+            .all(|q| generic.actuator_singularity(q) < 1e-6)
+        {
+            (
+                "the mechanism is under-actuated: with the actuated joints locked the platform can \
+                 still move, everywhere"
+                    .to_owned(),
+                "actuate other joints; those that are marked do not determine the platform"
+                    .to_owned(),
+            )
+        } else {
+            return Ok(());
+        };
+        Err(refuse(mechanism, source, reason, remedy))
+    }
+}
+
+fn joints(n: usize) -> String {
+    match n {
+        1 => "one joint".into(),
+        n => format!("{n} joints"),
+    }
+}
+
+/// A complaint about the mechanism as a whole, where the file introduces it.
+pub(super) fn refuse(
+    mechanism: &Mechanism,
+    source: &Source,
+    reason: impl Into<String>,
+    remedy: impl Into<String>,
+) -> Diagnostics {
+    let line = source.text.lines().nth(mechanism.at.line as usize - 1);
+    Diagnostics {
+        path: source.path.clone(),
+        list: vec![Diagnostic {
+            at: Some(mechanism.at),
+            line: line.unwrap_or("").to_owned(),
+            reason: reason.into(),
+            remedy: remedy.into(),
+        }],
+    }
+}
+
+/// Closed configurations while the actuators go from home to some values, as
+/// far as the loops stay closed and the actuators in charge.
+fn drive(generic: &kin_runtime::Mechanism, home: &[f64], k: usize) -> Vec<Vec<f64>> {
+    let twists = generic.twists(home);
+    let goal: Vec<f64> = generic
+        .actuated()
+        .iter()
+        .enumerate()
+        .map(|(i, &joint)| {
+            let slides = twists[joint].angular == [0.0; 3];
+            let reach = if slides { 0.15 * generic.length() } else { 0.6 };
+            reach * (1.3 + 2.1 * k as f64 + 4.7 * i as f64).sin()
+        })
+        .collect();
+    let mut found: Vec<Vec<f64>> = Vec::new();
+    let mut q = home.to_vec();
+    for step in 1..=STEPS {
+        let part = step as f64 / STEPS as f64;
+        let values: Vec<f64> = goal.iter().map(|x| part * x).collect();
+        match generic.fk_near(&values, &q) {
+            Some(next) if generic.actuator_singularity(&next) > 1e-3 => q = next,
+            _ => break,
+        }
+        found.push(q.clone());
+    }
+    found
+}

@@ -1,0 +1,256 @@
+//! Inverse kinematics, chain by chain.
+
+use super::freedom::Freedom;
+use super::model::{Leg, Mechanism, meeting_point};
+use crate::compiler::Compiled;
+use crate::geometry::Vec3;
+use crate::model::{JointKind, Model};
+use crate::plan::Target;
+use crate::solver::{NoClosedForm, solve};
+use crate::verify::natural_target;
+use kin_runtime::{Pose, math};
+
+/// What the platform is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// A whole pose.
+    Pose,
+    /// A position: its orientation is that at home, always.
+    Translation,
+    /// What fixes one chain, which tells the others the pose: a position.
+    Lead(usize),
+}
+
+/// How one chain finds its joints.
+#[derive(Clone, Debug)]
+pub enum LegForm {
+    /// As one chain.
+    Whole(Box<Compiled>),
+    /// Up to the point where its last axes meet, and then about it.
+    Split(Box<Split>),
+}
+
+/// A chain in two parts.
+#[derive(Clone, Debug)]
+pub struct Split {
+    /// Up to the point, which its tip is at; at home turned as the base is.
+    pub head: Compiled,
+    /// About the point, from the base's orientation to the platform's.
+    pub tail: Compiled,
+    /// The point in the platform's frame.
+    pub point: Vec3,
+}
+
+/// Inverse kinematics of a mechanism.
+#[derive(Clone, Debug)]
+pub struct Inverse {
+    /// What it is asked for.
+    pub aim: Aim,
+    /// By chain.
+    pub legs: Vec<LegForm>,
+    /// Closed configurations that came back.
+    pub verified: usize,
+}
+
+/// Joint values agree to this where the chain is regular.
+const SAME: f64 = 1e-6;
+
+impl Inverse {
+    /// Finds and verifies the closed forms.
+    ///
+    /// # Errors
+    ///
+    /// The name of the first chain that has none, and why.
+    pub fn find(
+        mechanism: &Mechanism,
+        freedom: &Freedom,
+        path: &str,
+    ) -> Result<Self, (String, Reason)> {
+        let aim = aim(mechanism, freedom);
+        let regular = regular(mechanism, freedom);
+        let mut legs = Vec::new();
+        for (k, leg) in mechanism.legs.iter().enumerate() {
+            let [first, end] = mechanism.ranges()[k];
+            let own = |q: &&Vec<f64>| q[first..end].to_vec();
+            let samples: Vec<Vec<f64>> = regular.iter().map(own).collect();
+            let form = leg_form(leg, k, aim, path, &samples);
+            legs.push(form.map_err(|reason| (leg.name.clone(), reason))?);
+        }
+        Ok(Inverse {
+            aim,
+            legs,
+            verified: regular.len(),
+        })
+    }
+}
+
+/// Why a chain has no closed form.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reason {
+    /// The search or its certificate says so.
+    None(NoClosedForm),
+    /// A closed configuration did not come back.
+    Lost(Vec<f64>),
+}
+
+/// Samples at which no chain is singular: there all answers are isolated.
+fn regular<'f>(mechanism: &Mechanism, freedom: &'f Freedom) -> Vec<&'f Vec<f64>> {
+    let generic = mechanism.generic();
+    let clear = |q: &&Vec<f64>| generic.inverse_jacobian(q).is_some();
+    freedom.samples.iter().filter(clear).collect()
+}
+
+fn aim(mechanism: &Mechanism, freedom: &Freedom) -> Aim {
+    let generic = mechanism.generic();
+    let home = mechanism.home();
+    let upright = |q: &Vec<f64>| generic.poses(q)[0].rotation_distance(&home) < 1e-9;
+    if freedom.samples.iter().all(upright) {
+        return Aim::Translation;
+    }
+    let fixed = |leg: &Leg| natural_target(&leg.model) == Target::Position;
+    match mechanism.legs.iter().position(fixed) {
+        Some(leg) if freedom.platform < 3 => Aim::Lead(leg),
+        _ => Aim::Pose,
+    }
+}
+
+fn leg_form(
+    leg: &Leg,
+    k: usize,
+    aim: Aim,
+    path: &str,
+    samples: &[Vec<f64>],
+) -> Result<LegForm, Reason> {
+    let target = match aim {
+        Aim::Lead(lead) if lead == k => Target::Position,
+        _ => Target::Pose,
+    };
+    let whole = solve(&leg.model, target)
+        .map_err(Reason::None)
+        .map(|form| Compiled::of(path, leg.model.clone(), Some(form)))
+        .map(|compiled| LegForm::Whole(Box::new(compiled)))
+        .and_then(|form| form.recovers(leg, samples));
+    match whole {
+        Err(reason) if target == Target::Pose => split(leg, path)
+            .and_then(|form| form.recovers(leg, samples).ok())
+            .ok_or(reason),
+        other => other,
+    }
+}
+
+/// The last two or three axes meet, and what is in front of them reaches their
+/// point.
+fn split(leg: &Leg, path: &str) -> Option<LegForm> {
+    let model = &leg.model;
+    let n = model.joints.len();
+    [3, 2]
+        .into_iter()
+        .filter(|count| *count < n)
+        .find_map(|count| {
+            let at = n - count;
+            let turn = |j: usize| model.joints[j].kind == JointKind::Revolute;
+            if !(at..n).all(turn) {
+                return None;
+            }
+            let point = meeting_point(model, at..n)?;
+            let wrist = Pose::from_translation(point);
+            let head = part(model, 0..at, wrist, "wrist");
+            let tail = Pose {
+                translation: point,
+                ..model.home
+            };
+            let tail = part(model, at..n, tail, &model.tip);
+            let compile = |model: Model, target| {
+                let form = solve(&model, target).ok()?;
+                Some(Compiled::of(path, model, Some(form)))
+            };
+            Some(LegForm::Split(Box::new(Split {
+                head: compile(head, Target::Position)?,
+                tail: compile(tail, Target::Orientation)?,
+                point: model.home.inverse().transform_point(point),
+            })))
+        })
+}
+
+/// Some joints of a chain as a chain of their own.
+pub(super) fn part(model: &Model, joints: std::ops::Range<usize>, home: Pose, tip: &str) -> Model {
+    let first = joints.start;
+    let mut part = Model {
+        tip: tip.into(),
+        joints: model.joints[joints.clone()].to_vec(),
+        variables: model.variables[joints].to_vec(),
+        home,
+        ..model.clone()
+    };
+    part.joints
+        .iter_mut()
+        .for_each(|joint| joint.variable -= first);
+    part
+}
+
+impl LegForm {
+    /// How many branches it looks at.
+    pub fn branches(&self) -> usize {
+        match self {
+            LegForm::Whole(whole) => whole.branches(),
+            LegForm::Split(split) => split.head.branches() * split.tail.branches(),
+        }
+    }
+
+    /// The plans, in short.
+    pub fn plan(&self) -> String {
+        let plan = |compiled: &Compiled| {
+            let form = compiled.inverse.as_ref();
+            form.map_or_else(String::new, |form| form.plan.to_string())
+        };
+        match self {
+            LegForm::Whole(whole) => plan(whole),
+            LegForm::Split(split) => format!("{}, then {}", plan(&split.head), plan(&split.tail)),
+        }
+    }
+
+    /// What the generated function will answer, computed by the interpreter.
+    pub fn answers(&self, target: &Pose) -> Vec<Vec<f64>> {
+        let of = |compiled: &Compiled, target: &Pose| -> Vec<Vec<f64>> {
+            let form = compiled.inverse.as_ref();
+            let answers = form.map_or_else(Vec::new, |form| form.answers(target));
+            answers.into_iter().map(|answer| answer.q).collect()
+        };
+        match self {
+            LegForm::Whole(whole) => of(whole, target),
+            LegForm::Split(split) => {
+                let wrist = Pose::from_translation(target.transform_point(split.point));
+                let tails = |head: Vec<f64>| {
+                    let turned = crate::verify::chain(&split.head.model).fk(&head);
+                    let rest = turned.inverse() * *target;
+                    let both = move |tail: Vec<f64>| [head.clone(), tail].concat();
+                    of(&split.tail, &rest).into_iter().map(both)
+                };
+                of(&split.head, &wrist)
+                    .into_iter()
+                    .flat_map(tails)
+                    .collect()
+            }
+        }
+    }
+
+    /// Every configuration comes back from the pose that it makes, and every
+    /// answer makes that pose.
+    fn recovers(self, leg: &Leg, samples: &[Vec<f64>]) -> Result<Self, Reason> {
+        let chain = leg.chain();
+        let turns = |j: usize| leg.model.joints[j].kind == JointKind::Revolute;
+        let same = |a: &[f64], b: &[f64]| {
+            (0..a.len()).all(|j| {
+                let d = a[j] - b[j];
+                (if turns(j) { math::wrap(d) } else { d }).abs() < SAME
+            })
+        };
+        for q in samples {
+            let answers = self.answers(&chain.fk(q));
+            if !answers.iter().any(|answer| same(answer, q)) {
+                return Err(Reason::Lost(q.clone()));
+            }
+        }
+        Ok(self)
+    }
+}

@@ -1,0 +1,50 @@
+//! Parallel mechanisms: several chains from one base to one platform.
+//!
+//! A mechanism walks through the rooms of the compiler as an arm does, and each
+//! of its chains is compiled as the arm that it is:
+//!
+//! ```text
+//! robot file
+//!   -> spec::MechanismSpec   chains of one file, which joints are actuated
+//!   -> model                 every chain as a Model; at home they end together
+//!   -> mobility              Grübler's formula and the rank; what cannot work is refused
+//!   -> inverse               chain by chain through the plan search, aimed at the platform
+//!   -> forward               closed form, if there is one; otherwise Newton's method
+//!   -> verify                closed configurations come back both ways, or there is no code
+//!   -> emit                  one type for every chain, one for the mechanism
+//! ```
+//!
+//! **Inverse kinematics.** Once the platform is placed, its chains know nothing
+//! of each other. What can be asked of the platform depends on its freedoms:
+//! all six make whole poses; a platform that only translates is asked for
+//! positions, with the orientation that it always has; and where one chain is
+//! fixed by a position (the two links of a five-bar), that chain goes first and
+//! tells the others the pose. A chain that a platform of fixed orientation
+//! hangs on by axes that meet is solved up to that point, and then about it.
+//!
+//! **Forward kinematics.** With its actuated joints set, a single loop is one
+//! serial chain of the passive joints around it, whose two ends the actuated
+//! ones place: inverse kinematics of that chain, by the same search, gives all
+//! assemblies. Three chains that hold a translating platform at constant
+//! distances from points that the actuators place (a Delta) are three spheres.
+//! All others are left to Newton's method, from a seed.
+//!
+//! Data flows one way; the runtime half is [`kin_runtime::ParallelKinematics`],
+//! and [`kin_runtime::Mechanism`] is the generic mechanism that checks it.
+
+mod compiled;
+mod explain;
+mod forward;
+mod freedom;
+mod inverse;
+mod model;
+
+pub use compiled::{CompiledMechanism, compile};
+pub use explain::{
+    Actuation, Explanation, ForwardExplanation, InverseExplanation, LegExplanation, Mobility,
+    SCHEMA, explain,
+};
+pub use forward::{Forward, Loop, Rod};
+pub use freedom::Freedom;
+pub use inverse::{Aim, Inverse, LegForm, Reason, Split};
+pub use model::{Leg, Mechanism};
