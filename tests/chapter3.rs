@@ -6,6 +6,7 @@ mod chapter3 {
     mod differences;
     mod random;
 
+    mod any_joints;
     mod manipulability;
     mod redundancy;
     mod self_motion;
