@@ -27,6 +27,7 @@ pub enum Command {
     Generate(Generate),
     Explain(Explain),
     Check(Check),
+    Workspace(Workspace),
 }
 
 /// Write a robot's forward kinematics, Jacobians and closed-form inverse
@@ -98,6 +99,36 @@ pub struct Check {
     /// As JSON, for programs
     #[arg(long)]
     pub json: bool,
+}
+
+/// Map the workspace of an arm with a closed form: pictures of three slices, and
+/// the numbers
+#[derive(Debug, Args)]
+pub struct Workspace {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    /// Orientations tried at every point
+    #[arg(long, value_name = "COUNT", default_value_t = 40, value_parser = at_least_one)]
+    pub samples: usize,
+    /// Points along every side of a slice
+    #[arg(long, value_name = "COUNT", default_value_t = 65, value_parser = at_least_one)]
+    pub cells: usize,
+    /// Only answers within the joints' limits count
+    #[arg(long)]
+    pub limits: bool,
+    /// The folder that the files are written to
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub out: PathBuf,
+}
+
+fn at_least_one(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=10_000) => Ok(count),
+        Ok(_) => Err("between 1 and 10000".into()),
+        Err(error) => Err(format!("{error}")),
+    }
 }
 
 /// What all commands ask of the compiler.

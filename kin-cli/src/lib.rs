@@ -1,13 +1,15 @@
-//! `kin`: explain, generate and check the kinematics of a robot file.
+//! `kin`: explain, generate, check and map the kinematics of a robot file.
 //!
 //! A thin shell around `kin-codegen`. [`run`] takes a command line and gives
 //! back what to print, so that commands can be tested without processes.
 
 mod arguments;
+mod bar;
 mod check;
 mod exit;
 mod explain;
 mod generate;
+mod workspace;
 
 pub use exit::Exit;
 
@@ -61,5 +63,6 @@ pub fn run<A: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = A>) ->
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Workspace(arguments) => workspace::run(&arguments),
     }
 }

@@ -93,5 +93,5 @@ pub use solutions::{IntoIter, Solution, Solutions, Windings};
 pub use statics::RANK_TOLERANCE;
 pub use twist::Twist;
 #[cfg(feature = "alloc")]
-pub use workspace::{Workspace, WorkspaceMethod};
+pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 pub use wrench::Wrench;

@@ -1,11 +1,10 @@
 //! `kin check`.
 
-mod bar;
 mod report;
 
 use crate::arguments::{self, read};
+use crate::bar::Bar;
 use crate::{Done, Exit};
-use bar::Bar;
 use kin_codegen::explain::{Check, Verdict, check};
 use kin_codegen::sweep::{Draw, Replay, Settings, Tally, sweep};
 use kin_codegen::{Compiled, Options};
@@ -83,7 +82,7 @@ impl Checked {
                     false => Draw::Anywhere,
                 },
             };
-            let bar = Bar::new(&self.check.path, settings.targets);
+            let bar = Bar::new(&self.check.path, settings.targets, "targets");
             self.sweep = Some(sweep(model, form, &settings, &|done| bar.advance(done)));
         }
         if let Some(q) = &arguments.at {

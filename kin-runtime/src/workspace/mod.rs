@@ -14,6 +14,8 @@ use alloc::vec::Vec;
 
 use crate::vector::{cross, dot, norm, scale, sub};
 use crate::{Chain, Kinematics, Pose, Twist};
+pub use sampled::scattered_rotations;
+
 use planar::Planar;
 use wrist::Shoulder;
 

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::{Chain, Goal, Pose, SearchOptions};
 
 /// Orientations tried at a point.
-pub(super) const ORIENTATIONS: usize = 60;
+const ORIENTATIONS: usize = 60;
 
 fn is_found(chain: &Chain, target: &Pose, goal: Goal, max_starts: usize) -> bool {
     let options = SearchOptions {
@@ -29,12 +29,19 @@ pub(super) fn is_dextrous(chain: &Chain, point: [f64; 3]) -> bool {
         };
         is_found(chain, &target, Goal::Pose, 128)
     };
-    chain.twists().len() >= 6 && scattered(ORIENTATIONS).all(reaches)
+    chain.twists().len() >= 6 && scattered_rotations(ORIENTATIONS).all(reaches)
 }
 
-/// Rotations that fill SO(3) evenly: unit quaternions on a spiral (M. Alexa,
-/// "Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3)", 2022).
-pub(super) fn scattered(count: usize) -> impl Iterator<Item = Pose> {
+/// So many rotations that fill all orientations evenly, always the same: unit
+/// quaternions on a spiral (M. Alexa, "Super-Fibonacci spirals: fast,
+/// low-discrepancy sampling of SO(3)", 2022).
+///
+/// ```
+/// let all = kin_runtime::scattered_rotations(200);
+/// let mean_of_xx = all.map(|pose| pose.rotation[0][0]).sum::<f64>() / 200.0;
+/// assert!(mean_of_xx.abs() < 0.01);
+/// ```
+pub fn scattered_rotations(count: usize) -> impl Iterator<Item = Pose> {
     // The two numbers of the spiral: √2, and the positive root of x⁴ = x + 4.
     const PHI: f64 = core::f64::consts::SQRT_2;
     const PSI: f64 = 1.533_751_168_755_204_4;

@@ -1,0 +1,207 @@
+//! `kin workspace`: the files it writes, read back.
+
+use kin_cli::{Done, Exit};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The maps of a robot.
+struct Maps {
+    folder: PathBuf,
+    robot: &'static str,
+    /// Points along a side.
+    cells: usize,
+    /// By slice (xz, yz, xy), row from below, and column.
+    share: Vec<f64>,
+    manipulability: Vec<f64>,
+    /// Between points, metres.
+    step: f64,
+}
+
+impl Maps {
+    fn of(robot: &'static str, options: &[&str]) -> Maps {
+        let folder =
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("maps{}", options.concat()));
+        let done = run(robot, &folder, options);
+        assert_eq!(done.exit, Exit::Success, "{}", done.stderr);
+        let file = |name: &str| folder.join(format!("{robot}_{name}"));
+        let (shape, share) = read_npy(&file("reachability.npy"));
+        let (same, manipulability) = read_npy(&file("manipulability.npy"));
+        assert_eq!(shape, same);
+        assert_eq!((shape[0], shape[1]), (3, shape[2]));
+        let text = fs::read_to_string(file("workspace.json")).unwrap();
+        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(json["cells"], shape[1]);
+        Maps {
+            step: json["cell_size"].as_f64().unwrap(),
+            cells: shape[1],
+            folder,
+            robot,
+            share,
+            manipulability,
+        }
+    }
+
+    fn at(&self, values: &[f64], slice: usize, row: usize, column: usize) -> f64 {
+        values[(slice * self.cells + row) * self.cells + column]
+    }
+
+    /// From the middle of a slice, metres.
+    fn place(&self, row: usize, column: usize) -> [f64; 2] {
+        let middle = (self.cells as f64 - 1.0) / 2.0;
+        [column, row].map(|i| (i as f64 - middle) * self.step)
+    }
+
+    fn all(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let cells = self.cells;
+        (0..cells).flat_map(move |row| (0..cells).map(move |column| (row, column)))
+    }
+}
+
+fn run(robot: &str, folder: &Path, options: &[&str]) -> Done {
+    let file = format!("../robots/{robot}.yaml");
+    let out = folder.to_str().unwrap();
+    let command = ["kin", "workspace", &file, "--out", out];
+    kin_cli::run(command.iter().chain(options))
+}
+
+/// As the format's documentation describes it.
+fn read_npy(path: &Path) -> (Vec<usize>, Vec<f64>) {
+    let bytes = fs::read(path).unwrap();
+    assert_eq!(bytes[..8], *b"\x93NUMPY\x01\x00");
+    let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+    let start = 10 + length;
+    assert_eq!(start % 64, 0);
+    let header = std::str::from_utf8(&bytes[10..start]).unwrap();
+    assert!(header.ends_with('\n') && header.contains("'descr': '<f8'"));
+    assert!(header.contains("'fortran_order': False"));
+    let shape = header.split_once("'shape': (").unwrap().1;
+    let shape = shape.split_once(')').unwrap().0;
+    let shape = shape
+        .split(',')
+        .map(str::trim)
+        .filter(|extent| !extent.is_empty());
+    let shape: Vec<usize> = shape.map(|extent| extent.parse().unwrap()).collect();
+    let values: Vec<f64> = (bytes[start..].chunks(8))
+        .map(|chunk| f64::from_le_bytes(chunk.try_into().unwrap()))
+        .collect();
+    assert_eq!(values.len(), shape.iter().product::<usize>());
+    (shape, values)
+}
+
+/// Width, height and palette indices.
+fn read_png(path: &Path) -> (usize, usize, Vec<u8>) {
+    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
+    let mut decoder = png::Decoder::new(file);
+    decoder.set_transformations(png::Transformations::IDENTITY);
+    let mut reader = decoder.read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut pixels).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Indexed);
+    (info.width as usize, info.height as usize, pixels)
+}
+
+/// The annuli of the planar 3R arm: 0.1 m to 0.9 m in reach, 0.3 m to 0.7 m at
+/// every turn.
+#[test]
+fn planar_annuli_are_on_the_map() {
+    let maps = Maps::of("planar_3r", &["--samples", "36", "--cells", "41"]);
+    let (mut dextrous, mut reachable) = (0, 0);
+    for (row, column) in maps.all() {
+        let [x, y] = maps.place(row, column);
+        let radius = x.hypot(y);
+        let share = maps.at(&maps.share, 2, row, column);
+        if [0.1, 0.9].iter().all(|edge| (edge - radius).abs() > 0.005) {
+            assert_eq!(share > 0.0, (0.1..0.9).contains(&radius), "{radius}");
+        }
+        if [0.3, 0.7].iter().all(|edge| (edge - radius).abs() > 0.005) {
+            assert_eq!(share == 1.0, (0.3..0.7).contains(&radius), "{radius}");
+        }
+        reachable += usize::from(share > 0.0);
+        dextrous += usize::from(share == 1.0);
+    }
+    let area = |count: usize| count as f64 * maps.step.powi(2);
+    let expected = |inner: f64, outer: f64| std::f64::consts::PI * (outer.powi(2) - inner.powi(2));
+    assert!((area(reachable) / expected(0.1, 0.9) - 1.0).abs() < 0.05);
+    assert!((area(dextrous) / expected(0.3, 0.7) - 1.0).abs() < 0.05);
+}
+
+/// Arms whose first axis is vertical are alike in all directions.
+#[test]
+fn symmetric_arms_have_symmetric_maps() {
+    let planar = Maps::of("planar_3r", &["--samples", "36", "--cells", "30"]);
+    for (row, column) in planar.all() {
+        let here = planar.at(&planar.share, 2, row, column);
+        let turned = planar.at(&planar.share, 2, column, 29 - row);
+        assert!((here - turned).abs() < 1e-12, "row {row}, column {column}");
+    }
+    // The tip is the wrist's centre, so that the orientation does not matter.
+    let elbow = Maps::of("elbow", &["--samples", "6", "--cells", "30"]);
+    for (row, column) in elbow.all() {
+        let xz = elbow.at(&elbow.share, 0, row, column);
+        assert!(xz == 0.0 || xz == 1.0);
+        assert_eq!(xz, elbow.at(&elbow.share, 1, row, column));
+        assert_eq!(xz, elbow.at(&elbow.share, 0, row, 29 - column));
+    }
+}
+
+/// White where nothing is reached, and the last colour where everything is.
+#[test]
+fn pictures_show_the_numbers() {
+    let maps = Maps::of("planar_3r", &["--samples", "8", "--cells", "21"]);
+    let path = maps.folder.join(format!("{}_xy.png", maps.robot));
+    let (width, height, pixels) = read_png(&path);
+    assert_eq!((width, height), (84, 84));
+    for (row, column) in maps.all() {
+        let pixel = pixels[(4 * (20 - row) + 2) * width + 4 * column + 1];
+        let share = maps.at(&maps.share, 2, row, column);
+        let expected = if share == 0.0 {
+            0.0
+        } else {
+            1.0 + (share * 254.0).round()
+        };
+        assert_eq!(f64::from(pixel), expected);
+    }
+    let (width, height, _) = read_png(&maps.folder.join("planar_3r_workspace.png"));
+    assert_eq!((width, height), (3 * 84 + 24, 2 * 84 + 12));
+}
+
+/// |det J| of a SCARA is l1 l2 |s2|, and s2 follows from the distance.
+#[test]
+fn manipulability_is_that_of_the_posture() {
+    let maps = Maps::of("scara", &["--samples", "4", "--cells", "31"]);
+    let mut seen = 0;
+    for (row, column) in maps.all() {
+        let [x, y] = maps.place(row, column);
+        if maps.at(&maps.share, 2, row, column) > 0.0 {
+            let cosine = (x * x + y * y - 0.16 - 0.09) / 0.24;
+            let expected = 0.12 * (1.0 - cosine * cosine).max(0.0).sqrt();
+            let found = maps.at(&maps.manipulability, 2, row, column);
+            assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 200);
+}
+
+/// The first joint of a KR 6 turns by ±170°: some of what is behind it is out.
+#[test]
+fn limits_take_away() {
+    let options = ["--samples", "6", "--cells", "15"];
+    let free = Maps::of("kr6_r900", &options);
+    let limited = Maps::of("kr6_r900", &[&options[..], &["--limits"]].concat());
+    let pairs = || free.share.iter().zip(&limited.share);
+    assert!(pairs().all(|(free, limited)| limited <= free));
+    assert!(pairs().any(|(free, limited)| limited < free));
+}
+
+#[test]
+fn arms_without_closed_form_are_refused() {
+    let general = ["kin", "workspace", "../tests/ui/robots/general.yaml"];
+    assert_eq!(kin_cli::run(general).exit, Exit::Refused);
+    let broken = ["kin", "workspace", "../tests/ui/robots/broken.urdf"];
+    assert_eq!(kin_cli::run(broken).exit, Exit::Broken);
+    let none = run("scara", Path::new("nowhere"), &["--cells", "0"]);
+    assert_eq!(none.exit, Exit::Usage);
+    let turned = run("elbow", Path::new("nowhere"), &["--target", "orientation"]);
+    assert_ne!(turned.exit, Exit::Success);
+}
