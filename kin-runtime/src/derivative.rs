@@ -7,6 +7,7 @@
 //! spatial one seen from a frame that moves, and their derivatives follow from
 //! its derivative by the product rule.
 
+use crate::vector::{self, add};
 use crate::{Jacobian, Pose, Twist};
 
 /// The second derivatives of forward kinematics: how a Jacobian changes with
@@ -154,19 +155,6 @@ fn sum<const N: usize>(mut a: [[f64; N]; 3], b: [[f64; N]; 3]) -> [[f64; N]; 3] 
     a
 }
 
-/// Rᵀ of N vectors.
-#[inline(always)]
-fn rotate_back<const N: usize>(pose: &Pose, a: [[f64; N]; 3]) -> [[f64; N]; 3] {
-    let r = &pose.rotation;
-    let mut turned = [[0.0; N]; 3];
-    for (i, row) in turned.iter_mut().enumerate() {
-        for j in 0..N {
-            row[j] = r[0][i] * a[0][j] + r[1][i] * a[1][j] + r[2][i] * a[2][j];
-        }
-    }
-    turned
-}
-
 /// The same vector N times.
 #[inline(always)]
 fn splat<const N: usize>(a: [f64; 3]) -> [[f64; N]; 3] {
@@ -196,14 +184,30 @@ impl<const N: usize> Change<'_, N> {
         Jacobian::from_halves([sum(sum(v, carried), moved), w])
     }
 
-    /// The derivative of Rᵀ of the geometric Jacobian: Rᵀ (J̇ − ω × J).
+    /// The derivative of J_b, which is Rᵀ of the geometric Jacobian J:
+    /// Rᵀ (J̇ − ω × J).
     #[inline]
     pub fn of_body(&self) -> Jacobian<N> {
-        let [v, w] = self.spatial.halves();
-        let v = sum(v, cross(w, splat(self.pose.translation)));
-        let turned = [v, w].map(|half| cross(half, splat(self.velocity.angular)));
-        let change = self.of_geometric().halves();
-        let [v, w] = [0, 1].map(|i| rotate_back(self.pose, sum(change[i], turned[i])));
-        Jacobian::from_halves([v, w])
+        let (now, change) = (self.spatial.halves(), self.derivative.halves());
+        let (origin, turning) = (self.pose.translation, self.velocity.angular);
+        let origin_moves = self.velocity.spatial_to_geometric(self.pose).linear;
+        let mut derivative = Jacobian::default();
+        for j in 0..N {
+            let at = |half: &[[f64; N]; 3]| [half[0][j], half[1][j], half[2][j]];
+            let (w, dw) = (at(&now[1]), at(&change[1]));
+            let v = add(at(&now[0]), vector::cross(w, origin));
+            let dv = add(at(&change[0]), vector::cross(dw, origin));
+            let dv = add(dv, vector::cross(w, origin_moves));
+            let relative = |change, now| {
+                let carried = vector::cross(turning, now);
+                self.pose.rotate_back(vector::sub(change, carried))
+            };
+            let (dv, dw) = (relative(dv, v), relative(dw, w));
+            for i in 0..3 {
+                derivative.rows[i][j] = dv[i];
+                derivative.rows[i + 3][j] = dw[i];
+            }
+        }
+        derivative
     }
 }
