@@ -8,6 +8,8 @@ use std::hint::black_box;
 kinematics::kinematics!("robots/ur5e.urdf");
 kinematics::kinematics!("robots/puma560.yaml");
 kinematics::kinematics!("robots/scara.yaml");
+kinematics::kinematics!("robots/delta.yaml");
+kinematics::kinematics!("robots/stewart.yaml");
 kinematics::kinematics!("tests/robots/noisy/calibrated.yaml");
 
 /// The system's allocator, counting what the current thread asks for.
@@ -52,6 +54,29 @@ fn robots_do_not_allocate() {
     assert_eq!(allocations(|| use_everything(&Scara)), 0);
     // Its branches are polished.
     assert_eq!(allocations(|| use_everything(&Calibrated)), 0);
+}
+
+#[test]
+fn mechanisms_do_not_allocate() {
+    let target = Pose::from_translation([0.03, -0.02, -0.17]);
+    let delta = || {
+        let q = Delta.ik(&target).nearest(&[0.0; 15], &Delta::LIMITS);
+        let q = q.expect("in reach");
+        black_box(Delta.fk(&Delta.actuated(&q)));
+        black_box(Delta.fk_near(&Delta.actuated(&q), &q));
+        black_box(Delta.joint_rates(&q, &[1.0; 3]));
+    };
+    assert_eq!(allocations(delta), 0);
+    let stewart = || {
+        let q = Stewart.fk_near(&black_box([0.01; 6]), &[0.0; 36]);
+        let q = q.expect("in reach").q;
+        black_box(Stewart.ik(&Stewart.platform(&q)));
+        black_box(Stewart.inverse_jacobian(&q));
+        black_box(Stewart.forward_jacobian(&q));
+        black_box(Stewart.kinematic_singularity(&q));
+        black_box(Stewart.actuator_singularity(&q));
+    };
+    assert_eq!(allocations(stewart), 0);
 }
 
 fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {

@@ -8,6 +8,7 @@ mod chapter3 {
 
     mod any_joints;
     mod manipulability;
+    mod parallel;
     mod redundancy;
     mod self_motion;
     mod singularities;

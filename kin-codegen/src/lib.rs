@@ -36,7 +36,7 @@ pub mod sweep;
 pub mod verify;
 
 pub use compiler::{Compiled, compile};
-pub use generate::{Generated, generate};
+pub use generate::{Generated, Robot, generate};
 pub use options::{Ik, Options, Unknown};
 pub use plan::Target;
 pub use spec::{Diagnostics, Source};

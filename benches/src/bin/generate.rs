@@ -1,7 +1,7 @@
 //! What it costs to compile a robot: time, size of the code, operations, and
 //! the build of a crate with one arm.
 
-use kin_codegen::{Options, Source, generate};
+use kin_codegen::{Options, Robot, Source, generate};
 use kinematics_benches::contest::median;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -55,7 +55,10 @@ fn report(robot: &Path) {
         );
     }
     let generated = generate(&source, &Options::default()).expect("just done");
-    let forward = &generated.compiled.forward;
+    let Robot::Arm(compiled) = &generated.robot else {
+        return;
+    };
+    let forward = &compiled.forward;
     let (fk, both) = (forward.tip_cost(), forward.tip_and_jacobian_cost());
     println!(
         "{name:16} {:7.1} ms {:7.1} kB  {:4}/{:4}  {:4}/{:4}",

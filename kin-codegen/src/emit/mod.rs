@@ -3,10 +3,12 @@
 mod forward;
 mod inverse;
 mod lanes;
+mod mechanism;
 mod robot;
 mod singular;
 mod straight;
 
+pub use mechanism::mechanism;
 pub use robot::{TAKEN, robot};
 
 use proc_macro2::TokenStream;

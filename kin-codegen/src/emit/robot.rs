@@ -53,7 +53,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
 }
 
 /// Names that the generated items use and that a robot cannot have.
-pub const TAKEN: [&str; 13] = [
+pub const TAKEN: [&str; 16] = [
     "Acceptance",
     "Aim",
     "Branches",
@@ -62,11 +62,14 @@ pub const TAKEN: [&str; 13] = [
     "Jacobian",
     "JointLimit",
     "Kinematics",
+    "ParallelKinematics",
     "Pose",
+    "Postures",
     "Self",
     "Singularity",
     "Solution",
     "Solutions",
+    "Twist",
 ];
 
 fn documentation(compiled: &Compiled) -> Vec<String> {
@@ -104,7 +107,7 @@ fn constants(compiled: &Compiled, n: &Literal) -> TokenStream {
     }
 }
 
-fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {
+pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {
     let prismatic = model
         .joints
         .iter()

@@ -38,6 +38,7 @@ mod forward;
 mod freedom;
 mod inverse;
 mod model;
+mod summary;
 
 pub use compiled::{CompiledMechanism, compile};
 pub use explain::{

@@ -36,6 +36,7 @@
 mod assemblies;
 #[cfg(feature = "alloc")]
 mod generic;
+mod inherent;
 mod newton;
 mod parallel;
 mod posture;

@@ -89,17 +89,23 @@ pub trait ParallelKinematics<const N: usize, const M: usize, const K: usize> {
     /// the chains cannot reach it. Limits are not applied, see
     /// [`Postures::nearest`].
     fn ik(&self, target: &Pose) -> Postures<N, K> {
+        self.ik_near(target, &[0.0; N])
+    }
+
+    /// As [`ParallelKinematics::ik`]; an angle that a singular target leaves
+    /// free keeps its value in `seed`.
+    fn ik_near(&self, target: &Pose, seed: &[f64; N]) -> Postures<N, K> {
         const {
             assert!(
                 K == 0 || Self::BRANCHES[0] == 0,
-                "a mechanism with branches has to implement `ik`"
+                "a mechanism with branches has to implement `ik_near`"
             );
             assert!(
                 K > 0 && Self::BRANCHES[0] > 0,
                 "this mechanism was generated without inverse kinematics (`ik = none`)"
             );
         }
-        let _ = target;
+        let _ = (target, seed);
         Postures::new(Self::CHAINS)
     }
 

@@ -1,6 +1,6 @@
 //! The answer of a mechanism's inverse kinematics, chain by chain.
 
-use crate::{JointLimit, Solutions};
+use crate::{JointLimit, Solutions, math};
 
 /// No chain with a closed form has more solutions.
 const CAPACITY: usize = Solutions::<1>::CAPACITY;
@@ -113,6 +113,20 @@ impl<const N: usize, const K: usize> Postures<N, K> {
             }
             self.counts[k] = kept;
         }
+    }
+
+    /// Keeps the solutions in which a joint has some value, to within 1e-6; `turns`
+    /// where that is an angle.
+    pub fn keep(&mut self, joint: usize, value: f64, turns: bool) {
+        let chains = self.chains;
+        self.retain(|k, values| {
+            let [first, end] = chains[k];
+            if !(first..end).contains(&joint) {
+                return true;
+            }
+            let apart = values[joint - first] - value;
+            math::select(turns, math::wrap(apart), apart).abs() < 1e-6
+        });
     }
 
     /// The configuration that is nearest to `seed` inside the limits, each

@@ -1,0 +1,424 @@
+//! The type of a mechanism. Its chains, and the chains that its forward
+//! kinematics cuts out of a loop, are written as the arms that they are, out of
+//! sight of the user.
+
+use super::robot::limit;
+use super::straight::signed;
+use super::{forward, inverse, matrix};
+use crate::compiler::Compiled;
+use crate::expr::forward::Outputs;
+use crate::mechanism::{Aim, CompiledMechanism, Forward, LegForm, Loop, Rod};
+use crate::model::JointKind;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The items that a mechanism becomes.
+pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
+    let sizes = Sizes::of(compiled);
+    let Sizes { n, m, k } = &sizes;
+    let doc = compiled.documentation();
+    let arms = arms(compiled);
+    let constants = constants(compiled, &sizes);
+    let chains = chains(compiled, &sizes);
+    let ik = ik(compiled, &sizes);
+    let fk = fk(compiled, &sizes);
+    let ik_inherent = ik
+        .is_some()
+        .then(|| quote!(::kinematics::inherent_parallel_methods!(ik: #name, #n, #m, #k);));
+    let fk_inherent = fk
+        .is_some()
+        .then(|| quote!(::kinematics::inherent_parallel_methods!(fk: #name, #n, #m, #k);));
+    quote! {
+        #(#[doc = #doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct #name;
+
+        const _: () = {
+            #[allow(unused_imports)]
+            use ::kinematics::{
+                three_spheres, Jacobian, JointLimit, ParallelKinematics, Pose, Postures, Solution,
+                Solutions, Twist,
+            };
+
+            /// The chains that the mechanism is made of.
+            mod arms {
+                #[allow(unused_imports)]
+                use ::kinematics::{
+                    branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
+                    quartic::trig_roots, Jacobian, Pose, Solution, Solutions,
+                };
+                #arms
+            }
+
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            impl ParallelKinematics<#n, #m, #k> for #name {
+                #constants
+                #chains
+                #ik
+                #fk
+            }
+
+            ::kinematics::inherent_parallel_methods!(#name, #n, #m, #k);
+            #ik_inherent
+            #fk_inherent
+        };
+    }
+}
+
+/// The numbers of joints, actuated joints and chains.
+struct Sizes {
+    n: Literal,
+    m: Literal,
+    k: Literal,
+}
+
+impl Sizes {
+    fn of(compiled: &CompiledMechanism) -> Self {
+        let mechanism = &compiled.mechanism;
+        let [n, m, k] = [
+            mechanism.joints(),
+            mechanism.actuated().len(),
+            mechanism.legs.len(),
+        ]
+        .map(Literal::usize_unsuffixed);
+        Sizes { n, m, k }
+    }
+}
+
+fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenStream {
+    let mechanism = &compiled.mechanism;
+    let legs = &mechanism.legs;
+    let names = legs.iter().flat_map(|leg| &leg.model.variables);
+    let names = names.map(|variable| &variable.name);
+    let limits = legs.iter().flat_map(|leg| {
+        let variables = leg.model.variables.iter().enumerate();
+        variables.map(|(i, variable)| limit(&leg.model, i, variable))
+    });
+    let ranges = mechanism.ranges().into_iter().map(|[first, end]| {
+        let [first, end] = [first, end].map(Literal::usize_unsuffixed);
+        quote!([#first, #end])
+    });
+    let actuated = mechanism
+        .actuated()
+        .into_iter()
+        .map(Literal::usize_unsuffixed);
+    let (base, platform) = (&mechanism.base, &mechanism.platform);
+    let length = signed(mechanism.generic().length());
+    let mobility = Literal::usize_unsuffixed(compiled.freedom.mobility);
+    let branches = (0..legs.len()).map(|leg| {
+        let inverse = compiled.inverse.as_ref();
+        Literal::usize_unsuffixed(inverse.map_or(0, |inverse| inverse.legs[leg].branches()))
+    });
+    let assemblies = Literal::usize_unsuffixed(compiled.forward.assemblies());
+    quote! {
+        const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
+        const LIMITS: [JointLimit; #n] = [#(#limits),*];
+        const CHAINS: [[usize; 2]; #k] = [#(#ranges),*];
+        const ACTUATED: [usize; #m] = [#(#actuated),*];
+        const BASE: &'static str = #base;
+        const PLATFORM: &'static str = #platform;
+        const LENGTH: f64 = #length;
+        const MOBILITY: usize = #mobility;
+        const BRANCHES: [usize; #k] = [#(#branches),*];
+        const ASSEMBLIES: usize = #assemblies;
+    }
+}
+
+/// What the chain of a number is called, and its parts.
+fn leg_name(leg: usize) -> Ident {
+    format_ident!("Leg{}", leg + 1)
+}
+
+fn head_name(leg: usize) -> Ident {
+    format_ident!("Head{}", leg + 1)
+}
+
+fn tail_name(leg: usize) -> Ident {
+    format_ident!("Tail{}", leg + 1)
+}
+
+fn rod_name(rod: usize) -> Ident {
+    format_ident!("Rod{}", rod + 1)
+}
+
+/// All serial chains that the functions below call.
+fn arms(compiled: &CompiledMechanism) -> TokenStream {
+    let mut all = TokenStream::new();
+    for (i, leg) in compiled.legs.iter().enumerate() {
+        all.extend(arm(&leg_name(i), leg));
+        let form = compiled.inverse.as_ref().map(|inverse| &inverse.legs[i]);
+        if let Some(LegForm::Split(split)) = form {
+            all.extend(arm(&head_name(i), &split.head));
+            all.extend(arm(&tail_name(i), &split.tail));
+        }
+    }
+    match &compiled.forward {
+        Forward::Loop(found) => {
+            all.extend(arm(&format_ident!("Drive"), &found.drive));
+            all.extend(arm(&format_ident!("Passive"), &found.passive));
+        }
+        Forward::Spheres(rods) => {
+            for (i, rod) in rods.iter().enumerate() {
+                all.extend(arm(&rod_name(i), &rod.drive));
+            }
+        }
+        Forward::Newton => {}
+    }
+    all
+}
+
+/// A serial chain with as much of its kinematics as a mechanism may call.
+fn arm(name: &Ident, compiled: &Compiled) -> TokenStream {
+    let count = compiled.model.variables.len();
+    let n = Literal::usize_unsuffixed(count);
+    let f = &compiled.forward;
+    let (g, tip, both) = (&f.graph, &f.tip, &f.both);
+    let fk = forward::block(g, &tip.expressions(), count, |w| forward::pose(w, tip));
+    let fk_jacobian = forward::block(g, &both.expressions(), count, |w| {
+        let pose = forward::pose(w, &both.tip);
+        let jacobian = forward::jacobian(w, &both.columns);
+        quote!((#pose, #jacobian))
+    });
+    let inverse = compiled
+        .inverse
+        .as_ref()
+        .map(|solver| inverse::methods(&compiled.model, solver));
+    quote! {
+        pub struct #name;
+
+        // Constants are written with the digits that they have.
+        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        impl #name {
+            #[inline]
+            pub fn fk(&self, q: &[f64; #n]) -> Pose { #fk }
+
+            #[inline]
+            pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { #fk_jacobian }
+
+            #inverse
+        }
+    }
+}
+
+/// `array[0], array[1], ..` for some places.
+fn entries(array: &str, places: impl IntoIterator<Item = usize>) -> TokenStream {
+    let array = format_ident!("{array}");
+    let places = places.into_iter().map(Literal::usize_unsuffixed);
+    quote!([#(#array[#places]),*])
+}
+
+fn chains(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> TokenStream {
+    let ranges = compiled.mechanism.ranges();
+    let mut statements = TokenStream::new();
+    let (mut poses, mut twists) = (Vec::new(), Vec::new());
+    for (i, [first, end]) in ranges.into_iter().enumerate() {
+        let (leg, pose, jacobian) = (
+            leg_name(i),
+            format_ident!("pose{}", i + 1),
+            format_ident!("jacobian{}", i + 1),
+        );
+        let q = entries("q", first..end);
+        statements.extend(quote!(let (#pose, #jacobian) = arms::#leg.fk_jacobian(&#q);));
+        poses.push(pose);
+        twists.extend((0..end - first).map(|j| {
+            let j = Literal::usize_unsuffixed(j);
+            quote!(#jacobian.column(#j))
+        }));
+    }
+    quote! {
+        #[inline]
+        fn chains(&self, q: &[f64; #n]) -> ([Pose; #k], [Twist; #n]) {
+            #statements
+            ([#(#poses),*], [#(#twists),*])
+        }
+    }
+}
+
+/// The rotation of a pose.
+fn rotation(pose: &kin_runtime::Pose) -> TokenStream {
+    matrix(pose.rotation.map(|row| row.map(signed)))
+}
+
+fn ik(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> Option<TokenStream> {
+    let inverse = compiled.inverse.as_ref()?;
+    let legs = 0..inverse.legs.len();
+    let body = match inverse.aim {
+        Aim::Pose | Aim::Translation => {
+            let place = quote!(0);
+            let all: TokenStream = legs.map(|leg| pushes(compiled, leg, &place)).collect();
+            let upright = (inverse.aim == Aim::Translation).then(|| {
+                let rotation = rotation(&compiled.mechanism.home());
+                quote!(let target = &Pose { rotation: #rotation, ..*target };)
+            });
+            quote!(#upright #all)
+        }
+        Aim::Lead(lead) => {
+            let place = quote!(place as u8);
+            let others: TokenStream = legs
+                .filter(|leg| *leg != lead)
+                .map(|leg| pushes(compiled, leg, &place))
+                .collect();
+            let [first, end] = compiled.mechanism.ranges()[lead];
+            let (name, seed) = (leg_name(lead), entries("seed", first..end));
+            let lead = Literal::usize_unsuffixed(lead);
+            quote! {
+                for (place, lead) in arms::#name.ik_near(target, &#seed).iter().enumerate() {
+                    postures.push(#lead, #place, &lead.q);
+                    let target = &arms::#name.fk(&lead.q);
+                    #others
+                }
+            }
+        }
+    };
+    Some(quote! {
+        fn ik_near(&self, target: &Pose, seed: &[f64; #n]) -> Postures<#n, #k> {
+            let mut postures = Postures::new(Self::CHAINS);
+            #body
+            postures
+        }
+    })
+}
+
+/// Adds the solutions of one chain.
+fn pushes(compiled: &CompiledMechanism, leg: usize, place: &TokenStream) -> TokenStream {
+    let Some(inverse) = &compiled.inverse else {
+        return TokenStream::new();
+    };
+    let [first, end] = compiled.mechanism.ranges()[leg];
+    let number = Literal::usize_unsuffixed(leg);
+    match &inverse.legs[leg] {
+        LegForm::Whole(_) => {
+            let (name, seed) = (leg_name(leg), entries("seed", first..end));
+            quote! {
+                for found in &arms::#name.ik_near(target, &#seed) {
+                    postures.push(#number, #place, &found.q);
+                }
+            }
+        }
+        LegForm::Split(split) => {
+            let (head, tail) = (head_name(leg), tail_name(leg));
+            let point = split.point.map(signed);
+            let at = first + split.head.model.joints.len();
+            let (seed_head, seed_tail) = (entries("seed", first..at), entries("seed", at..end));
+            let places = |count: usize| (0..count).map(Literal::usize_unsuffixed);
+            let (of_head, of_tail) = (places(at - first), places(end - at));
+            quote! {
+                let point = Pose::from_translation(target.transform_point([#(#point),*]));
+                for head in &arms::#head.ik_near(&point, &#seed_head) {
+                    let rest = arms::#head.fk(&head.q).inverse() * *target;
+                    for tail in &arms::#tail.ik_near(&rest, &#seed_tail) {
+                        let q = [#(head.q[#of_head],)* #(tail.q[#of_tail]),*];
+                        postures.push(#number, #place, &q);
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn fk(compiled: &CompiledMechanism, Sizes { n, m, .. }: &Sizes) -> Option<TokenStream> {
+    let body = match &compiled.forward {
+        Forward::Loop(found) => around(compiled, found, n),
+        Forward::Spheres(rods) => spheres(compiled, rods, n),
+        Forward::Newton => return None,
+    };
+    Some(quote! {
+        fn fk(&self, actuated: &[f64; #m]) -> Solutions<#n> {
+            #body
+        }
+    })
+}
+
+/// Bit i is set where joint i is prismatic.
+fn prismatic(compiled: &CompiledMechanism) -> Literal {
+    let joints = compiled
+        .mechanism
+        .legs
+        .iter()
+        .flat_map(|leg| &leg.model.joints);
+    let slides = |(i, joint): (usize, &crate::model::Joint)| {
+        (joint.kind == JointKind::Prismatic && i < 32).then_some(1_u32 << (i % 32))
+    };
+    Literal::u32_unsuffixed(joints.enumerate().filter_map(slides).sum())
+}
+
+fn around(compiled: &CompiledMechanism, found: &Loop, n: &Literal) -> TokenStream {
+    let driven = entries("actuated", found.driven.iter().copied());
+    let actuated = compiled.mechanism.actuated();
+    let driving = actuated.iter().enumerate().map(|(a, joint)| {
+        let [a, joint] = [a, *joint].map(Literal::usize_unsuffixed);
+        quote!(q[#joint] = actuated[#a];)
+    });
+    let passive = found.joints.iter().enumerate().map(|(i, joint)| {
+        let [i, joint] = [i, *joint].map(Literal::usize_unsuffixed);
+        quote!(q[#joint] = found.q[#i];)
+    });
+    let mask = prismatic(compiled);
+    quote! {
+        let placed = arms::Drive.fk(&#driven);
+        Solutions::build_with_prismatic(#mask, |solutions| {
+            for found in &arms::Passive.ik(&placed) {
+                let mut q = [0.0; #n];
+                #(#driving)*
+                #(#passive)*
+                let residual = ParallelKinematics::gap(self, &q);
+                let (branch, singular) = (found.branch, found.singular);
+                solutions.push(Solution { q, residual, branch, singular });
+            }
+        })
+    }
+}
+
+fn spheres(compiled: &CompiledMechanism, rods: &[Rod], n: &Literal) -> TokenStream {
+    let mechanism = &compiled.mechanism;
+    let centres = rods.iter().enumerate().map(|(i, rod)| {
+        let (name, driven) = (rod_name(i), entries("actuated", rod.driven.iter().copied()));
+        let [x, y, z] = rod.end.map(signed);
+        quote!({
+            let from = arms::#name.fk(&#driven).translation;
+            [from[0] - (#x), from[1] - (#y), from[2] - (#z)]
+        })
+    });
+    let lengths = rods.iter().map(|rod| signed(rod.length));
+    let rotation = rotation(&mechanism.home());
+    let joints: Vec<_> = mechanism
+        .legs
+        .iter()
+        .flat_map(|leg| &leg.model.joints)
+        .collect();
+    let slides = |joint: usize| joints[joint].kind == JointKind::Prismatic;
+    let kept = mechanism
+        .actuated()
+        .into_iter()
+        .enumerate()
+        .map(|(a, joint)| {
+            let turns = !slides(joint);
+            let [a, joint] = [a, joint].map(Literal::usize_unsuffixed);
+            quote!(postures.keep(#joint, actuated[#a], #turns);)
+        });
+    let free = (0..joints.len()).map(|joint| match slides(joint) {
+        true => quote!(JointLimit::Prismatic {
+            lower: f64::NEG_INFINITY,
+            upper: f64::INFINITY
+        }),
+        false => quote!(JointLimit::Continuous),
+    });
+    let mask = prismatic(compiled);
+    quote! {
+        const FREE: [JointLimit; #n] = [#(#free),*];
+        let points = three_spheres([#(#centres),*], [#(#lengths),*]);
+        let singular = points.exact().len() == 1;
+        Solutions::build_with_prismatic(#mask, |solutions| {
+            for (branch, point) in points.exact().iter().enumerate() {
+                let branch = branch as u32;
+                let platform = Pose { rotation: #rotation, translation: *point };
+                let mut postures = ParallelKinematics::ik(self, &platform);
+                #(#kept)*
+                if let Some(q) = postures.nearest(&[0.0; #n], &FREE) {
+                    let residual = ParallelKinematics::gap(self, &q);
+                    solutions.push(Solution { q, residual, branch, singular });
+                }
+            }
+        })
+    }
+}
