@@ -72,6 +72,9 @@ pub const TAKEN: [&str; 16] = [
     "Twist",
 ];
 
+/// A spatial Jacobian of more multiplications is left to `fk_jacobian`.
+const LONGEST: usize = 80;
+
 fn documentation(compiled: &Compiled) -> Vec<String> {
     let model = &compiled.model;
     let mut lines = vec![format!(
@@ -150,7 +153,11 @@ fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
             forward::jacobian(w, columns)
         })
     };
-    let spatial = jacobian(&f.spatial);
+    // Of a noisy arm it is long, and inlined, the pose costs nothing.
+    let spatial = match f.cost(&f.spatial.expressions()).multiplications {
+        ..=LONGEST => jacobian(&f.spatial),
+        _ => quote!(self.fk_jacobian(q).1),
+    };
     let body = jacobian(&f.body);
     let geometric = jacobian(&f.geometric);
     let both = f.both.expressions();
