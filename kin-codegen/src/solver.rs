@@ -6,8 +6,9 @@ use crate::geometry::{Linkage, Snap, size, snap};
 use crate::model::{JointKind, Model};
 use crate::plan::{Plan, Target, search};
 use crate::verify::{self, Certificate, Failure, SOUND, Trials, certify, chain};
-use kin_runtime::Pose;
-use kin_runtime::polish::{Aim, polish};
+use kin_runtime::branches::Acceptance;
+use kin_runtime::polish::{Aim, Problem, land};
+use kin_runtime::{Pose, Solution};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
@@ -21,6 +22,9 @@ const UNMOVED: f64 = 1e-13;
 /// Newton doubles the digits: two or three steps do at a regular
 /// configuration. Near a singular one the first steps have to find the way.
 const POLISH: usize = 24;
+/// In square roots of the tip's shift, how near to a singular configuration the
+/// branches of the snapped arm do not tell those of the literal one.
+const BLUR: f64 = 1.0;
 
 /// A root may be out of domain by this many times the shift of the tip and
 /// still have a solution on the literal arm.
@@ -206,75 +210,83 @@ impl ClosedForm {
 
     /// What the generated function will answer, computed by the interpreter.
     pub fn answers(&self, target: &Pose) -> Vec<Answer> {
+        let branches = self.branches(target);
+        if self.polish == 0 {
+            let reaches = |answer: &Answer| answer.residual <= self.acceptance().tolerance;
+            return branches.into_iter().filter(reaches).collect();
+        }
+        match self.literal.variables() {
+            1 => self.landed::<1>(target, &branches),
+            2 => self.landed::<2>(target, &branches),
+            3 => self.landed::<3>(target, &branches),
+            4 => self.landed::<4>(target, &branches),
+            5 => self.landed::<5>(target, &branches),
+            _ => self.landed::<6>(target, &branches),
+        }
+    }
+
+    /// The branches of the plan that exist.
+    fn branches(&self, target: &Pose) -> Vec<Answer> {
+        let inverse = &self.inverse;
         let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
         inputs.extend(target.translation);
         // The seed.
-        inputs.resize(usize::from(self.inverse.graph.inputs()), 0.0);
+        inputs.resize(usize::from(inverse.graph.inputs()), 0.0);
         let mut values = Vec::new();
-        let mut answers: Vec<Answer> = Vec::new();
+        let mut branches = Vec::new();
         for branch in 0..self.plan.branches() as u32 {
-            let inverse = &self.inverse;
             inverse.graph.evaluate(&inputs, branch, &mut values);
             let of = |e: crate::expr::Expr| values[e.index()];
-            if of(inverse.invalid) > 0.0 {
-                continue;
-            }
-            let q: Vec<f64> = inverse.q.iter().map(|&e| of(e)).collect();
-            let (residual, singular) = (of(inverse.residual), of(inverse.singular) > 0.0);
-            let found = Answer {
-                q,
-                residual,
-                branch,
-                singular,
-            };
-            let answer = if self.polish > 0 {
-                self.polished(target, found)
-            } else {
-                found
-            };
-            let repeated = self.polish > 0 && answers.iter().any(|other| near(&other.q, &answer.q));
-            if answer.residual <= SOUND * self.linkage.size && !repeated {
-                answers.push(answer);
+            if of(inverse.invalid) <= 0.0 {
+                branches.push(Answer {
+                    q: inverse.q.iter().map(|&e| of(e)).collect(),
+                    residual: of(inverse.residual),
+                    singular: of(inverse.singular) > 0.0,
+                    branch,
+                });
             }
         }
-        answers
+        branches
     }
 
-    fn polished(&self, target: &Pose, answer: Answer) -> Answer {
-        let mut landed = match answer.q.len() {
-            1 => self.polished_to::<1>(target, answer),
-            2 => self.polished_to::<2>(target, answer),
-            3 => self.polished_to::<3>(target, answer),
-            4 => self.polished_to::<4>(target, answer),
-            5 => self.polished_to::<5>(target, answer),
-            _ => self.polished_to::<6>(target, answer),
+    /// The branches on the literal arm.
+    fn landed<const N: usize>(&self, target: &Pose, branches: &[Answer]) -> Vec<Answer> {
+        let problem = Problem {
+            fk_jacobian: |q: &[f64; N]| self.literal.fk_jacobian(q),
+            target,
+            size: self.linkage.size,
+            aim: self.plan.target.aim().unwrap_or(Aim::Pose),
         };
-        for (x, joint) in landed.q.iter_mut().zip(&self.snap.model.joints) {
-            if joint.kind == JointKind::Revolute {
-                *x = kin_runtime::math::wrap(*x);
-            }
-        }
-        landed
+        let start = |answer: &Answer| Solution {
+            q: std::array::from_fn(|i| answer.q[i]),
+            residual: answer.residual,
+            branch: answer.branch,
+            singular: answer.singular,
+        };
+        let starts = branches.iter().map(start);
+        land(&problem, starts, &self.acceptance(), self.polish)
+            .iter()
+            .map(|found| Answer {
+                q: found.q.to_vec(),
+                residual: found.residual,
+                branch: found.branch,
+                singular: found.singular,
+            })
+            .collect()
     }
 
-    fn polished_to<const N: usize>(&self, target: &Pose, answer: Answer) -> Answer {
-        let start: [f64; N] = std::array::from_fn(|i| answer.q[i]);
-        let fk_jacobian = |q: &[f64; N]| self.literal.fk_jacobian(q);
+    /// What makes a branch an answer.
+    pub fn acceptance(&self) -> Acceptance {
+        let slides = |variable: &usize| {
+            let mut joints = self.snap.model.joints.iter();
+            joints.any(|joint| joint.variable == *variable && joint.kind == JointKind::Prismatic)
+        };
         let size = self.linkage.size;
-        let aim = self.plan.target.aim().unwrap_or(Aim::Pose);
-        let landed = polish(fk_jacobian, target, start, size, aim, self.polish);
-        Answer {
-            q: landed.q.to_vec(),
-            residual: landed.residual,
-            singular: landed.singular,
-            ..answer
+        Acceptance {
+            size,
+            tolerance: SOUND * size,
+            blur: if self.polish == 0 { 0.0 } else { BLUR * (self.tip_shift / size).sqrt() },
+            prismatic: (0..self.literal.variables()).filter(slides).map(|i| 1 << i).sum(),
         }
     }
-}
-
-/// Two polished branches that landed on one configuration.
-fn near(a: &[f64], b: &[f64]) -> bool {
-    a.iter()
-        .zip(b)
-        .all(|(x, y)| kin_runtime::math::wrap(x - y).abs() < 1e-6)
 }

@@ -1,7 +1,7 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
-use crate::polish::{Aim, polish};
-use crate::{Jacobian, Pose, Solution, Solutions, math};
+use crate::polish::{Aim, Problem, land};
+use crate::{Jacobian, Pose, Solution, Solutions};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
 /// choice is + where bit i of k is clear.
@@ -25,6 +25,10 @@ pub struct Acceptance {
     pub size: f64,
     /// Answers may miss the target by this, metres.
     pub tolerance: f64,
+    /// Nearer to singular than this, the Jacobian's least pivot by its largest,
+    /// a snapped arm does not tell the literal arm's branches; 0 if the arm is
+    /// exact.
+    pub blur: f64,
     /// Bit i is set where joint i is prismatic.
     pub prismatic: u32,
 }
@@ -67,7 +71,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     }
 
     /// The branches of a snapped arm, landed on the literal one, which is given
-    /// by its pose and spatial Jacobian; see [`polish`].
+    /// by its pose and spatial Jacobian; see [`land`].
     #[inline]
     pub fn polished(
         &self,
@@ -77,25 +81,13 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         steps: usize,
         accept: &Acceptance,
     ) -> Solutions<N> {
-        Solutions::build_with_prismatic(accept.prismatic, |solutions| {
-            for k in 0..L {
-                if self.invalid[k] > 0.0 {
-                    continue;
-                }
-                let start = self.lane(k);
-                let landed = polish(&fk_jacobian, target, start.q, accept.size, aim, steps);
-                let q = core::array::from_fn(|i| {
-                    let slides = accept.prismatic >> i & 1 == 1;
-                    math::select(slides, landed.q[i], math::wrap(landed.q[i]))
-                });
-                let solution = Solution {
-                    q,
-                    residual: landed.residual,
-                    singular: landed.singular,
-                    ..start
-                };
-                solutions.push_distinct_if(landed.residual <= accept.tolerance, solution);
-            }
-        })
+        let problem = Problem {
+            fk_jacobian,
+            target,
+            size: accept.size,
+            aim,
+        };
+        let starts = (0..L).filter(|&k| self.invalid[k] <= 0.0);
+        land(&problem, starts.map(|k| self.lane(k)), accept, steps)
     }
 }

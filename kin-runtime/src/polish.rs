@@ -1,6 +1,14 @@
-//! Landing a nearly right configuration on the literal arm.
+//! Landing nearly right configurations on the literal arm.
+
+mod curve;
+mod landing;
+mod place;
+
+pub use landing::land;
+pub use place::{Aim, Problem};
 
 use crate::{Jacobian, Pose, math};
+use place::Place;
 
 /// Relative to the arm's size, a residual below this is rounding.
 const ROUNDING: f64 = 1e-14;
@@ -24,22 +32,31 @@ pub struct Polished<const N: usize> {
     /// Its distance from the target, metres: the translation error and the
     /// angle times the arm's size, as the legs of a right triangle.
     pub residual: f64,
-    /// The Jacobian loses rank there.
-    pub singular: bool,
+    /// How far the Jacobian there is from losing rank: its least pivot by the
+    /// largest.
+    pub independence: f64,
+    /// The motion of the joints that moves the tip least, at unit speed.
+    pub weak: [f64; N],
+}
+
+impl<const N: usize> Polished<N> {
+    /// The Jacobian loses rank.
+    pub fn singular(&self) -> bool {
+        self.independence < SINGULAR
+    }
 }
 
 /// Newton from a configuration that nearly reaches the target, until it is
 /// there to rounding, for at most `steps` evaluations.
 ///
-/// `fk_jacobian` gives the pose and the spatial Jacobian; `size` is the arm's
-/// size in metres, which weighs angles against lengths. Steps are damped by
+/// Steps are damped by
 /// the natural monotonicity test (Deuflhard, Newton Methods for Nonlinear
 /// Problems, section 3.3): what has to shrink is the next correction of the
 /// joints, not the residual, which near a singular configuration has to grow
 /// on the way to a solution that is a tenth of a radian off.
 ///
 /// ```
-/// use kin_runtime::{Jacobian, Pose, Twist, polish::{Aim, polish}};
+/// use kin_runtime::{Jacobian, Pose, Twist, polish::{Aim, Problem, polish}};
 /// // One joint about z, with the tool one metre out.
 /// let arm = |q: &[f64; 1]| {
 ///     let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[0], [0.0; 3]);
@@ -47,19 +64,18 @@ pub struct Polished<const N: usize> {
 ///     (turn * out, Jacobian::from_columns([Twist::revolute([0.0, 0.0, 1.0], [0.0; 3])]))
 /// };
 /// let (target, _) = arm(&[0.5]);
-/// let landed = polish(arm, &target, [0.501], 1.0, Aim::Pose, 4);
+/// let problem = Problem { fk_jacobian: arm, target: &target, size: 1.0, aim: Aim::Pose };
+/// let landed = polish(&problem, [0.501], 4);
 /// assert!((landed.q[0] - 0.5).abs() < 1e-15 && landed.residual < 1e-15);
 /// ```
 #[inline]
 pub fn polish<const N: usize>(
-    fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
-    target: &Pose,
+    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
     q: [f64; N],
-    size: f64,
-    aim: Aim,
     steps: usize,
 ) -> Polished<N> {
-    let look = |q: [f64; N]| Place::new(q, &fk_jacobian, target, size, aim);
+    let size = problem.size;
+    let look = |q: [f64; N]| Place::new(q, problem);
     let mut here = look(q);
     let mut factor = Factor::new(&here.rows);
     let mut step = factor.solve(&here.error);
@@ -90,149 +106,13 @@ pub fn polish<const N: usize>(
     Polished {
         q: here.q,
         residual: here.residual,
-        singular: factor.weakest() < SINGULAR,
-    }
-}
-
-/// What of a target counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Aim {
-    /// All of it.
-    Pose,
-    /// The tip's origin.
-    Position,
-    /// The tip's origin and the direction of its z axis.
-    PositionAxis,
-    /// The direction of the tip's z axis.
-    Direction,
-    /// The orientation.
-    Orientation,
-}
-
-/// A configuration as the target sees it.
-struct Place<const N: usize> {
-    q: [f64; N],
-    residual: f64,
-    /// What is missing, and the Jacobian's rows that make it, with lengths in
-    /// units of the arm's size; zero where the target does not count.
-    error: [f64; 6],
-    rows: [[f64; N]; 6],
-}
-
-impl<const N: usize> Place<N> {
-    fn new(
-        q: [f64; N],
-        fk_jacobian: &impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
-        target: &Pose,
-        size: f64,
-        aim: Aim,
-    ) -> Self {
-        let (pose, spatial) = fk_jacobian(&q);
-        let mut error = [0.0; 6];
-        let mut rows = [[0.0; N]; 6];
-        if aim.has_position() {
-            shift(&pose, target, &spatial, size, &mut error, &mut rows);
-        }
-        match aim {
-            Aim::Pose | Aim::Orientation => turn(&pose, target, &spatial, &mut error, &mut rows),
-            Aim::PositionAxis | Aim::Direction => {
-                tilt(&pose, target, &spatial, &mut error, &mut rows);
-            }
-            Aim::Position => {}
-        }
-        let residual = aim.distance(&pose, target, size);
-        Self {
-            q,
-            residual,
-            error,
-            rows,
-        }
+        independence: factor.independence(),
+        weak: factor.weak(),
     }
 }
 
 fn norm<const N: usize>(x: &[f64; N]) -> f64 {
     math::sqrt(x.iter().map(|x| x * x).sum())
-}
-
-impl Aim {
-    fn has_position(self) -> bool {
-        matches!(self, Aim::Pose | Aim::Position | Aim::PositionAxis)
-    }
-
-    /// How far a pose is from a target, as far as the target counts: the
-    /// translation and the angle times `size`, as the legs of a right triangle.
-    pub fn distance(self, pose: &Pose, target: &Pose, size: f64) -> f64 {
-        let (r, t) = (&pose.rotation, &target.rotation);
-        let square = |a: f64, b: f64| (a - b) * (a - b);
-        let shift: f64 = (0..3)
-            .map(|i| square(pose.translation[i], target.translation[i]))
-            .sum();
-        let column = |j: usize| (0..3).map(|i| square(r[i][j], t[i][j])).sum::<f64>();
-        let turn = match self {
-            // The Frobenius norm of a small rotation's difference is √2 θ.
-            Aim::Pose | Aim::Orientation => 0.5 * (column(0) + column(1) + column(2)),
-            Aim::PositionAxis | Aim::Direction => column(2),
-            Aim::Position => 0.0,
-        };
-        let shift = if self.has_position() { shift } else { 0.0 };
-        math::sqrt(shift + size * size * turn)
-    }
-}
-
-/// Rows 0 to 2: the velocity of the tip's origin, v + ω × p.
-fn shift<const N: usize>(
-    pose: &Pose,
-    target: &Pose,
-    spatial: &Jacobian<N>,
-    size: f64,
-    error: &mut [f64; 6],
-    rows: &mut [[f64; N]; 6],
-) {
-    let (p, j) = (pose.translation, &spatial.rows);
-    for i in 0..3 {
-        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-        error[i] = (target.translation[i] - p[i]) / size;
-        for k in 0..N {
-            rows[i][k] = (j[i][k] + j[3 + a][k] * p[b] - j[3 + b][k] * p[a]) / size;
-        }
-    }
-}
-
-/// Rows 3 to 5: the angular velocity, and the rotation that is missing.
-fn turn<const N: usize>(
-    pose: &Pose,
-    target: &Pose,
-    spatial: &Jacobian<N>,
-    error: &mut [f64; 6],
-    rows: &mut [[f64; N]; 6],
-) {
-    let (r, t) = (&pose.rotation, &target.rotation);
-    // Entry (i, j) of target · poseᵀ.
-    let entry = |i: usize, j: usize| (0..3).map(|k| t[i][k] * r[j][k]).sum::<f64>();
-    for i in 0..3 {
-        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-        error[3 + i] = 0.5 * (entry(b, a) - entry(a, b));
-        rows[3 + i] = spatial.rows[3 + i];
-    }
-}
-
-/// Rows 3 to 5: the velocity ω × z of the tip's z axis.
-fn tilt<const N: usize>(
-    pose: &Pose,
-    target: &Pose,
-    spatial: &Jacobian<N>,
-    error: &mut [f64; 6],
-    rows: &mut [[f64; N]; 6],
-) {
-    let j = &spatial.rows;
-    let z: [f64; 3] = core::array::from_fn(|i| pose.rotation[i][2]);
-    for i in 0..3 {
-        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-        error[3 + i] = target.rotation[i][2] - z[i];
-        for k in 0..N {
-            rows[3 + i][k] = j[3 + a][k] * z[b] - j[3 + b][k] * z[a];
-        }
-    }
 }
 
 /// The normal equations JᵀJ x = Jᵀe, factored.
@@ -281,6 +161,11 @@ impl<const N: usize> Factor<N> {
                 x[i] += row[i] * e;
             }
         }
+        self.solve_square(x)
+    }
+
+    /// x of JᵀJ x = b.
+    fn solve_square(&self, mut x: [f64; N]) -> [f64; N] {
         for i in 0..N {
             for k in 0..i {
                 x[i] -= self.lower[i][k] * x[k];
@@ -297,12 +182,24 @@ impl<const N: usize> Factor<N> {
     }
 
     /// The least pivot of J relative to the largest.
-    fn weakest(&self) -> f64 {
+    fn independence(&self) -> f64 {
         let least = self.inverse.iter().fold(0.0, |most: f64, x| most.max(*x));
         let largest = self
             .inverse
             .iter()
             .fold(f64::INFINITY, |least: f64, x| least.min(*x));
         largest / least
+    }
+
+    /// The eigenvector of JᵀJ to its least eigenvalue, by inverse iteration.
+    fn weak(&self) -> [f64; N] {
+        // A start that no arm is square to.
+        let mut x: [f64; N] = core::array::from_fn(|i| 1.0 + 0.3 * i as f64);
+        for _ in 0..3 {
+            x = self.solve_square(x);
+            let whole = norm(&x);
+            x = x.map(|x| x / whole);
+        }
+        x
     }
 }

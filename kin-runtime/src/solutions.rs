@@ -128,17 +128,21 @@ impl<const N: usize> Solutions<N> {
         self.len = (self.len + usize::from(valid)).min(CAPACITY);
     }
 
-    /// Appends a solution if it is valid and none before it is the same to
-    /// within 1e-6: branches that were polished may land together.
-    #[inline]
-    pub fn push_distinct_if(&mut self, valid: bool, solution: Solution<N>) {
+    /// The place of a solution, which is appended unless one is the same to
+    /// within 1e-6: branches that were polished may land together. None if it
+    /// is new and there is no place left.
+    pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
         let apart = |i: usize, a: f64, b: f64| {
             let turns = self.prismatic >> i & 1 == 0;
-            math::select(turns, math::wrap(a - b), a - b).abs() >= 1e-6
+            math::select(turns, math::wrap(a - b), a - b).abs()
         };
-        let differs = |other: &Solution<N>| (0..N).any(|i| apart(i, other.q[i], solution.q[i]));
-        let new = valid && self.iter().all(differs);
-        self.push_if(new, solution);
+        let same = |other: &Solution<N>| (0..N).all(|i| apart(i, other.q[i], solution.q[i]) < 1e-6);
+        let known = self.iter().position(same);
+        known.or_else(|| {
+            let place = self.len;
+            self.push_if(true, solution);
+            (place < self.len).then_some(place)
+        })
     }
 
     /// The solutions found, in order of their branch.

@@ -2,10 +2,10 @@
 
 use super::lanes::lanes;
 use super::straight::literal;
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::ClosedForm;
-use crate::verify::SOUND;
+use kin_runtime::branches::Acceptance;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -14,7 +14,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
     let width = Literal::usize_unsuffixed(solver.plan.branches());
     let body = body(model, solver);
-    let accept = acceptance(model, solver);
+    let accept = acceptance(solver);
     let sorted = sorted(solver);
     let what = what(solver.plan.target);
     let plan = format!(" Solved by {}.", solver.plan);
@@ -95,19 +95,18 @@ fn sorted(solver: &ClosedForm) -> TokenStream {
     }
 }
 
-fn acceptance(model: &Model, solver: &ClosedForm) -> TokenStream {
-    let size = literal(solver.linkage.size);
-    let tolerance = literal(SOUND * solver.linkage.size);
-    let slides = |i: &usize| {
-        let mut joints = model.joints.iter();
-        joints.any(|joint| joint.variable == *i && joint.kind == JointKind::Prismatic)
-    };
-    let mask = (0..model.variables.len())
-        .filter(slides)
-        .map(|i| 1_u32 << i)
-        .sum();
-    let prismatic = Literal::u32_unsuffixed(mask);
-    quote!(Acceptance { size: #size, tolerance: #tolerance, prismatic: #prismatic })
+fn acceptance(solver: &ClosedForm) -> TokenStream {
+    let Acceptance {
+        size,
+        tolerance,
+        blur,
+        prismatic,
+    } = solver.acceptance();
+    let [size, tolerance, blur] = [size, tolerance, blur].map(literal);
+    let prismatic = Literal::u32_unsuffixed(prismatic);
+    quote! {
+        Acceptance { size: #size, tolerance: #tolerance, blur: #blur, prismatic: #prismatic }
+    }
 }
 
 fn what(target: Target) -> String {

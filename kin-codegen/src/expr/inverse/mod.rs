@@ -78,7 +78,8 @@ struct Writer<'a> {
     pose: Motion,
     /// What a free angle keeps, by coordinate of q.
     seed: Vec<Expr>,
-    slack: Slack,
+    /// On a snapped arm.
+    blur: Option<Blur>,
     /// By joint: the sine and cosine of its motion.
     trig: Vec<Option<Trig>>,
     /// By joint: how far it slides.
@@ -110,6 +111,15 @@ struct Level {
     amplitude: Expr,
 }
 
+/// How far a snapped arm is from the literal one.
+#[derive(Clone, Copy)]
+struct Blur {
+    /// Of the values known so far, relative to the arm's size or in radians.
+    shift: Expr,
+    /// The same before anything was solved.
+    least: f64,
+}
+
 /// How a free angle is spent.
 #[derive(Clone, Copy)]
 struct Spent {
@@ -132,6 +142,10 @@ impl<'a> Writer<'a> {
         let seed = (1..=linkage.variables())
             .map(|i| g.input(format!("seed{i}")))
             .collect();
+        let blur = (slack.0 > 0.0).then(|| Blur {
+            shift: g.constant(slack.0),
+            least: slack.0,
+        });
         let zero = g.zero();
         let n = linkage.links.len();
         Self {
@@ -141,7 +155,7 @@ impl<'a> Writer<'a> {
             target,
             pose,
             seed,
-            slack,
+            blur,
             trig: vec![None; n],
             slide: vec![None; n],
             sum: vec![None; linkage.runs.len()],

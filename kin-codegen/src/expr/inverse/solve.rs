@@ -2,7 +2,7 @@
 //! is z, so every rotation is planar.
 
 use super::carry::Carried;
-use super::{Level, Spent, Writer};
+use super::{Blur, Level, Spent, Writer};
 use crate::expr::linear::{Trig, Vector};
 use crate::expr::{Expr, RootField};
 use crate::geometry::Travel;
@@ -252,27 +252,15 @@ impl Writer<'_> {
     /// ± the square root, with what it says about the branch: out of domain is
     /// invalid, a double root is singular and keeps its first branch only.
     fn root(&mut self, sign: Expr, discriminant: Expr, amplitude: Expr, noise: f64) -> Expr {
+        if let Some(blur) = self.blur {
+            return self.blurred_root(sign, discriminant, amplitude, blur);
+        }
         let zero = self.g.zero();
         let one = self.g.one();
-        let slack = self.slack.0;
-        let scaled = |g: &mut crate::expr::Graph, k: f64| {
-            let k = g.constant(k);
-            g.mul(k, amplitude)
-        };
-        let least = scaled(&mut self.g, -noise.max(OUTSIDE * slack));
-        let near = scaled(&mut self.g, noise.max(SINGULAR));
         let minus = self.g.neg(sign);
+        let [near, double, least] =
+            [noise.max(SINGULAR), noise, -noise].map(|k| self.scaled(k, amplitude));
         self.watch(discriminant, near);
-        if slack > 0.0 {
-            // The polish decides: branches start apart, and meet if they must.
-            let apart = scaled(&mut self.g, slack);
-            let invalid = self.g.select_less(discriminant, least, one, zero);
-            self.refuse(invalid);
-            let kept = self.g.max(discriminant, apart);
-            let root = self.g.sqrt(kept);
-            return self.g.mul(sign, root);
-        }
-        let double = scaled(&mut self.g, noise);
         // A sum of squares is never below zero.
         let once = match noise == FREE {
             true => minus,
@@ -283,6 +271,43 @@ impl Writer<'_> {
         let kept = self.g.select_less(discriminant, double, zero, discriminant);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
+    }
+
+    /// The root on a snapped arm. Two roots that have met there may be apart on
+    /// the literal arm, so both start, a little apart, and the polish decides.
+    fn blurred_root(
+        &mut self,
+        sign: Expr,
+        discriminant: Expr,
+        amplitude: Expr,
+        blur: Blur,
+    ) -> Expr {
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let apart = self.scaled(blur.least, amplitude);
+        let off = self.g.mul(blur.shift, amplitude);
+        let least = self.scaled(-OUTSIDE, off);
+        let invalid = self.g.select_less(discriminant, least, one, zero);
+        self.refuse(invalid);
+        let kept = self.g.max(discriminant, apart);
+        // The angle's error: shift / ρ, and √shift at a double root.
+        let share = self.g.div(kept, amplitude);
+        let share = self.g.sqrt(share);
+        self.amplify(blur, share);
+        let root = self.g.sqrt(kept);
+        self.g.mul(sign, root)
+    }
+
+    fn scaled(&mut self, k: f64, x: Expr) -> Expr {
+        let k = self.g.constant(k);
+        self.g.mul(k, x)
+    }
+
+    /// From here on the snapped arm's values are off by 1 + 1/`share` times as
+    /// much as before.
+    fn amplify(&mut self, blur: Blur, share: Expr) {
+        let more = self.g.div(blur.shift, share);
+        let shift = self.g.add(blur.shift, more);
+        self.blur = Some(Blur { shift, ..blur });
     }
 
     /// Drops the branches in which a value is positive.
@@ -324,8 +349,7 @@ impl Writer<'_> {
             };
         }
         let one = self.g.one();
-        let nothing = self.g.constant(FREE * scale);
-        self.watch(factor, nothing);
+        let nothing = self.nothing(factor, scale);
         let inverse = self.g.div(one, factor);
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
@@ -345,6 +369,20 @@ impl Writer<'_> {
             sin: self.g.select_less(factor, nothing, fallback.sin, sin),
             cos: self.g.select_less(factor, nothing, fallback.cos, cos),
         }
+    }
+
+    /// Below this a factor leaves its angle free. As a share of `scale` it is
+    /// the square of the sine that tells the angle.
+    fn nothing(&mut self, factor: Expr, scale: f64) -> Expr {
+        let nothing = self.g.constant(FREE * scale);
+        self.watch(factor, nothing);
+        if let Some(blur) = self.blur {
+            let share = self.g.max(factor, nothing);
+            let share = self.scaled(1.0 / scale, share);
+            let share = self.g.sqrt(share);
+            self.amplify(blur, share);
+        }
+        nothing
     }
 
     /// Rz(θ) right = left.
@@ -525,7 +563,7 @@ impl Writer<'_> {
         self.singular = self.g.max(self.singular, is_double);
         let present = self.g.select_less(double, state, zero, one);
         let absent = self.g.select_less(some, state, present, zero);
-        if self.slack.0 == 0.0 {
+        if self.blur.is_none() {
             self.refuse(absent);
         }
         Trig { sin, cos }
