@@ -24,7 +24,7 @@ const UNMOVED: f64 = 1e-13;
 const POLISH: usize = 24;
 /// In square roots of the tip's shift, how near to a singular configuration the
 /// branches of the snapped arm do not tell those of the literal one.
-const BLUR: f64 = 1.0;
+const BLUR: f64 = 0.5;
 
 /// A root may be out of domain by this many times the shift of the tip and
 /// still have a solution on the literal arm.

@@ -7,7 +7,7 @@ use crate::branches::Acceptance;
 use crate::{Jacobian, Pose, Solution, Solutions, math};
 
 /// How far the miss along a curve is followed, in multiples of the blur.
-const REACH: f64 = 4.0;
+const REACH: f64 = 2.0;
 
 /// Lands every branch on the literal arm. Where the Jacobian is as near to
 /// losing rank as the arms differ, the branches of the snapped arm do not tell
