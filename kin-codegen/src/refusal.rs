@@ -60,8 +60,9 @@ pub fn no_closed_form(
     let remedy = "`ik = none` generates forward kinematics and Jacobians alone";
     let why = match reason {
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
-        NoClosedForm::Redundant => format!(
-            "{n} joints reach a pose in infinitely many ways, and no joint was chosen to stay free"
+        NoClosedForm::Redundant(target) => format!(
+            "{n} joints reach {} in infinitely many ways, and no joint was chosen to stay free",
+            target.phrase()
         ),
         NoClosedForm::Noisy => "its axes are off exact relations by the noise of the file, and a \
                                 projected target (position_yaw, planar) needs them exact"

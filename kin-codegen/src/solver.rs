@@ -14,7 +14,7 @@ use kin_runtime::{Pose, Solution};
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
 const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
 /// Plans tried at one tolerance before the next.
-const PLANS: usize = 3;
+const PLANS: usize = 8;
 /// A snapped arm whose tip moved less than this, relative to its size, is the
 /// literal one to rounding.
 const UNMOVED: f64 = 1e-13;
@@ -57,8 +57,8 @@ pub struct ClosedForm {
 pub enum NoClosedForm {
     /// Joints that mimic others couple the chain.
     Mimic,
-    /// More joints than a pose has coordinates.
-    Redundant,
+    /// More joints than the target has coordinates.
+    Redundant(Target),
     /// The search found no sequence of subproblems.
     NoPlan,
     /// The axes are off exact relations, and a target of this kind is projected
@@ -95,8 +95,8 @@ pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> 
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
     }
-    if model.joints.len() > 6 {
-        return Err(NoClosedForm::Redundant);
+    if model.joints.len() > target.coordinates() {
+        return Err(NoClosedForm::Redundant(target));
     }
     let trials = Trials::new(model, target);
     let mut refusal = NoClosedForm::NoPlan;

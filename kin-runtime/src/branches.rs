@@ -55,16 +55,37 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         })
     }
 
-    /// The branch that comes nearest to the target; none if the target is not
-    /// a number. Of equals the first.
+    /// The branch that comes nearest to the target by its own residual; none
+    /// if the target is not a number. Of equals the first.
     #[inline]
     pub fn closest(&self) -> Option<Solution<N>> {
+        self.least(|lane| lane.residual)
+    }
+
+    /// The branch that comes nearest to the target by forward kinematics: out
+    /// of reach, sines and cosines are not those of any angle. None if the
+    /// target is not a number; of equals the first.
+    #[inline]
+    pub fn closest_by(
+        &self,
+        fk: impl Fn(&[f64; N]) -> Pose,
+        target: &Pose,
+        aim: Aim,
+        accept: &Acceptance,
+    ) -> Option<Solution<N>> {
+        self.least(|lane| aim.distance(&fk(&lane.q), target, accept.size))
+    }
+
+    #[inline(always)]
+    fn least(&self, residual: impl Fn(&Solution<N>) -> f64) -> Option<Solution<N>> {
         let mut best = None;
         let mut least = f64::INFINITY;
         for k in 0..L {
-            if self.residual[k] < least {
-                least = self.residual[k];
-                best = Some(self.lane(k));
+            let lane = self.lane(k);
+            let residual = residual(&lane);
+            if residual < least {
+                least = residual;
+                best = Some(Solution { residual, ..lane });
             }
         }
         best

@@ -16,6 +16,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let body = body(model, solver);
     let accept = acceptance(solver);
     let sorted = sorted(solver);
+    let closest = closest(model, solver);
     let what = what(solver.plan.target);
     let plan = format!(" Solved by {}.", solver.plan);
     quote! {
@@ -47,7 +48,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         /// `pose` is not a number.
         #[must_use]
         pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<#n>> {
-            self.branches(pose, &[0.0; #n]).closest()
+            #closest
         }
 
         #[inline]
@@ -81,6 +82,24 @@ fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
             singular: #singular,
         }
     }
+}
+
+/// How the branch that comes nearest is chosen.
+fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let n = Literal::usize_unsuffixed(model.variables.len());
+    let branches = quote!(self.branches(pose, &[0.0; #n]));
+    let Some(aim) = solver.plan.target.aim() else {
+        return quote!(#branches.closest());
+    };
+    let aim = format_ident!("{aim:?}");
+    let closest = quote! {
+        #branches.closest_by(|q| self.fk(q), pose, Aim::#aim, &Self::ACCEPT)
+    };
+    if solver.polish == 0 {
+        return closest;
+    }
+    // The branches are those of the snapped arm.
+    quote!(self.ik(pose).first().copied().or_else(|| #closest))
 }
 
 /// How the branches become solutions.

@@ -10,10 +10,10 @@
 
 use super::straight::{Place, Writer, sign_name};
 use crate::expr::inverse::Inverse;
-use crate::expr::{Expr, Node};
+use crate::expr::{Expr, Graph, Node};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The statements that compute the lanes, and the arrays of the results.
 pub struct Lanes {
@@ -82,7 +82,8 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
         for (i, (array, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
             writer.rename(g.at(*i), quote!(#array[k]));
         }
-        statements.push(lane_loop(before, signs, &kept, &body));
+        let read = signs_read(&writer, g, &stages, stage);
+        statements.push(lane_loop(&read, signs, &kept, &body));
         before = signs;
     }
     let width = Literal::usize_unsuffixed(1 << before);
@@ -118,12 +119,31 @@ fn last_read(writer: &Writer, inverse: &Inverse, stages: &[usize], loops: usize)
     last
 }
 
-/// One loop over the lanes of `signs` choices, of which those beyond `before`
-/// are new.
-fn lane_loop(before: u8, signs: u8, kept: &[(Ident, Ident)], body: &[TokenStream]) -> TokenStream {
+/// The choices whose signs a stage reads: its own, and earlier ones that it
+/// selects by.
+fn signs_read(writer: &Writer, g: &Graph, stages: &[usize], stage: usize) -> BTreeSet<u8> {
+    let nodes = g.nodes();
+    let here = (0..nodes.len()).filter(|&i| stages[i] == stage && writer.needs(g.at(i)));
+    here.flat_map(|i| nodes[i].operands())
+        .filter_map(|e| match nodes[e.index()] {
+            Node::Sign(choice) => Some(choice.0),
+            _ => None,
+        })
+        .collect()
+}
+
+/// One loop over the lanes of `signs` choices, of which those in `read` are
+/// read.
+fn lane_loop(
+    read: &BTreeSet<u8>,
+    signs: u8,
+    kept: &[(Ident, Ident)],
+    body: &[TokenStream],
+) -> TokenStream {
     let width = Literal::usize_unsuffixed(1 << signs);
-    let (names, lanes): (Vec<Ident>, Vec<TokenStream>) = (before..signs)
-        .map(|choice| (sign_name(choice), sign_lanes(choice, signs)))
+    let (names, lanes): (Vec<Ident>, Vec<TokenStream>) = read
+        .iter()
+        .map(|&choice| (sign_name(choice), sign_lanes(choice, signs)))
         .unzip();
     let (arrays, values): (Vec<&Ident>, Vec<&Ident>) = kept.iter().map(|(a, v)| (a, v)).unzip();
     quote! {

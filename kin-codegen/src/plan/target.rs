@@ -54,6 +54,17 @@ impl Target {
         }
     }
 
+    /// How many joints reach it in isolated ways.
+    pub const fn coordinates(self) -> usize {
+        match self {
+            Target::Pose => 6,
+            Target::PositionAxis => 5,
+            Target::PositionYaw => 4,
+            Target::Position | Target::Planar | Target::Orientation => 3,
+            Target::Direction => 2,
+        }
+    }
+
     /// Whether some part of the tip's pose is free.
     pub(crate) fn is_free(self) -> bool {
         self.fixes_point() || self.fixes_axis() || self == Target::Orientation

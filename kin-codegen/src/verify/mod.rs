@@ -30,6 +30,9 @@ pub(crate) const SINGULAR: f64 = 1e-5;
 /// How far from a singular configuration, in square roots of the relative
 /// shift of a snapped arm's tip, the literal arm's solutions may be lost.
 pub(crate) const BLUR: f64 = 3.0;
+/// Columns that are all shorter than this, relative to the arm's size, are
+/// rounding.
+const NOTHING: f64 = 1e-9;
 /// Above this, columns of the Jacobian are independent in general.
 const GENERIC: f64 = 1e-9;
 
@@ -308,6 +311,6 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
         .first()
         .copied()
         .unwrap_or(0.0)
-        .max(f64::MIN_POSITIVE);
+        .max(NOTHING);
     lengths.into_iter().map(|x| x / longest).collect()
 }

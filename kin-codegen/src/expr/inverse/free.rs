@@ -8,6 +8,7 @@
 //! to zero, and as a function of the free angle d is d₀ + d₁ cos φ + d₂ sin φ.
 //! The φ that brings it nearest to zero is one more such equation.
 
+use super::solve::NOISE;
 use super::{Spent, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::Trig;
@@ -89,7 +90,10 @@ impl Writer<'_> {
         let d = at(&mut out, level.d, seeded.sin, seeded.cos);
         let amplitude = at(&mut out, level.amplitude, seeded.sin, seeded.cos);
         let square = out.g.square(d);
-        let room = out.g.sub(amplitude, square);
+        // A double root has room for itself, to rounding.
+        let noise = out.g.constant(1.0 + NOISE);
+        let limit = out.g.mul(noise, amplitude);
+        let room = out.g.sub(limit, square);
         let best = out.nearest_to_zero(values);
         out.spent = Some(Spent { best, room });
         Some(out)

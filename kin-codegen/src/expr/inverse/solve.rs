@@ -10,7 +10,7 @@ use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 
 /// Roots of a difference: where cancellation leaves noise, relative to the
 /// square of the amplitude. Branches nearer than its square root are one.
-const NOISE: f64 = 1e-13;
+pub(super) const NOISE: f64 = 1e-13;
 /// On a snapped arm a root may be out of domain by this many times the slack
 /// and still have a solution on the literal one: later steps amplify.
 const OUTSIDE: f64 = 10.0;
@@ -623,7 +623,7 @@ impl Writer<'_> {
         let gap = self.g.minus(l, r);
         let value = match subproblem {
             Subproblem::T1 => self.t1(v, gap, &split),
-            Subproblem::T2 => self.t2(v, gap, &split),
+            Subproblem::T2 => self.t2(joint, v, gap, &split),
             _ => self.g.dot(v, gap),
         };
         let name = format!("d{}", joint + 1);
@@ -650,7 +650,7 @@ impl Writer<'_> {
     }
 
     /// The height over a plane: linear.
-    fn t2(&mut self, v: Vector, gap: Vector, split: &Split) -> Expr {
+    fn t2(&mut self, joint: usize, v: Vector, gap: Vector, split: &Split) -> Expr {
         let zero = self.g.vector([0.0; 3]);
         let [near, far] = split.other.unwrap_or([split.left, split.right]);
         let plane_left = split.left.direction.is_some();
@@ -671,6 +671,16 @@ impl Writer<'_> {
             self.g.neg(height)
         };
         let rest = self.g.add(measured, height);
-        self.g.div(rest, rate)
+        if self.g.value(rate).is_some() {
+            return self.g.div(rest, rate);
+        }
+        // Along the plane any travel will do, and the seed's stands for all.
+        let square = self.g.square(rate);
+        let nothing = self.nothing(square, 1.0);
+        let link = &self.linkage.links[joint];
+        let offset = self.g.constant(link.offset);
+        let seeded = self.g.add(self.seed[link.variable], offset);
+        let travel = self.g.div(rest, rate);
+        self.g.select_less(square, nothing, seeded, travel)
     }
 }
