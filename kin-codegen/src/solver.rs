@@ -285,8 +285,15 @@ impl ClosedForm {
         Acceptance {
             size,
             tolerance: SOUND * size,
-            blur: if self.polish == 0 { 0.0 } else { BLUR * (self.tip_shift / size).sqrt() },
-            prismatic: (0..self.literal.variables()).filter(slides).map(|i| 1 << i).sum(),
+            blur: if self.polish == 0 {
+                0.0
+            } else {
+                BLUR * (self.tip_shift / size).sqrt()
+            },
+            prismatic: (0..self.literal.variables())
+                .filter(slides)
+                .map(|i| 1 << i)
+                .sum(),
         }
     }
 }

@@ -307,10 +307,6 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
             }
         }
     }
-    let longest = lengths
-        .first()
-        .copied()
-        .unwrap_or(0.0)
-        .max(NOTHING);
+    let longest = lengths.first().copied().unwrap_or(0.0).max(NOTHING);
     lengths.into_iter().map(|x| x / longest).collect()
 }

@@ -164,11 +164,23 @@ fn crossings<const N: usize>(
             found(extreme.q);
         }
         for (a, b) in [(a, &extreme), (&extreme, b)] {
-            zero(problem, a, b, |point| point.miss).map(|point| found(point.q));
+            solution(problem, a, b, found);
         }
-        return;
+    } else {
+        solution(problem, a, b, found);
     }
-    zero(problem, a, b, |point| point.miss).map(|point| found(point.q));
+}
+
+/// Finds the zero of the miss between two points, if there is one.
+fn solution<const N: usize>(
+    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    a: &Point<N>,
+    b: &Point<N>,
+    found: &mut impl FnMut([f64; N]),
+) {
+    if let Some(point) = zero(problem, a, b, |point| point.miss) {
+        found(point.q);
+    }
 }
 
 /// Where a function on the curve changes its sign, by regula falsi with the
@@ -215,12 +227,7 @@ struct Split<const N: usize> {
 }
 
 impl<const N: usize> Split<N> {
-    fn new(
-        place: &Place<N>,
-        held: usize,
-        idle: usize,
-        normal: Option<&[f64; 6]>,
-    ) -> Option<Self> {
+    fn new(place: &Place<N>, held: usize, idle: usize, normal: Option<&[f64; 6]>) -> Option<Self> {
         let idle = &place.idle[..idle];
         let mut split = Self {
             held,
@@ -288,7 +295,11 @@ impl<const N: usize> Split<N> {
         tangent[self.held] = 1.0;
         let along: f64 = (0..N).map(|i| tangent[i] * forwards[i]).sum();
         let whole = math::sqrt(tangent.iter().map(|x| x * x).sum());
-        let share = if along < 0.0 { -1.0 / whole } else { 1.0 / whole };
+        let share = if along < 0.0 {
+            -1.0 / whole
+        } else {
+            1.0 / whole
+        };
         Point {
             q: place.q,
             miss: product(&self.normal, &place.error),

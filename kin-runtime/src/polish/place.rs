@@ -177,4 +177,3 @@ fn tilt<const N: usize>(
         }
     }
 }
-

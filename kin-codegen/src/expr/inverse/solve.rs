@@ -11,9 +11,13 @@ use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 /// Roots of a difference: where cancellation leaves noise, relative to the
 /// square of the amplitude. Branches nearer than its square root are one.
 pub(super) const NOISE: f64 = 1e-13;
-/// On a snapped arm a root may be out of domain by this many times the slack
-/// and still have a solution on the literal one: later steps amplify.
-const OUTSIDE: f64 = 10.0;
+/// A root may be out of domain by this, relative to the square of the
+/// amplitude: where an earlier step is nearly singular, it amplifies rounding.
+/// Whether the target is in reach then shows in the residual.
+const OUTSIDE: f64 = 1e-8;
+/// On a snapped arm a root may be out of domain by this many times what the
+/// arms differ and still have a solution on the literal one.
+const BEYOND: f64 = 10.0;
 /// A root this small (angle 1e-7) is reported singular.
 const SINGULAR: f64 = 1e-14;
 /// Vectors shorter than this, squared and relative to the arm's size, have no
@@ -32,6 +36,21 @@ struct Split {
 
 fn kinds(relation: &Relation) -> (Kind, Option<Kind>) {
     (relation.from.kind, relation.to.as_ref().map(|to| to.kind))
+}
+
+/// a² + b² − d² of a cosine-sine equation.
+#[derive(Clone, Copy)]
+struct Discriminant {
+    value: Expr,
+    /// Relative to a² + b², below this it is rounding.
+    noise: f64,
+}
+
+impl Discriminant {
+    /// A sum of squares, which is never below zero.
+    fn is_sum_of_squares(&self) -> bool {
+        self.noise == FREE
+    }
 }
 
 /// a cos θ + b sin θ + rest.
@@ -195,29 +214,30 @@ impl Writer<'_> {
         (self.g.add(xx, yy), self.g.sub(yx, xy), self.g.sub(d, zz))
     }
 
-    /// a cos θ + b sin θ = d, both roots. `known` is a² + b² − d² where there is
-    /// a better way to compute it, and whether it is a sum of squares.
+    /// a cos θ + b sin θ = d, both roots. `known` is its discriminant where
+    /// there is a better way to compute it.
     fn angle_with(
         &mut self,
         unknown: Atom,
         a: Expr,
         b: Expr,
         d: Expr,
-        known: Option<(Expr, bool)>,
+        known: Option<Discriminant>,
     ) -> Trig {
         let [aa, bb] = [self.g.square(a), self.g.square(b)];
         let amplitude = self.g.add(aa, bb);
-        let exact = known.is_some_and(|(_, exact)| exact);
+        let discriminant = known.unwrap_or_else(|| {
+            let dd = self.g.square(d);
+            let value = self.g.sub(amplitude, dd);
+            Discriminant {
+                value,
+                noise: NOISE,
+            }
+        });
+        let exact = discriminant.is_sum_of_squares();
         self.level = (!exact).then_some(Level { d, amplitude });
-        let discriminant = known
-            .map(|(discriminant, _)| discriminant)
-            .unwrap_or_else(|| {
-                let dd = self.g.square(d);
-                self.g.sub(amplitude, dd)
-            });
-        let noise = if exact { FREE } else { NOISE };
         let sign = self.g.sign();
-        let root = self.root(sign, discriminant, amplitude, noise);
+        let root = self.root(sign, discriminant, amplitude);
         // Out of domain the nearest angle is that of d at its limit.
         let d = if exact { d } else { self.clamped(d, amplitude) };
         let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
@@ -226,10 +246,10 @@ impl Writer<'_> {
             sin: self.g.add(bd, ar),
             cos: self.g.sub(ad, br),
         };
-        let scale = self.linkage.size.powi(4);
+        let scale = self.g.constant(self.linkage.size.powi(4));
         if self.g.value(amplitude).is_none() {
             // Where the angle is free its two roots are one.
-            let nothing = self.g.constant(FREE * scale);
+            let nothing = self.scaled(FREE, scale);
             let zero = self.g.zero();
             let minus = self.g.neg(sign);
             let second = self.g.select_less(amplitude, nothing, minus, zero);
@@ -251,24 +271,24 @@ impl Writer<'_> {
 
     /// ± the square root, with what it says about the branch: out of domain is
     /// invalid, a double root is singular and keeps its first branch only.
-    fn root(&mut self, sign: Expr, discriminant: Expr, amplitude: Expr, noise: f64) -> Expr {
+    fn root(&mut self, sign: Expr, discriminant: Discriminant, amplitude: Expr) -> Expr {
+        let Discriminant { value, noise } = discriminant;
         if let Some(blur) = self.blur {
-            return self.blurred_root(sign, discriminant, amplitude, blur);
+            return self.blurred_root(sign, value, amplitude, blur);
         }
         let zero = self.g.zero();
         let one = self.g.one();
         let minus = self.g.neg(sign);
         let [near, double, least] =
-            [noise.max(SINGULAR), noise, -noise].map(|k| self.scaled(k, amplitude));
-        self.watch(discriminant, near);
-        // A sum of squares is never below zero.
-        let once = match noise == FREE {
+            [noise.max(SINGULAR), noise, -OUTSIDE].map(|k| self.scaled(k, amplitude));
+        self.watch(value, near);
+        let once = match discriminant.is_sum_of_squares() {
             true => minus,
-            false => self.g.select_less(discriminant, least, one, minus),
+            false => self.g.select_less(value, least, one, minus),
         };
-        let invalid = self.g.select_less(discriminant, double, once, zero);
+        let invalid = self.g.select_less(value, double, once, zero);
         self.refuse(invalid);
-        let kept = self.g.select_less(discriminant, double, zero, discriminant);
+        let kept = self.g.select_less(value, double, zero, value);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
     }
@@ -285,7 +305,7 @@ impl Writer<'_> {
         let [zero, one] = [self.g.zero(), self.g.one()];
         let apart = self.scaled(blur.least, amplitude);
         let off = self.g.mul(blur.shift, amplitude);
-        let least = self.scaled(-OUTSIDE, off);
+        let least = self.scaled(-BEYOND, off);
         let invalid = self.g.select_less(discriminant, least, one, zero);
         self.refuse(invalid);
         let kept = self.g.max(discriminant, apart);
@@ -341,7 +361,7 @@ impl Writer<'_> {
 
     /// (sin, cos) over a common factor; a factor of nothing leaves the angle
     /// free, and the fallback stands for all of them.
-    fn normalized(&mut self, unknown: Atom, trig: Trig, factor: Expr, scale: f64) -> Trig {
+    fn normalized(&mut self, unknown: Atom, trig: Trig, factor: Expr, scale: Expr) -> Trig {
         if self.g.value(factor).is_some() {
             return Trig {
                 sin: self.g.div(trig.sin, factor),
@@ -373,12 +393,12 @@ impl Writer<'_> {
 
     /// Below this a factor leaves its angle free. As a share of `scale` it is
     /// the square of the sine that tells the angle.
-    fn nothing(&mut self, factor: Expr, scale: f64) -> Expr {
-        let nothing = self.g.constant(FREE * scale);
+    fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
+        let nothing = self.scaled(FREE, scale);
         self.watch(factor, nothing);
         if let Some(blur) = self.blur {
             let share = self.g.max(factor, nothing);
-            let share = self.scaled(1.0 / scale, share);
+            let share = self.g.div(share, scale);
             let share = self.g.sqrt(share);
             self.amplify(blur, share);
         }
@@ -398,16 +418,19 @@ impl Writer<'_> {
             .into_iter()
             .find(|&e| self.g.value(e).is_some_and(|x| x > 0.0));
         if let (false, Some(length)) = (point, constant) {
-            return self.normalized(unknown, trig, length, 1.0);
+            let one = self.g.one();
+            return self.normalized(unknown, trig, length, one);
         }
         let product = self.g.mul(lengths[0], lengths[1]);
         let factor = self.g.sqrt(product);
-        let scale = if point {
-            self.linkage.size.powi(2)
-        } else {
-            1.0
-        };
+        let scale = self.square_scale(point);
         self.normalized(unknown, trig, factor, scale)
+    }
+
+    /// What the square of a vector is compared with.
+    fn square_scale(&mut self, point: bool) -> Expr {
+        let length = if point { self.linkage.size } else { 1.0 };
+        self.g.constant(length * length)
     }
 
     /// The planar (cross, dot) product of right and left.
@@ -455,10 +478,14 @@ impl Writer<'_> {
         } else {
             y_vector
         };
-        let square = self.square_axes(x_vector, centred, h, d);
+        let square = if self.g.is(level, 0.0) {
+            self.gram(x_vector, centred, h)
+        } else {
+            None
+        };
         let squares = square
-            .filter(|(_, exact)| *exact)
-            .map(|(squares, _)| squares);
+            .filter(Discriminant::is_sum_of_squares)
+            .map(|squares| squares.value);
         let trig = self.angle_with(second, a, b, d, square);
         self.set(second, trig);
         let moved = self.bring_behind(from, from.joints.start, first_end);
@@ -472,10 +499,14 @@ impl Writer<'_> {
                 self.g.sqrt(product)
             }
         };
-        let scale = if point {
-            self.linkage.size.powi(2)
-        } else {
-            1.0
+        let scale = match squares {
+            // Less than where the root takes its branches for one: those that
+            // it tells apart keep their angles.
+            Some(_) => {
+                let square = self.g.dot(centred, centred);
+                self.scaled(0.01, square)
+            }
+            None => self.square_scale(point),
         };
         let trig = self.normalized(first, turned, factor, scale);
         self.set(first, trig);
@@ -589,23 +620,39 @@ impl Writer<'_> {
         Side { cos, sin, rest }
     }
 
-    /// The discriminant of a subproblem 2 whose axes are square to each other
-    /// and meet in the origin. Rotations keep lengths, |x| = |y|, so that
-    /// a² + b² − d² = (y₁² + y₂²) − x₃² is (x₁² + x₂²) − y₃² as well, which has
-    /// no cancellation where y₃ = 0: near the first axis the two differ by all
-    /// their digits. Also whether it is such a sum of squares.
-    fn square_axes(&mut self, x: Vector, y: Vector, h: Vector, d: Expr) -> Option<(Expr, bool)> {
-        let unit = self.length_squared(h);
-        let square =
-            self.g.is(h[2], 0.0) && self.g.value(unit).is_some_and(|u| (u - 1.0).abs() < 1e-15);
+    /// The discriminant of a subproblem 2 whose axes meet in the origin.
+    /// Rotations keep lengths, |x| = |y|, so that with the first axis h and its
+    /// component c = h₃ along the second, a² + b² − d² is the Gram determinant
+    /// (x₁² + x₂²) − (c|y|)² − y₃² + 2 c y₃ x₃. Where c and y₃ are small constants
+    /// of the arm, it has no cancellation near the first axis, while the
+    /// difference of squares loses all its digits there.
+    fn gram(&mut self, x: Vector, y: Vector, h: Vector) -> Option<Discriminant> {
+        let value = |g: &crate::expr::Graph, e| g.value(e);
+        let c = value(&self.g, h[2])?;
+        let across_h = self.length_squared(h);
+        let unit = value(&self.g, across_h)? + c * c;
+        let height = value(&self.g, y[2])?;
+        let length = self.g.dot(y, y);
+        let length = value(&self.g, length);
+        if c != 0.0 && length.is_none() {
+            return None;
+        }
         // The better side is the one whose component is a constant of the arm.
-        let better = self.g.value(y[2]).is_some() && self.g.value(x[2]).is_none();
-        if !square || d != x[2] || !better {
+        if (unit - 1.0).abs() > 1e-15 || value(&self.g, x[2]).is_some() {
             return None;
         }
         let across = self.length_squared(x);
-        let offset = self.g.square(y[2]);
-        Some((self.g.sub(across, offset), self.g.is(y[2], 0.0)))
+        let offset = c * c * length.unwrap_or(0.0) + height * height;
+        let noise = match length {
+            _ if offset == 0.0 => FREE,
+            Some(length) => FREE + NOISE * offset / length,
+            None => NOISE,
+        };
+        let rate = self.scaled(2.0 * c * height, x[2]);
+        let offset = self.g.constant(offset);
+        let rest = self.g.sub(rate, offset);
+        let value = self.g.add(across, rest);
+        Some(Discriminant { value, noise })
     }
 
     /// A sliding joint.
@@ -645,7 +692,11 @@ impl Writer<'_> {
         let discriminant = self.g.sub(distance, beside);
         let scale = self.g.constant(self.linkage.size.powi(2));
         let sign = self.g.sign();
-        let root = self.root(sign, discriminant, scale, NOISE);
+        let discriminant = Discriminant {
+            value: discriminant,
+            noise: NOISE,
+        };
+        let root = self.root(sign, discriminant, scale);
         self.g.add(foot, root)
     }
 
@@ -676,7 +727,8 @@ impl Writer<'_> {
         }
         // Along the plane any travel will do, and the seed's stands for all.
         let square = self.g.square(rate);
-        let nothing = self.nothing(square, 1.0);
+        let one = self.g.one();
+        let nothing = self.nothing(square, one);
         let link = &self.linkage.links[joint];
         let offset = self.g.constant(link.offset);
         let seeded = self.g.add(self.seed[link.variable], offset);
