@@ -61,11 +61,13 @@ impl JointLimit {
     }
 
     /// The value inside the limits that gives the same posture as `q` and is
-    /// nearest to `seed`; `None` if there is none. A value beyond a stop by no
+    /// nearest to `seed`, or to `q` if the seed is not a number; `None` if there
+    /// is none. A value beyond a stop by no
     /// more than [`JointLimit::TOLERANCE`] is moved onto it.
     pub fn nearest(self, q: f64, seed: f64) -> Option<f64> {
         let (first, last) = self.turns(q);
         let wanted = libm::round((seed - q) / TAU);
+        let wanted = if wanted.is_finite() { wanted } else { 0.0 };
         (first <= last).then(|| self.turned(q, wanted.max(first).min(last)))
     }
 

@@ -276,6 +276,9 @@ fn a_seed_that_is_no_number_spoils_no_answer() {
             (0..3).all(|i| inside(&limits[i], nearest.q[i])),
             "{nearest:?}"
         );
+        let endless = [CONTINUOUS, CONTINUOUS, prismatic(0.0, 1.0)];
+        let nearest = all.nearest_within(&seed, &endless).unwrap();
+        assert!(nearest.q.iter().all(|x| x.is_finite()), "{nearest:?}");
     }
 }
 

@@ -2,12 +2,10 @@
 //! own.
 
 use crate::subject::Subject;
-use crate::zoo::{
-    Elbow, InverseElbow, Irb6640, Kr6R900, Planar2r, Planar3r, Puma560, Scara, Stanford, Tx60,
-};
 use kinematics::{Kinematics, Solution};
 
 for_every_robot!(regular_targets_do_not_look_at_the_seed);
+for_every_robot!(a_singular_seed_comes_back);
 for_every_robot!(answers_converge_to_the_seed);
 
 /// A seed is where it was to this, radians; double roots have half the digits.
@@ -46,20 +44,6 @@ fn singular<K: Kinematics<N>, const N: usize>(
         let [least, next] = robot.least_singular_values(q);
         least < 1e-12 && next > 1e-6
     })
-}
-
-#[test]
-fn singular_seeds_come_back() {
-    a_singular_seed_comes_back(&Subject::new(Elbow, "robots/elbow.yaml"));
-    a_singular_seed_comes_back(&Subject::new(InverseElbow, "robots/inverse_elbow.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Irb6640, "robots/irb6640.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Kr6R900, "robots/kr6_r900.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Planar2r, "robots/planar_2r.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Planar3r, "robots/planar_3r.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Puma560, "robots/puma560.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Scara, "robots/scara.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Stanford, "robots/stanford.yaml"));
-    a_singular_seed_comes_back(&Subject::new(Tx60, "robots/tx60.yaml"));
 }
 
 fn a_singular_seed_comes_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {

@@ -4,7 +4,7 @@
 
 use crate::closest::{
     little_is_gained_by_descending_from_it, not_a_number_has_none,
-    out_of_reach_it_claims_no_solution,
+    out_of_reach_it_claims_no_solution, residual_is_the_distance, within_reach_it_is_a_solution,
 };
 use crate::complete::random_targets_have_all_answers;
 use crate::forward::{jacobians_agree, poses_agree};
@@ -44,3 +44,5 @@ fn regular_configurations_come_back<K: Kinematics<N>, const N: usize>(robot: &Su
         assert_comes_back(robot, &q);
     }
 }
+for_every_noisy_robot!(residual_is_the_distance);
+for_every_noisy_robot!(within_reach_it_is_a_solution);

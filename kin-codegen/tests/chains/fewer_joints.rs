@@ -2,6 +2,7 @@
 
 structures! {
     two_skew_joints: [SKEW, SKEW];
+    universal_joint: [SKEW, MEET];
     waist_and_three_parallel: [SKEW, MEET, PARALLEL, PARALLEL];
     four_joints: [SKEW, SKEW, PARALLEL, SKEW];
     three_parallel_in_the_middle_of_five: [SKEW, SKEW, PARALLEL, PARALLEL, SKEW];

@@ -18,8 +18,8 @@ const OUTSIDE: f64 = 1e-8;
 /// On a snapped arm a root may be out of domain by this many times what the
 /// arms differ and still have a solution on the literal one.
 const BEYOND: f64 = 10.0;
-/// A root this small (angle 1e-7) is reported singular.
-const SINGULAR: f64 = 1e-14;
+/// A root this small (angle 3e-7) is reported singular.
+const SINGULAR: f64 = 1e-13;
 /// Vectors shorter than this, squared and relative to the arm's size, have no
 /// direction: the angle is free. Roots of a sum of squares are accurate down
 /// to here, and below it the branches are one.
@@ -490,23 +490,23 @@ impl Writer<'_> {
         self.set(second, trig);
         let moved = self.bring_behind(from, from.joints.start, first_end);
         let turned = self.across(x_vector, of(moved));
-        let factor = match squares {
+        let (factor, scale) = match squares {
+            // The threshold of the root itself.
+            Some(squares) if !point => (squares, self.g.one()),
             // Of points out of reach the two lengths differ.
-            Some(squares) if !point => squares,
             _ => {
                 let lengths = [x_vector, of(moved)].map(|v| self.length_squared(v));
                 let product = self.g.mul(lengths[0], lengths[1]);
-                self.g.sqrt(product)
+                let scale = if squares.is_some() {
+                    // Less than where the root takes its branches for one:
+                    // those that it tells apart keep their angles.
+                    let square = self.g.dot(centred, centred);
+                    self.scaled(0.01, square)
+                } else {
+                    self.square_scale(point)
+                };
+                (self.g.sqrt(product), scale)
             }
-        };
-        let scale = match squares {
-            // Less than where the root takes its branches for one: those that
-            // it tells apart keep their angles.
-            Some(_) => {
-                let square = self.g.dot(centred, centred);
-                self.scaled(0.01, square)
-            }
-            None => self.square_scale(point),
         };
         let trig = self.normalized(first, turned, factor, scale);
         self.set(first, trig);
