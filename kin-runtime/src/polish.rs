@@ -1,13 +1,16 @@
 //! Landing nearly right configurations on the literal arm.
 
 mod curve;
+mod factor;
 mod landing;
 mod place;
+mod settle;
 
 pub use landing::land;
 pub use place::{Aim, Problem};
 
-use crate::{Jacobian, Pose, math};
+use crate::{Jacobian, Pose};
+use factor::{Factor, norm};
 use place::Place;
 
 /// Relative to the arm's size, a residual below this is rounding.
@@ -40,6 +43,16 @@ pub struct Polished<const N: usize> {
 }
 
 impl<const N: usize> Polished<N> {
+    fn at(place: &Place<N>) -> Self {
+        let factor = Factor::new(&place.rows, 0.0);
+        Self {
+            q: place.q,
+            residual: place.residual,
+            independence: factor.independence(),
+            weak: factor.weak(),
+        }
+    }
+
     /// The Jacobian loses rank.
     pub fn singular(&self) -> bool {
         self.independence < SINGULAR
@@ -77,7 +90,7 @@ pub fn polish<const N: usize>(
     let size = problem.size;
     let look = |q: [f64; N]| Place::new(q, problem);
     let mut here = look(q);
-    let mut factor = Factor::new(&here.rows);
+    let mut factor = Factor::new(&here.rows, 0.0);
     let mut step = factor.solve(&here.error);
     let mut share: f64 = 1.0;
     for _ in 1..steps {
@@ -93,7 +106,7 @@ pub fn polish<const N: usize>(
         let bend = 2.0 * norm(&unforeseen) / (share * share * length).max(f64::MIN_POSITIVE);
         if norm(&next) <= (1.0 - 0.25 * share) * length || there.residual < ROUNDING * size {
             here = there;
-            factor = Factor::new(&here.rows);
+            factor = Factor::new(&here.rows, 0.0);
             step = factor.solve(&here.error);
             share = (1.0 / bend.max(f64::MIN_POSITIVE)).clamp(share, 1.0);
         } else {
@@ -103,103 +116,5 @@ pub fn polish<const N: usize>(
             }
         }
     }
-    Polished {
-        q: here.q,
-        residual: here.residual,
-        independence: factor.independence(),
-        weak: factor.weak(),
-    }
-}
-
-fn norm<const N: usize>(x: &[f64; N]) -> f64 {
-    math::sqrt(x.iter().map(|x| x * x).sum())
-}
-
-/// The normal equations JᵀJ x = Jᵀe, factored.
-struct Factor<const N: usize> {
-    rows: [[f64; N]; 6],
-    /// Cholesky's L below the diagonal.
-    lower: [[f64; N]; N],
-    /// One over its diagonal.
-    inverse: [f64; N],
-}
-
-impl<const N: usize> Factor<N> {
-    fn new(rows: &[[f64; N]; 6]) -> Self {
-        let mut a = [[0.0; N]; N];
-        for row in rows {
-            for i in 0..N {
-                for k in 0..=i {
-                    a[i][k] += row[i] * row[k];
-                }
-            }
-        }
-        let mut inverse = [0.0; N];
-        for i in 0..N {
-            for k in 0..i {
-                let mut sum = a[i][k];
-                for m in 0..k {
-                    sum -= a[i][m] * a[k][m];
-                }
-                a[i][k] = sum * inverse[k];
-                a[i][i] -= a[i][k] * a[i][k];
-            }
-            // Rounding may leave a singular pivot below zero.
-            inverse[i] = 1.0 / math::sqrt(a[i][i].max(1e-20));
-        }
-        Self {
-            rows: *rows,
-            lower: a,
-            inverse,
-        }
-    }
-
-    fn solve(&self, error: &[f64; 6]) -> [f64; N] {
-        let mut x = [0.0; N];
-        for (row, e) in self.rows.iter().zip(error) {
-            for i in 0..N {
-                x[i] += row[i] * e;
-            }
-        }
-        self.solve_square(x)
-    }
-
-    /// x of JᵀJ x = b.
-    fn solve_square(&self, mut x: [f64; N]) -> [f64; N] {
-        for i in 0..N {
-            for k in 0..i {
-                x[i] -= self.lower[i][k] * x[k];
-            }
-            x[i] *= self.inverse[i];
-        }
-        for i in (0..N).rev() {
-            for k in i + 1..N {
-                x[i] -= self.lower[k][i] * x[k];
-            }
-            x[i] *= self.inverse[i];
-        }
-        x
-    }
-
-    /// The least pivot of J relative to the largest.
-    fn independence(&self) -> f64 {
-        let least = self.inverse.iter().fold(0.0, |most: f64, x| most.max(*x));
-        let largest = self
-            .inverse
-            .iter()
-            .fold(f64::INFINITY, |least: f64, x| least.min(*x));
-        largest / least
-    }
-
-    /// The eigenvector of JᵀJ to its least eigenvalue, by inverse iteration.
-    fn weak(&self) -> [f64; N] {
-        // A start that no arm is square to.
-        let mut x: [f64; N] = core::array::from_fn(|i| 1.0 + 0.3 * i as f64);
-        for _ in 0..3 {
-            x = self.solve_square(x);
-            let whole = norm(&x);
-            x = x.map(|x| x / whole);
-        }
-        x
-    }
+    Polished::at(&here)
 }

@@ -2,6 +2,7 @@
 
 use super::curve::follow;
 use super::place::Problem;
+use super::settle::settle;
 use super::{Polished, polish};
 use crate::branches::Acceptance;
 use crate::{Jacobian, Pose, Solution, Solutions, math};
@@ -30,6 +31,9 @@ pub fn land<const N: usize>(
                 continue;
             }
             let mut follow_from = |from: &Polished<N>| {
+                if let Some(i) = insert(solutions, &start, from, accept) {
+                    followed |= 1 << i;
+                }
                 follow(problem, from.q, from.weak, REACH * accept.blur, |q| {
                     let landed = polish(problem, q, steps);
                     if let Some(i) = insert(solutions, &start, &landed, accept) {
@@ -38,10 +42,10 @@ pub fn land<const N: usize>(
                 });
             };
             follow_from(&landed);
-            match place {
-                Some(i) => followed |= 1 << i,
-                // Newton's method has left the branch.
-                None => follow_from(&polish(problem, start.q, 1)),
+            if place.is_none() {
+                // Newton's method has left the branch, or has got stuck.
+                follow_from(&polish(problem, start.q, 1));
+                follow_from(&settle(problem, start.q));
             }
         }
     })
