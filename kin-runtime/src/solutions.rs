@@ -129,20 +129,24 @@ impl<const N: usize> Solutions<N> {
     }
 
     /// The place of a solution, which is appended unless one is the same to
-    /// within 1e-6: branches that were polished may land together. None if it
-    /// is new and there is no place left.
+    /// within 1e-6: branches that were polished may land together, and the
+    /// better of the two is kept. None if it is new and there is no place left.
     pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
         let apart = |i: usize, a: f64, b: f64| {
             let turns = self.prismatic >> i & 1 == 0;
             math::select(turns, math::wrap(a - b), a - b).abs()
         };
         let same = |other: &Solution<N>| (0..N).all(|i| apart(i, other.q[i], solution.q[i]) < 1e-6);
-        let known = self.iter().position(same);
-        known.or_else(|| {
+        let Some(known) = self.iter().position(same) else {
             let place = self.len;
             self.push_if(true, solution);
-            (place < self.len).then_some(place)
-        })
+            return (place < self.len).then_some(place);
+        };
+        let branch = self[known].branch;
+        if solution.residual < self[known].residual {
+            self.slots[known].write(Solution { branch, ..solution });
+        }
+        Some(known)
     }
 
     /// The solutions found, in order of their branch.

@@ -6,7 +6,7 @@ use crate::closest::{
     little_is_gained_by_descending_from_it, not_a_number_has_none,
     out_of_reach_it_claims_no_solution, residual_is_the_distance, within_reach_it_is_a_solution,
 };
-use crate::complete::random_targets_have_all_answers;
+use crate::complete::{assert_matched, random_targets_have_all_answers};
 use crate::forward::{jacobians_agree, poses_agree};
 use crate::honest::{regular_answers_are_not_flagged, singular_answers_are_flagged};
 use crate::malformed::{infinity_has_no_answers, not_a_number_has_no_answers};
@@ -16,6 +16,7 @@ use crate::sound::{angles_are_in_range, answers_are_distinct, answers_reach_the_
 use crate::subject::Subject;
 use crate::unreachable::far_targets_have_no_answers;
 use kinematics::Kinematics;
+use std::f64::consts::PI;
 
 for_every_noisy_robot!(poses_agree);
 for_every_noisy_robot!(jacobians_agree);
@@ -31,18 +32,59 @@ for_every_noisy_robot!(singular_answers_are_flagged);
 for_every_noisy_robot!(regular_configurations_come_back);
 for_every_noisy_robot!(out_of_reach_it_claims_no_solution);
 for_every_noisy_robot!(little_is_gained_by_descending_from_it);
+for_every_noisy_robot!(residual_is_the_distance);
+for_every_noisy_robot!(within_reach_it_is_a_solution);
 for_every_noisy_robot!(not_a_number_has_none);
 for_every_noisy_robot!(regular_targets_do_not_look_at_the_seed);
 
-/// Conditioning of configurations well away from singular ones, compared to
-/// the noise.
-const REGULAR: f64 = 0.01;
+for_every_noisy_robot!(nearly_singular_configurations_come_back);
+for_every_noisy_robot!(nearly_singular_targets_have_all_answers);
+
+/// Below this conditioning a configuration is not isolated to rounding.
+const ISOLATED: f64 = 1e-5;
 
 fn regular_configurations_come_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    let regular = |q: &[f64; N]| robot.conditioning(q) > REGULAR;
+    let regular = |q: &[f64; N]| robot.conditioning(q) > ISOLATED;
     for q in robot.random(1000).filter(regular) {
         assert_comes_back(robot, &q);
     }
 }
-for_every_noisy_robot!(residual_is_the_distance);
-for_every_noisy_robot!(within_reach_it_is_a_solution);
+
+/// With the fifth joint, the wrist of all these arms, near 0 and π. The meant
+/// arm has nearly a family of solutions there, the described one has up to
+/// sixteen isolated ones.
+fn nearly_singular<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+    count: usize,
+) -> Vec<[f64; N]> {
+    let bends = [0.1, -0.03, 0.01, -0.003, 1e-3, PI - 0.05, 0.005 - PI];
+    let bent = bends.into_iter().flat_map(|bend| {
+        robot.random(count).map(move |mut q| {
+            q[4] = bend;
+            q
+        })
+    });
+    bent.filter(|q| robot.conditioning(q) > ISOLATED).collect()
+}
+
+fn nearly_singular_configurations_come_back<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+) {
+    for q in nearly_singular(robot, 100) {
+        assert_comes_back(robot, &q);
+    }
+}
+
+fn nearly_singular_targets_have_all_answers<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+) {
+    for q in nearly_singular(robot, 4) {
+        let target = robot.chain.fk(&q);
+        let answers = robot.ik(&target);
+        for solution in robot.search(&target) {
+            if robot.conditioning(&solution.q) > ISOLATED {
+                assert_matched(robot, &solution, &answers, &q);
+            }
+        }
+    }
+}

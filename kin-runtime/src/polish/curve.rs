@@ -34,6 +34,17 @@ const HALVINGS: usize = 20;
 /// A column of the Jacobian with less than this of its own, besides the weak
 /// one, makes a second weak direction.
 const WEAK: f64 = 1e-6;
+/// With less than this another curve may be near.
+const CROSSING: f64 = 0.2;
+
+/// Where a start for Newton's method was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum On {
+    /// At a zero of the miss.
+    Curve,
+    /// Where another curve comes near: the solution may be on that one.
+    Crossing,
+}
 
 /// Calls `found` near every solution on the curve through `q`, as far as the
 /// miss is within `reach` (radians, or lengths in units of the arm's size).
@@ -43,7 +54,7 @@ pub(super) fn follow<const N: usize>(
     q: [f64; N],
     weak: [f64; N],
     reach: f64,
-    mut found: impl FnMut([f64; N]),
+    mut found: impl FnMut([f64; N], On),
 ) {
     if N + problem.aim.idle() != 6 {
         return;
@@ -65,6 +76,9 @@ pub(super) fn follow<const N: usize>(
                 continue;
             };
             crossings(problem, &here, &there, &mut found);
+            if there.second < CROSSING {
+                found(there.q, On::Crossing);
+            }
             if steps > 2 && there.meets(&start, step) {
                 return;
             }
@@ -86,6 +100,8 @@ struct Point<const N: usize> {
     tangent: [f64; N],
     /// The direction in which the tip can hardly be moved.
     normal: [f64; 6],
+    /// How much the other joints have of their own, at least.
+    second: f64,
 }
 
 impl<const N: usize> Point<N> {
@@ -155,13 +171,13 @@ fn crossings<const N: usize>(
     problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
     a: &Point<N>,
     b: &Point<N>,
-    found: &mut impl FnMut([f64; N]),
+    found: &mut impl FnMut([f64; N], On),
 ) {
     if a.slope * b.slope < 0.0
         && let Some(extreme) = zero(problem, a, b, |point| point.slope)
     {
         if extreme.miss.abs() < ZERO {
-            found(extreme.q);
+            found(extreme.q, On::Curve);
         }
         for (a, b) in [(a, &extreme), (&extreme, b)] {
             solution(problem, a, b, found);
@@ -176,10 +192,10 @@ fn solution<const N: usize>(
     problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
     a: &Point<N>,
     b: &Point<N>,
-    found: &mut impl FnMut([f64; N]),
+    found: &mut impl FnMut([f64; N], On),
 ) {
     if let Some(point) = zero(problem, a, b, |point| point.miss) {
-        found(point.q);
+        found(point.q, On::Curve);
     }
 }
 
@@ -224,6 +240,8 @@ struct Split<const N: usize> {
     /// Column by column, in that basis.
     upper: [[f64; N]; N],
     normal: [f64; 6],
+    /// The least share that a column adds to those before it.
+    second: f64,
 }
 
 impl<const N: usize> Split<N> {
@@ -234,6 +252,7 @@ impl<const N: usize> Split<N> {
             basis: [[0.0; 6]; N],
             upper: [[0.0; N]; N],
             normal: [0.0; 6],
+            second: 1.0,
         };
         for j in (0..N).filter(|&j| j != held) {
             let mut column: [f64; 6] = core::array::from_fn(|i| place.rows[i][j]);
@@ -245,6 +264,7 @@ impl<const N: usize> Split<N> {
             if own.is_nan() || own < WEAK * whole {
                 return None;
             }
+            split.second = split.second.min(own / whole);
             split.upper[j][j] = own;
             split.basis[j] = column.map(|x| x / own);
         }
@@ -306,6 +326,7 @@ impl<const N: usize> Split<N> {
             slope: share * product(&self.normal, &column),
             tangent: tangent.map(|x| share * x),
             normal: self.normal,
+            second: self.second,
         }
     }
 }

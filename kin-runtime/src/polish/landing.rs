@@ -1,6 +1,6 @@
 //! All branches of a snapped arm, landed on the literal one.
 
-use super::curve::follow;
+use super::curve::{On, follow};
 use super::place::Problem;
 use super::settle::settle;
 use super::{Polished, polish};
@@ -12,8 +12,8 @@ const REACH: f64 = 2.0;
 
 /// Lands every branch on the literal arm. Where the Jacobian is as near to
 /// losing rank as the arms differ, the branches of the snapped arm do not tell
-/// how many solutions there are, and all others are looked for on the curve
-/// through the one that was found.
+/// how many solutions there are, and all others are looked for on the curves
+/// through those that were found.
 pub fn land<const N: usize>(
     problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
     starts: impl Iterator<Item = Solution<N>>,
@@ -21,34 +21,66 @@ pub fn land<const N: usize>(
     steps: usize,
 ) -> Solutions<N> {
     Solutions::build_with_prismatic(accept.prismatic, |solutions| {
-        // Bit i is set where the curve through solution i was followed.
-        let mut followed = 0_u32;
-        for start in starts {
-            let landed = polish(problem, start.q, steps);
-            let place = insert(solutions, &start, &landed, accept);
-            let known = place.is_some_and(|i| followed >> i & 1 == 1);
-            if landed.independence >= accept.blur || known {
-                continue;
-            }
-            let mut follow_from = |from: &Polished<N>| {
-                if let Some(i) = insert(solutions, &start, from, accept) {
-                    followed |= 1 << i;
-                }
-                follow(problem, from.q, from.weak, REACH * accept.blur, |q| {
-                    let landed = polish(problem, q, steps);
-                    if let Some(i) = insert(solutions, &start, &landed, accept) {
-                        followed |= 1 << i;
-                    }
-                });
-            };
-            follow_from(&landed);
-            if place.is_none() {
-                // Newton's method has left the branch, or has got stuck.
-                follow_from(&polish(problem, start.q, 1));
-                follow_from(&settle(problem, start.q));
+        let mut search = Search {
+            problem,
+            accept,
+            steps,
+            solutions,
+            followed: 0,
+        };
+        starts.for_each(|start| search.land(&start));
+    })
+}
+
+/// The solutions so far.
+struct Search<'a, F, const N: usize> {
+    problem: &'a Problem<'a, F>,
+    accept: &'a Acceptance,
+    steps: usize,
+    solutions: &'a mut Solutions<N>,
+    /// Bit i is set where the curve through solution i was followed, or need
+    /// not be.
+    followed: u32,
+}
+
+impl<F: Fn(&[f64; N]) -> (Pose, Jacobian<N>), const N: usize> Search<'_, F, N> {
+    fn land(&mut self, start: &Solution<N>) {
+        let landed = polish(self.problem, start.q, self.steps);
+        if insert(self.solutions, start, &landed, self.accept).is_none()
+            && landed.independence < self.accept.blur
+        {
+            // Newton's method has left the branch, or has got stuck.
+            let settled = settle(self.problem, start.q);
+            let settled = polish(self.problem, settled.q, self.steps);
+            if insert(self.solutions, start, &settled, self.accept).is_none() {
+                self.follow(start, &settled);
+                self.follow(start, &polish(self.problem, start.q, 1));
             }
         }
-    })
+        // New solutions come in while curves are followed.
+        while let Some(i) = self.not_followed() {
+            self.followed |= 1 << i;
+            let here = polish(self.problem, self.solutions[i].q, 1);
+            if here.independence < self.accept.blur {
+                self.follow(start, &here);
+            }
+        }
+    }
+
+    fn not_followed(&self) -> Option<usize> {
+        (0..self.solutions.len()).find(|i| self.followed >> i & 1 == 0)
+    }
+
+    fn follow(&mut self, start: &Solution<N>, from: &Polished<N>) {
+        let reach = REACH * self.accept.blur;
+        follow(self.problem, from.q, from.weak, reach, |q, place| {
+            let landed = polish(self.problem, q, self.steps);
+            let found = insert(self.solutions, start, &landed, self.accept);
+            if let (Some(i), On::Curve) = (found, place) {
+                self.followed |= 1 << i;
+            }
+        });
+    }
 }
 
 /// Where the solution is among the others; none if it is none.
