@@ -32,7 +32,7 @@ pub(crate) const SINGULAR: f64 = 1e-5;
 pub(crate) const BLUR: f64 = 3.0;
 /// Columns that are all shorter than this, relative to the arm's size, are
 /// rounding.
-const NOTHING: f64 = 1e-9;
+const NOTHING: f64 = 1e-4;
 /// Above this, columns of the Jacobian are independent in general.
 const GENERIC: f64 = 1e-9;
 

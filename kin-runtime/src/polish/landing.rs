@@ -16,7 +16,7 @@ const REACH: f64 = 2.0;
 /// through those that were found.
 pub fn land<const N: usize>(
     problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
-    starts: impl Iterator<Item = Solution<N>>,
+    starts: impl Iterator<Item = Solution<N>> + Clone,
     accept: &Acceptance,
     steps: usize,
 ) -> Solutions<N> {
@@ -28,7 +28,20 @@ pub fn land<const N: usize>(
             solutions,
             followed: 0,
         };
-        starts.for_each(|start| search.land(&start));
+        // All land before curves are followed, so that solutions bear the
+        // number of their own branch.
+        let mut lost = 0_u64;
+        for (k, start) in starts.clone().enumerate() {
+            lost |= u64::from(search.is_lost(&start)) << (k % 64);
+        }
+        for (k, start) in starts.enumerate() {
+            if lost >> (k % 64) & 1 == 1 {
+                search.find(&start);
+            }
+        }
+        while let Some(i) = search.not_followed() {
+            search.follow_from(i);
+        }
     })
 }
 
@@ -44,26 +57,37 @@ struct Search<'a, F, const N: usize> {
 }
 
 impl<F: Fn(&[f64; N]) -> (Pose, Jacobian<N>), const N: usize> Search<'_, F, N> {
-    fn land(&mut self, start: &Solution<N>) {
+    /// Lands a branch. Whether Newton's method has lost it near a singular
+    /// configuration: it has got stuck, or has left the branch.
+    fn is_lost(&mut self, start: &Solution<N>) -> bool {
         let landed = polish(self.problem, start.q, self.steps);
-        if insert(self.solutions, start, &landed, self.accept).is_none()
-            && landed.independence < self.accept.blur
-        {
-            // Newton's method has left the branch, or has got stuck.
-            let settled = settle(self.problem, start.q);
-            let settled = polish(self.problem, settled.q, self.steps);
-            if insert(self.solutions, start, &settled, self.accept).is_none() {
-                self.follow(start, &settled);
-                self.follow(start, &polish(self.problem, start.q, 1));
-            }
+        let place = insert(self.solutions, start, &landed, self.accept);
+        let near_singular = landed.independence < self.accept.blur;
+        match place {
+            Some(i) if !near_singular => self.followed |= 1 << i,
+            _ => {}
         }
-        // New solutions come in while curves are followed.
-        while let Some(i) = self.not_followed() {
-            self.followed |= 1 << i;
-            let here = polish(self.problem, self.solutions[i].q, 1);
-            if here.independence < self.accept.blur {
-                self.follow(start, &here);
-            }
+        place.is_none() && near_singular
+    }
+
+    /// Looks for what a lost branch has become.
+    fn find(&mut self, start: &Solution<N>) {
+        let settled = settle(self.problem, start.q);
+        let settled = polish(self.problem, settled.q, self.steps);
+        if insert(self.solutions, start, &settled, self.accept).is_none() {
+            self.follow(start, &settled);
+            self.follow(start, &polish(self.problem, start.q, 1));
+        }
+    }
+
+    /// Follows the curve through a solution, if it is nearly singular. New
+    /// solutions may come in.
+    fn follow_from(&mut self, i: usize) {
+        self.followed |= 1 << i;
+        let start = self.solutions[i];
+        let here = polish(self.problem, start.q, 1);
+        if here.independence < self.accept.blur {
+            self.follow(&start, &here);
         }
     }
 
