@@ -341,7 +341,13 @@ fn every_robot_is_read_and_says_where_its_numbers_come_from() {
             text: text.clone(),
         };
         if MechanismSpec::is_meant(&source) {
-            assert!(MechanismSpec::parse(&source).unwrap().chains.len() > 1);
+            assert!(
+                MechanismSpec::parse(&source, None, None)
+                    .unwrap()
+                    .chains
+                    .len()
+                    > 1
+            );
         } else {
             let model = robot(name);
             assert!(!model.joints.is_empty());

@@ -4,6 +4,7 @@
 mod delta;
 mod five_bar;
 mod four_bar;
+mod loop_joints;
 mod properties;
 mod slider_crank;
 mod stewart;
@@ -24,7 +25,7 @@ const CLOSED: f64 = 1e-12;
 /// A robot of the project as the runtime's generic mechanism.
 fn generic(file: &str) -> kinematics::Mechanism {
     let source = Source::read(file, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let spec = MechanismSpec::parse(&source).unwrap();
+    let spec = MechanismSpec::parse(&source, None, None).unwrap();
     Mechanism::new(&spec).unwrap().generic()
 }
 

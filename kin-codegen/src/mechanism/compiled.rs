@@ -35,7 +35,8 @@ pub struct CompiledMechanism {
 /// chains has no closed form.
 pub fn compile(source: &Source, options: &Options) -> Result<CompiledMechanism, Diagnostics> {
     refuse_options(source, options)?;
-    let mechanism = Mechanism::new(&MechanismSpec::parse(source)?)?;
+    let (base, platform) = (options.base.as_deref(), options.tip.as_deref());
+    let mechanism = Mechanism::new(&MechanismSpec::parse(source, base, platform)?)?;
     let freedom = Freedom::of(&mechanism);
     freedom.check(&mechanism, source)?;
     let inverse = match options.ik {
@@ -60,11 +61,13 @@ pub fn compile(source: &Source, options: &Options) -> Result<CompiledMechanism, 
     })
 }
 
-/// A mechanism has one base and one platform, and they say what a target is.
+/// What a target is follows from the mechanism, and a YAML file says its base
+/// and platform.
 fn refuse_options(source: &Source, options: &Options) -> Result<(), Diagnostics> {
+    let says_ends = MechanismSpec::says_ends(source);
     let set = [
-        ("base", options.base.is_some()),
-        ("tip", options.tip.is_some()),
+        ("base", options.base.is_some() && says_ends),
+        ("tip", options.tip.is_some() && says_ends),
         ("target", options.target.is_some()),
     ];
     let Some((option, _)) = set.into_iter().find(|(_, set)| *set) else {
@@ -75,8 +78,10 @@ fn refuse_options(source: &Source, options: &Options) -> Result<(), Diagnostics>
         list: vec![Diagnostic {
             at: None,
             line: String::new(),
-            reason: format!("the option `{option}` is for arms, and this file has a mechanism"),
-            remedy: "leave it out: the file says where the chains begin and end".into(),
+            reason: format!("the option `{option}` has no meaning for this file's mechanism"),
+            remedy: "leave it out: the file says where the chains begin and end, and what they \
+                     can be asked for follows from it"
+                .into(),
         }],
     })
 }

@@ -40,11 +40,35 @@ impl MechanismSpec {
     pub fn is_meant(source: &Source) -> bool {
         match format::of(source) {
             Ok(format::Format::Yaml) => yaml::mechanism::is_meant(&source.text),
-            Ok(format::Format::Urdf) | Err(_) => false,
+            Ok(format::Format::Urdf) => urdf::loops::is_meant(&source.text),
+            Err(_) => false,
         }
     }
 
-    /// Reads a mechanism.
+    /// Whether a file says its base and platform itself: YAML does.
+    pub(crate) fn says_ends(source: &Source) -> bool {
+        matches!(format::of(source), Ok(format::Format::Yaml))
+    }
+
+    /// Reads a mechanism. `base` and `platform` choose links of a URDF, whose
+    /// loops the elements `<loop_joint>` close (in the dialect of Drake):
+    ///
+    /// ```xml
+    /// <loop_joint name="rocker_pin" type="revolute">
+    ///   <link1 link="rocker" xyz="0 2 0" rpy="0 0 0"/>
+    ///   <link2 link="coupler" xyz="1.5 0 0"/>
+    ///   <axis xyz="0 0 1"/>
+    /// </loop_joint>
+    /// ```
+    ///
+    /// The joint's frame lies in `link1`, with `axis` a direction in it (x by
+    /// default); `link2` says where the same point lies in the other link, and
+    /// with all joint values 0 the two coincide. `type` is `revolute`,
+    /// `prismatic`, `fixed`, or `spherical` (three revolutes). Joints that a
+    /// `<transmission>` names are actuated. By default the base is the root, and
+    /// the platform the only other link at which more than two chains meet, or
+    /// the tree's only leaf in the loop. YAML says its base and platform itself;
+    /// see [`yaml::mechanism`](super::yaml::mechanism).
     ///
     /// ```
     /// use kin_codegen::spec::{MechanismSpec, Source};
@@ -66,7 +90,7 @@ impl MechanismSpec {
     ///         - {name: other_pin, axis: [0, 0, 1], point: [2, 1, 0]}
     /// ";
     /// let source = Source { path: "parallelogram.yaml".into(), text: text.into() };
-    /// let mechanism = MechanismSpec::parse(&source)?;
+    /// let mechanism = MechanismSpec::parse(&source, None, None)?;
     /// assert_eq!(mechanism.chains[0].actuated, ["crank"]);
     /// # Ok::<(), kin_codegen::spec::Diagnostics>(())
     /// ```
@@ -76,7 +100,11 @@ impl MechanismSpec {
     /// Everything that is wrong with the file, in its order. What no mechanism
     /// can have (chains that end elsewhere, no mobility) is left to
     /// [`Mechanism::new`](crate::mechanism::Mechanism::new).
-    pub fn parse(source: &Source) -> Result<MechanismSpec, Diagnostics> {
+    pub fn parse(
+        source: &Source,
+        base: Option<&str>,
+        platform: Option<&str>,
+    ) -> Result<MechanismSpec, Diagnostics> {
         let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
         let source = Source {
             path: source.path.clone(),
@@ -84,7 +112,7 @@ impl MechanismSpec {
         };
         match format::of(&source)? {
             format::Format::Yaml => yaml::mechanism::parse(&source),
-            format::Format::Urdf => urdf::parse(&source).and_then(|_| unreachable!()),
+            format::Format::Urdf => urdf::loops::parse(&source, base, platform),
         }
     }
 }

@@ -7,6 +7,7 @@
 //! differ is refused rather than chosen.
 mod checks;
 mod joint;
+pub(in crate::spec) mod loops;
 mod numbers;
 mod origin;
 mod strict;

@@ -92,7 +92,9 @@ pub(super) fn attributes(element: &str) -> &'static [&'static str] {
         "axis" => &["xyz"],
         "limit" => &["lower", "upper"],
         "mimic" => &["joint", "multiplier", "offset"],
-        "joint" => &["name", "type"],
+        "joint" | "loop_joint" => &["name", "type"],
+        "link1" => &["link", "xyz", "rpy"],
+        "link2" => &["link", "xyz"],
         "link" => &["name"],
         _ => &[],
     }

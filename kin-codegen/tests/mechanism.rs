@@ -1,0 +1,242 @@
+//! What is read of mechanisms, and told of them.
+
+use kin_codegen::mechanism::{self, Aim, Forward, Mechanism};
+use kin_codegen::spec::{MechanismSpec, Spec};
+use kin_codegen::{Ik, Options, Robot, Source, Target, generate};
+use std::path::Path;
+
+fn robot(file: &str) -> Source {
+    let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
+    Source::read(file, &robots).unwrap()
+}
+
+fn urdf(text: String) -> Source {
+    Source {
+        path: "linkage.urdf".into(),
+        text,
+    }
+}
+
+/// A planar 3-RRR of symmetric legs in a URDF: the first leg carries the
+/// platform, the second ends at it in a loop joint, the third hangs on the
+/// platform and ends at the base.
+fn three_legs() -> String {
+    let corner = |radius: f64, k: usize| {
+        let angle = k as f64 * 2.0 * std::f64::consts::FRAC_PI_3;
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    let knee = |k: usize| {
+        let ([a, b], [c, d]) = (corner(1.0, k), corner(0.3, k));
+        // Out of line, so that home is regular.
+        [0.5 * (a + c) - 0.4 * (b - d), 0.5 * (b + d) + 0.4 * (a - c)]
+    };
+    let joint = |name: &str, parent: &str, child: &str, [x, y]: [f64; 2]| {
+        format!(
+            "<link name=\"{child}\"/><joint name=\"{name}\" type=\"continuous\">\
+             <parent link=\"{parent}\"/><child link=\"{child}\"/>\
+             <origin xyz=\"{x} {y} 0\"/><axis xyz=\"0 0 1\"/></joint>\n"
+        )
+    };
+    let from = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a - c, b - d];
+    let (feet, heads) = (
+        [0, 1, 2].map(|k| corner(1.0, k)),
+        [0, 1, 2].map(|k| corner(0.3, k)),
+    );
+    let knees = [0, 1, 2].map(knee);
+    let mut text = String::from("<robot name=\"three\">\n<link name=\"base\"/>\n");
+    text += &joint("a1", "base", "upper1", feet[0]);
+    text += &joint("b1", "upper1", "lower1", from(knees[0], feet[0]));
+    text += &joint("c1", "lower1", "platform", from(heads[0], knees[0]));
+    text += &joint("a2", "base", "upper2", feet[1]);
+    text += &joint("b2", "upper2", "lower2", from(knees[1], feet[1]));
+    text += &joint("c3", "platform", "lower3", from(heads[2], heads[0]));
+    text += &joint("b3", "lower3", "upper3", from(knees[2], heads[2]));
+    let link = |number: usize, name: &str, [x, y]: [f64; 2]| {
+        format!("<link{number} link=\"{name}\" xyz=\"{x} {y} 0\"/>")
+    };
+    for (name, one, two) in [
+        (
+            "c2",
+            link(1, "lower2", from(heads[1], knees[1])),
+            link(2, "platform", from(heads[1], heads[0])),
+        ),
+        (
+            "a3",
+            link(1, "upper3", from(feet[2], knees[2])),
+            link(2, "base", feet[2]),
+        ),
+    ] {
+        text += &format!(
+            "<loop_joint name=\"{name}\" type=\"revolute\">{one}{two}\
+             <axis xyz=\"0 0 1\"/></loop_joint>\n"
+        );
+    }
+    for k in 1..=3 {
+        text += &format!("<transmission name=\"t{k}\"><joint name=\"a{k}\"/></transmission>\n");
+    }
+    text + "</robot>\n"
+}
+
+#[test]
+fn chains_are_found_in_a_tree_with_loop_joints_whichever_way_they_hang() {
+    let source = urdf(three_legs());
+    assert!(MechanismSpec::is_meant(&source));
+    let spec = MechanismSpec::parse(&source, None, None).unwrap();
+    assert_eq!(
+        (spec.base.as_str(), spec.platform.as_str()),
+        ("base", "platform")
+    );
+    let mechanism = Mechanism::new(&spec).unwrap();
+    let names = |k: usize| -> Vec<String> {
+        let joints = &mechanism.legs[k].model.joints;
+        joints.iter().map(|joint| joint.name.clone()).collect()
+    };
+    assert_eq!(names(0), ["a1", "b1", "c1"]);
+    assert_eq!(names(1), ["a2", "b2", "c2"]);
+    // From base to platform, although the tree runs the other way.
+    assert_eq!(names(2), ["a3", "b3", "c3"]);
+    assert_eq!(mechanism.actuated(), [0, 3, 6]);
+    let generic = mechanism.generic();
+    assert_eq!((generic.gruebler(3), generic.mobility()), (3, 3));
+    let q = generic.fk_near(&[0.1, -0.1, 0.2], &[0.0; 9]).unwrap();
+    assert!(generic.gap(&q) < 1e-12);
+}
+
+/// The third leg is passed against its joints: its values are those of the
+/// joints as written, and a positive one turns the parent back.
+#[test]
+fn a_joint_passed_backwards_keeps_its_value() {
+    let spec = MechanismSpec::parse(&urdf(three_legs()), None, None).unwrap();
+    let mechanism = Mechanism::new(&spec).unwrap();
+    assert_eq!(mechanism.legs[0].model.joints[0].axis, [0.0, 0.0, 1.0]);
+    assert_eq!(mechanism.legs[2].model.joints[0].axis, [0.0, 0.0, -1.0]);
+}
+
+#[test]
+fn a_planar_three_legged_platform_is_compiled() {
+    let compiled = mechanism::compile(&urdf(three_legs()), &Options::default()).unwrap();
+    let inverse = compiled.inverse.unwrap();
+    assert_eq!(inverse.aim, Aim::Pose);
+    assert!(inverse.legs.iter().all(|leg| leg.branches() == 2));
+    assert!(matches!(compiled.forward, Forward::Newton));
+}
+
+/// RSSR: a spherical loop joint is three revolutes, and the coupler's spin
+/// about itself is idle.
+#[test]
+fn a_spherical_loop_joint_is_three_revolutes() {
+    let text = "<robot name=\"rssr\">
+<link name=\"base\"/><link name=\"crank\"/><link name=\"rocker\"/><link name=\"rod\"/>
+<link name=\"u\"/><link name=\"v\"/>
+<joint name=\"a\" type=\"continuous\"><parent link=\"base\"/><child link=\"crank\"/>
+<axis xyz=\"0 0 1\"/></joint>
+<joint name=\"b\" type=\"continuous\"><parent link=\"base\"/><child link=\"rocker\"/>
+<origin xyz=\"2 0 0\"/><axis xyz=\"1 0 0\"/></joint>
+<joint name=\"z\" type=\"continuous\"><parent link=\"crank\"/><child link=\"u\"/>
+<origin xyz=\"0 0.5 0\"/><axis xyz=\"0 0 1\"/></joint>
+<joint name=\"y\" type=\"continuous\"><parent link=\"u\"/><child link=\"v\"/>
+<axis xyz=\"0 1 0\"/></joint>
+<joint name=\"x\" type=\"continuous\"><parent link=\"v\"/><child link=\"rod\"/>
+<axis xyz=\"1 0 0\"/></joint>
+<loop_joint name=\"ball\" type=\"spherical\"><link1 link=\"rod\" xyz=\"2 0.5 0.4\"/>
+<link2 link=\"rocker\" xyz=\"0 1 0.4\"/></loop_joint>
+<transmission name=\"t\"><joint name=\"a\"/></transmission>
+</robot>";
+    let source = urdf(text.into());
+    let spec = MechanismSpec::parse(&source, None, Some("rocker")).unwrap();
+    let mechanism = Mechanism::new(&spec).unwrap();
+    assert_eq!(mechanism.joints(), 8);
+    let generic = mechanism.generic();
+    // The rod turns about itself.
+    let q = &generic.neighbours()[0];
+    assert_eq!((generic.gruebler(6), generic.mobility()), (2, 2));
+    assert_eq!(generic.platform_freedom(q), 1);
+}
+
+#[test]
+fn one_arm_is_no_mechanism_and_the_other_way_round() {
+    assert!(!MechanismSpec::is_meant(&robot("ur5e.urdf")));
+    assert!(!MechanismSpec::is_meant(&robot("scara.yaml")));
+    let refused = Spec::parse(&robot("delta.yaml")).unwrap_err().to_string();
+    assert!(
+        refused.contains("describes a parallel mechanism"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn what_the_platform_is_asked_for_follows_from_its_freedoms() {
+    let aim = |file: &str| {
+        let compiled = mechanism::compile(&robot(file), &Options::default()).unwrap();
+        compiled.inverse.unwrap().aim
+    };
+    assert_eq!(aim("stewart.yaml"), Aim::Pose);
+    assert_eq!(aim("delta.yaml"), Aim::Translation);
+    assert_eq!(aim("slider_crank.yaml"), Aim::Translation);
+    assert_eq!(aim("five_bar.yaml"), Aim::Lead(0));
+}
+
+#[test]
+fn options_of_arms_are_refused() {
+    let with_target = Options {
+        target: Some(Target::Position),
+        ..Options::default()
+    };
+    let refused = mechanism::compile(&robot("delta.yaml"), &with_target).unwrap_err();
+    assert!(
+        refused
+            .to_string()
+            .contains("the option `target` has no meaning")
+    );
+}
+
+#[test]
+fn without_inverse_kinematics_a_loop_still_has_its_assemblies() {
+    let options = Options {
+        ik: Ik::None,
+        ..Options::default()
+    };
+    let generated = generate(&robot("five_bar.yaml"), &options).unwrap();
+    let Robot::Mechanism(compiled) = &generated.robot else {
+        panic!("a mechanism");
+    };
+    assert!(compiled.inverse.is_none());
+    assert!(matches!(compiled.forward, Forward::Loop(_)));
+    let code = generated.code();
+    assert!(code.contains("fn fk(") && !code.contains("fn ik_near(&self, target"));
+}
+
+fn told(file: &str) -> String {
+    let explanation = mechanism::explain(&robot(file), &Options::default());
+    explanation.unwrap().to_string()
+}
+
+#[test]
+fn a_stewart_platform_is_explained() {
+    let text = told("stewart.yaml");
+    for line in [
+        "stewart, from stewart.yaml: 6 chains from frame to platform, 36 joints, 6 of them actuated",
+        "  leg1, UP*S",
+        "  Grübler: 36 joints - 6 x 5 loops = 6, in space",
+        "  By rank: 6, all of them motions of the platform",
+        "  slide1, slide2, slide3, slide4, slide5, slide6",
+        "  Targets are whole poses of the platform.",
+        "  Newton's method on the structure equation, from a seed, in at most 60 steps.",
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
+    }
+}
+
+#[test]
+fn a_delta_is_explained() {
+    let text = told("delta.yaml");
+    for line in [
+        "  arm1, R*UU",
+        "  Grübler: 15 joints - 6 x 2 loops = 3, in space",
+        "  motor1, motor2, motor3",
+        "  2 assemblies at most.",
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
+    }
+    assert!(text.contains("three spheres meet"), "{text}");
+}
