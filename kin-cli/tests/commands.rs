@@ -143,3 +143,17 @@ fn a_closed_pipe_is_no_error() {
     assert_eq!(stderr(&output), "");
     assert_eq!(output.status.code(), Some(0));
 }
+
+#[test]
+fn mechanisms_are_explained_generated_and_told_from_arms() {
+    const DELTA: &str = "robots/delta.yaml";
+    let told = kin(&["explain", DELTA, "--json"]);
+    let told: serde_json::Value = serde_json::from_str(stdout(&told)).unwrap();
+    assert_eq!(told["mobility"]["gruebler"], 3);
+    assert_eq!(told["chains"].as_array().unwrap().len(), 3);
+    let code = kin(&["generate", DELTA, "--name", "Picker"]);
+    assert!(stdout(&code).contains("pub struct Picker;"));
+    let checked = kin(&["check", DELTA]);
+    assert_eq!(checked.status.code(), Some(1));
+    assert!(stdout(&checked).contains("describes a parallel mechanism"));
+}

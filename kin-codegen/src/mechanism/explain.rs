@@ -179,7 +179,7 @@ pub(super) fn target(compiled: &CompiledMechanism, aim: Aim) -> String {
     match aim {
         Aim::Pose => "whole poses of the platform".into(),
         Aim::Translation => {
-            "positions of the platform, which never turns: the rotation of a target is not read"
+            "positions of the platform, which does not turn: the rotation of a target is not read"
                 .into()
         }
         Aim::Lead(leg) => format!(
@@ -204,7 +204,8 @@ pub(super) fn method(forward: &Forward) -> String {
         ),
         Forward::Spheres(rods) => format!(
             "closed form: the platform translates at {} from points that the actuators place, so \
-             its position is where three spheres meet",
+             its position is where three spheres meet (assemblies with the platform turned, in another \
+             mode of its joints, are left out)",
             rods.iter()
                 .map(|rod| format!("{:.4} m", rod.length))
                 .collect::<Vec<_>>()

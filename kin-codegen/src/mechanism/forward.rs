@@ -8,7 +8,7 @@ use crate::geometry::{Vec3, norm, sub};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
 use crate::solver::solve;
-use kin_runtime::{Pose, math};
+use kin_runtime::{Pose, math, three_spheres};
 
 /// How forward kinematics finds the assemblies.
 #[derive(Clone, Debug)]
@@ -65,6 +65,7 @@ impl Forward {
         }
         if inverse.is_some_and(|inverse| inverse.aim == Aim::Translation)
             && let Some(rods) = rods(mechanism, path)
+            && hold(mechanism, freedom, &rods)
         {
             return Forward::Spheres(rods);
         }
@@ -185,6 +186,25 @@ fn rods(mechanism: &Mechanism, path: &str) -> Option<Vec<Rod>> {
         first += leg.actuated.len();
     }
     Some(rods)
+}
+
+/// Every sample's platform is where the spheres of its rods meet.
+fn hold(mechanism: &Mechanism, freedom: &Freedom, rods: &[Rod]) -> bool {
+    let generic = mechanism.generic();
+    let actuated = mechanism.actuated();
+    let regular = |q: &&Vec<f64>| generic.actuator_singularity(q) > 1e-4;
+    freedom.samples.iter().filter(regular).all(|q| {
+        let centre = |rod: &Rod| {
+            let values: Vec<f64> = rod.driven.iter().map(|a| q[actuated[*a]]).collect();
+            let from = crate::verify::chain(&rod.drive.model).fk(&values);
+            sub(from.translation, rod.end)
+        };
+        let centres = [0, 1, 2].map(|i| centre(&rods[i]));
+        let found = three_spheres(centres, [0, 1, 2].map(|i| rods[i].length));
+        let platform = generic.poses(q)[0].translation;
+        let near = |p: &Vec3| norm(sub(*p, platform)) < 1e-6 * generic.length();
+        found.exact().iter().any(near)
+    })
 }
 
 fn rod(leg: &Leg, first: usize, home: Pose, path: &str) -> Option<Rod> {

@@ -26,7 +26,9 @@
 //! serial chain of the passive joints around it, whose two ends the actuated
 //! ones place: inverse kinematics of that chain, by the same search, gives all
 //! assemblies. Three chains that hold a translating platform at constant
-//! distances from points that the actuators place (a Delta) are three spheres.
+//! distances from points that the actuators place (a Delta) are three spheres;
+//! that tells all assemblies of the mode in which it translates, and leaves out
+//! those, if there are any, in which its joints were forced into another one.
 //! All others are left to Newton's method, from a seed.
 //!
 //! Data flows one way; the runtime half is [`kin_runtime::ParallelKinematics`],

@@ -13,6 +13,10 @@ const STEPS: usize = 60;
 /// improve but rounding.
 const CLOSED: f64 = 1e-14;
 
+/// Below this, relative to the mechanism's length, a step that does not halve
+/// the gap is the last.
+const SETTLED: f64 = 1e-12;
+
 /// The longest step: radians, or metres by the mechanism's length.
 const LONGEST: f64 = 0.6;
 
@@ -55,7 +59,10 @@ pub(super) fn close(
             least = gap;
             best.copy_from_slice(q);
         }
-        if gap <= CLOSED * task.length || gap.is_nan() || (idle > 3 && least < 1e-12) {
+        if gap <= CLOSED * task.length
+            || gap.is_nan()
+            || (idle > 0 && least < SETTLED * task.length)
+        {
             break;
         }
         let at = platform.unwrap_or(poses[0]);
@@ -81,19 +88,29 @@ fn step(posture: &Posture, platform: Pose, gap: f64, q: &mut [f64]) -> Pose {
         triangle::absorb(r, tails, &mut row, &mut [0.0]);
     }
     let motion = back_substitute(&r, |i| tails[i][0]);
-    let limit = limit(posture, &motion, missing);
-    for (chain, [first, _]) in posture.chains.iter().enumerate() {
-        let rest = missing(chain);
-        let wanted = core::array::from_fn(|i| motion[i] + rest[i]);
-        posture
-            .passive(chain)
-            .coordinates(&wanted, |j, change| q[first + j] += limit * change);
+    // Most steps are short enough; those that are not are drawn back.
+    let longest = follow(posture, &motion, missing, 1.0, q);
+    let limit = if longest > LONGEST {
+        LONGEST / longest
+    } else {
+        1.0
+    };
+    if limit < 1.0 {
+        follow(posture, &motion, missing, limit - 1.0, q);
     }
     Pose::exp(&posture.spatial(&motion), limit) * platform
 }
 
-/// The part of a step that turns no joint and no platform too far.
-fn limit(posture: &Posture, motion: &Vector6, missing: impl Fn(usize) -> Vector6) -> f64 {
+/// Moves every chain's passive joints by a part of what takes its end along
+/// with the platform, and tells the longest of the whole motions: radians, or
+/// metres by the mechanism's length.
+fn follow(
+    posture: &Posture,
+    motion: &Vector6,
+    missing: impl Fn(usize) -> Vector6,
+    part: f64,
+    q: &mut [f64],
+) -> f64 {
     let mut longest = motion.iter().fold(0.0, |most: f64, x| most.max(x.abs())) / posture.length;
     for (chain, [first, _]) in posture.chains.iter().enumerate() {
         let rest = missing(chain);
@@ -102,11 +119,8 @@ fn limit(posture: &Posture, motion: &Vector6, missing: impl Fn(usize) -> Vector6
             let turns = posture.twists[first + j].angular != [0.0; 3];
             let unit = if turns { 1.0 } else { posture.length };
             longest = longest.max(change.abs() / unit);
+            q[first + j] += part * change;
         });
     }
-    if longest > LONGEST {
-        LONGEST / longest
-    } else {
-        1.0
-    }
+    longest
 }

@@ -73,11 +73,20 @@ impl Posture<'_> {
     /// the angle times the length, metres.
     pub(super) fn gap(&self) -> f64 {
         let first = &self.poses[0];
-        let apart = |pose: &Pose| {
+        let mut gap = 0.0;
+        for pose in &self.poses[1..] {
             let turned = self.length * pose.rotation_distance(first);
-            pose.translation_distance(first).max(turned)
-        };
-        self.poses[1..].iter().map(apart).fold(0.0, f64::max)
+            for apart in [pose.translation_distance(first), turned] {
+                // What is no number is no closed loop.
+                if apart > gap || apart.is_nan() {
+                    gap = apart;
+                }
+            }
+            if gap.is_nan() {
+                break;
+            }
+        }
+        gap
     }
 
     /// The rows of J₁ θ̇₁ − Jₖ θ̇ₖ = 0, for every chain k after the first.

@@ -4,6 +4,7 @@
 use super::{CLOSED, Delta};
 use crate::chapter3::random::Random;
 use kinematics::{Pose, Solution};
+use nalgebra::Vector3;
 
 const UPPER: f64 = 0.112;
 const ROD: f64 = 0.232;
@@ -101,6 +102,73 @@ fn assemblies_lie_on_three_spheres() {
         }
     }
     assert!(both > 900, "{both}");
+}
+
+/// Spheres of one size meet where the circle through their centres is smaller.
+#[test]
+fn motors_that_no_platform_fits_have_no_assemblies() {
+    let mut random = Random::new(15);
+    let mut without = 0;
+    for _ in 0..3000 {
+        let motors = [(); 3].map(|()| random.angle());
+        let centres: Vec<Vector3<f64>> = motors
+            .into_iter()
+            .zip(ARMS)
+            .map(|(motor, turned)| {
+                let out = base() + UPPER * motor.cos() - platform();
+                Vector3::new(out * turned.cos(), out * turned.sin(), -UPPER * motor.sin())
+            })
+            .collect();
+        let [a, b, c] = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| centres[i] - centres[j]);
+        let circle = a.norm() * b.norm() * c.norm() / (2.0 * a.cross(&b).norm());
+        let found = Delta.fk(&motors).len();
+        if circle > ROD * (1.0 + 1e-9) {
+            assert_eq!(found, 0, "{motors:?}");
+            // What closes all the same has left the mode in which it translates.
+            let other = Delta.fk_near(&motors, &[0.0; 15]);
+            assert!(other.is_none_or(|s| {
+                let turned = Delta.platform(&s.q).rotation_distance(&Pose::IDENTITY);
+                turned > 1e-3 && s.residual < CLOSED * Delta::LENGTH
+            }));
+            without += 1;
+        } else if circle < ROD * (1.0 - 1e-9) {
+            assert_eq!(found, 2, "{motors:?}");
+        }
+    }
+    assert!(without > 20, "{without}");
+}
+
+#[test]
+fn out_of_reach_there_is_nothing() {
+    assert!(
+        Delta
+            .ik(&Pose::from_translation([0.0, 0.0, -0.6]))
+            .is_empty()
+    );
+    assert!(Delta.ik(&Pose::from_translation([f64::NAN; 3])).is_empty());
+    assert!(Delta.fk(&[f64::NAN; 3]).is_empty());
+    assert!(Delta.fk_near(&[f64::NAN; 3], &[0.0; 15]).is_none());
+}
+
+/// Where a rod and its arm are in line, the inverse Jacobian grows without
+/// bound; straight below the centre all three are at once.
+#[test]
+fn an_arm_in_line_with_its_rod_cannot_follow() {
+    let out = base() - platform();
+    let lowest = -((UPPER + ROD).powi(2) - out * out).sqrt();
+    let rows = |above: f64| {
+        let target = Pose::from_translation([0.0, 0.0, lowest + above]);
+        let q = Delta.ik(&target).iter().next().unwrap();
+        Delta.inverse_jacobian(&q).unwrap()
+    };
+    for a in 0..3 {
+        assert!(rows(1e-8)[a][2].abs() > 100.0 * rows(1e-2)[a][2].abs());
+    }
+    assert!(
+        Delta
+            .ik(&Pose::from_translation([0.0, 0.0, lowest - 1e-6]))
+            .is_empty()
+    );
 }
 
 #[test]

@@ -56,6 +56,22 @@ fn assemblies_are_where_two_circles_meet() {
     assert!(without > 100);
 }
 
+/// Both elbows in one point: the rods turn freely about it.
+#[test]
+fn elbows_in_one_point_leave_a_family_of_which_one_is_told() {
+    let motor = (0.5 * FRAME / LINK).asin();
+    let found = FiveBar.fk(&[-motor, motor]);
+    assert!(!found.is_empty());
+    for assembly in &found {
+        assert!(
+            assembly.singular && assembly.residual < 1e-9,
+            "{assembly:?}"
+        );
+        assert!(FiveBar.actuator_singularity(&assembly.q) < 1e-6);
+        assert!(FiveBar.forward_jacobian(&assembly.q).is_none());
+    }
+}
+
 #[test]
 fn a_point_is_held_in_four_ways() {
     let postures = FiveBar.ik(&Pose::from_translation([0.05, 0.15, 0.0]));

@@ -153,3 +153,24 @@ fn loops_stay_closed_along_a_circle() {
         seed = found.q;
     }
 }
+
+/// No seed leads to lengths that no platform fits.
+#[test]
+fn legs_that_do_not_fit_have_no_assembly() {
+    let mut actuated = [0.0; 6];
+    actuated[0] = 2.0;
+    assert!(Stewart.fk_near(&actuated, &[0.0; 36]).is_none());
+    assert!(Stewart.fk_near(&[f64::NAN; 6], &[0.0; 36]).is_none());
+}
+
+/// A leg has eight ways to hold its end: there and back through the base, and
+/// two of either joint. They combine freely.
+#[test]
+fn every_combination_of_legs_closes() {
+    let target = pose(&mut Random::new(24));
+    let postures = Stewart.ik(&target);
+    assert_eq!(postures.len(), 8_usize.pow(6));
+    for q in postures.iter().step_by(997) {
+        assert!(Stewart.gap(&q) < CLOSED * Stewart::LENGTH);
+    }
+}
