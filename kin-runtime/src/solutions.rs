@@ -16,7 +16,9 @@ pub struct Solution<const N: usize> {
     /// times the arm's size, metres).
     pub residual: f64,
     /// Which combination of the plan's choices this is; the rustdoc of the
-    /// robot names them. Stable along a path that crosses no singularity.
+    /// robot names them. Stable along a path that crosses no singularity. An
+    /// arm off its design can have more solutions near a singularity than
+    /// branches; those have the number of a neighbour.
     pub branch: u32,
     /// The Jacobian loses rank here: `q` stands for a family of solutions, or
     /// for two that have met.
@@ -26,7 +28,8 @@ pub struct Solution<const N: usize> {
 const CAPACITY: usize = 16;
 
 /// All solutions of one target, at most [`Solutions::CAPACITY`], in order of
-/// their branch. Behaves as a slice of [`Solution`] and lives on the stack.
+/// their branch; those that an arm off its design has more than the design come
+/// last. Behaves as a slice of [`Solution`] and lives on the stack.
 ///
 /// ```
 /// use kin_runtime::{JointLimit, Solution, Solutions};
