@@ -101,8 +101,8 @@ pub struct Check {
     pub json: bool,
 }
 
-/// Map the workspace of an arm with a closed form: pictures of three slices, and
-/// the numbers
+/// Map the workspace of an arm or a parallel mechanism with a closed form:
+/// pictures of three slices, and the numbers
 #[derive(Debug, Args)]
 pub struct Workspace {
     /// The robot file, URDF or YAML

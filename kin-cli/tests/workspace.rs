@@ -12,7 +12,10 @@ struct Maps {
     cells: usize,
     /// By slice (xz, yz, xy), row from below, and column.
     share: Vec<f64>,
-    manipulability: Vec<f64>,
+    /// Manipulability, or a mechanism's distance from actuator singularities.
+    measure: Vec<f64>,
+    /// Of the slices, metres.
+    centre: [f64; 3],
     /// Between points, metres.
     step: f64,
 }
@@ -25,19 +28,25 @@ impl Maps {
         assert_eq!(done.exit, Exit::Success, "{}", done.stderr);
         let file = |name: &str| folder.join(format!("{robot}_{name}"));
         let (shape, share) = read_npy(&file("reachability.npy"));
-        let (same, manipulability) = read_npy(&file("manipulability.npy"));
+        let measure = ["manipulability.npy", "actuator_singularity.npy"];
+        let measure = measure.map(file).into_iter().find(|path| path.exists());
+        let (same, measure) = read_npy(&measure.unwrap());
         assert_eq!(shape, same);
         assert_eq!((shape[0], shape[1]), (3, shape[2]));
         let text = fs::read_to_string(file("workspace.json")).unwrap();
         let json: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(json["cells"], shape[1]);
         Maps {
+            centre: std::array::from_fn(|i| {
+                let centre = &json["slices"][0]["centre"];
+                centre[i].as_f64().unwrap()
+            }),
             step: json["cell_size"].as_f64().unwrap(),
             cells: shape[1],
             folder,
             robot,
             share,
-            manipulability,
+            measure,
         }
     }
 
@@ -49,6 +58,16 @@ impl Maps {
     fn place(&self, row: usize, column: usize) -> [f64; 2] {
         let middle = (self.cells as f64 - 1.0) / 2.0;
         [column, row].map(|i| (i as f64 - middle) * self.step)
+    }
+
+    /// A point in base coordinates, metres.
+    fn point(&self, slice: usize, row: usize, column: usize) -> [f64; 3] {
+        let [across, up] = [[0, 2], [1, 2], [0, 1]][slice];
+        let [x, y] = self.place(row, column);
+        let mut point = self.centre;
+        point[across] += x;
+        point[up] += y;
+        point
     }
 
     fn all(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
@@ -175,7 +194,7 @@ fn manipulability_is_that_of_the_posture() {
         if maps.at(&maps.share, 2, row, column) > 0.0 {
             let cosine = (x * x + y * y - 0.16 - 0.09) / 0.24;
             let expected = 0.12 * (1.0 - cosine * cosine).max(0.0).sqrt();
-            let found = maps.at(&maps.manipulability, 2, row, column);
+            let found = maps.at(&maps.measure, 2, row, column);
             assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
             seen += 1;
         }
@@ -192,6 +211,137 @@ fn limits_take_away() {
     let pairs = || free.share.iter().zip(&limited.share);
     assert!(pairs().all(|(free, limited)| limited <= free));
     assert!(pairs().any(|(free, limited)| limited < free));
+}
+
+/// How far within reach of an arm the wrist of `robots/delta.yaml` is, metres;
+/// negative if out of reach. From the loop itself: the rod is as long as the
+/// distance from the elbow, (r + a cos t, 0, -a sin t) in the arm's plane, to the
+/// wrist, which asks for a cosine and a sine of t with given weights.
+fn delta_margin(point: [f64; 3], arm: usize) -> f64 {
+    let (motor, upper, rod, wrist) = (0.132011139050208, 0.112, 0.232, 0.0331976404784035);
+    let (sine, cosine) = (arm as f64 * std::f64::consts::TAU / 3.0).sin_cos();
+    let x = cosine * point[0] + sine * point[1] + wrist - motor;
+    let y = cosine * point[1] - sine * point[0];
+    let squared = x * x + y * y + point[2] * point[2] + upper * upper - rod * rod;
+    x.hypot(point[2]) - (squared / (2.0 * upper)).abs()
+}
+
+#[test]
+fn delta_is_where_its_rods_allow() {
+    let maps = Maps::of("delta", &["--cells", "41"]);
+    let (mut inside, mut outside) = (0, 0);
+    for slice in 0..3 {
+        for (row, column) in maps.all() {
+            let point = maps.point(slice, row, column);
+            let margins = [0, 1, 2].map(|arm| delta_margin(point, arm));
+            let margin = margins.into_iter().fold(f64::INFINITY, f64::min);
+            let share = maps.at(&maps.share, slice, row, column);
+            // On the edge, rounding decides.
+            if margin.abs() > 1e-6 {
+                assert_eq!(share, f64::from(u8::from(margin > 0.0)), "{point:?}");
+            }
+            inside += usize::from(margin > 0.0);
+            outside += usize::from(margin < 0.0);
+        }
+    }
+    assert!(inside > 500 && outside > 500, "{inside}, {outside}");
+    // At home, and as far from it as the map goes.
+    assert_eq!(maps.at(&maps.share, 0, 20, 20), 1.0);
+    assert_eq!(maps.at(&maps.share, 2, 40, 40), 0.0);
+}
+
+/// The first arm lies in the plane y = 0, and the others mirror each other.
+#[test]
+fn delta_is_symmetric() {
+    let maps = Maps::of("delta", &["--cells", "40"]);
+    for (row, column) in maps.all() {
+        for (slice, mirrored) in [(1, (row, 39 - column)), (2, (39 - row, column))] {
+            let both = |values: &[f64]| {
+                let there = maps.at(values, slice, mirrored.0, mirrored.1);
+                (maps.at(values, slice, row, column), there)
+            };
+            let (here, there) = both(&maps.share);
+            assert_eq!(here, there, "slice {slice}, row {row}, column {column}");
+            let (here, there) = both(&maps.measure);
+            assert!((here - there).abs() < 1e-9, "{here} is not {there}");
+        }
+    }
+}
+
+/// The legs of `robots/stewart.yaml` from the angles of their ends: how far the
+/// worst is within its limits with the platform level, metres.
+fn stewart_margin(point: [f64; 3]) -> f64 {
+    let feet = [-12.0, 12.0, 108.0, 132.0, 228.0, 252.0_f64];
+    let balls = [-40.0, 40.0, 80.0, 160.0, 200.0, 280.0_f64];
+    let length = |foot: f64, ball: f64, at: [f64; 3]| {
+        let (foot, ball) = (foot.to_radians(), ball.to_radians());
+        let x = at[0] + 0.3 * ball.cos() - 0.5 * foot.cos();
+        let y = at[1] + 0.3 * ball.sin() - 0.5 * foot.sin();
+        x.hypot(y).hypot(at[2])
+    };
+    let legs = feet.into_iter().zip(balls);
+    legs.map(|(foot, ball)| {
+        let slide = length(foot, ball, point) - length(foot, ball, [0.0, 0.0, 0.6]);
+        (slide + 0.15).min(0.3 - slide)
+    })
+    .fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn stewart_is_where_its_legs_allow() {
+    let level = Maps::of("stewart", &["--cells", "41", "--limits", "--samples", "1"]);
+    let tilted = Maps::of("stewart", &["--cells", "15", "--limits", "--samples", "12"]);
+    // A turn by 30 degrees moves a ball joint by its chord at most.
+    let chord = 2.0 * 0.3 * 15.0_f64.to_radians().sin();
+    let (mut inside, mut outside, mut some) = (0, 0, 0);
+    for slice in 0..3 {
+        for (row, column) in level.all() {
+            let margin = stewart_margin(level.point(slice, row, column));
+            let share = level.at(&level.share, slice, row, column);
+            if margin.abs() > 1e-6 {
+                assert_eq!(share, f64::from(u8::from(margin > 0.0)), "margin {margin}");
+            }
+            inside += usize::from(margin > 0.0);
+            outside += usize::from(margin < 0.0);
+        }
+        for (row, column) in tilted.all() {
+            let margin = stewart_margin(tilted.point(slice, row, column));
+            let share = tilted.at(&tilted.share, slice, row, column);
+            // Level is one of the orientations.
+            assert!(margin < 1e-6 || share > 0.0, "margin {margin}");
+            assert!(margin > -1e-6 || share < 1.0, "margin {margin}");
+            assert!(margin > -chord || share == 0.0, "margin {margin}");
+            some += usize::from(share > 0.0 && share < 1.0);
+        }
+    }
+    assert!(
+        inside > 300 && outside > 300 && some > 20,
+        "{inside}, {outside}, {some}"
+    );
+}
+
+/// The hinge of the five-bar is where both pairs of its links, 0.1 m each,
+/// reach from motors 0.12 m apart.
+#[test]
+fn linkages_are_mapped_or_refused() {
+    let maps = Maps::of("five_bar", &["--cells", "41"]);
+    let mut inside = 0;
+    for (row, column) in maps.all() {
+        let [x, y, _] = maps.point(2, row, column);
+        let farthest = x.hypot(y).max((x - 0.12).hypot(y));
+        let share = maps.at(&maps.share, 2, row, column);
+        if (farthest - 0.2).abs() > 1e-6 {
+            assert_eq!(share, f64::from(u8::from(farthest < 0.2)), "[{x}, {y}]");
+        }
+        inside += usize::from(farthest < 0.2);
+    }
+    assert!(inside > 200, "{inside}");
+    let folder = Path::new("nowhere");
+    // Its platform moves along a curve.
+    assert_eq!(run("four_bar", folder, &[]).exit, Exit::Usage);
+    let aimed = ["--target", "position"];
+    assert_eq!(run("stewart", folder, &aimed).exit, Exit::Broken);
+    assert_eq!(run("stewart", folder, &["--no-ik"]).exit, Exit::Usage);
 }
 
 #[test]

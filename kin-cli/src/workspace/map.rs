@@ -1,15 +1,6 @@
-//! Where an arm can go, how, and how well it moves there.
+//! Slices of a workspace, point by point.
 
-use crate::arguments;
-use kin_codegen::expr::Graph;
-use kin_codegen::geometry::{Line, axes, size};
-use kin_codegen::model::{JointKind, Model};
-use kin_codegen::singularity::Singular;
-use kin_codegen::solver::ClosedForm;
-use kin_codegen::verify::chain;
-use kin_codegen::{Compiled, Target};
-use kin_runtime::{Pose, scattered_rotations};
-use std::f64::consts::TAU;
+use kin_runtime::Pose;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -26,20 +17,31 @@ pub struct Slice {
     pub centre: [f64; 3],
 }
 
+/// What is sent to the points of the map.
+pub trait Robot: Sync {
+    /// How well it moves at a pose, 0 if that is not told; none if the pose is
+    /// out of reach. `values` is scratch.
+    fn try_pose(&self, target: &Pose, values: &mut Vec<f64>) -> Option<f64>;
+    /// What that number is called, and what it is.
+    fn measure(&self) -> [&'static str; 2];
+    /// How the orientations were chosen.
+    fn choice(&self) -> String;
+}
+
 /// What is tried.
 pub struct Sampling<'a> {
-    form: &'a ClosedForm,
-    singular: Option<&'a Singular>,
-    model: &'a Model,
+    /// An arm or a mechanism.
+    pub robot: Box<dyn Robot + 'a>,
     /// xz, yz, xy.
     pub slices: [Slice; 3],
-    cells: usize,
+    /// Points along a side of a slice.
+    pub cells: usize,
     /// Between neighbouring points, metres.
     pub step: f64,
     /// At every point.
     pub orientations: Vec<Pose>,
-    /// Of the coordinates, if only answers within them count.
-    pub limits: Option<Vec<Option<[f64; 2]>>>,
+    /// Whether only answers within the joints' limits count.
+    pub limited: bool,
 }
 
 /// What was found: values by slice, row from below, and column.
@@ -48,9 +50,8 @@ pub struct Map {
     pub cells: usize,
     /// The share of the orientations that were reached.
     pub share: Vec<f64>,
-    /// |det J| of the best branch, its mean over the orientations reached; 0
-    /// where there is no determinant.
-    pub manipulability: Vec<f64>,
+    /// [`Robot::measure`], its mean over the orientations reached.
+    pub measure: Vec<f64>,
 }
 
 impl Map {
@@ -61,42 +62,18 @@ impl Map {
     }
 }
 
-impl<'a> Sampling<'a> {
-    /// None if targets have no position.
-    pub fn new(compiled: &'a Compiled, arguments: &arguments::Workspace) -> Option<Self> {
-        let form = compiled.inverse.as_ref()?;
-        let model = &compiled.model;
-        let axes = axes(model);
-        let planar = is_planar(model, &axes);
-        let orientations = match form.plan.target {
-            Target::Orientation | Target::Direction => return None,
-            Target::Position => vec![Pose::IDENTITY],
-            Target::PositionYaw | Target::Planar => turns(model, &axes[0], arguments.samples),
-            Target::Pose | Target::PositionAxis if planar => {
-                turns(model, &axes[0], arguments.samples)
-            }
-            Target::Pose | Target::PositionAxis => scattered_rotations(arguments.samples).collect(),
-        };
-        let centre = centre(model, &axes, planar);
-        let slice = |name, across, up| Slice {
-            name,
-            across,
-            up,
-            centre,
-        };
-        let limits = model.variables.iter().map(|variable| variable.limits);
-        Some(Self {
-            form,
-            singular: compiled.singular.as_ref(),
-            model,
-            slices: [slice("xz", 0, 2), slice("yz", 1, 2), slice("xy", 0, 1)],
-            cells: arguments.cells,
-            step: 2.0 * reach(model, centre) / arguments.cells as f64,
-            orientations,
-            limits: arguments.limits.then(|| limits.collect()),
-        })
-    }
+/// xz, yz and xy through a point.
+pub fn slices(centre: [f64; 3]) -> [Slice; 3] {
+    let slice = |name, across, up| Slice {
+        name,
+        across,
+        up,
+        centre,
+    };
+    [slice("xz", 0, 2), slice("yz", 1, 2), slice("xy", 0, 1)]
+}
 
+impl Sampling<'_> {
     /// How many points are tried.
     pub fn points(&self) -> usize {
         3 * self.cells * self.cells
@@ -149,12 +126,12 @@ impl<'a> Sampling<'a> {
         Map {
             cells: self.cells,
             share: found.iter().map(|cell| cell[0]).collect(),
-            manipulability: found.iter().map(|cell| cell[1]).collect(),
+            measure: found.iter().map(|cell| cell[1]).collect(),
         }
     }
 
-    /// The share of orientations reached at a point, and the mean of the best
-    /// determinants there.
+    /// The share of orientations reached at a point, and the mean of the
+    /// measure there.
     fn try_point(&self, point: [f64; 3], values: &mut Vec<f64>) -> [f64; 2] {
         let (mut reached, mut sum) = (0, 0.0);
         for rotation in &self.orientations {
@@ -162,126 +139,27 @@ impl<'a> Sampling<'a> {
                 translation: point,
                 ..*rotation
             };
-            let answers = self.form.answers(&target);
-            let within = answers.iter().filter(|answer| self.is_within(&answer.q));
-            let best = within
-                .map(|answer| self.determinant(&answer.q, values))
-                .reduce(f64::max);
-            if let Some(best) = best {
+            if let Some(measure) = self.robot.try_pose(&target, values) {
                 reached += 1;
-                sum += best;
+                sum += measure;
             }
         }
         let share = f64::from(reached) / self.orientations.len() as f64;
         [share, sum / f64::from(reached.max(1))]
     }
 
-    fn is_within(&self, q: &[f64]) -> bool {
-        let Some(limits) = &self.limits else {
-            return true;
+    /// The farthest that a point of `map` with anything in reach is from the
+    /// middle, along an axis of its slice; metres.
+    pub fn extent(&self, map: &Map) -> f64 {
+        let middle = (self.cells as f64 - 1.0) / 2.0;
+        let from_middle = |number: usize| {
+            let place = number % (self.cells * self.cells);
+            [place / self.cells, place % self.cells]
+                .map(|i| (i as f64 - middle).abs())
+                .into_iter()
+                .fold(0.0, f64::max)
         };
-        (q.iter().zip(limits).enumerate()).all(|(i, (&value, limit))| {
-            let ways = if self.model.turns(i) {
-                &[-TAU, 0.0, TAU][..]
-            } else {
-                &[0.0]
-            };
-            let inside = |[low, high]: [f64; 2]| {
-                ways.iter().any(|way| (low..=high).contains(&(value + way)))
-            };
-            limit.is_none_or(inside)
-        })
+        let reached = (0..self.points()).filter(|number| map.share[*number] > 0.0);
+        self.step * reached.map(from_middle).fold(0.0, f64::max)
     }
-
-    fn determinant(&self, q: &[f64], values: &mut Vec<f64>) -> f64 {
-        let Some(singular) = self.singular else {
-            return 0.0;
-        };
-        let graph: &Graph = &singular.graph;
-        graph.evaluate(q, 0, values);
-        values[singular.determinant.product.index()].abs()
-    }
-}
-
-/// All turning joints about parallel axes.
-fn is_planar(model: &Model, axes: &[Line]) -> bool {
-    let turning = (model.joints.iter().zip(axes))
-        .filter(|(joint, _)| joint.kind == JointKind::Revolute)
-        .map(|(_, axis)| axis.direction);
-    let along = |d: [f64; 3]| {
-        let first = axes[0].direction;
-        let cosine: f64 = (0..3).map(|i| d[i] * first[i]).sum();
-        cosine.abs() > 1.0 - 1e-6
-    };
-    turning.into_iter().all(along)
-}
-
-/// The tip's orientation at home, turned about the first axis.
-fn turns(model: &Model, first: &Line, count: usize) -> Vec<Pose> {
-    let turn = |k: usize| {
-        let angle = TAU * k as f64 / count as f64;
-        let home = Pose {
-            translation: [0.0; 3],
-            ..model.home
-        };
-        Pose::from_axis_angle(first.direction, angle, [0.0; 3]) * home
-    };
-    (0..count).map(turn).collect()
-}
-
-/// The shoulder: where the second axis is nearest to the first, or at the
-/// height of the tip if all are parallel.
-fn centre(model: &Model, axes: &[Line], planar: bool) -> [f64; 3] {
-    match axes {
-        _ if planar => axes[0].nearest(model.home.translation),
-        [first, second, ..] if first.distance(second).is_finite() => {
-            first.nearest(second.nearest(first.nearest(second.point)))
-        }
-        _ => axes[0].nearest(model.home.translation),
-    }
-}
-
-/// How far from the middle the tip can be, and a little more. In the angle of
-/// one joint, the squared distance is a sine wave, whose crest three values
-/// give; joint after joint from several starts, the farthest point is found.
-fn reach(model: &Model, centre: [f64; 3]) -> f64 {
-    const STARTS: usize = 12;
-    const ROUNDS: usize = 40;
-    let chain = chain(model);
-    let n = model.variables.len();
-    let squared = |q: &[f64]| {
-        let tip = chain.fk(q).translation;
-        (0..3).map(|i| (tip[i] - centre[i]).powi(2)).sum::<f64>()
-    };
-    let farthest = |start: usize| {
-        let mut q: Vec<f64> = (0..n)
-            .map(|i| (1.3 * start as f64 + 0.7 * i as f64) % TAU)
-            .collect();
-        for joint in (0..n).cycle().take(ROUNDS * n) {
-            let mut at = |value: f64| {
-                q[joint] = value;
-                squared(&q)
-            };
-            q[joint] = if model.turns(joint) {
-                let [zero, quarter, half] = [0.0, TAU / 4.0, TAU / 2.0].map(&mut at);
-                let mean = 0.5 * (zero + half);
-                (quarter - mean).atan2(zero - mean)
-            } else {
-                let [low, high] = travel(model, joint);
-                if at(low) > at(high) { low } else { high }
-            };
-        }
-        squared(&q).sqrt()
-    };
-    1.04 * (0..STARTS).map(farthest).fold(0.0, f64::max)
-}
-
-/// How far a joint slides; half the arm's size both ways if nothing stops it.
-fn travel(model: &Model, joint: usize) -> [f64; 2] {
-    let finite = |limits: &[f64; 2]| limits.iter().all(|x| x.is_finite());
-    let half = 0.5 * size(model);
-    model.variables[joint]
-        .limits
-        .filter(finite)
-        .unwrap_or([-half, half])
 }

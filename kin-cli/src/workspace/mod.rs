@@ -1,13 +1,16 @@
 //! `kin workspace`.
 
+mod arm;
 mod map;
+mod mechanism;
 mod npy;
 mod picture;
 
 use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::{Done, Exit};
-use kin_codegen::{Compiled, Ik, compile};
+use kin_codegen::spec::MechanismSpec;
+use kin_codegen::{Ik, Options, Source, compile};
 use map::{Map, Sampling};
 use serde_json::json;
 use std::fs;
@@ -20,23 +23,77 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         let reason = "a map is made by inverse kinematics: leave out `--ik none`";
         return Done::failing(Exit::Usage, reason);
     }
-    let compiled = match read(&arguments.file).and_then(|source| compile(&source, &options)) {
+    let source = match read(&arguments.file) {
+        Ok(source) => source,
+        Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
+    };
+    if MechanismSpec::is_meant(&source) {
+        of_mechanism(arguments, &source, &options)
+    } else {
+        of_arm(arguments, &source, &options)
+    }
+}
+
+fn of_arm(arguments: &arguments::Workspace, source: &Source, options: &Options) -> Done {
+    let compiled = match compile(source, options) {
         Ok(compiled) => compiled,
-        Err(diagnostics) => return Done::failing(refused(arguments), diagnostics),
+        Err(diagnostics) => {
+            let valid = compile(source, &without_inverse(options)).is_ok();
+            return Done::failing(refused(valid), diagnostics);
+        }
     };
-    let Some(sampling) = Sampling::new(&compiled, arguments) else {
-        let reason = format!(
-            "{}: targets are {}, which have no place in a workspace",
-            arguments.file,
-            compiled.target().phrase()
-        );
-        return Done::failing(Exit::Usage, reason);
+    match arm::sampling(&compiled, arguments) {
+        Some(sampling) => draw(arguments, &compiled.model.name, &sampling),
+        None => Done::failing(
+            Exit::Usage,
+            format!(
+                "{}: targets are {}, which have no place in a workspace",
+                arguments.file,
+                compiled.target().phrase()
+            ),
+        ),
+    }
+}
+
+fn of_mechanism(arguments: &arguments::Workspace, source: &Source, options: &Options) -> Done {
+    let compiled = match kin_codegen::mechanism::compile(source, options) {
+        Ok(compiled) => compiled,
+        Err(diagnostics) => {
+            let without = without_inverse(options);
+            let valid = kin_codegen::mechanism::compile(source, &without).is_ok();
+            return Done::failing(refused(valid), diagnostics);
+        }
     };
+    match mechanism::sampling(&compiled, arguments) {
+        Some(sampling) => draw(arguments, &compiled.mechanism.name, &sampling),
+        None => Done::failing(
+            Exit::Usage,
+            format!(
+                "{}: the platform's position cannot be chosen freely at a given orientation",
+                arguments.file
+            ),
+        ),
+    }
+}
+
+fn without_inverse(options: &Options) -> Options {
+    Options {
+        ik: Ik::None,
+        ..options.clone()
+    }
+}
+
+/// Whether the file is broken, or valid and its robot has no closed form.
+fn refused(valid: bool) -> Exit {
+    if valid { Exit::Refused } else { Exit::Broken }
+}
+
+fn draw(arguments: &arguments::Workspace, name: &str, sampling: &Sampling) -> Done {
     let bar = Bar::new(&arguments.file, sampling.points(), "points");
     let map = sampling.map(&|points| bar.advance(points));
     drop(bar);
-    match write(arguments, &compiled, &sampling, &map) {
-        Ok(files) => Done::printing(report(&sampling, &map, &files)),
+    match write(arguments, name, sampling, &map) {
+        Ok(files) => Done::printing(report(sampling, &map, &files)),
         Err((path, error)) => Done::failing(
             Exit::Broken,
             format!("cannot write {}: {error}", path.display()),
@@ -44,22 +101,10 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
     }
 }
 
-/// Whether the file is broken or its arm has no closed form.
-fn refused(arguments: &arguments::Workspace) -> Exit {
-    let options = kin_codegen::Options {
-        ik: Ik::None,
-        ..arguments.options.options()
-    };
-    match read(&arguments.file).and_then(|source| compile(&source, &options)) {
-        Ok(_) => Exit::Refused,
-        Err(_) => Exit::Broken,
-    }
-}
-
 /// Writes all files and tells which.
 fn write(
     arguments: &arguments::Workspace,
-    compiled: &Compiled,
+    robot: &str,
     sampling: &Sampling,
     map: &Map,
 ) -> Result<Vec<PathBuf>, (PathBuf, io::Error)> {
@@ -67,7 +112,7 @@ fn write(
     fs::create_dir_all(folder).map_err(|error| (folder.clone(), error))?;
     let mut files = Vec::new();
     let mut file = |name: &str, content: io::Result<Vec<u8>>| {
-        let path = folder.join(format!("{}_{name}", compiled.model.name));
+        let path = folder.join(format!("{robot}_{name}"));
         let written = content.and_then(|content| fs::write(&path, content));
         match written {
             Ok(()) => files.push(path),
@@ -81,9 +126,10 @@ fn write(
     }
     file("workspace.png", picture::all(map))?;
     file("reachability.npy", Ok(npy::encode(&shape, &map.share)))?;
+    let [measure, _] = sampling.robot.measure();
     file(
-        "manipulability.npy",
-        Ok(npy::encode(&shape, &map.manipulability)),
+        &format!("{measure}.npy"),
+        Ok(npy::encode(&shape, &map.measure)),
     )?;
     file(
         "workspace.json",
@@ -104,27 +150,30 @@ fn description(sampling: &Sampling, map: &Map) -> String {
             })
         })
         .collect();
+    let [measure, meaning] = sampling.robot.measure();
     let description = json!({
         "schema": 1,
         "slices": slices,
         "cells": map.cells,
         "cell_size": sampling.step,
         "orientations": sampling.orientations.len(),
-        "limits_applied": sampling.limits.is_some(),
+        "orientations_are": sampling.robot.choice(),
+        "limits_applied": sampling.limited,
         "reachability": "share of orientations reached; index [slice][row][column]",
-        "manipulability": "|det J| of the best branch, the mean over the orientations reached",
+        measure: format!("{meaning}, the mean over the orientations reached"),
     });
     format!("{description:#}\n")
 }
 
 fn report(sampling: &Sampling, map: &Map, files: &[PathBuf]) -> String {
     let mut text = format!(
-        "{} points, {} orientations at each, {} limits\n",
+        "{} points, {} orientations at each ({}), {} limits\n",
         sampling.points(),
         sampling.orientations.len(),
-        match sampling.limits {
-            Some(_) => "within",
-            None => "regardless of",
+        sampling.robot.choice(),
+        match sampling.limited {
+            true => "within",
+            false => "regardless of",
         }
     );
     for (i, slice) in sampling.slices.iter().enumerate() {

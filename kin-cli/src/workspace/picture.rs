@@ -28,20 +28,20 @@ pub fn slice(map: &Map, slice: usize) -> io::Result<Vec<u8>> {
 }
 
 /// All slices, side by side: above the share of orientations, below the
-/// manipulability relative to its greatest value.
+/// measure of how well it moves, relative to its greatest value.
 pub fn all(map: &Map) -> io::Result<Vec<u8>> {
     let side = map.cells * SCALE;
     let mut canvas = Canvas::new(3 * side + 2 * GAP, 2 * side + GAP);
     let greatest = map
-        .manipulability
+        .measure
         .iter()
         .copied()
         .fold(f64::MIN_POSITIVE, f64::max);
     for i in 0..3 {
         let left = i * (side + GAP);
         canvas.draw(map, map.slice(&map.share, i), 1.0, [left, 0]);
-        let manipulability = map.slice(&map.manipulability, i);
-        let shown: Vec<f64> = (manipulability.iter().zip(map.slice(&map.share, i)))
+        let measure = map.slice(&map.measure, i);
+        let shown: Vec<f64> = (measure.iter().zip(map.slice(&map.share, i)))
             .map(|(value, share)| {
                 if *share > 0.0 {
                     value.max(1e-3 * greatest)

@@ -2,13 +2,14 @@
 
 use super::forward::Forward;
 use super::freedom::{Freedom, refuse};
-use super::inverse::{Inverse, LegForm, Reason};
+use super::inverse::{Aim, Inverse, LegForm, Reason};
 use super::model::{Leg, Mechanism};
 use crate::compiler;
 use crate::options::{Ik, Options};
 use crate::plan::Target;
 use crate::refusal;
 use crate::spec::{Diagnostic, Diagnostics, MechanismSpec, Source};
+use kin_runtime::Pose;
 
 /// A mechanism, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
@@ -25,6 +26,56 @@ pub struct CompiledMechanism {
     pub inverse: Option<Inverse>,
     /// Forward kinematics.
     pub forward: Forward,
+}
+
+/// A pose of the platform, and how each chain gets there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed {
+    /// In base coordinates, metres.
+    pub pose: Pose,
+    /// The answers of each chain, at least one: joint values in radians and
+    /// metres. Any answer of one goes with any of the others.
+    pub answers: Vec<Vec<Vec<f64>>>,
+}
+
+impl CompiledMechanism {
+    /// What the generated inverse kinematics will answer, computed by the
+    /// interpreter: the poses that a target stands for (see [`Aim`]) and all
+    /// chains reach. There are several only where a chain leads. Empty if the
+    /// target is out of reach, or there is no inverse kinematics.
+    ///
+    /// ```
+    /// use kin_codegen::{Options, Source, mechanism::compile};
+    /// let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    /// let source = Source::read("robots/stewart.yaml", root)?;
+    /// let stewart = compile(&source, &Options::default())?;
+    /// let placed = stewart.answers(&stewart.mechanism.home());
+    /// assert!(placed[0].answers[5].iter().any(|q| q.iter().all(|x| x.abs() < 1e-9)));
+    /// # Ok::<(), kin_codegen::Diagnostics>(())
+    /// ```
+    pub fn answers(&self, target: &Pose) -> Vec<Placed> {
+        let Some(inverse) = &self.inverse else {
+            return Vec::new();
+        };
+        let poses = match inverse.aim {
+            Aim::Pose => vec![*target],
+            Aim::Translation => vec![Pose {
+                translation: target.translation,
+                ..self.mechanism.home()
+            }],
+            Aim::Lead(lead) => {
+                let chain = self.mechanism.legs[lead].chain();
+                let answers = inverse.legs[lead].answers(target);
+                answers.iter().map(|q| chain.fk(q)).collect()
+            }
+        };
+        let placed = |pose: Pose| {
+            let reached = |leg: &LegForm| Some(leg.answers(&pose)).filter(|q| !q.is_empty());
+            let answers = inverse.legs.iter().map(reached).collect::<Option<_>>()?;
+            Some(Placed { pose, answers })
+        };
+        poses.into_iter().filter_map(placed).collect()
+    }
 }
 
 /// Reads a mechanism's file and compiles it.

@@ -42,7 +42,7 @@ mod inverse;
 mod model;
 mod summary;
 
-pub use compiled::{CompiledMechanism, compile};
+pub use compiled::{CompiledMechanism, Placed, compile};
 pub use explain::{
     Actuation, Explanation, ForwardExplanation, InverseExplanation, LegExplanation, Mobility,
     SCHEMA, explain,
