@@ -64,6 +64,7 @@ robots! {
     AIMED for_every_aimed_robot:
     shoulder Shoulder "tests/robots/targets/shoulder.yaml" => position
     welder Welder "tests/robots/targets/welder.yaml" => position_axis
+    welder_pose WelderPose "tests/robots/targets/welder.yaml" => pose
     sprayer_pose SprayerPose "tests/robots/targets/sprayer.yaml" => pose
     antenna Antenna "tests/robots/targets/antenna.yaml" => direction
     gimbal Gimbal "tests/robots/targets/gimbal.yaml" => orientation

@@ -14,6 +14,8 @@ const ALTERNATIVES: usize = 6;
 const MOST_CHOICES: u8 = 4;
 /// How often one set of solved joints is expanded.
 const REVISITS: usize = 4;
+/// Plans kept that open alike: what fails one is likely to fail all.
+const ALIKE: usize = 2;
 /// Steps that may degenerate where the arm itself is regular cost this much
 /// more.
 const MAY_DEGENERATE: u32 = 60;
@@ -33,6 +35,7 @@ const DEPENDENT: f64 = 1e-4;
 pub fn search(linkage: &Linkage, target: Target, limit: usize) -> Vec<Plan> {
     let relations = relations(linkage, target);
     let n = linkage.links.len();
+    let determined = linkage.variables() == target.coordinates();
     let start = Partial {
         cost: 0,
         solved: Solved::default(),
@@ -44,10 +47,13 @@ pub fn search(linkage: &Linkage, target: Target, limit: usize) -> Vec<Plan> {
     let mut plans: Vec<Plan> = Vec::new();
     while let Some(partial) = queue.pop() {
         if partial.solved.all(n) {
-            plans.push(Plan {
-                steps: partial.steps,
-                target,
-            });
+            let alike = |plan: &&Plan| opening(&plan.steps) == opening(&partial.steps);
+            if plans.iter().filter(alike).count() < ALIKE {
+                plans.push(Plan {
+                    steps: partial.steps,
+                    target,
+                });
+            }
             if plans.len() == limit {
                 break;
             }
@@ -58,7 +64,7 @@ pub fn search(linkage: &Linkage, target: Target, limit: usize) -> Vec<Plan> {
         if *visit > REVISITS {
             continue;
         }
-        queue.extend(partial.successors(linkage, &relations));
+        queue.extend(partial.successors(linkage, &relations, determined));
     }
     plans
 }
@@ -199,11 +205,24 @@ impl Candidate<'_> {
     }
 }
 
+/// What a plan begins with.
+fn opening(steps: &[Step]) -> Vec<(Subproblem, &[Atom])> {
+    let first = steps.iter().take(2);
+    first
+        .map(|step| (step.subproblem, &step.unknowns[..]))
+        .collect()
+}
+
 impl Partial {
-    fn successors(&self, linkage: &Linkage, relations: &[Relation]) -> Vec<Partial> {
+    fn successors(
+        &self,
+        linkage: &Linkage,
+        relations: &[Relation],
+        determined: bool,
+    ) -> Vec<Partial> {
         let mut steps: BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate>> = BTreeMap::new();
         for relation in relations {
-            if let Some(candidate) = self.pose(linkage, relation) {
+            if let Some(candidate) = self.pose(linkage, relation, determined) {
                 let key = (candidate.subproblem, candidate.unknowns.clone());
                 steps.entry(key).or_default().push(candidate);
             }
@@ -219,7 +238,12 @@ impl Partial {
     }
 
     /// Which subproblem, if any, a relation poses with what is known.
-    fn pose<'a>(&self, linkage: &Linkage, relation: &'a Relation) -> Option<Candidate<'a>> {
+    fn pose<'a>(
+        &self,
+        linkage: &Linkage,
+        relation: &'a Relation,
+        determined: bool,
+    ) -> Option<Candidate<'a>> {
         let unknown: Vec<&Dependence> = relation
             .depends
             .iter()
@@ -238,8 +262,9 @@ impl Partial {
         }
         let steady = match unknown[..] {
             // Its own degeneracy is that of the arm, as long as the angle
-            // between its axes is a constant of the arm.
-            [a, b] => adjacent(linkage, a.atom, b.atom),
+            // between its axes is a constant of the arm. A target that asks
+            // for more can determine what the one vector leaves free.
+            [a, b] if determined => adjacent(linkage, a.atom, b.atom),
             _ => unknown.iter().all(|d| d.steady),
         };
         let work = match subproblem {
