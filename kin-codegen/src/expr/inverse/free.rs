@@ -8,7 +8,7 @@
 //! to zero, and as a function of the free angle d is d₀ + d₁ cos φ + d₂ sin φ.
 //! The φ that brings it nearest to zero is one more such equation.
 
-use super::solve::NOISE;
+use super::root::NOISE;
 use super::{Spent, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::Trig;

@@ -9,7 +9,11 @@
 
 mod carry;
 mod free;
+mod pair;
 mod project;
+mod root;
+mod rotate;
+mod slide;
 mod solve;
 
 pub use free::FreeAngles;

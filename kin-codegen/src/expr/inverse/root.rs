@@ -1,0 +1,245 @@
+//! Square roots and angles: what is out of domain, double, free, or rounding.
+
+use super::{Blur, Level, Spent, Writer};
+use crate::expr::Expr;
+use crate::expr::linear::{Trig, Vector};
+use crate::plan::Atom;
+
+/// Roots of a difference: where cancellation leaves noise, relative to the
+/// square of the amplitude. Branches nearer than its square root are one.
+pub(super) const NOISE: f64 = 1e-13;
+/// A root may be out of domain by this, relative to the square of the
+/// amplitude: where an earlier step is nearly singular, it amplifies rounding.
+/// Whether the target is in reach then shows in the residual.
+const OUTSIDE: f64 = 1e-8;
+/// On a snapped arm a root may be out of domain by this many times what the
+/// arms differ and still have a solution on the literal one.
+const BEYOND: f64 = 10.0;
+/// A root this small (angle 3e-7) is reported singular.
+const SINGULAR: f64 = 1e-13;
+/// Vectors shorter than this, squared and relative to the arm's size, have no
+/// direction: the angle is free. Roots of a sum of squares are accurate down
+/// to here, and below it the branches are one.
+pub(super) const FREE: f64 = 1e-24;
+
+/// a² + b² − d² of a cosine-sine equation.
+#[derive(Clone, Copy)]
+pub(super) struct Discriminant {
+    pub value: Expr,
+    /// Relative to a² + b², below this it is rounding.
+    pub noise: f64,
+}
+
+impl Discriminant {
+    /// A sum of squares, which is never below zero.
+    pub fn is_sum_of_squares(&self) -> bool {
+        self.noise == FREE
+    }
+}
+
+impl Writer<'_> {
+    /// u · Rz(θ) w = d as a cos θ + b sin θ = d′.
+    pub(super) fn cosine_sine(&mut self, u: Vector, w: Vector, d: Expr) -> (Expr, Expr, Expr) {
+        let [xx, yy] = [self.g.mul(u[0], w[0]), self.g.mul(u[1], w[1])];
+        let [yx, xy] = [self.g.mul(u[1], w[0]), self.g.mul(u[0], w[1])];
+        let zz = self.g.mul(u[2], w[2]);
+        (self.g.add(xx, yy), self.g.sub(yx, xy), self.g.sub(d, zz))
+    }
+
+    /// a cos θ + b sin θ = d, both roots. `known` is its discriminant where
+    /// there is a better way to compute it.
+    pub(super) fn angle_with(
+        &mut self,
+        unknown: Atom,
+        a: Expr,
+        b: Expr,
+        d: Expr,
+        known: Option<Discriminant>,
+    ) -> Trig {
+        let [aa, bb] = [self.g.square(a), self.g.square(b)];
+        let amplitude = self.g.add(aa, bb);
+        let discriminant = known.unwrap_or_else(|| {
+            let dd = self.g.square(d);
+            let value = self.g.sub(amplitude, dd);
+            Discriminant {
+                value,
+                noise: NOISE,
+            }
+        });
+        let exact = discriminant.is_sum_of_squares();
+        self.level = (!exact).then_some(Level { d, amplitude });
+        let sign = self.g.sign();
+        let root = self.root(sign, discriminant, amplitude);
+        // Out of domain the nearest angle is that of d at its limit.
+        let d = if exact { d } else { self.clamped(d, amplitude) };
+        let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
+        let [bd, ar] = [self.g.mul(b, d), self.g.mul(a, root)];
+        let trig = Trig {
+            sin: self.g.add(bd, ar),
+            cos: self.g.sub(ad, br),
+        };
+        let scale = self.g.constant(self.linkage.size.powi(4));
+        if self.g.value(amplitude).is_none() {
+            // Where the angle is free its two roots are one.
+            let nothing = self.scaled(FREE, scale);
+            let zero = self.g.zero();
+            let minus = self.g.neg(sign);
+            let second = self.g.select_less(amplitude, nothing, minus, zero);
+            self.refuse(second);
+        }
+        self.normalized(unknown, trig, amplitude, scale)
+    }
+
+    /// d within ±√limit.
+    fn clamped(&mut self, d: Expr, limit: Expr) -> Expr {
+        let limit = self.g.sqrt(limit);
+        let lower = self.g.neg(limit);
+        let minus = self.g.neg(d);
+        // min(d, limit) = −max(−d, −limit), and a NaN stays one.
+        let below = self.g.max(lower, minus);
+        let below = self.g.neg(below);
+        self.g.max(lower, below)
+    }
+
+    /// ± the square root, with what it says about the branch: out of domain is
+    /// invalid, a double root is singular and keeps its first branch only.
+    pub(super) fn root(&mut self, sign: Expr, discriminant: Discriminant, amplitude: Expr) -> Expr {
+        let Discriminant { value, noise } = discriminant;
+        if let Some(blur) = self.blur {
+            return self.blurred_root(sign, value, amplitude, blur);
+        }
+        let zero = self.g.zero();
+        let one = self.g.one();
+        let minus = self.g.neg(sign);
+        let [near, double, least] =
+            [noise.max(SINGULAR), noise, -OUTSIDE].map(|k| self.scaled(k, amplitude));
+        self.watch(value, near);
+        let once = match discriminant.is_sum_of_squares() {
+            true => minus,
+            false => self.g.select_less(value, least, one, minus),
+        };
+        let invalid = self.g.select_less(value, double, once, zero);
+        self.refuse(invalid);
+        let kept = self.g.select_less(value, double, zero, value);
+        let root = self.g.sqrt(kept);
+        self.g.mul(sign, root)
+    }
+
+    /// The root on a snapped arm. Two roots that have met there may be apart on
+    /// the literal arm, so both start, a little apart, and the polish decides.
+    fn blurred_root(
+        &mut self,
+        sign: Expr,
+        discriminant: Expr,
+        amplitude: Expr,
+        blur: Blur,
+    ) -> Expr {
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let apart = self.scaled(blur.least, amplitude);
+        let off = self.g.mul(blur.shift, amplitude);
+        let least = self.scaled(-BEYOND, off);
+        let invalid = self.g.select_less(discriminant, least, one, zero);
+        self.refuse(invalid);
+        let kept = self.g.max(discriminant, apart);
+        // The angle's error: shift / ρ, and √shift at a double root.
+        let share = self.g.div(kept, amplitude);
+        let share = self.g.sqrt(share);
+        self.amplify(blur, share);
+        let root = self.g.sqrt(kept);
+        self.g.mul(sign, root)
+    }
+
+    pub(super) fn scaled(&mut self, k: f64, x: Expr) -> Expr {
+        let k = self.g.constant(k);
+        self.g.mul(k, x)
+    }
+
+    /// From here on the snapped arm's values are off by 1 + 1/`share` times as
+    /// much as before.
+    fn amplify(&mut self, blur: Blur, share: Expr) {
+        let more = self.g.div(blur.shift, share);
+        let shift = self.g.add(blur.shift, more);
+        self.blur = Some(Blur { shift, ..blur });
+    }
+
+    /// Drops the branches in which a value is positive.
+    pub(super) fn refuse(&mut self, invalid: Expr) {
+        self.invalid = if self.g.is(self.invalid, 0.0) {
+            invalid
+        } else {
+            self.g.max(self.invalid, invalid)
+        };
+    }
+
+    /// Flags branches in which a value is below a threshold as singular, unless
+    /// it is held against a larger one already.
+    pub(super) fn watch(&mut self, value: Expr, threshold: Expr) {
+        let covered = self.watched.iter().any(|(watched, already)| {
+            let (new, old) = (self.g.value(threshold), self.g.value(*already));
+            *watched == value && new.is_some() && new <= old
+        });
+        if covered {
+            return;
+        }
+        self.watched.push((value, threshold));
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let singular = self.g.select_less(value, threshold, one, zero);
+        self.singular = if self.g.is(self.singular, 0.0) {
+            singular
+        } else {
+            self.g.max(self.singular, singular)
+        };
+    }
+
+    /// (sin, cos) over a common factor; a factor of nothing leaves the angle
+    /// free, and the fallback stands for all of them.
+    pub(super) fn normalized(
+        &mut self,
+        unknown: Atom,
+        trig: Trig,
+        factor: Expr,
+        scale: Expr,
+    ) -> Trig {
+        if self.g.value(factor).is_some() {
+            return Trig {
+                sin: self.g.div(trig.sin, factor),
+                cos: self.g.div(trig.cos, factor),
+            };
+        }
+        let one = self.g.one();
+        let nothing = self.nothing(factor, scale);
+        let inverse = self.g.div(one, factor);
+        let sin = self.g.mul(trig.sin, inverse);
+        let cos = self.g.mul(trig.cos, inverse);
+        self.may_be_free = Some(unknown);
+        let seeded = self.seeded(unknown);
+        let fallback = match self.spent {
+            None => seeded,
+            Some(Spent { best, room }) => {
+                let zero = self.g.zero();
+                Trig {
+                    sin: self.g.select_less(zero, room, seeded.sin, best.sin),
+                    cos: self.g.select_less(zero, room, seeded.cos, best.cos),
+                }
+            }
+        };
+        Trig {
+            sin: self.g.select_less(factor, nothing, fallback.sin, sin),
+            cos: self.g.select_less(factor, nothing, fallback.cos, cos),
+        }
+    }
+
+    /// Below this a factor leaves its angle free. As a share of `scale` it is
+    /// the square of the sine that tells the angle.
+    pub(super) fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
+        let nothing = self.scaled(FREE, scale);
+        self.watch(factor, nothing);
+        if let Some(blur) = self.blur {
+            let share = self.g.max(factor, nothing);
+            let share = self.g.div(share, scale);
+            let share = self.g.sqrt(share);
+            self.amplify(blur, share);
+        }
+        nothing
+    }
+}

@@ -1,0 +1,152 @@
+//! Subproblems 1 and 2: a vector turned onto another.
+
+use super::Writer;
+use super::carry::Carried;
+use super::root::{Discriminant, FREE, NOISE};
+use crate::expr::Expr;
+use crate::expr::linear::{Trig, Vector};
+use crate::plan::{Atom, Kind, Relation};
+
+impl Writer<'_> {
+    /// Rz(θ) right = left.
+    pub(super) fn sp1(&mut self, unknown: Atom, left: Carried, right: Carried) -> Trig {
+        let point = left.point.is_some();
+        let zero = self.g.vector([0.0; 3]);
+        let of = |x: Carried| if point { x.point } else { x.direction }.unwrap_or(zero);
+        let (l, r) = (of(left), of(right));
+        let trig = self.across(l, r);
+        let lengths = [l, r].map(|v| self.length_squared(v));
+        // Directions keep their length, so a constant one is that of both.
+        let constant = lengths
+            .into_iter()
+            .find(|&e| self.g.value(e).is_some_and(|x| x > 0.0));
+        if let (false, Some(length)) = (point, constant) {
+            let one = self.g.one();
+            return self.normalized(unknown, trig, length, one);
+        }
+        let product = self.g.mul(lengths[0], lengths[1]);
+        let factor = self.g.sqrt(product);
+        let scale = self.square_scale(point);
+        self.normalized(unknown, trig, factor, scale)
+    }
+
+    /// What the square of a vector is compared with.
+    fn square_scale(&mut self, point: bool) -> Expr {
+        let length = if point { self.linkage.size } else { 1.0 };
+        self.g.constant(length * length)
+    }
+
+    /// The planar (cross, dot) product of right and left.
+    pub(super) fn across(&mut self, l: Vector, r: Vector) -> Trig {
+        let [xx, yy] = [self.g.mul(r[0], l[0]), self.g.mul(r[1], l[1])];
+        let [xy, yx] = [self.g.mul(r[0], l[1]), self.g.mul(r[1], l[0])];
+        Trig {
+            sin: self.g.sub(xy, yx),
+            cos: self.g.add(xx, yy),
+        }
+    }
+
+    pub(super) fn length_squared(&mut self, v: Vector) -> Expr {
+        let [xx, yy] = [self.g.square(v[0]), self.g.square(v[1])];
+        self.g.add(xx, yy)
+    }
+
+    /// J₁ X J₂ y = x: the component along the first axis gives the second
+    /// angle, and then the first turns one vector onto the other.
+    pub(super) fn sp2(&mut self, relation: &Relation, first: Atom, second: Atom) {
+        let from = &relation.from;
+        let point = from.kind == Kind::Point;
+        let (first_start, first_end) = self.extent(first);
+        let (second_start, second_end) = self.extent(second);
+        let x = self.bring_before(from, from.joints.end, first_start);
+        let y = self.bring_behind(from, from.joints.start, second_end);
+        let zero = self.g.vector([0.0; 3]);
+        let of = |x: Carried| if point { x.point } else { x.direction }.unwrap_or(zero);
+        // The first axis, behind the first joint and before the second.
+        let z = self.g.vector([0.0, 0.0, 1.0]);
+        let axis = Carried {
+            point: point.then_some(zero),
+            direction: Some(z),
+        };
+        let there = self.onwards(axis, first_end, second_start);
+        let there = self.arrive_before(there, second_start);
+        let (h, on_axis) = (there.direction.unwrap_or(zero), there.point.unwrap_or(zero));
+        let (x_vector, y_vector) = (of(x), of(y));
+        let level = self.g.dot(h, on_axis);
+        let d = self.g.add(x_vector[2], level);
+        let (a, b, d) = self.cosine_sine(h, y_vector, d);
+        // The axes meet in the first frame's origin; from there lengths are kept.
+        let centred = if point {
+            self.g.minus(y_vector, on_axis)
+        } else {
+            y_vector
+        };
+        let square = if self.g.is(level, 0.0) {
+            self.gram(x_vector, centred, h)
+        } else {
+            None
+        };
+        let squares = square
+            .filter(Discriminant::is_sum_of_squares)
+            .map(|squares| squares.value);
+        let trig = self.angle_with(second, a, b, d, square);
+        self.set(second, trig);
+        let moved = self.bring_behind(from, from.joints.start, first_end);
+        let turned = self.across(x_vector, of(moved));
+        let (factor, scale) = match squares {
+            // The threshold of the root itself.
+            Some(squares) if !point => (squares, self.g.one()),
+            // Of points out of reach the two lengths differ.
+            _ => {
+                let lengths = [x_vector, of(moved)].map(|v| self.length_squared(v));
+                let product = self.g.mul(lengths[0], lengths[1]);
+                let scale = if squares.is_some() {
+                    // Less than where the root takes its branches for one:
+                    // those that it tells apart keep their angles.
+                    let square = self.g.dot(centred, centred);
+                    self.scaled(0.01, square)
+                } else {
+                    self.square_scale(point)
+                };
+                (self.g.sqrt(product), scale)
+            }
+        };
+        let trig = self.normalized(first, turned, factor, scale);
+        self.set(first, trig);
+    }
+
+    /// The discriminant of a subproblem 2 whose axes meet in the origin.
+    /// Rotations keep lengths, |x| = |y|, so that with the first axis h and its
+    /// component c = h₃ along the second, a² + b² − d² is the Gram determinant
+    /// (x₁² + x₂²) − (c|y|)² − y₃² + 2 c y₃ x₃. Where c and y₃ are small constants
+    /// of the arm, it has no cancellation near the first axis, while the
+    /// difference of squares loses all its digits there.
+    fn gram(&mut self, x: Vector, y: Vector, h: Vector) -> Option<Discriminant> {
+        let value = |g: &crate::expr::Graph, e| g.value(e);
+        let c = value(&self.g, h[2])?;
+        let across_h = self.length_squared(h);
+        let unit = value(&self.g, across_h)? + c * c;
+        let height = value(&self.g, y[2])?;
+        let length = self.g.dot(y, y);
+        let length = value(&self.g, length);
+        if c != 0.0 && length.is_none() {
+            return None;
+        }
+        // The better side is the one whose component is a constant of the arm.
+        if (unit - 1.0).abs() > 1e-15 || value(&self.g, x[2]).is_some() {
+            return None;
+        }
+        let across = self.length_squared(x);
+        let offset = c * c * length.unwrap_or(0.0) + height * height;
+        let noise = match length {
+            _ if offset == 0.0 => FREE,
+            Some(length) => FREE + NOISE * offset / length,
+            None => NOISE,
+        };
+        let rate = self.scaled(2.0 * c * height, x[2]);
+        let offset = self.g.constant(offset);
+        let rest = self.g.sub(rate, offset);
+        let value = self.g.add(across, rest);
+        Some(Discriminant { value, noise })
+    }
+}

@@ -1,0 +1,92 @@
+//! The prismatic subproblems.
+
+use super::Writer;
+use super::root::{Discriminant, NOISE};
+use super::solve::Split;
+use crate::expr::Expr;
+use crate::expr::linear::Vector;
+use crate::geometry::Travel;
+use crate::plan::{Atom, Relation, Subproblem};
+
+impl Writer<'_> {
+    /// A sliding joint.
+    pub(super) fn slide_to(&mut self, subproblem: Subproblem, relation: &Relation, joint: usize) {
+        let Travel::Slide(v) = self.linkage.links[joint].travel else {
+            return;
+        };
+        let v = self.g.vector(v);
+        let split = self.split(relation, Atom::Joint(joint));
+        let zero = self.g.vector([0.0; 3]);
+        let (l, r) = (
+            split.left.point.unwrap_or(zero),
+            split.right.point.unwrap_or(zero),
+        );
+        let gap = self.g.minus(l, r);
+        let value = match subproblem {
+            Subproblem::T1 => self.t1(v, gap, &split),
+            Subproblem::T2 => self.t2(joint, v, gap, &split),
+            _ => self.g.dot(v, gap),
+        };
+        let name = format!("d{}", joint + 1);
+        self.slide[joint] = Some(self.g.named(value, name));
+    }
+
+    /// |right + t v − left| = d: two values of t about the foot.
+    fn t1(&mut self, v: Vector, gap: Vector, split: &Split) -> Expr {
+        let zero = self.g.vector([0.0; 3]);
+        let [near, far] = split.other.unwrap_or([split.left, split.right]);
+        let other = self
+            .g
+            .minus(near.point.unwrap_or(zero), far.point.unwrap_or(zero));
+        let foot = self.g.dot(v, gap);
+        let distance = self.g.dot(other, other);
+        let gap_squared = self.g.dot(gap, gap);
+        let foot_squared = self.g.square(foot);
+        let beside = self.g.sub(gap_squared, foot_squared);
+        let discriminant = self.g.sub(distance, beside);
+        let scale = self.g.constant(self.linkage.size.powi(2));
+        let sign = self.g.sign();
+        let discriminant = Discriminant {
+            value: discriminant,
+            noise: NOISE,
+        };
+        let root = self.root(sign, discriminant, scale);
+        self.g.add(foot, root)
+    }
+
+    /// The height over a plane: linear.
+    fn t2(&mut self, joint: usize, v: Vector, gap: Vector, split: &Split) -> Expr {
+        let zero = self.g.vector([0.0; 3]);
+        let [near, far] = split.other.unwrap_or([split.left, split.right]);
+        let plane_left = split.left.direction.is_some();
+        let here = if plane_left { split.left } else { split.right };
+        let (plane, x) = if plane_left { (near, far) } else { (far, near) };
+        let normal = here.direction.unwrap_or(zero);
+        let between = self
+            .g
+            .minus(x.point.unwrap_or(zero), plane.point.unwrap_or(zero));
+        let height = self.g.dot(plane.direction.unwrap_or(zero), between);
+        let rate = self.g.dot(normal, v);
+        // n · (x − p) measured here grows with t when the plane is before the
+        // joint and falls when it is behind; `gap` is left − right.
+        let measured = self.g.dot(normal, gap);
+        let height = if plane_left {
+            height
+        } else {
+            self.g.neg(height)
+        };
+        let rest = self.g.add(measured, height);
+        if self.g.value(rate).is_some() {
+            return self.g.div(rest, rate);
+        }
+        // Along the plane any travel will do, and the seed's stands for all.
+        let square = self.g.square(rate);
+        let one = self.g.one();
+        let nothing = self.nothing(square, one);
+        let link = &self.linkage.links[joint];
+        let offset = self.g.constant(link.offset);
+        let seeded = self.g.add(self.seed[link.variable], offset);
+        let travel = self.g.div(rest, rate);
+        self.g.select_less(square, nothing, seeded, travel)
+    }
+}
