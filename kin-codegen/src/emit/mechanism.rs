@@ -34,6 +34,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
         pub struct #name;
 
         const _: () = {
+            // Which of them an arm needs depends on its plan.
             #[allow(unused_imports)]
             use ::kinematics::{
                 three_spheres, Jacobian, JointLimit, ParallelKinematics, Pose, Postures, Solution,
@@ -42,6 +43,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
 
             /// The chains that the mechanism is made of.
             mod arms {
+                // As above.
                 #[allow(unused_imports)]
                 use ::kinematics::{
                     branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
@@ -50,6 +52,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
                 #arms
             }
 
+            // Constants are written with the digits that they have.
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl ParallelKinematics<#n, #m, #k> for #name {
                 #constants
@@ -186,7 +189,8 @@ fn arm(name: &Ident, compiled: &Compiled) -> TokenStream {
     quote! {
         pub struct #name;
 
-        // Constants are written with the digits that they have.
+        // Constants are written with the digits that they have, and a mechanism
+        // does not ask all of its chains for all that an arm can do.
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl #name {
             #[inline]

@@ -30,6 +30,7 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
         pub struct #name;
 
         const _: () = {
+            // Which of them an arm needs depends on its plan.
             #[allow(unused_imports)]
             use ::kinematics::{
                 branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
@@ -244,6 +245,7 @@ fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
         methods.push(derivatives(compiled, dot, n));
     }
     quote! {
+        // A user's lints are not for code that only passes on.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl Kinematics<#n> for #name {
             const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;

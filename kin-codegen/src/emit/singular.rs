@@ -35,6 +35,7 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         /// 0 where the arm is singular.
         ///
         #[doc = #cost]
+        // No method of the trait calls it, and a user's type may be private.
         #[allow(dead_code)]
         #[inline]
         #[must_use]
@@ -61,6 +62,7 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         #[doc = #of_which]
         ///
         #(#[doc = #lines])*
+        // No method of the trait calls it, and a user's type may be private.
         #[allow(dead_code)]
         #[inline]
         #[must_use]
