@@ -1,0 +1,67 @@
+//! The generated code of five robots as it stands in `tests/golden`, so that
+//! every change shows what it does to the code.
+//!
+//! `BLESS=1 cargo test --package kin-codegen --test golden` writes the files
+//! anew.
+
+use kin_codegen::{Options, Source, generate};
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn generated(robot: &str) -> String {
+    let source = Source::read(robot, &root()).unwrap();
+    generate(&source, &Options::default()).unwrap().code()
+}
+
+/// The first line in which two texts differ, from 1, with what each has there.
+fn first_difference<'t>(a: &'t str, b: &'t str) -> (usize, &'t str, &'t str) {
+    let lines = a.lines().chain([""]).zip(b.lines().chain([""]));
+    let differs = |(_, (a, b)): &(usize, (&str, &str))| a != b;
+    let (i, (a, b)) = (lines.enumerate().find(differs)).unwrap_or((0, ("", "")));
+    (i + 1, a, b)
+}
+
+fn check(robot: &str, golden: &str) {
+    let file = root().join("tests/golden").join(golden);
+    let code = generated(robot);
+    if std::env::var_os("BLESS").is_some() {
+        std::fs::write(&file, &code).unwrap();
+    }
+    let golden = std::fs::read_to_string(&file).unwrap_or_default();
+    if code != golden {
+        let (line, old, new) = first_difference(&golden, &code);
+        panic!(
+            "the code of {robot} is not that of {}, first in line {line}:\n- {old}\n+ {new}\n\
+             BLESS=1 writes the file anew, if the change is meant",
+            file.display()
+        );
+    }
+}
+
+#[test]
+fn three_parallel_axes() {
+    check("robots/ur5e.urdf", "ur5e.rs");
+}
+
+#[test]
+fn a_spherical_wrist() {
+    check("robots/kr6_r900.yaml", "kr6_r900.rs");
+}
+
+#[test]
+fn a_slide() {
+    check("robots/scara.yaml", "scara.rs");
+}
+
+#[test]
+fn a_calibrated_arm() {
+    check("tests/robots/noisy/calibrated.yaml", "calibrated.rs");
+}
+
+#[test]
+fn a_parallel_mechanism() {
+    check("robots/delta.yaml", "delta.rs");
+}
