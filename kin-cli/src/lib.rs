@@ -1,14 +1,17 @@
 //! `kin`: explain, generate, check and map the kinematics of a robot file.
 //!
-//! A thin shell around `kin-codegen`. [`run`] takes a command line and gives
-//! back what to print, so that commands can be tested without processes.
+//! What a person asks of a robot file, and a build does not need: [`explain`]
+//! tells all that was found, [`check`] and [`sweep`] hold the closed form
+//! against independent solvers. [`run`] takes a command line and gives back
+//! what to print, so that commands can be tested without processes.
 
 mod arguments;
 mod bar;
-mod check;
+pub mod check;
 mod exit;
-mod explain;
+pub mod explain;
 mod generate;
+pub mod sweep;
 mod workspace;
 
 pub use exit::Exit;

@@ -156,11 +156,6 @@ impl Compiled {
             .map_or(0, |solver| solver.plan.branches())
     }
 
-    /// What the documentation of the robot says of its kinematics.
-    pub fn summary(&self) -> Vec<String> {
-        crate::explain::summary(self)
-    }
-
     /// What `q` stands for in targets: the whole pose unless said otherwise.
     pub fn target(&self) -> Target {
         self.inverse

@@ -2,7 +2,6 @@
 
 use crate::compiler::{Compiled, compile};
 use crate::emit::{self, TAKEN};
-use crate::explain::Cost;
 use crate::mechanism::{self, CompiledMechanism};
 use crate::options::{Options, file_name};
 use crate::spec::{Diagnostic, Diagnostics, MechanismSpec, Source};
@@ -116,13 +115,13 @@ fn of_arm(compiled: &Compiled) -> Vec<String> {
     let mut lines = Vec::new();
     let joints = model.variables.len();
     lines.push(format!("{} to {}, {joints} joints.", model.base, model.tip));
-    let fk = Cost::from(compiled.forward.tip_cost());
+    let fk = compiled.forward.tip_cost();
     lines.push(format!("Forward kinematics: {fk}."));
-    let both = Cost::from(compiled.forward.tip_and_jacobian_cost());
+    let both = compiled.forward.tip_and_jacobian_cost();
     lines.push(format!("With the spatial Jacobian: {both}."));
     if let Some(solver) = &compiled.inverse {
         let branches = solver.plan.branches();
-        let cost = Cost::from(solver.inverse.graph.operations(&solver.inverse.outputs()));
+        let cost = solver.inverse.graph.operations(&solver.inverse.outputs());
         lines.push(format!(
             "Inverse kinematics: {}, {branches} branches; one branch: {cost}.",
             solver.plan

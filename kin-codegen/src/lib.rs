@@ -19,20 +19,19 @@
 pub mod build;
 pub mod compiler;
 pub mod emit;
-pub mod explain;
 pub mod expr;
 mod generate;
 pub mod geometry;
 pub mod mechanism;
 pub mod model;
-mod options;
+pub mod options;
 pub mod plan;
+pub mod random;
 mod read;
 mod refusal;
 pub mod singularity;
 pub mod solver;
 pub mod spec;
-pub mod sweep;
 pub mod verify;
 
 pub use compiler::{Compiled, compile};

@@ -1,6 +1,6 @@
 //! Why an arm is refused, and what its owner can do.
 
-use crate::explain::structure;
+use crate::geometry::structure;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::NoClosedForm;

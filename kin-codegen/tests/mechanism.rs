@@ -205,38 +205,3 @@ fn without_inverse_kinematics_a_loop_still_has_its_assemblies() {
     let code = generated.code();
     assert!(code.contains("fn fk(") && !code.contains("fn ik_near(&self, target"));
 }
-
-fn told(file: &str) -> String {
-    let explanation = mechanism::explain(&robot(file), &Options::default());
-    explanation.unwrap().to_string()
-}
-
-#[test]
-fn a_stewart_platform_is_explained() {
-    let text = told("stewart.yaml");
-    for line in [
-        "stewart, from stewart.yaml: 6 chains from frame to platform, 36 joints, 6 of them actuated",
-        "  leg1, UP*S",
-        "  Grübler: 36 joints - 6 x 5 loops = 6, in space",
-        "  By rank: 6, all of them motions of the platform",
-        "  slide1, slide2, slide3, slide4, slide5, slide6",
-        "  Targets are whole poses of the platform.",
-        "  Newton's method on the structure equation, from a seed, in at most 60 steps.",
-    ] {
-        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
-    }
-}
-
-#[test]
-fn a_delta_is_explained() {
-    let text = told("delta.yaml");
-    for line in [
-        "  arm1, R*UU",
-        "  Grübler: 15 joints - 6 x 2 loops = 3, in space",
-        "  motor1, motor2, motor3",
-        "  2 assemblies at most.",
-    ] {
-        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
-    }
-    assert!(text.contains("three spheres meet"), "{text}");
-}

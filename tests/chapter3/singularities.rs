@@ -3,7 +3,7 @@
 
 use super::arms::{self, Elbow, InverseElbow, L1, L2, Planar2r, Planar3r, Scara, Stanford, Ur5e};
 use super::random::Random;
-use kin_codegen::explain::{ConditionKind, Explanation, explain};
+use kin_cli::explain::{ConditionKind, Explanation, explain};
 use kin_codegen::geometry::{Condition, conditions};
 use kin_codegen::{Ik, Options, Source};
 use kinematics::{Jacobian, Singularity, Twist};

@@ -1,7 +1,7 @@
 //! What was checked, as text and as JSON.
 
-use super::Checked;
-use kin_codegen::explain::Verdict;
+use super::command::Checked;
+use super::verdict::Verdict;
 use serde_json::{Value, json};
 
 /// The version of the JSON. Grows when a field changes its meaning or goes; new

@@ -7,6 +7,7 @@ mod mechanism;
 mod robot;
 mod singular;
 mod straight;
+mod summary;
 
 pub use mechanism::mechanism;
 pub use robot::{TAKEN, robot};

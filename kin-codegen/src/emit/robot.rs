@@ -1,6 +1,7 @@
 //! The type of a robot, with its constants, methods and documentation.
 
 use super::straight::signed;
+use super::summary::summary;
 use super::{forward, inverse, singular};
 use crate::compiler::Compiled;
 use crate::expr::Operations;
@@ -82,12 +83,7 @@ fn documentation(compiled: &Compiled) -> Vec<String> {
         " The arm `{}` from `{}` to `{}`, compiled from `{}`.",
         model.name, model.base, model.tip, compiled.path
     )];
-    lines.extend(
-        compiled
-            .summary()
-            .into_iter()
-            .map(|line| format!(" {line}")),
-    );
+    lines.extend(summary(compiled).into_iter().map(|line| format!(" {line}")));
     lines
 }
 

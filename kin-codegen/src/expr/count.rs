@@ -1,11 +1,16 @@
 //! What an expression costs, in operations.
 
 use super::{Expr, Graph, Node, RootField};
-use std::ops::AddAssign;
+use std::fmt;
+use std::ops::{AddAssign, Mul, Sub};
 
 /// Operation counts. A negation is free: it is part of a subtraction or of a
 /// constant in nearly every use.
+///
+/// Displayed without what does not occur:
+/// `40 multiplications, 20 additions, 6 sines with cosines`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Operations {
     /// Multiplications.
     pub multiplications: usize,
@@ -36,18 +41,63 @@ impl Operations {
             + self.selections
             + 800 * self.quartics
     }
+
+    /// Field by field.
+    fn combined(self, other: Self, f: impl Fn(usize, usize) -> usize) -> Self {
+        Self {
+            multiplications: f(self.multiplications, other.multiplications),
+            additions: f(self.additions, other.additions),
+            divisions: f(self.divisions, other.divisions),
+            roots: f(self.roots, other.roots),
+            sincos: f(self.sincos, other.sincos),
+            arctangents: f(self.arctangents, other.arctangents),
+            selections: f(self.selections, other.selections),
+            quartics: f(self.quartics, other.quartics),
+        }
+    }
 }
 
 impl AddAssign for Operations {
     fn add_assign(&mut self, other: Self) {
-        self.multiplications += other.multiplications;
-        self.additions += other.additions;
-        self.divisions += other.divisions;
-        self.roots += other.roots;
-        self.sincos += other.sincos;
-        self.arctangents += other.arctangents;
-        self.selections += other.selections;
-        self.quartics += other.quartics;
+        *self = self.combined(other, |a, b| a + b);
+    }
+}
+
+impl Sub for Operations {
+    type Output = Self;
+
+    fn sub(self, less: Self) -> Self {
+        self.combined(less, |a, b| a - b)
+    }
+}
+
+impl Mul<Operations> for usize {
+    type Output = Operations;
+
+    fn mul(self, once: Operations) -> Operations {
+        once.combined(once, |a, _| self * a)
+    }
+}
+
+impl fmt::Display for Operations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} multiplications, {} additions",
+            self.multiplications, self.additions
+        )?;
+        let others = [
+            (self.divisions, "divisions"),
+            (self.roots, "roots"),
+            (self.sincos, "sines with cosines"),
+            (self.arctangents, "arctangents"),
+            (self.selections, "selections"),
+            (self.quartics, "quartics"),
+        ];
+        others
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .try_for_each(|(count, what)| write!(f, ", {count} {what}"))
     }
 }
 

@@ -5,11 +5,13 @@ mod linkage;
 mod relation;
 mod singular;
 mod snap;
+mod structure;
 
 pub use linkage::{Link, Linkage, Run, Travel};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};
 pub use snap::{Moved, Snap, snap};
+pub use structure::{Axes, Neighbours, PairRelation, Row, RowRelation, numbers, structure};
 
 use crate::model::{JointKind, Model};
 
@@ -25,11 +27,13 @@ pub struct Line {
     pub point: Vec3,
 }
 
-pub(crate) fn dot(a: Vec3, b: Vec3) -> f64 {
+/// a · b.
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(crate) fn cross(a: Vec3, b: Vec3) -> Vec3 {
+/// a × b.
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -45,7 +49,8 @@ pub(crate) fn along(p: Vec3, t: f64, v: Vec3) -> Vec3 {
     [p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]]
 }
 
-pub(crate) fn norm(a: Vec3) -> f64 {
+/// |a|.
+pub fn norm(a: Vec3) -> f64 {
     dot(a, a).sqrt()
 }
 

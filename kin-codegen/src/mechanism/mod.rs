@@ -35,7 +35,6 @@
 //! and [`kin_runtime::Mechanism`] is the generic mechanism that checks it.
 
 mod compiled;
-mod explain;
 mod forward;
 mod freedom;
 mod inverse;
@@ -43,10 +42,6 @@ mod model;
 mod summary;
 
 pub use compiled::{CompiledMechanism, Placed, compile};
-pub use explain::{
-    Actuation, Explanation, ForwardExplanation, InverseExplanation, LegExplanation, Mobility,
-    SCHEMA, explain,
-};
 pub use forward::{Forward, Loop, Rod};
 pub use freedom::Freedom;
 pub use inverse::{Aim, Inverse, LegForm, Reason, Split};

@@ -1,10 +1,55 @@
 //! A few words for the mechanism's documentation and the header of its code.
 
 use super::compiled::CompiledMechanism;
-use super::explain::{method, target};
-use super::inverse::LegForm;
+use super::forward::Forward;
+use super::inverse::{Aim, LegForm};
+
+impl Forward {
+    /// How forward kinematics is found, in words.
+    pub fn method(&self) -> String {
+        match self {
+            Forward::Loop(found) => format!(
+                "closed form: the passive joints around the loop are a serial chain between ends \
+                 that the actuated ones place, solved by {}",
+                found
+                    .passive
+                    .inverse
+                    .as_ref()
+                    .map_or_else(String::new, |form| form.plan.to_string())
+            ),
+            Forward::Spheres(rods) => format!(
+                "closed form: the platform translates at {} from points that the actuators place, \
+                 so its position is where three spheres meet (assemblies with the platform \
+                 turned, in another mode of its joints, are left out)",
+                rods.iter()
+                    .map(|rod| format!("{:.4} m", rod.length))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            ),
+            Forward::Newton => {
+                "Newton's method on the structure equation, from a seed, in at most 60 steps".into()
+            }
+        }
+    }
+}
 
 impl CompiledMechanism {
+    /// What of a target inverse kinematics reads, in words; none without
+    /// inverse kinematics.
+    pub fn targets(&self) -> Option<String> {
+        Some(match self.inverse.as_ref()?.aim {
+            Aim::Pose => "whole poses of the platform".into(),
+            Aim::Translation => "positions of the platform, which does not turn: the rotation of \
+                                 a target is not read"
+                .into(),
+            Aim::Lead(leg) => format!(
+                "positions of the platform, which fix the chain `{}`: the rotation of a target is \
+                 not read, and comes of it",
+                self.mechanism.legs[leg].name
+            ),
+        })
+    }
+
     /// What the documentation of the type says, in Markdown lines.
     pub(crate) fn documentation(&self) -> Vec<String> {
         let mechanism = &self.mechanism;
@@ -27,16 +72,15 @@ impl CompiledMechanism {
             ),
             String::new(),
         ];
-        match &self.inverse {
-            Some(inverse) => {
+        match self.targets() {
+            Some(targets) => {
                 lines.push(format!(" Inverse kinematics: {}.", self.plans()));
-                let target = target(self, inverse.aim);
-                lines.push(format!(" Targets are {target}."));
+                lines.push(format!(" Targets are {targets}."));
             }
             None => lines.push(" Generated without inverse kinematics (`ik = none`).".into()),
         }
         lines.push(String::new());
-        let method = method(&self.forward);
+        let method = self.forward.method();
         lines.push(format!(" Forward kinematics by {method}."));
         lines
     }
@@ -55,7 +99,7 @@ impl CompiledMechanism {
         if self.inverse.is_some() {
             lines.push(format!("Inverse kinematics: {}.", self.plans()));
         }
-        lines.push(format!("Forward kinematics: {}.", method(&self.forward)));
+        lines.push(format!("Forward kinematics: {}.", self.forward.method()));
         lines
     }
 

@@ -81,7 +81,7 @@ impl Target {
     }
 
     /// Whether the target is first projected to what the arm can choose.
-    pub(crate) fn is_projected(self) -> bool {
+    pub fn is_projected(self) -> bool {
         matches!(self, Target::PositionYaw | Target::Planar)
     }
 

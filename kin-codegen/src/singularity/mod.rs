@@ -18,7 +18,7 @@ use crate::expr::{Expr, Graph, Operations};
 use crate::geometry::{Condition, Linkage, conditions, size, snap};
 use crate::model::Model;
 use crate::plan::Target;
-use crate::verify::configurations::Random;
+use crate::random::Random;
 use crate::verify::{chain, independence};
 use kin_runtime::Jacobian;
 use place::Factored;

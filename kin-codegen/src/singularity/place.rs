@@ -3,7 +3,7 @@
 use crate::expr::{Expr, Graph, Node};
 use crate::geometry::size;
 use crate::model::Model;
-use crate::verify::configurations::Random;
+use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a factor vanishes.

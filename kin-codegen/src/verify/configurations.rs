@@ -1,6 +1,7 @@
 //! The configurations that a plan must survive.
 
 use crate::model::Model;
+use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Random configurations.
@@ -59,25 +60,4 @@ fn slide_travel(model: &Model) -> Vec<[f64; 2]> {
                 .unwrap_or([-0.5, 0.5])
         })
         .collect()
-}
-
-/// A small generator (xorshift64*), so that certificates repeat.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        let unit = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        low + (high - low) * unit
-    }
-
-    fn below(&mut self, n: u64) -> usize {
-        (self.next() % n) as usize
-    }
 }

@@ -16,7 +16,6 @@ use crate::solver::{Answer, ClosedForm};
 use configurations::configurations;
 use kin_runtime::polish::Aim;
 use kin_runtime::{Chain, Pose, Twist};
-use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -25,11 +24,11 @@ pub const SOUND: f64 = 1e-9;
 /// Below this independence of the Jacobian's columns, a configuration counts
 /// as singular: its target may have a family of solutions, and one
 /// representative is enough.
-pub(crate) const SINGULAR: f64 = 1e-5;
+pub const SINGULAR: f64 = 1e-5;
 
 /// How far from a singular configuration, in square roots of the relative
 /// shift of a snapped arm's tip, the literal arm's solutions may be lost.
-pub(crate) const BLUR: f64 = 3.0;
+pub const BLUR: f64 = 3.0;
 /// Columns that are all shorter than this, relative to the arm's size, are
 /// rounding.
 const NOTHING: f64 = 1e-4;
@@ -37,7 +36,8 @@ const NOTHING: f64 = 1e-4;
 const GENERIC: f64 = 1e-9;
 
 /// What the certificate saw.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Certificate {
     /// Configurations tried.
     pub configurations: usize,
@@ -178,7 +178,11 @@ pub fn certify(trials: &Trials, solver: &ClosedForm) -> Result<Certificate, Fail
 
 /// The configuration is among the answers, to what its conditioning allows,
 /// and no answer comes twice.
-pub(crate) fn recovered(
+///
+/// # Errors
+///
+/// Which of the two does not hold.
+pub fn recovered(
     model: &Model,
     q: &[f64],
     answers: &[Answer],
@@ -260,7 +264,7 @@ pub fn distance(a: &Pose, b: &Pose, size: f64, target: Target) -> f64 {
 /// How independent the columns of the Jacobian are: the shortest that is left
 /// when each is made perpendicular to those before it, longest first, relative
 /// to the longest. Within a factor of the least singular value.
-pub(crate) fn independence(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
+pub fn independence(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
     lengths(chain, q, size, target)
         .into_iter()
         .fold(f64::INFINITY, f64::min)

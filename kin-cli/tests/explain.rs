@@ -1,6 +1,8 @@
 //! What is said of arms of many kinds.
 
-use kin_codegen::explain::{Explanation, ObjectKind, RowRelation, Verdict, check, explain};
+use kin_cli::check::{Verdict, check};
+use kin_cli::explain::{Explanation, ObjectKind, explain, mechanism};
+use kin_codegen::geometry::RowRelation;
 use kin_codegen::{Ik, Options, Source};
 use std::path::Path;
 
@@ -144,4 +146,39 @@ fn a_broken_file_is_told_from_an_arm_without_closed_form() {
     let verdict = |source: &Source| check(source, &Options::default(), 0).verdict;
     assert!(matches!(verdict(&general), Verdict::Refused(_)));
     assert!(matches!(verdict(&broken), Verdict::Broken(_)));
+}
+
+fn told_of_mechanism(file: &str) -> String {
+    let explanation = mechanism::explain(&robot(file), &Options::default());
+    explanation.unwrap().to_string()
+}
+
+#[test]
+fn a_stewart_platform_is_explained() {
+    let text = told_of_mechanism("stewart.yaml");
+    for line in [
+        "stewart, from stewart.yaml: 6 chains from frame to platform, 36 joints, 6 of them actuated",
+        "  leg1, UP*S",
+        "  Grübler: 36 joints - 6 x 5 loops = 6, in space",
+        "  By rank: 6, all of them motions of the platform",
+        "  slide1, slide2, slide3, slide4, slide5, slide6",
+        "  Targets are whole poses of the platform.",
+        "  Newton's method on the structure equation, from a seed, in at most 60 steps.",
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
+    }
+}
+
+#[test]
+fn a_delta_is_explained() {
+    let text = told_of_mechanism("delta.yaml");
+    for line in [
+        "  arm1, R*UU",
+        "  Grübler: 15 joints - 6 x 2 loops = 3, in space",
+        "  motor1, motor2, motor3",
+        "  2 assemblies at most.",
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
+    }
+    assert!(text.contains("three spheres meet"), "{text}");
 }

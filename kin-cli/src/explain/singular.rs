@@ -1,11 +1,11 @@
 //! The singular configurations of an arm, and what its determinant takes.
 
-use super::Cost;
 use super::text::vector_of;
-use crate::expr::determinant::Rows;
-use crate::geometry::Condition;
-use crate::model::Model;
-use crate::singularity::{Place, Singular, Way};
+use kin_codegen::expr::Operations;
+use kin_codegen::expr::determinant::Rows;
+use kin_codegen::geometry::Condition;
+use kin_codegen::model::Model;
+use kin_codegen::singularity::{Place, Singular, Way};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -15,7 +15,7 @@ pub struct Singularities {
     /// Which rows the determinant is of.
     pub determinant_of: String,
     /// What it takes.
-    pub determinant: Cost,
+    pub determinant: Operations,
     /// The largest difference to the determinant of the generic Jacobian on
     /// random configurations, relative to the largest value there; null if that
     /// Jacobian is not square.
@@ -115,7 +115,7 @@ impl Singularities {
                 Rows::Moving => "the rows of the Jacobian that are not zero everywhere".into(),
                 Rows::Counting(target) => format!("the Jacobian's rows for {}", target.phrase()),
             },
-            determinant: singular.cost().into(),
+            determinant: singular.cost(),
             difference: singular.difference,
             snapped: singular.snapped,
             ways: singular

@@ -2,8 +2,8 @@
 
 use super::subject::{Seen, Subject};
 use super::{Kind, Split};
-use crate::plan::Target;
-use crate::solver::Answer;
+use kin_codegen::plan::Target;
+use kin_codegen::solver::Answer;
 use kin_runtime::{ChainSolution, Goal, SearchOptions};
 use serde::Serialize;
 

@@ -1,6 +1,6 @@
 //! What it took to read the file as the arm that was meant.
 
-use crate::solver::ClosedForm;
+use kin_codegen::solver::ClosedForm;
 use serde::Serialize;
 
 /// The file's axes are off exact relations: the closed form runs on an arm
@@ -34,7 +34,7 @@ pub struct Moved {
 impl Snapping {
     /// None if the file is exact up to its rounding.
     pub(super) fn of(solver: &ClosedForm) -> Option<Self> {
-        let moved = |moved: &crate::geometry::Moved| Moved {
+        let moved = |moved: &kin_codegen::geometry::Moved| Moved {
             joint: moved.joint + 1,
             name: solver.snap.model.joints[moved.joint].name.clone(),
             angle: moved.angle,

@@ -1,8 +1,7 @@
-//! A few words for the robot's documentation and for refusals.
+//! A few words for the robot's documentation.
 
-use super::{Axes, PairRelation};
 use crate::compiler::Compiled;
-use crate::model::{JointKind, Model};
+use crate::geometry::structure;
 use crate::plan::Target;
 
 /// What the documentation of the robot says of its kinematics, in Markdown
@@ -50,27 +49,4 @@ pub fn summary(compiled: &Compiled) -> Vec<String> {
         ));
     }
     lines
-}
-
-/// How the axes lie to each other: `2, 3 parallel; spherical wrist at 4, 5, 6`.
-pub fn structure(model: &Model) -> String {
-    let axes = Axes::of(model);
-    let mut found: Vec<String> = axes.rows.iter().map(ToString::to_string).collect();
-    let meeting = axes.neighbours.iter().filter(|pair| {
-        let met = |row: &super::Row| {
-            row.point.is_some()
-                && row.joints.contains(&pair.joints[0])
-                && row.joints.contains(&pair.joints[1])
-        };
-        pair.relation == PairRelation::Intersecting && !axes.rows.iter().any(met)
-    });
-    found.extend(meeting.map(ToString::to_string));
-    let sliding = model.joints.iter().enumerate();
-    let sliding = sliding.filter(|(_, joint)| joint.kind == JointKind::Prismatic);
-    found.extend(sliding.map(|(i, _)| format!("{} slides", i + 1)));
-    if found.is_empty() {
-        let n = model.joints.len();
-        found.push(format!("{n} axes, no neighbours parallel or intersecting"));
-    }
-    found.join("; ")
 }

@@ -1,10 +1,9 @@
 //! `kin explain`.
 
+use super::{explain, mechanism};
 use crate::arguments::{Explain, read};
 use crate::{Done, Exit};
 use kin_codegen::Diagnostics;
-use kin_codegen::explain::explain;
-use kin_codegen::mechanism;
 use kin_codegen::spec::MechanismSpec;
 use serde::Serialize;
 use std::fmt::Display;

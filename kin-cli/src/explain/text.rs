@@ -1,21 +1,11 @@
 //! An explanation as text for a terminal.
 
 use super::singular::NOT_SQUARE;
-use super::{
-    Axes, Chain, Explanation, Inverse, Joint, JointMotion, Neighbours, PairRelation, Row,
-    RowRelation, Snapping, Step,
-};
-use std::f64::consts::PI;
+use super::{Chain, Explanation, Inverse, Joint, JointMotion, Snapping, Step};
 use std::fmt::{self, Display, Formatter};
 
 /// Deviations below this are rounding, and not worth a word; radians, metres.
 const ROUNDING: f64 = 1e-9;
-
-/// `4, 5, 6`.
-pub(super) fn numbers(joints: impl IntoIterator<Item = usize>) -> String {
-    let numbers: Vec<String> = joints.into_iter().map(|i| i.to_string()).collect();
-    numbers.join(", ")
-}
 
 /// `0.3, -1.2`.
 pub(super) fn vector_of(values: &[f64]) -> String {
@@ -109,7 +99,7 @@ fn travel(joint: &Joint) -> String {
         Some([lower, upper]) if joint.motion == JointMotion::Prismatic => {
             format!("{lower:.3} to {upper:.3} m")
         }
-        Some([lower, upper]) => format!("{:.1}° to {:.1}°", degrees(lower), degrees(upper)),
+        Some([lower, upper]) => format!("{:.1}° to {:.1}°", lower.to_degrees(), upper.to_degrees()),
     };
     match joint.mimic {
         Some(mimic) => format!(
@@ -117,77 +107,6 @@ fn travel(joint: &Joint) -> String {
             mimic.multiplier, joint.coordinate, mimic.offset
         ),
         None => range,
-    }
-}
-
-fn degrees(radians: f64) -> f64 {
-    radians * 180.0 / PI
-}
-
-impl Display for Axes {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        for pair in &self.neighbours {
-            writeln!(f, "  {pair}")?;
-        }
-        for row in &self.rows {
-            writeln!(f, "  {row}")?;
-        }
-        Ok(())
-    }
-}
-
-/// `, off by 3.7e-6 rad`, if it is worth a word.
-fn off(deviation: f64, unit: &str) -> String {
-    if deviation < ROUNDING {
-        String::new()
-    } else {
-        format!(", off by {deviation:.1e} {unit}")
-    }
-}
-
-impl Display for Neighbours {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Self {
-            angle, distance, ..
-        } = *self;
-        write!(f, "{}-{} ", self.joints[0], self.joints[1])?;
-        let shown = degrees(angle);
-        match self.relation {
-            PairRelation::Coincident => {
-                write!(f, "on one line{}{}", off(angle, "rad"), off(distance, "m"))
-            }
-            PairRelation::Parallel if distance < ROUNDING => {
-                write!(f, "parallel{}", off(angle, "rad"))
-            }
-            PairRelation::Parallel => {
-                write!(f, "parallel, {distance:.4} m apart{}", off(angle, "rad"))
-            }
-            PairRelation::Intersecting => {
-                write!(f, "intersect at {shown:.2}°{}", off(distance, "m"))
-            }
-            PairRelation::Skew => write!(f, "skew, {distance:.4} m apart at {shown:.2}°"),
-            PairRelation::Inclined => write!(f, "at {shown:.2}°"),
-        }
-    }
-}
-
-impl Display for Row {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let joints = numbers(self.joints.iter().copied());
-        match self.relation {
-            RowRelation::Parallel => write!(f, "{joints} parallel{}", off(self.deviation, "rad")),
-            RowRelation::Concurrent => {
-                write!(f, "{joints} meet in a point{}", off(self.deviation, "m"))
-            }
-            RowRelation::SphericalShoulder => write!(
-                f,
-                "spherical shoulder at {joints}{}",
-                off(self.deviation, "m")
-            ),
-            RowRelation::SphericalWrist => {
-                write!(f, "spherical wrist at {joints}{}", off(self.deviation, "m"))
-            }
-        }
     }
 }
 

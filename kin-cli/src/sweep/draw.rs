@@ -1,7 +1,7 @@
 //! Random configurations.
 
-use crate::model::Model;
-use crate::verify::configurations::Random;
+use kin_codegen::model::Model;
+use kin_codegen::random::Random;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -7,7 +7,7 @@
 //! closed form. [`Replay`] shows a single configuration in full.
 //!
 //! ```
-//! use kin_codegen::sweep::{Settings, sweep};
+//! use kin_cli::sweep::{Settings, sweep};
 //! use kin_codegen::{Options, Source, compile};
 //! let text = "
 //! robot: planar
@@ -39,8 +39,8 @@ pub use oracle::Comparison;
 pub use replay::{Answered, Found, Replay};
 pub use tally::{Fault, Kind, Split, Tally};
 
-use crate::model::Model;
-use crate::solver::ClosedForm;
+use kin_codegen::model::Model;
+use kin_codegen::solver::ClosedForm;
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

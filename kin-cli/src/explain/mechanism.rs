@@ -1,11 +1,8 @@
 //! What was found in a mechanism's file and decided about it.
 
-use super::compiled::{CompiledMechanism, compile};
-use super::forward::Forward;
-use super::inverse::{Aim, LegForm};
-use crate::explain::Chain;
-use crate::options::{Ik, Options, file_name};
-use crate::spec::{Diagnostics, Source};
+use super::{Chain, file_name};
+use kin_codegen::mechanism::{CompiledMechanism, LegForm, compile};
+use kin_codegen::{Diagnostics, Ik, Options, Source};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -159,60 +156,17 @@ impl Explanation {
                 kinematic_singularity: generic.kinematic_singularity(&home, freedom.mobility),
             },
             inverse: compiled.inverse.as_ref().map(|inverse| InverseExplanation {
-                target: target(compiled, inverse.aim),
+                target: compiled.targets().unwrap_or_default(),
                 plans: inverse.legs.iter().map(LegForm::plan).collect(),
                 branches: inverse.legs.iter().map(LegForm::branches).collect(),
                 verified: inverse.verified,
             }),
             refusal,
             forward: ForwardExplanation {
-                method: method(&compiled.forward),
+                method: compiled.forward.method(),
                 assemblies: compiled.forward.assemblies(),
             },
             chains,
-        }
-    }
-}
-
-/// What of a target is read, in words.
-pub(super) fn target(compiled: &CompiledMechanism, aim: Aim) -> String {
-    match aim {
-        Aim::Pose => "whole poses of the platform".into(),
-        Aim::Translation => {
-            "positions of the platform, which does not turn: the rotation of a target is not read"
-                .into()
-        }
-        Aim::Lead(leg) => format!(
-            "positions of the platform, which fix the chain `{}`: the rotation of a target is not \
-             read, and comes of it",
-            compiled.mechanism.legs[leg].name
-        ),
-    }
-}
-
-/// How forward kinematics is found, in words.
-pub(super) fn method(forward: &Forward) -> String {
-    match forward {
-        Forward::Loop(found) => format!(
-            "closed form: the passive joints around the loop are a serial chain between ends that \
-             the actuated ones place, solved by {}",
-            found
-                .passive
-                .inverse
-                .as_ref()
-                .map_or_else(String::new, |form| form.plan.to_string())
-        ),
-        Forward::Spheres(rods) => format!(
-            "closed form: the platform translates at {} from points that the actuators place, so \
-             its position is where three spheres meet (assemblies with the platform turned, in another \
-             mode of its joints, are left out)",
-            rods.iter()
-                .map(|rod| format!("{:.4} m", rod.length))
-                .collect::<Vec<_>>()
-                .join(", ")
-        ),
-        Forward::Newton => {
-            "Newton's method on the structure equation, from a seed, in at most 60 steps".into()
         }
     }
 }

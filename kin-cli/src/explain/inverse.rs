@@ -1,9 +1,10 @@
 //! The closed form: its plan, why it was chosen, and what it costs.
 
-use super::{Cost, Snapping, Step};
-use crate::plan::{Target, search};
-use crate::solver::ClosedForm;
-use crate::verify::Certificate;
+use super::{Snapping, Step};
+use kin_codegen::expr::Operations;
+use kin_codegen::plan::{Target, search};
+use kin_codegen::solver::ClosedForm;
+use kin_codegen::verify::Certificate;
 use serde::Serialize;
 
 /// Plans looked at to tell what else there was.
@@ -34,9 +35,9 @@ pub struct Inverse {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct LaneCost {
     /// One branch.
-    pub one_branch: Cost,
+    pub one_branch: Operations,
     /// All branches, with what they share computed once.
-    pub all_branches: Cost,
+    pub all_branches: Operations,
 }
 
 impl Inverse {
@@ -80,21 +81,21 @@ impl LaneCost {
         let outputs = solver.inverse.outputs();
         let levels = graph.levels();
         let needed = graph.reachable(&outputs);
-        let up_to = |level: u8| -> Cost {
+        let up_to = |level: u8| {
             let within = |&i: &usize| needed[i] && levels[i] <= level;
             let nodes: Vec<_> = (0..levels.len()).filter(within).collect();
             let nodes: Vec<_> = nodes.into_iter().map(|i| graph.at(i)).collect();
-            graph.operations(&nodes).into()
+            graph.operations(&nodes)
         };
-        let mut all_branches = Cost::default();
-        let mut below = Cost::default();
+        let mut all_branches = Operations::default();
+        let mut below = Operations::default();
         for level in 0..=graph.choices() {
             let cost = up_to(level);
-            all_branches.add_difference(1 << level, cost, below);
+            all_branches += (1 << level) * (cost - below);
             below = cost;
         }
         Self {
-            one_branch: graph.operations(&outputs).into(),
+            one_branch: graph.operations(&outputs),
             all_branches,
         }
     }

@@ -1,7 +1,7 @@
 //! The chain as the file has it.
 
-use crate::geometry::size;
-use crate::model::{self, JointKind, Model};
+use kin_codegen::geometry::size;
+use kin_codegen::model::{self, JointKind, Model};
 use serde::Serialize;
 
 /// A serial chain at home.

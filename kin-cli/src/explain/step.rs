@@ -1,7 +1,7 @@
 //! What a step of a plan means in space.
 
-use crate::geometry::{Linkage, Travel, Vec3, cross, dot, norm};
-use crate::plan::{self, Atom, Invariant, Kind, Relation, Subproblem};
+use kin_codegen::geometry::{Linkage, Travel, Vec3, cross, dot, norm, numbers};
+use kin_codegen::plan::{self, Atom, Invariant, Kind, Relation, Subproblem};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -224,7 +224,7 @@ fn words(invariant: &Invariant, joints: &[usize], n: usize) -> String {
     if invariant.joints.end > n {
         return "the tip".into();
     }
-    let numbers = super::text::numbers(joints.iter().map(|i| i + 1));
+    let numbers = numbers(joints.iter().map(|i| i + 1));
     match (joints.len(), invariant.kind) {
         (0, _) if invariant.joints.start == 0 => format!("a {kind} of the base"),
         (0, _) => format!("a {kind} of the tip link"),

@@ -1,18 +1,20 @@
-//! How the axes of the literal arm lie to each other.
+//! The structure of an arm: how the axes of the file lie to each other, in the
+//! field's words.
 
-use crate::geometry::{
-    AxisRelation, Line, Vec3, axes, concurrency, cross, dot, norm, relate, size,
-};
+use super::{AxisRelation, Line, Vec3, axes, concurrency, cross, dot, norm, relate, size};
 use crate::model::{JointKind, Model};
-use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
 /// Relations that hold to this are named, with how far off they are: radians,
 /// and multiples of the arm's size.
 const NEAR: f64 = 1e-3;
+/// Deviations below this are rounding, and not worth a word; radians, metres.
+const ROUNDING: f64 = 1e-9;
 
 /// How the axes lie.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Axes {
     /// Every joint and the next.
     pub neighbours: Vec<Neighbours>,
@@ -21,7 +23,8 @@ pub struct Axes {
 }
 
 /// The axes of two joints.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Neighbours {
     /// Their numbers.
     pub joints: [usize; 2],
@@ -36,8 +39,9 @@ pub struct Neighbours {
 
 /// What two axes are to each other, to within a thousandth of a radian and of
 /// the arm's size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum PairRelation {
     /// One line.
     Coincident,
@@ -52,7 +56,8 @@ pub enum PairRelation {
 }
 
 /// A row of joints with a relation in common.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Row {
     /// Their numbers. Joints that slide may lie between parallel ones.
     pub joints: Vec<usize>,
@@ -65,8 +70,9 @@ pub struct Row {
 }
 
 /// What the axes of a row have in common.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum RowRelation {
     /// All parallel.
     Parallel,
@@ -79,7 +85,8 @@ pub enum RowRelation {
 }
 
 impl Axes {
-    pub(crate) fn of(model: &Model) -> Self {
+    /// The relations of a chain at home.
+    pub fn of(model: &Model) -> Self {
         let lines = axes(model);
         let neighbours = (1..lines.len())
             .map(|i| neighbours(model, &lines, i - 1))
@@ -188,4 +195,100 @@ fn longest(n: usize, least: usize, holds: impl Fn(Range<usize>) -> bool) -> Vec<
         }
     }
     found
+}
+
+/// How the axes lie to each other: `2, 3 parallel; spherical wrist at 4, 5, 6`.
+pub fn structure(model: &Model) -> String {
+    let axes = Axes::of(model);
+    let mut found: Vec<String> = axes.rows.iter().map(ToString::to_string).collect();
+    let meeting = axes.neighbours.iter().filter(|pair| {
+        let met = |row: &Row| {
+            row.point.is_some()
+                && row.joints.contains(&pair.joints[0])
+                && row.joints.contains(&pair.joints[1])
+        };
+        pair.relation == PairRelation::Intersecting && !axes.rows.iter().any(met)
+    });
+    found.extend(meeting.map(ToString::to_string));
+    let sliding = model.joints.iter().enumerate();
+    let sliding = sliding.filter(|(_, joint)| joint.kind == JointKind::Prismatic);
+    found.extend(sliding.map(|(i, _)| format!("{} slides", i + 1)));
+    if found.is_empty() {
+        let n = model.joints.len();
+        found.push(format!("{n} axes, no neighbours parallel or intersecting"));
+    }
+    found.join("; ")
+}
+
+/// `4, 5, 6`.
+pub fn numbers(joints: impl IntoIterator<Item = usize>) -> String {
+    let numbers: Vec<String> = joints.into_iter().map(|i| i.to_string()).collect();
+    numbers.join(", ")
+}
+
+impl Display for Axes {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for pair in &self.neighbours {
+            writeln!(f, "  {pair}")?;
+        }
+        for row in &self.rows {
+            writeln!(f, "  {row}")?;
+        }
+        Ok(())
+    }
+}
+
+/// `, off by 3.7e-6 rad`, if it is worth a word.
+fn off(deviation: f64, unit: &str) -> String {
+    if deviation < ROUNDING {
+        String::new()
+    } else {
+        format!(", off by {deviation:.1e} {unit}")
+    }
+}
+
+impl Display for Neighbours {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self {
+            angle, distance, ..
+        } = *self;
+        write!(f, "{}-{} ", self.joints[0], self.joints[1])?;
+        let shown = angle.to_degrees();
+        match self.relation {
+            PairRelation::Coincident => {
+                write!(f, "on one line{}{}", off(angle, "rad"), off(distance, "m"))
+            }
+            PairRelation::Parallel if distance < ROUNDING => {
+                write!(f, "parallel{}", off(angle, "rad"))
+            }
+            PairRelation::Parallel => {
+                write!(f, "parallel, {distance:.4} m apart{}", off(angle, "rad"))
+            }
+            PairRelation::Intersecting => {
+                write!(f, "intersect at {shown:.2}°{}", off(distance, "m"))
+            }
+            PairRelation::Skew => write!(f, "skew, {distance:.4} m apart at {shown:.2}°"),
+            PairRelation::Inclined => write!(f, "at {shown:.2}°"),
+        }
+    }
+}
+
+impl Display for Row {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let joints = numbers(self.joints.iter().copied());
+        match self.relation {
+            RowRelation::Parallel => write!(f, "{joints} parallel{}", off(self.deviation, "rad")),
+            RowRelation::Concurrent => {
+                write!(f, "{joints} meet in a point{}", off(self.deviation, "m"))
+            }
+            RowRelation::SphericalShoulder => write!(
+                f,
+                "spherical shoulder at {joints}{}",
+                off(self.deviation, "m")
+            ),
+            RowRelation::SphericalWrist => {
+                write!(f, "spherical wrist at {joints}{}", off(self.deviation, "m"))
+            }
+        }
+    }
 }

@@ -1,10 +1,10 @@
 //! Sweeps see what is right, and what was made wrong on purpose.
 
+use kin_cli::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::expr::{Choice, Node};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::solver::ClosedForm;
-use kin_codegen::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::{Compiled, Options, Source, Target, compile};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,11 +1,10 @@
 //! The short verdict on a robot file.
 
-use super::{Attempt, structure};
-use crate::compiler::Compiled;
-use crate::options::{Ik, Options};
-use crate::solver::ClosedForm;
-use crate::spec::{Diagnostics, Source};
+use crate::explain::Attempt;
 use crate::sweep::{Kind, Settings, sweep};
+use kin_codegen::geometry::structure;
+use kin_codegen::solver::ClosedForm;
+use kin_codegen::{Compiled, Diagnostics, Ik, Options, Source};
 use serde::Serialize;
 use std::fmt;
 
@@ -55,7 +54,8 @@ pub struct Completeness {
 /// numerical search on `deep` targets as well.
 ///
 /// ```
-/// use kin_codegen::{Options, Source, explain::{Verdict, check}};
+/// use kin_cli::check::{Verdict, check};
+/// use kin_codegen::{Options, Source};
 /// let text = "
 /// robot: planar
 /// units: {angle: rad, length: m}

@@ -3,8 +3,8 @@
 use super::oracle::{as_answer, search};
 use super::subject::{Seen, Subject};
 use super::{Settings, Tally};
-use crate::model::Model;
-use crate::solver::{Answer, ClosedForm};
+use kin_codegen::model::Model;
+use kin_codegen::solver::{Answer, ClosedForm};
 use serde::Serialize;
 
 /// One configuration, its target, what the closed form answers and what the
@@ -68,7 +68,8 @@ impl Replay {
     /// metres; otherwise there is nothing to run.
     ///
     /// ```
-    /// use kin_codegen::{Options, Source, compile, sweep::Replay};
+    /// use kin_cli::sweep::Replay;
+    /// use kin_codegen::{Options, Source, compile};
     /// let text = "
     /// robot: planar
     /// units: {angle: rad, length: m}

@@ -2,9 +2,11 @@
 
 use super::Settings;
 use super::draw::Ranges;
-use crate::model::Model;
-use crate::solver::{Answer, ClosedForm};
-use crate::verify::{BLUR, Failure, SINGULAR, SOUND, chain, distance, independence, recovered};
+use kin_codegen::model::Model;
+use kin_codegen::solver::{Answer, ClosedForm};
+use kin_codegen::verify::{
+    BLUR, Failure, SINGULAR, SOUND, chain, distance, independence, recovered,
+};
 use kin_runtime::{Chain, Pose};
 use std::time::{Duration, Instant};
 
@@ -36,7 +38,7 @@ pub(super) struct Seen {
 
 impl<'a> Subject<'a> {
     pub(super) fn new(model: &'a Model, form: &'a ClosedForm) -> Self {
-        let size = crate::geometry::size(model);
+        let size = kin_codegen::geometry::size(model);
         Self {
             model,
             form,

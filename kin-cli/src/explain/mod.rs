@@ -2,33 +2,27 @@
 //!
 //! [`explain`] tells everything: the chain, how its axes lie, what was
 //! snapped, the plan step by step and its cost. Its [`Explanation`] is
-//! displayed as text, and serializes to JSON. [`check`] gives the short
-//! verdict.
+//! displayed as text, and serializes to JSON.
 
-mod axes;
 mod chain;
-mod check;
-mod cost;
+mod command;
 mod inverse;
+pub mod mechanism;
 mod singular;
 mod snapping;
 mod step;
-mod summary;
 mod text;
 
-pub use axes::{Axes, Neighbours, PairRelation, Row, RowRelation};
 pub use chain::{Chain, Joint, JointMotion, Mimic};
-pub use check::{Check, Completeness, Verdict, check};
-pub use cost::Cost;
+pub(crate) use command::run;
 pub use inverse::{Inverse, LaneCost};
 pub use singular::{AxesCondition, ConditionKind, Singularities, Singularity};
 pub use snapping::{Moved, Snapping};
 pub use step::{Object, ObjectKind, Step};
-pub(crate) use summary::{structure, summary};
 
-use crate::compiler::{Compiled, compile};
-use crate::options::{Ik, Options, file_name};
-use crate::spec::{Diagnostics, Source};
+use kin_codegen::expr::Operations;
+use kin_codegen::geometry::Axes;
+use kin_codegen::{Compiled, Diagnostics, Ik, Options, Source, compile};
 use serde::Serialize;
 
 /// The version of the JSON that [`Explanation`] serializes to. Grows when a
@@ -53,9 +47,9 @@ pub struct Explanation {
     /// How its axes lie to each other.
     pub axes: Axes,
     /// What forward kinematics takes.
-    pub fk: Cost,
+    pub fk: Operations,
     /// What forward kinematics with the spatial Jacobian takes.
-    pub fk_jacobian: Cost,
+    pub fk_jacobian: Operations,
     /// The singular configurations; none if no rows of the Jacobian are square.
     pub singularities: Option<Singularities>,
     /// The closed form; none if it was not asked for, or is refused.
@@ -67,7 +61,8 @@ pub struct Explanation {
 /// Explains a robot file. An arm without a closed form is explained too.
 ///
 /// ```
-/// use kin_codegen::{Options, Source, explain::explain};
+/// use kin_cli::explain::explain;
+/// use kin_codegen::{Options, Source};
 /// let text = "
 /// robot: planar
 /// units: {angle: rad, length: m}
@@ -101,8 +96,8 @@ pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagno
         robot: model.name.clone(),
         chain: Chain::of(model),
         axes: Axes::of(model),
-        fk: forward.tip_cost().into(),
-        fk_jacobian: forward.tip_and_jacobian_cost().into(),
+        fk: forward.tip_cost(),
+        fk_jacobian: forward.tip_and_jacobian_cost(),
         singularities: singular
             .as_ref()
             .map(|singular| Singularities::of(model, singular)),
@@ -112,16 +107,16 @@ pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagno
 }
 
 /// A compiled arm; without inverse kinematics if there is no closed form.
-struct Attempt {
-    compiled: Compiled,
-    refusal: Option<String>,
+pub(crate) struct Attempt {
+    pub compiled: Compiled,
+    pub refusal: Option<String>,
 }
 
 impl Attempt {
     /// # Errors
     ///
     /// Not even forward kinematics can be compiled.
-    fn new(source: &Source, options: &Options) -> Result<Self, Diagnostics> {
+    pub fn new(source: &Source, options: &Options) -> Result<Self, Diagnostics> {
         let forward_alone = || {
             let options = Options {
                 ik: Ik::None,
@@ -140,4 +135,9 @@ impl Attempt {
             }),
         }
     }
+}
+
+/// The last part of a path, on any system.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
 }

@@ -1,0 +1,180 @@
+//! `kin check`.
+
+use super::report;
+use super::verdict::{Check, Verdict, check};
+use crate::arguments::{self, read};
+use crate::bar::Bar;
+use crate::sweep::{Draw, Replay, Settings, Tally, sweep};
+use crate::{Done, Exit};
+use kin_codegen::{Compiled, Options};
+
+/// What became of a robot file, and of what was tried on it.
+pub(super) struct Checked {
+    pub check: Check,
+    pub sweep: Option<Tally>,
+    pub replay: Option<Replay>,
+}
+
+pub fn run(arguments: &arguments::Check) -> Done {
+    let options = arguments.options.options();
+    let mut done = Done::printing("");
+    let mut all = Vec::new();
+    for file in &arguments.files {
+        let mut checked = Checked {
+            check: one(file, &options, arguments.deep),
+            sweep: None,
+            replay: None,
+        };
+        if let Err(complaint) = checked.try_more(arguments) {
+            return Done::failing(Exit::Broken, complaint);
+        }
+        // The line names the first complaint; here are all, with their places.
+        if let Verdict::Broken(diagnostics) = &checked.check.verdict {
+            done.stderr += &format!("{diagnostics}\n\n");
+        }
+        done.exit = worse(done.exit, checked.exit());
+        all.push(checked);
+    }
+    done.stdout = if arguments.json {
+        report::json(&all)
+    } else {
+        all.iter().map(report::text).collect()
+    };
+    done
+}
+
+fn one(file: &str, options: &Options, deep: usize) -> Check {
+    match read(file) {
+        Ok(source) => check(&source, options, deep),
+        Err(diagnostics) => Check {
+            path: file.into(),
+            verdict: Verdict::Broken(diagnostics),
+        },
+    }
+}
+
+impl Checked {
+    /// Sweeps or replays, if that was asked for and there is a closed form.
+    ///
+    /// # Errors
+    ///
+    /// The configuration to be replayed is not one of the arm.
+    fn try_more(&mut self, arguments: &arguments::Check) -> Result<(), String> {
+        let Verdict::Solved { compiled, .. } = &self.check.verdict else {
+            return Ok(());
+        };
+        let Compiled {
+            model,
+            inverse: Some(form),
+            ..
+        } = &**compiled
+        else {
+            return Ok(());
+        };
+        if arguments.targets > 0 {
+            let settings = Settings {
+                targets: arguments.targets,
+                oracle: arguments.oracle,
+                seed: arguments.seed,
+                draw: match arguments.aligned {
+                    true => Draw::Aligned,
+                    false => Draw::Anywhere,
+                },
+            };
+            let bar = Bar::new(&self.check.path, settings.targets, "targets");
+            self.sweep = Some(sweep(model, form, &settings, &|done| bar.advance(done)));
+        }
+        if let Some(q) = &arguments.at {
+            let replay = Replay::new(model, form, q).ok_or_else(|| {
+                let (path, joints) = (&self.check.path, model.variables.len());
+                match q.len() == joints {
+                    true => format!("{path}: the values of --at have to be finite"),
+                    false => format!(
+                        "{path}: --at has {} values, and the arm {joints} joints",
+                        q.len()
+                    ),
+                }
+            })?;
+            self.replay = Some(replay);
+        }
+        Ok(())
+    }
+
+    fn exit(&self) -> Exit {
+        let replayed = self.replay.as_ref().map(|replay| &replay.tally);
+        let is_clean = self.sweep.iter().chain(replayed).all(Tally::is_clean);
+        match &self.check.verdict {
+            Verdict::Solved { completeness, .. } => {
+                let lost = completeness.as_ref().is_some_and(|it| it.lost > 0);
+                if lost || !is_clean {
+                    Exit::Incomplete
+                } else {
+                    Exit::Success
+                }
+            }
+            Verdict::Refused(_) => Exit::Refused,
+            Verdict::Broken(_) => Exit::Broken,
+        }
+    }
+}
+
+/// Of several files, what needs attention most decides.
+fn worse(a: Exit, b: Exit) -> Exit {
+    let order = [Exit::Incomplete, Exit::Broken, Exit::Refused];
+    order
+        .into_iter()
+        .find(|exit| [a, b].contains(exit))
+        .unwrap_or(Exit::Success)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::Split;
+
+    /// A clean robot, after a sweep that saw `tally`.
+    fn exit_after(tally: Tally) -> Exit {
+        let checked = Checked {
+            check: one("../robots/planar_2r.yaml", &Options::default(), 0),
+            sweep: Some(tally),
+            replay: None,
+        };
+        checked.exit()
+    }
+
+    #[test]
+    fn what_a_sweep_saw_decides() {
+        let one = Split {
+            regular: 1,
+            near_singular: 0,
+        };
+        let near_one = Split {
+            regular: 0,
+            near_singular: 1,
+        };
+        let clean = Tally::default;
+        assert_eq!(exit_after(clean()), Exit::Success);
+        let faulty = [
+            Tally {
+                unsound: 1,
+                ..clean()
+            },
+            Tally {
+                lost: one,
+                ..clean()
+            },
+            Tally {
+                doubled: one,
+                ..clean()
+            },
+        ];
+        for tally in faulty {
+            assert_eq!(exit_after(tally), Exit::Incomplete);
+        }
+        let near = Tally {
+            lost: near_one,
+            ..clean()
+        };
+        assert_eq!(exit_after(near), Exit::Success);
+    }
+}
