@@ -12,6 +12,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 pub struct Generated {
     /// Its items.
     pub tokens: TokenStream,
+    /// The same with markers where comments are to stand.
+    commented: TokenStream,
     /// The name of its type.
     pub name: String,
     /// What it was generated from.
@@ -41,19 +43,20 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
     let ident = type_ident(source, &name)?;
     // The code must not depend on where the file lies.
     let path = file_name(&source.path).to_owned();
-    let (tokens, robot) = if MechanismSpec::is_meant(source) {
+    let (commented, robot) = if MechanismSpec::is_meant(source) {
         let mut compiled = mechanism::compile(source, options)?;
         compiled.path = path;
-        let tokens = emit::mechanism(&compiled, &ident);
-        (tokens, Robot::Mechanism(Box::new(compiled)))
+        let items = emit::mechanism(&compiled, &ident);
+        (items, Robot::Mechanism(Box::new(compiled)))
     } else {
         let mut compiled = compile(source, options)?;
         compiled.path = path;
-        let tokens = emit::robot(&compiled, &ident);
-        (tokens, Robot::Arm(Box::new(compiled)))
+        let items = emit::robot(&compiled, &ident);
+        (items, Robot::Arm(Box::new(compiled)))
     };
     Ok(Generated {
-        tokens,
+        tokens: emit::without_comments(commented.clone()),
+        commented,
         name,
         robot,
         options: options.clone(),
@@ -84,9 +87,8 @@ impl Generated {
     /// The items as formatted source, under a header that says from what and
     /// how they were made.
     pub fn code(&self) -> String {
-        let file = syn::parse2(self.tokens.clone())
-            .unwrap_or_else(|error| unreachable!("the emitted items do not parse: {error}"));
-        format!("{}{}", self.header(), prettyplease::unparse(&file))
+        let items = emit::print(self.commented.clone());
+        format!("{}\n{items}", self.header())
     }
 
     /// From what the code was made, with which options, and what it costs.
@@ -104,8 +106,11 @@ impl Generated {
             lines.push(format!("Options: {options}."));
         }
         lines.extend(told);
-        let comments = lines.iter().map(|line| format!("// {line}\n"));
-        comments.collect::<String>() + "\n"
+        let mut out = String::new();
+        for line in lines {
+            emit::push_comment(&mut out, "", &line);
+        }
+        out
     }
 }
 

@@ -2,7 +2,9 @@
 // base to wrist_3_link, 6 joints.
 // Forward kinematics: 108 multiplications, 69 additions, 6 sines with cosines.
 // With the spatial Jacobian: 165 multiplications, 99 additions, 6 sines with cosines.
-// Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q4) sum(q2), 8 branches; one branch: 164 multiplications, 123 additions, 11 divisions, 13 roots, 4 sines with cosines, 6 arctangents, 36 selections.
+// Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q4) sum(q2), 8
+// branches; one branch: 164 multiplications, 123 additions, 11 divisions, 13 roots, 4
+// sines with cosines, 6 arctangents, 36 selections.
 
 /// The arm `calibrated` from `base` to `wrist_3_link`, compiled from `calibrated.yaml`.
 ///
@@ -21,6 +23,7 @@ const _: () = {
         math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
         Kinematics, Pose, Singularity, Solution, Solutions,
     };
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Calibrated {
         /// The joints' names, from base to tip.
@@ -32,6 +35,7 @@ const _: () = {
             "wrist_2",
             "wrist_3",
         ];
+
         /// The joints' kinds and travel, radians and metres.
         pub const LIMITS: [JointLimit; 6] = [
             JointLimit::Continuous,
@@ -41,6 +45,7 @@ const _: () = {
             JointLimit::Continuous,
             JointLimit::Continuous,
         ];
+
         /// The link that poses are given in.
         pub const BASE: &'static str = "base";
         /// The link that poses are of.
@@ -139,6 +144,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The pose, in the base frame, of the link that each joint moves.
         #[inline]
         #[must_use]
@@ -390,6 +396,7 @@ const _: () = {
                 },
             ]
         }
+
         /// The spatial Jacobian J_s (MLS section 3.4.1): rows (v, ω) in base
         /// coordinates.
         #[inline]
@@ -397,6 +404,7 @@ const _: () = {
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             self.fk_jacobian(q).1
         }
+
         /// The body Jacobian J_b (MLS section 3.4.1): rows (v, ω) in tip
         /// coordinates.
         #[inline]
@@ -512,6 +520,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The geometric Jacobian: the velocity of the tip's origin and the
         /// angular velocity, both in base axes.
         #[inline]
@@ -642,6 +651,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The tip's pose and the spatial Jacobian, computed together.
         ///
         /// 165 multiplications, 99 additions, 6 sines with cosines.
@@ -776,12 +786,14 @@ const _: () = {
                 },
             )
         }
+
         const ACCEPT: Acceptance = Acceptance {
             size: 1.1498670199252323,
             tolerance: 1.1498670199252324e-9,
             blur: 0.014466553735643211,
             prismatic: 0,
         };
+
         /// All joint values that put the tip at `pose` (base frame, metres).
         ///
         /// Solved by SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q4) sum(q2).
@@ -793,6 +805,7 @@ const _: () = {
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
             self.ik_near(pose, &[0.0; 6])
         }
+
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed`, so that answers along a path are continuous.
         #[must_use]
@@ -801,6 +814,7 @@ const _: () = {
             branches
                 .polished(|q| self.fk_jacobian(q), pose, Aim::Pose, 24, &Self::ACCEPT)
         }
+
         /// The branch whose subproblems come nearest to `pose`: a solution if
         /// there is one, and for a target out of reach the least-squares answer
         /// of the subproblems, with its distance as the residual. None if
@@ -816,10 +830,12 @@ const _: () = {
                         .closest_by(|q| self.fk(q), pose, Aim::Pose, &Self::ACCEPT)
                 })
         }
+
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
             let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
             let [px, py, pz] = pose.translation;
+            // The seed, for an angle that the target leaves free
             let t1 = seed[3] + 3.1412434523052912;
             let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
                 seed[0],
@@ -827,6 +843,7 @@ const _: () = {
                 seed[4],
                 t1,
             ]);
+            // 1. q1 by SP4 (what all branches share)
             let t10 = 0.099599986933972 * r13;
             let t11 = 0.099599986933972 * r23;
             let t12 = 0.099599986933972 * r33;
@@ -850,10 +867,12 @@ const _: () = {
                         0.5720177804599648 * math::max(t15, 1.7481974060244956e-24),
                     );
             let t27 = 1.0 / t15;
+            // 5. q4 by SP1, given q3, q5 and q6 (what all branches share)
             let t28 = 0.1626 - pz;
             let t29 = r12 * px + r22 * py - r32 * t28;
             let t30 = r11 * px + r21 * py - r31 * t28 - 0.000038951164947;
             let t31 = r33 * t28 - (r13 * px + r23 * py) + 0.099599986933972;
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             let mut s1_ = [0.0; 4];
@@ -882,6 +901,7 @@ const _: () = {
             let mut q5_ = [0.0; 4];
             let mut q6_ = [0.0; 4];
             for k in 0..4 {
+                // 1. q1 by SP4
                 let t32 = e1[k] * t20;
                 let s1 = math::select(
                     t15 < 1.7481974060244956e-24,
@@ -893,6 +913,7 @@ const _: () = {
                     t6,
                     (t23 - t13 * t32) * t27,
                 );
+                // 2. q5 and q6 by SP2, given q1
                 let t33 = r13 * s1 - r23 * c1;
                 let t34 = r21 * c1 - r11 * s1;
                 let t35 = r22 * c1 - r12 * s1;
@@ -936,8 +957,10 @@ const _: () = {
                 let t50 = 1.0 / t48;
                 let s5 = math::select(t48 < 1e-24, t4, (t46 - t45) * t50);
                 let c5 = math::select(t48 < 1e-24, t8, t33 * t50);
+                // 3. q2+q3+q4 by SP1, given q5 and q6
                 let t51 = r31 * s6 + r32 * c6;
                 let t52 = r33 * s5 + c5 * (r32 * s6 - r31 * c6);
+                // 4. q3 by SP3, given q6 (what several branches share)
                 let t53 = 0.099747579771028 * c6;
                 let t54 = 0.099747579771028 * s6 - 0.000038951164947;
                 let t55 = px + (r11 * t54 + r12 * t53 - t10);
@@ -967,6 +990,7 @@ const _: () = {
                 );
                 let t64 = 6.0011282505434735 * t63;
                 let c3 = -t64;
+                // 5. q4 by SP1, given q3, q5 and q6 (what several branches share)
                 let t65 = 2.549039319324444 * t63 - 0.392304658629206;
                 let t66 = s5 * t31 + c5 * (c6 * t30 - s6 * t29);
                 let t67 = -0.099747579771028 - (s6 * t30 + c6 * t29);
@@ -974,8 +998,12 @@ const _: () = {
                 let t69 = t65 * t67;
                 let t70 = t65 * t65;
                 let t71 = t66 * t66 + t67 * t67;
+                // 6. q2 as the rest of the sum, given q2+q3+q4, q3 and q4 (what several
+                // branches share)
                 let t72 = t52 * t64;
                 let t73 = t51 * t64;
+                // Residual: forward kinematics against the target (what several
+                // branches share)
                 let t74 = s6 * c5;
                 let t75 = s6 * s5;
                 let t76 = t52 * t74 + c6 * t51;
@@ -1007,6 +1035,7 @@ const _: () = {
                 let t101 = t80 - r33;
                 let t102 = 0.6610970817558673
                     * (t98 + t99 * t99 + t100 * t100 + t101 * t101);
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q1 = lanes::angle(s1, c1);
                 let q5 = lanes::angle(s5, c5);
                 let q6 = lanes::angle(s6, c6);
@@ -1036,6 +1065,7 @@ const _: () = {
                 q5_[k] = q5;
                 q6_[k] = q6;
             }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
             let s1_ = widen::<4, 8>(s1_);
             let c1_ = widen::<4, 8>(c1_);
             let t49_ = widen::<4, 8>(t49_);
@@ -1061,6 +1091,7 @@ const _: () = {
             let q1_ = widen::<4, 8>(q1_);
             let q5_ = widen::<4, 8>(q5_);
             let q6_ = widen::<4, 8>(q6_);
+            // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
             let mut singular_ = [0.0; 8];
             let mut residual_ = [0.0; 8];
@@ -1068,9 +1099,11 @@ const _: () = {
             let mut q3_ = [0.0; 8];
             let mut q4_ = [0.0; 8];
             for k in 0..8 {
+                // 4. q3 by SP3, given q6
                 let t103 = e3[k] * t62_[k];
                 let t104 = 6.0011282505434735 * t103;
                 let s3 = -t104;
+                // 5. q4 by SP1, given q3, q5 and q6
                 let t105 = 2.549039319324444 * t103;
                 let t106 = math::sqrt((t70_[k] + t105 * t105) * t71_[k]);
                 let singular = math::max(
@@ -1088,10 +1121,12 @@ const _: () = {
                     t9,
                     -((t68_[k] + t105 * t67_[k]) * t107),
                 );
+                // 6. q2 as the rest of the sum, given q2+q3+q4, q3 and q4
                 let t108 = t73_[k] - t52_[k] * t104;
                 let t109 = t72_[k] + t51_[k] * t104;
                 let t110 = c4 * t108 - s4 * t109;
                 let t111 = c4 * t109 + s4 * t108;
+                // Residual: forward kinematics against the target
                 let t112 = t88_[k]
                     - (0.424760013934646 * t110
                         - 0.392304658629206 * (t64_[k] * t110 + t104 * t111));
@@ -1104,6 +1139,7 @@ const _: () = {
                 let residual = math::sqrt(
                     t116 * t116 + (t114 * t114 + t115 * t115) + t102_[k],
                 );
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q2 = math::wrap(lanes::angle(t110, t111) - 1.5707023922013317);
                 let q3 = math::wrap(lanes::angle(s3, c3_[k]) - 0.00044313587806694065);
                 let q4 = math::wrap(lanes::angle(s4, c4) - 3.1412434523052912);
@@ -1120,6 +1156,7 @@ const _: () = {
                 singular: singular_,
             }
         }
+
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.
         /// 0 where the arm is singular.
         ///
@@ -1130,6 +1167,7 @@ const _: () = {
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
             self.spatial_jacobian(q).determinant()
         }
+
         /// How far from singular the arm is that the file was read as, way by way:
         ///
         /// - `shoulder`: on a surface of q2, q3, q4; its value: metres.
@@ -1163,6 +1201,7 @@ const _: () = {
             )
         }
     }
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Kinematics<6> for Calibrated {
         const JOINT_NAMES: [&'static str; 6] = Calibrated::JOINT_NAMES;
@@ -1174,34 +1213,42 @@ const _: () = {
         fn fk(&self, q: &[f64; 6]) -> Pose {
             Calibrated::fk(self, q)
         }
+
         #[inline]
         fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
             Calibrated::fk_links(self, q)
         }
+
         #[inline]
         fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Calibrated::spatial_jacobian(self, q)
         }
+
         #[inline]
         fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Calibrated::body_jacobian(self, q)
         }
+
         #[inline]
         fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Calibrated::geometric_jacobian(self, q)
         }
+
         #[inline]
         fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
             Calibrated::fk_jacobian(self, q)
         }
+
         #[inline]
         fn ik(&self, pose: &Pose) -> Solutions<6> {
             Calibrated::ik(self, pose)
         }
+
         #[inline]
         fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             Calibrated::ik_near(self, pose, seed)
         }
+
         #[inline]
         fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
             Calibrated::ik_closest(self, pose)

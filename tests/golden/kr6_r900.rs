@@ -2,7 +2,9 @@
 // base_link to tool0, 6 joints.
 // Forward kinematics: 44 multiplications, 24 additions, 6 sines with cosines.
 // With the spatial Jacobian: 79 multiplications, 42 additions, 6 sines with cosines.
-// Inverse kinematics: SP4(q1) SP3(q2) SP1(q3) SP2(q5,q6) SP1(q4), 8 branches; one branch: 150 multiplications, 91 additions, 5 divisions, 9 roots, 5 sines with cosines, 6 arctangents, 48 selections.
+// Inverse kinematics: SP4(q1) SP3(q2) SP1(q3) SP2(q5,q6) SP1(q4), 8 branches; one
+// branch: 150 multiplications, 91 additions, 5 divisions, 9 roots, 5 sines with
+// cosines, 6 arctangents, 48 selections.
 
 /// The arm `kr6_r900` from `base_link` to `tool0`, compiled from `kr6_r900.yaml`.
 ///
@@ -19,6 +21,7 @@ const _: () = {
         math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
         Kinematics, Pose, Singularity, Solution, Solutions,
     };
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Kr6R900 {
         /// The joints' names, from base to tip.
@@ -30,6 +33,7 @@ const _: () = {
             "joint_a5",
             "joint_a6",
         ];
+
         /// The joints' kinds and travel, radians and metres.
         pub const LIMITS: [JointLimit; 6] = [
             JointLimit::Revolute {
@@ -57,6 +61,7 @@ const _: () = {
                 upper: 6.1086523819801535,
             },
         ];
+
         /// The link that poses are given in.
         pub const BASE: &'static str = "base_link";
         /// The link that poses are of.
@@ -113,6 +118,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The pose, in the base frame, of the link that each joint moves.
         #[inline]
         #[must_use]
@@ -206,6 +212,7 @@ const _: () = {
                 },
             ]
         }
+
         /// The spatial Jacobian J_s (MLS section 3.4.1): rows (v, ω) in base
         /// coordinates.
         #[inline]
@@ -262,6 +269,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The body Jacobian J_b (MLS section 3.4.1): rows (v, ω) in tip
         /// coordinates.
         #[inline]
@@ -344,6 +352,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The geometric Jacobian: the velocity of the tip's origin and the
         /// angular velocity, both in base axes.
         #[inline]
@@ -415,6 +424,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The tip's pose and the spatial Jacobian, computed together.
         ///
         /// 79 multiplications, 42 additions, 6 sines with cosines.
@@ -507,12 +517,14 @@ const _: () = {
                 },
             )
         }
+
         const ACCEPT: Acceptance = Acceptance {
             size: 1.0150000000000001,
             tolerance: 1.0150000000000001e-9,
             blur: 0.0,
             prismatic: 0,
         };
+
         /// All joint values that put the tip at `pose` (base frame, metres).
         ///
         /// Solved by SP4(q1) SP3(q2) SP1(q3) SP2(q5,q6) SP1(q4).
@@ -524,6 +536,7 @@ const _: () = {
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
             self.ik_near(pose, &[0.0; 6])
         }
+
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed`, so that answers along a path are continuous.
         #[must_use]
@@ -531,6 +544,7 @@ const _: () = {
             let branches = self.branches(pose, seed);
             branches.solutions(&Self::ACCEPT)
         }
+
         /// The branch whose subproblems come nearest to `pose`: a solution if
         /// there is one, and for a target out of reach the least-squares answer
         /// of the subproblems, with its distance as the residual. None if
@@ -540,10 +554,12 @@ const _: () = {
             self.branches(pose, &[0.0; 6])
                 .closest_by(|q| self.fk(q), pose, Aim::Pose, &Self::ACCEPT)
         }
+
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
             let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
             let [px, py, pz] = pose.translation;
+            // The seed, for an angle that the target leaves free
             let ([t1, t2, t3, t4, t5, ..], [t6, t7, t8, t9, t10, ..]) = lanes::sin_cos([
                 seed[0],
                 seed[1],
@@ -554,6 +570,7 @@ const _: () = {
                 0.0,
                 0.0,
             ]);
+            // 1. q1 by SP4 (what all branches share)
             let t11 = 0.08 * r13;
             let t12 = px - t11;
             let t13 = py - 0.08 * r23;
@@ -573,9 +590,11 @@ const _: () = {
             );
             let t25 = 1.0 / t16;
             let t26 = -t1;
+            // 2. q2 by SP3, given q1 (what all branches share)
             let t27 = t14 * t14;
             let t28 = 0.455 * t14;
             let t29 = t28 * t28;
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             let mut s1_ = [0.0; 4];
@@ -604,6 +623,7 @@ const _: () = {
             let mut q2_ = [0.0; 4];
             let mut q3_ = [0.0; 4];
             for k in 0..4 {
+                // 1. q1 by SP4
                 let t30 = -e1[k];
                 let t31 = e1[k] * t19;
                 let s1 = math::select(
@@ -616,6 +636,7 @@ const _: () = {
                     t6,
                     (t22 - t15 * t31) * t25,
                 );
+                // 2. q2 by SP3, given q1
                 let t32 = t13 * c1 - t12 * s1;
                 let t33 = t12 * c1 + t13 * s1 - 0.025;
                 let t34 = 0.5 * (t32 * t32 + (t27 + t33 * t33) + 0.20702500000000001)
@@ -654,6 +675,7 @@ const _: () = {
                     t7,
                     (t35 * t43 + t28 * t41) * t45,
                 );
+                // 3. q3 by SP1, given q1 and q2
                 let t46 = t14 * c2 + t33 * s2;
                 let t47 = t33 * c2 - t14 * s2 - 0.455;
                 let t48 = math::sqrt(0.17762499999999998 * (t46 * t46 + t47 * t47));
@@ -675,6 +697,7 @@ const _: () = {
                     t8,
                     (0.03500000000000003 * t46 + 0.42 * t47) * t50,
                 );
+                // 4. q5 and q6 by SP2, given q1 and q2+q3 (what several branches share)
                 let t51 = c2 * c3;
                 let t52 = s2 * s3;
                 let t53 = s2 * c3 + c2 * s3;
@@ -699,11 +722,15 @@ const _: () = {
                 );
                 let t70 = 1.0 / t61;
                 let t71 = t60 * t60;
+                // 5. q4 by SP1, given q1, q5 and q6 (what several branches share)
                 let t72 = r21 * c1 - r11 * s1;
                 let t73 = r22 * c1 - r12 * s1;
                 let t74 = r13 * s1 - r23 * c1;
+                // Residual: forward kinematics against the target (what several
+                // branches share)
                 let t75 = 0.455 * c2;
                 let t76 = 0.455 * s2;
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q1 = lanes::angle(-s1, c1);
                 let q2 = lanes::angle(s2, c2);
                 let q3 = lanes::angle(s3, c3);
@@ -733,6 +760,7 @@ const _: () = {
                 q2_[k] = q2;
                 q3_[k] = q3;
             }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
             let s1_ = widen::<4, 8>(s1_);
             let c1_ = widen::<4, 8>(c1_);
             let t44_ = widen::<4, 8>(t44_);
@@ -758,6 +786,7 @@ const _: () = {
             let q1_ = widen::<4, 8>(q1_);
             let q2_ = widen::<4, 8>(q2_);
             let q3_ = widen::<4, 8>(q3_);
+            // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
             let mut invalid_ = [0.0; 8];
             let mut singular_ = [0.0; 8];
@@ -766,6 +795,7 @@ const _: () = {
             let mut q5_ = [0.0; 8];
             let mut q6_ = [0.0; 8];
             for k in 0..8 {
+                // 4. q5 and q6 by SP2, given q1 and q2+q3
                 let t77 = -e3[k];
                 let t78 = e3[k] * t64_[k];
                 let invalid = math::max(
@@ -795,8 +825,10 @@ const _: () = {
                 let t81 = 1.0 / t80;
                 let s5 = math::select(t80 < 1e-24, t5, t79 * t81);
                 let c5 = math::select(t80 < 1e-24, t10, -(t60_[k] * t81));
+                // 5. q4 by SP1, given q1, q5 and q6
                 let c4 = c6 * t73_[k] - s6 * t72_[k];
                 let s4 = s5 * t74_[k] - c5 * (s6 * t73_[k] + c6 * t72_[k]);
+                // Residual: forward kinematics against the target
                 let t82 = s6 * c5;
                 let t83 = s6 * s5;
                 let t84 = c6 * c4 - s4 * t82;
@@ -834,6 +866,7 @@ const _: () = {
                     + 0.5151125000000001
                         * (t110 + t111 * t111 + t112 * t112 + t113 * t113);
                 let residual = math::sqrt(t114);
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q4 = lanes::angle(s4, c4);
                 let q5 = lanes::angle(s5, c5);
                 let q6 = lanes::angle(s6, c6);
@@ -851,6 +884,7 @@ const _: () = {
                 singular: singular_,
             }
         }
+
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.
         /// 0 where the arm is singular.
         ///
@@ -871,6 +905,7 @@ const _: () = {
                 * ((0.9965457582448796 * t3 - 0.08304547985374006 * t7)
                     * (0.1917623936672673 * t8))
         }
+
         /// How far from singular the arm is, way by way:
         ///
         /// - `shoulder`: on a surface of q2, q3; its value: metres.
@@ -894,6 +929,7 @@ const _: () = {
             )
         }
     }
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Kinematics<6> for Kr6R900 {
         const JOINT_NAMES: [&'static str; 6] = Kr6R900::JOINT_NAMES;
@@ -905,34 +941,42 @@ const _: () = {
         fn fk(&self, q: &[f64; 6]) -> Pose {
             Kr6R900::fk(self, q)
         }
+
         #[inline]
         fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
             Kr6R900::fk_links(self, q)
         }
+
         #[inline]
         fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Kr6R900::spatial_jacobian(self, q)
         }
+
         #[inline]
         fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Kr6R900::body_jacobian(self, q)
         }
+
         #[inline]
         fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Kr6R900::geometric_jacobian(self, q)
         }
+
         #[inline]
         fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
             Kr6R900::fk_jacobian(self, q)
         }
+
         #[inline]
         fn ik(&self, pose: &Pose) -> Solutions<6> {
             Kr6R900::ik(self, pose)
         }
+
         #[inline]
         fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             Kr6R900::ik_near(self, pose, seed)
         }
+
         #[inline]
         fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
             Kr6R900::ik_closest(self, pose)

@@ -2,7 +2,9 @@
 // base to tip, 4 joints.
 // Forward kinematics: 4 multiplications, 5 additions, 3 sines with cosines.
 // With the spatial Jacobian: 4 multiplications, 5 additions, 3 sines with cosines.
-// Inverse kinematics: SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1), 2 branches; one branch: 60 multiplications, 44 additions, 1 divisions, 3 roots, 1 sines with cosines, 3 arctangents, 10 selections.
+// Inverse kinematics: SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1), 2 branches; one
+// branch: 60 multiplications, 44 additions, 1 divisions, 3 roots, 1 sines with cosines,
+// 3 arctangents, 10 selections.
 
 /// The arm `scara` from `base` to `tip`, compiled from `scara.yaml`.
 ///
@@ -19,6 +21,7 @@ const _: () = {
         math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
         Kinematics, Pose, Singularity, Solution, Solutions,
     };
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Scara {
         /// The joints' names, from base to tip.
@@ -28,6 +31,7 @@ const _: () = {
             "wrist",
             "lift",
         ];
+
         /// The joints' kinds and travel, radians and metres.
         pub const LIMITS: [JointLimit; 4] = [
             JointLimit::Continuous,
@@ -38,6 +42,7 @@ const _: () = {
                 upper: f64::INFINITY,
             },
         ];
+
         /// The link that poses are given in.
         pub const BASE: &'static str = "base";
         /// The link that poses are of.
@@ -64,6 +69,7 @@ const _: () = {
                 translation: [-(0.4 * s1 + 0.3 * s12), 0.4 * c1 + 0.3 * c12, q[3] + 0.5],
             }
         }
+
         /// The pose, in the base frame, of the link that each joint moves.
         #[inline]
         #[must_use]
@@ -100,6 +106,7 @@ const _: () = {
                 },
             ]
         }
+
         /// The spatial Jacobian J_s (MLS section 3.4.1): rows (v, ω) in base
         /// coordinates.
         #[inline]
@@ -120,6 +127,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The body Jacobian J_b (MLS section 3.4.1): rows (v, ω) in tip
         /// coordinates.
         #[inline]
@@ -150,6 +158,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The geometric Jacobian: the velocity of the tip's origin and the
         /// angular velocity, both in base axes.
         #[inline]
@@ -172,6 +181,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The tip's pose and the spatial Jacobian, computed together.
         ///
         /// 4 multiplications, 5 additions, 3 sines with cosines.
@@ -207,12 +217,14 @@ const _: () = {
                 },
             )
         }
+
         const ACCEPT: Acceptance = Acceptance {
             size: 1.2,
             tolerance: 1.2e-9,
             blur: 0.0,
             prismatic: 8,
         };
+
         /// All joint values that put the tip at `pose` (base frame, metres).
         ///
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
@@ -224,6 +236,7 @@ const _: () = {
         pub fn ik(&self, pose: &Pose) -> Solutions<4> {
             self.ik_near(pose, &[0.0; 4])
         }
+
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed`, so that answers along a path are continuous.
         #[must_use]
@@ -231,6 +244,7 @@ const _: () = {
             let branches = self.branches(pose, seed);
             branches.solutions(&Self::ACCEPT)
         }
+
         /// The branch whose subproblems come nearest to `pose`: a solution if
         /// there is one, and for a target out of reach the least-squares answer
         /// of the subproblems, with its distance as the residual. None if
@@ -240,15 +254,20 @@ const _: () = {
             self.branches(pose, &[0.0; 4])
                 .closest_by(|q| self.fk(q), pose, Aim::Pose, &Self::ACCEPT)
         }
+
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 4]) -> Branches<4, 2> {
             let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
             let [px, py, pz] = pose.translation;
+            // The seed, for an angle that the target leaves free
             let (t1, t2) = math::sin_cos(seed[2]);
+            // 1. q1+q2+q3 by SP1
+            // 2. q4 by T2
             let t3 = r31 * pz + (r11 * px + r21 * py);
             let t4 = r32 * pz + (r12 * px + r22 * py);
             let t5 = r33 * pz + (r13 * px + r23 * py);
             let d4 = t5 - 0.5;
+            // 3. q2 by SP3, given q4 (what all branches share)
             let t6 = -0.5 - d4;
             let t7 = px + r13 * t6;
             let t8 = py + r23 * t6;
@@ -264,13 +283,17 @@ const _: () = {
             );
             let t16 = 8.333333333333334 * t15;
             let c2 = -t16;
+            // 4. q3 by SP1, given q2 and q4 (what all branches share)
             let t17 = 3.333333333333334 * t15 - 0.3;
             let t18 = t4 * t17;
             let t19 = t3 * t17;
             let t20 = t17 * t17;
             let t21 = t3 * t3 + t4 * t4;
+            // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
+            // branches share)
             let t22 = r11 * t16;
             let t23 = r12 * t16;
+            // Residual: forward kinematics against the target (what all branches share)
             let t24 = t5 - pz;
             let t25 = t24 * t24;
             let t26 = r12 + r21;
@@ -279,6 +302,7 @@ const _: () = {
                 + r32 * r32;
             let t29 = 1.0 - r33;
             let t30 = 0.72 * (t28 + t29 * t29);
+            // 2 lanes, by the signs of the roots: e1 of step 3
             let e1 = [1.0, -1.0];
             let mut invalid_ = [0.0; 2];
             let mut singular_ = [0.0; 2];
@@ -287,6 +311,7 @@ const _: () = {
             let mut q2_ = [0.0; 2];
             let mut q3_ = [0.0; 2];
             for k in 0..2 {
+                // 3. q2 by SP3, given q4
                 let invalid = math::select(
                     t12 < 1.4399999999999997e-15,
                     math::select(t12 < -1.4399999999999997e-10, 1.0, -e1[k]),
@@ -295,6 +320,7 @@ const _: () = {
                 let t31 = e1[k] * t14;
                 let t32 = 8.333333333333334 * t31;
                 let s2 = -t32;
+                // 4. q3 by SP1, given q2 and q4
                 let t33 = 3.333333333333334 * t31;
                 let t34 = math::sqrt((t33 * t33 + t20) * t21);
                 let singular = math::max(
@@ -312,13 +338,16 @@ const _: () = {
                     t2,
                     -((t3 * t33 + t18) * t35),
                 );
+                // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
                 let t36 = t23 + r11 * t32;
                 let t37 = r12 * t32 - t22;
                 let t38 = c3 * t36 - s3 * t37;
                 let t39 = c3 * t37 + s3 * t36;
+                // Residual: forward kinematics against the target
                 let t40 = 0.3 * (t16 * t38 + t32 * t39) - 0.4 * t38 - px;
                 let t41 = 0.4 * t39 + 0.3 * (t32 * t38 - t16 * t39) - py;
                 let residual = math::sqrt(t25 + (t40 * t40 + t41 * t41) + t30);
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q1 = lanes::angle(t38, t39);
                 let q2 = lanes::angle(s2, c2);
                 let q3 = lanes::angle(s3, c3);
@@ -336,6 +365,7 @@ const _: () = {
                 singular: singular_,
             }
         }
+
         /// The determinant of the rows of the Jacobian that are not zero in every configuration.
         /// 0 where the arm is singular.
         ///
@@ -347,6 +377,7 @@ const _: () = {
             let (t1, _) = math::sin_cos(q[1]);
             -(0.12 * t1)
         }
+
         /// How far from singular the arm is, way by way:
         ///
         /// - `elbow`: at q2 = 0.0000 or 3.1416; its value: the sine of the angle to it.
@@ -358,6 +389,7 @@ const _: () = {
             Singularity::by_name(["elbow"], [t1])
         }
     }
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Kinematics<4> for Scara {
         const JOINT_NAMES: [&'static str; 4] = Scara::JOINT_NAMES;
@@ -369,34 +401,42 @@ const _: () = {
         fn fk(&self, q: &[f64; 4]) -> Pose {
             Scara::fk(self, q)
         }
+
         #[inline]
         fn fk_links(&self, q: &[f64; 4]) -> [Pose; 4] {
             Scara::fk_links(self, q)
         }
+
         #[inline]
         fn spatial_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
             Scara::spatial_jacobian(self, q)
         }
+
         #[inline]
         fn body_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
             Scara::body_jacobian(self, q)
         }
+
         #[inline]
         fn geometric_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
             Scara::geometric_jacobian(self, q)
         }
+
         #[inline]
         fn fk_jacobian(&self, q: &[f64; 4]) -> (Pose, Jacobian<4>) {
             Scara::fk_jacobian(self, q)
         }
+
         #[inline]
         fn ik(&self, pose: &Pose) -> Solutions<4> {
             Scara::ik(self, pose)
         }
+
         #[inline]
         fn ik_near(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
             Scara::ik_near(self, pose, seed)
         }
+
         #[inline]
         fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<4>> {
             Scara::ik_closest(self, pose)

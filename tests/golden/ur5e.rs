@@ -2,7 +2,9 @@
 // base_link to tool0, 6 joints.
 // Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
 // With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
-// Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches; one branch: 190 multiplications, 150 additions, 4 divisions, 8 roots, 3 sines with cosines, 6 arctangents, 36 selections.
+// Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8
+// branches; one branch: 190 multiplications, 150 additions, 4 divisions, 8 roots, 3
+// sines with cosines, 6 arctangents, 36 selections.
 
 /// The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
 ///
@@ -19,6 +21,7 @@ const _: () = {
         math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
         Kinematics, Pose, Singularity, Solution, Solutions,
     };
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Ur5e {
         /// The joints' names, from base to tip.
@@ -30,6 +33,7 @@ const _: () = {
             "wrist_2_joint",
             "wrist_3_joint",
         ];
+
         /// The joints' kinds and travel, radians and metres.
         pub const LIMITS: [JointLimit; 6] = [
             JointLimit::Revolute {
@@ -57,6 +61,7 @@ const _: () = {
                 upper: 6.283185307179586,
             },
         ];
+
         /// The link that poses are given in.
         pub const BASE: &'static str = "base_link";
         /// The link that poses are of.
@@ -105,6 +110,7 @@ const _: () = {
                 translation: [-(c1 * t15 + s1 * t16), c1 * t16 - s1 * t15, 0.1625 - t14],
             }
         }
+
         /// The pose, in the base frame, of the link that each joint moves.
         #[inline]
         #[must_use]
@@ -183,6 +189,7 @@ const _: () = {
                 },
             ]
         }
+
         /// The spatial Jacobian J_s (MLS section 3.4.1): rows (v, ω) in base
         /// coordinates.
         #[inline]
@@ -240,6 +247,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The body Jacobian J_b (MLS section 3.4.1): rows (v, ω) in tip
         /// coordinates.
         #[inline]
@@ -317,6 +325,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The geometric Jacobian: the velocity of the tip's origin and the
         /// angular velocity, both in base axes.
         #[inline]
@@ -380,6 +389,7 @@ const _: () = {
                 ],
             }
         }
+
         /// The tip's pose and the spatial Jacobian, computed together.
         ///
         /// 62 multiplications, 34 additions, 6 sines with cosines.
@@ -467,12 +477,14 @@ const _: () = {
                 },
             )
         }
+
         const ACCEPT: Acceptance = Acceptance {
             size: 1.3122999999999998,
             tolerance: 1.3123e-9,
             blur: 0.0,
             prismatic: 0,
         };
+
         /// All joint values that put the tip at `pose` (base frame, metres).
         ///
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
@@ -484,6 +496,7 @@ const _: () = {
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
             self.ik_near(pose, &[0.0; 6])
         }
+
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed`, so that answers along a path are continuous.
         #[must_use]
@@ -491,6 +504,7 @@ const _: () = {
             let branches = self.branches(pose, seed);
             branches.solutions(&Self::ACCEPT)
         }
+
         /// The branch whose subproblems come nearest to `pose`: a solution if
         /// there is one, and for a target out of reach the least-squares answer
         /// of the subproblems, with its distance as the residual. None if
@@ -500,10 +514,12 @@ const _: () = {
             self.branches(pose, &[0.0; 6])
                 .closest_by(|q| self.fk(q), pose, Aim::Pose, &Self::ACCEPT)
         }
+
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
             let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
             let [px, py, pz] = pose.translation;
+            // The seed, for an angle that the target leaves free
             let t1 = seed[3] + (seed[1] + seed[2]);
             let ([t2, t3, t4, ..], [t5, t6, t7, ..]) = lanes::sin_cos([
                 seed[0],
@@ -511,6 +527,7 @@ const _: () = {
                 seed[1],
                 0.0,
             ]);
+            // 1. q1 by SP4 (what all branches share)
             let t8 = 0.0996 * r13;
             let t9 = 0.0996 * r23;
             let t10 = 0.0996 * r33;
@@ -530,6 +547,7 @@ const _: () = {
                 math::select(t13 < 2.965736179997062e-24, 1.0, 0.0),
             );
             let t23 = 1.0 / t13;
+            // 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share)
             let t24 = 0.0997 * r32;
             let t25 = 0.0997 * r31;
             let t26 = r11 * t25 + r12 * t24;
@@ -551,6 +569,7 @@ const _: () = {
             let t42 = t39 * t39;
             let t43 = t39 * t40;
             let t44 = r33 * r33;
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             let mut s1_ = [0.0; 4];
@@ -578,6 +597,7 @@ const _: () = {
             let mut q5_ = [0.0; 4];
             let mut q6_ = [0.0; 4];
             for k in 0..4 {
+                // 1. q1 by SP4
                 let t45 = -e1[k];
                 let t46 = e1[k] * t17;
                 let s1 = math::select(
@@ -590,6 +610,7 @@ const _: () = {
                     t5,
                     (t20 - t11 * t46) * t23,
                 );
+                // 2. q2+q3+q4 and q5 by SP2, given q1
                 let t47 = 0.0997 * (r12 * c1 + r22 * s1);
                 let t48 = 0.0997 * (r11 * c1 + r21 * s1);
                 let t49 = px - (t8 + (r11 * t48 + r12 * t47));
@@ -645,12 +666,14 @@ const _: () = {
                     ),
                     -(t69 * s5 * t73),
                 );
+                // 3. q6 by SP1, given q1 and q2+q3+q4
                 let t74 = c1 * s234;
                 let t75 = s1 * s234;
                 let t76 = r31 * c234;
                 let t77 = r11 * t74 + r21 * t75;
                 let c6 = r32 * c234 - (r12 * t74 + r22 * t75);
                 let s6 = t76 - t77;
+                // 4. q3 by SP3, given q6 (what several branches share)
                 let t78 = 0.0997 * c6;
                 let t79 = 0.0997 * (t77 - t76);
                 let t80 = px + (r12 * t78 - r11 * t79 - t8);
@@ -673,12 +696,15 @@ const _: () = {
                 );
                 let t90 = 5.999340072592016 * t89;
                 let c3 = -t90;
+                // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
                 let t91 = c1 * t80 + s1 * t81;
                 let t92 = 0.425 - 2.3529411764705883 * t89;
                 let t93 = t91 * t92;
                 let t94 = t82 * t92;
                 let t95 = t83 + t91 * t91;
                 let t96 = t92 * t92;
+                // Residual: forward kinematics against the target (what several
+                // branches share)
                 let t97 = c5 * s6;
                 let t98 = s5 * s6;
                 let t99 = c234 * c6 - s234 * t97;
@@ -708,6 +734,7 @@ const _: () = {
                 let t122 = r33 + t104;
                 let t123 = 0.8610656449999997
                     * (t119 + t120 * t120 + t121 * t121 + t122 * t122);
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q1 = lanes::angle(s1, c1);
                 let q5 = lanes::angle(s5, c5);
                 let q6 = lanes::angle(s6, c6);
@@ -736,6 +763,7 @@ const _: () = {
                 q5_[k] = q5;
                 q6_[k] = q6;
             }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
             let s1_ = widen::<4, 8>(s1_);
             let c1_ = widen::<4, 8>(c1_);
             let t72_ = widen::<4, 8>(t72_);
@@ -760,6 +788,7 @@ const _: () = {
             let q1_ = widen::<4, 8>(q1_);
             let q5_ = widen::<4, 8>(q5_);
             let q6_ = widen::<4, 8>(q6_);
+            // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
             let mut invalid_ = [0.0; 8];
             let mut singular_ = [0.0; 8];
@@ -768,6 +797,7 @@ const _: () = {
             let mut q3_ = [0.0; 8];
             let mut q4_ = [0.0; 8];
             for k in 0..8 {
+                // 4. q3 by SP3, given q6
                 let invalid = math::max(
                     t72_[k],
                     math::select(
@@ -779,6 +809,7 @@ const _: () = {
                 let t124 = e3[k] * t88_[k];
                 let t125 = 5.999340072592016 * t124;
                 let s3 = -t125;
+                // 5. q2 by SP1, given q1, q3 and q6
                 let t126 = 2.3529411764705883 * t124;
                 let t127 = math::sqrt(t95_[k] * (t126 * t126 + t96_[k]));
                 let singular = math::max(
@@ -796,8 +827,10 @@ const _: () = {
                     t7,
                     (t82_[k] * t126 - t93_[k]) * t128,
                 );
+                // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
                 let t129 = s234_[k] * c2 - c234_[k] * s2;
                 let t130 = c234_[k] * c2 + s234_[k] * s2;
+                // Residual: forward kinematics against the target
                 let t131 = 0.425 * c2 + 0.3922 * (t125 * s2 - t90_[k] * c2) + t109_[k];
                 let t132 = 0.3922 * (t90_[k] * s2 + t125 * c2) - 0.425 * s2 - t108_[k]
                     + 0.1625;
@@ -807,6 +840,7 @@ const _: () = {
                 let residual = math::sqrt(
                     t135 * t135 + (t133 * t133 + t134 * t134) + t123_[k],
                 );
+                // Joint values: angles from sines and cosines, in (−π, π]
                 let q2 = lanes::angle(s2, c2);
                 let q3 = lanes::angle(s3, c3_[k]);
                 let q4 = lanes::angle(
@@ -827,6 +861,7 @@ const _: () = {
                 singular: singular_,
             }
         }
+
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.
         /// 0 where the arm is singular.
         ///
@@ -849,6 +884,7 @@ const _: () = {
             let t7 = 0.166685 * (0.0997 * t2 - (0.425 * t5 + 0.3922 * t6));
             t4 * (t3 * t7)
         }
+
         /// How far from singular the arm is, way by way:
         ///
         /// - `shoulder`: on a surface of q2, q3, q4; its value: metres.
@@ -875,6 +911,7 @@ const _: () = {
             )
         }
     }
+
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Kinematics<6> for Ur5e {
         const JOINT_NAMES: [&'static str; 6] = Ur5e::JOINT_NAMES;
@@ -886,34 +923,42 @@ const _: () = {
         fn fk(&self, q: &[f64; 6]) -> Pose {
             Ur5e::fk(self, q)
         }
+
         #[inline]
         fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
             Ur5e::fk_links(self, q)
         }
+
         #[inline]
         fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Ur5e::spatial_jacobian(self, q)
         }
+
         #[inline]
         fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Ur5e::body_jacobian(self, q)
         }
+
         #[inline]
         fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             Ur5e::geometric_jacobian(self, q)
         }
+
         #[inline]
         fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
             Ur5e::fk_jacobian(self, q)
         }
+
         #[inline]
         fn ik(&self, pose: &Pose) -> Solutions<6> {
             Ur5e::ik(self, pose)
         }
+
         #[inline]
         fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             Ur5e::ik_near(self, pose, seed)
         }
+
         #[inline]
         fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
             Ur5e::ik_closest(self, pose)

@@ -29,6 +29,7 @@ pub fn block(
     let statements = writer.statements(
         Place::Scalar,
         |_| true,
+        |_| TokenStream::new(),
         |_, name, value| (quote!(let #name = #value;), quote!(#name)),
     );
     let result = result(&writer);

@@ -65,7 +65,7 @@ fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
         quote!(seed[#i])
     });
     let names: Vec<TokenStream> = target.iter().cloned().chain(seed).collect();
-    let lanes = lanes(&solver.inverse, &names);
+    let lanes = lanes(solver, &names);
     let entries = target_pattern(&target, &lanes.inputs);
     let (statements, q) = (&lanes.statements, &lanes.q);
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);

@@ -8,9 +8,12 @@
 //! widened, so that every access is contiguous. Two lanes are too few to
 //! vectorize, so the first two signs share a loop of four.
 
+use super::comment::comment;
+use super::headings::{self, Headings};
 use super::straight::{Place, Writer, sign_name};
 use crate::expr::inverse::Inverse;
 use crate::expr::{Expr, Graph, Node};
+use crate::solver::ClosedForm;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
@@ -39,9 +42,11 @@ fn loops(choices: u8) -> Vec<u8> {
     }
 }
 
-/// Writes all lanes of an inverse. `inputs` are the names of its inputs.
-pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
+/// Writes all lanes of a closed form. `inputs` are the names of its inputs.
+pub fn lanes(solver: &ClosedForm, inputs: &[TokenStream]) -> Lanes {
+    let inverse = &solver.inverse;
     let g = &inverse.graph;
+    let headings = Headings::new(&solver.plan, &solver.linkage, inverse);
     let outputs = inverse.outputs();
     let loops = loops(g.choices());
     // The loop that computes each node: 0 for none, else 1 + its index.
@@ -52,12 +57,22 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
     let stages: Vec<usize> = g.levels().into_iter().map(stage).collect();
     let mut writer = Writer::new(g, &outputs, inputs, &stages);
     let last_read = last_read(&writer, inverse, &stages, loops.len());
-    let mut statements = writer.sines_and_cosines();
+    let mut statements = Vec::new();
+    let seeds = writer.sines_and_cosines();
+    if !seeds.is_empty() {
+        statements.push(comment(
+            "The seed, for an angle that the target leaves free",
+        ));
+        statements.extend(seeds);
+    }
+    let mut opened = headings.of_stage(&writer, &stages, 0);
     statements.extend(writer.statements(
         Place::Scalar,
         |i| stages[i] == 0,
+        |i| opened.before(i),
         |_, name, value| (quote!(let #name = #value;), quote!(#name)),
     ));
+    statements.push(opened.rest());
     // Arrays alive, by node: name and the last stage that reads them.
     let mut alive: BTreeMap<usize, (Ident, usize)> = BTreeMap::new();
     let mut before = 0;
@@ -65,9 +80,11 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
         let stage = index + 1;
         statements.push(widened(&alive, stage, 1 << before, 1 << signs));
         let mut kept: Vec<(Ident, Ident)> = Vec::new();
-        let body = writer.statements(
+        let mut opened = headings.of_stage(&writer, &stages, stage);
+        let mut body = writer.statements(
             Place::Lane,
             |i| stages[i] == stage,
+            |i| opened.before(i),
             |e, name, value| {
                 let last = last_read[e.index()];
                 if last > stage || outputs.contains(&e) {
@@ -78,11 +95,13 @@ pub fn lanes(inverse: &Inverse, inputs: &[TokenStream]) -> Lanes {
                 (quote!(let #name = #value;), quote!(#name))
             },
         );
+        body.push(opened.rest());
         // From here on they are read from their arrays.
         for (i, (array, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
             writer.rename(g.at(*i), quote!(#array[k]));
         }
         let read = signs_read(&writer, g, &stages, stage);
+        statements.push(headings::lanes(&solver.plan, &read, signs));
         statements.push(lane_loop(&read, signs, &kept, &body));
         before = signs;
     }
@@ -175,11 +194,12 @@ fn widened(
 ) -> TokenStream {
     let read = alive.values().filter(|(_, last)| *last >= stage);
     let names: Vec<&Ident> = read.map(|(name, _)| name).collect();
+    let comment = (!names.is_empty()).then(|| headings::widened(from, to));
     let (from, to) = (
         Literal::usize_unsuffixed(from),
         Literal::usize_unsuffixed(to),
     );
-    quote!(#(let #names = widen::<#from, #to>(#names);)*)
+    quote!(#comment #(let #names = widen::<#from, #to>(#names);)*)
 }
 
 fn used_inputs(writer: &Writer, inverse: &Inverse) -> Vec<bool> {

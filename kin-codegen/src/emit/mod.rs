@@ -1,6 +1,8 @@
 //! From expressions to Rust: the only room that knows the language.
 
+mod comment;
 mod forward;
+mod headings;
 mod inverse;
 mod lanes;
 mod mechanism;
@@ -8,7 +10,9 @@ mod robot;
 mod singular;
 mod straight;
 mod summary;
+mod text;
 
+pub(crate) use comment::{print, push_comment, without_comments};
 pub use mechanism::mechanism;
 pub use robot::{TAKEN, robot};
 

@@ -139,22 +139,34 @@ impl<'a> Writer<'a> {
         self.graph.at(index)
     }
 
-    /// The statements for the nodes that `select` picks, in order. `bind`
-    /// makes a statement of a name and a value, and says how the name is to be
-    /// read from then on.
+    /// Whether a node is an operation that takes part.
+    pub fn needs_operation(&self, index: usize) -> bool {
+        let leaf = |node| matches!(node, Node::Constant(_) | Node::Input(_) | Node::Sign(_));
+        self.needed[index] && !leaf(self.graph.nodes()[index])
+    }
+
+    /// Whether a node gets a statement of its own and has none yet.
+    pub fn awaits(&self, index: usize) -> bool {
+        self.needed[index] && !self.inline[index] && self.names[index].is_none()
+    }
+
+    /// The statements for the nodes that `select` picks, in order. `open` says
+    /// what stands in front of a node's; `bind` makes a statement of a name and
+    /// a value, and says how the name is to be read from then on.
     pub fn statements(
         &mut self,
         place: Place,
         select: impl Fn(usize) -> bool,
+        mut open: impl FnMut(usize) -> TokenStream,
         mut bind: impl FnMut(Expr, &Ident, TokenStream) -> (TokenStream, TokenStream),
     ) -> Vec<TokenStream> {
         self.place = place;
         let mut out = Vec::new();
         for i in 0..self.needed.len() {
-            let skip = !self.needed[i] || self.inline[i] || self.names[i].is_some() || !select(i);
-            if skip {
+            if !self.awaits(i) || !select(i) {
                 continue;
             }
+            out.push(open(i));
             let e = self.expr(i);
             if let Node::TrigRoot(coefficients, _) = self.graph.node(e) {
                 out.extend(self.roots_of(coefficients));
@@ -178,6 +190,7 @@ impl<'a> Writer<'a> {
         let mut out = self.statements(
             Place::Scalar,
             |i| sums[i],
+            |_| TokenStream::new(),
             |_, name, value| (quote!(let #name = #value;), quote!(#name)),
         );
         let values: Vec<TokenStream> = angles.iter().map(|&a| self.read(a).0).collect();

@@ -43,6 +43,30 @@ pub struct Inverse {
     pub invalid: Expr,
     /// Positive where a root is double or an angle is free.
     pub singular: Expr,
+    /// Which of the graph's nodes belong to what.
+    pub parts: Parts,
+}
+
+/// The parts of an [`Inverse`], in the order of its graph: each begins behind
+/// this many nodes and ends where the next begins. In front of the first step
+/// stand the inputs, and what is made of them before the plan.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Parts {
+    /// By step of the plan.
+    pub steps: Vec<StepPart>,
+    /// Forward kinematics of what was found, against the target.
+    pub residual: usize,
+    /// Coordinates of q from sines and cosines.
+    pub angles: usize,
+}
+
+/// The part of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepPart {
+    /// How many nodes stand in front of it.
+    pub begins: usize,
+    /// Which of the step's relations was written; none for a sum.
+    pub relation: Option<usize>,
 }
 
 impl Inverse {
@@ -62,11 +86,14 @@ impl Inverse {
 pub fn inverse(linkage: &Linkage, plan: &Plan, slack: Slack, free: FreeAngles) -> Inverse {
     let mut writer = Writer::new(linkage, plan.target, slack);
     for (i, step) in plan.steps.iter().enumerate() {
+        let begins = writer.g.nodes().len();
         if free == FreeAngles::SpentAt(i) {
             writer.write_ahead(step, &plan.steps[i + 1..]);
         } else {
             writer.write(step);
         }
+        let relation = writer.relation.take();
+        writer.parts.steps.push(StepPart { begins, relation });
     }
     writer.finish()
 }
@@ -104,6 +131,9 @@ struct Writer<'a> {
     /// The cosine-sine equation solved last, where its root can leave the
     /// domain.
     level: Option<Level>,
+    /// Which relation of the step written last was the cheapest.
+    relation: Option<usize>,
+    parts: Parts,
 }
 
 /// The root of a cosine-sine equation is real where d² ≤ a² + b².
@@ -170,6 +200,8 @@ impl<'a> Writer<'a> {
             spent: None,
             may_be_free: None,
             level: None,
+            relation: None,
+            parts: Parts::default(),
         }
     }
 
@@ -182,9 +214,10 @@ impl<'a> Writer<'a> {
             return;
         }
         let mut best: Option<(usize, Writer<'a>)> = None;
-        for relation in &step.relations {
+        for (i, relation) in step.relations.iter().enumerate() {
             let mut trial = self.clone();
             trial.solve(step, relation);
+            trial.relation = Some(i);
             let cost = trial.cost();
             if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                 best = Some((cost, trial));
@@ -285,9 +318,12 @@ impl<'a> Writer<'a> {
     }
 
     fn finish(mut self) -> Inverse {
+        self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
+        self.parts.angles = self.g.nodes().len();
         let q = self.angles();
         Inverse {
+            parts: self.parts,
             q,
             residual: self.g.named(residual, "residual"),
             invalid: self.g.named(self.invalid, "invalid"),
