@@ -7,6 +7,7 @@ use crate::model::{JointKind, Model};
 use crate::plan::{Plan, Target, search};
 use crate::verify::{self, Certificate, Failure, SOUND, Trials, certify, chain};
 use kin_runtime::branches::Acceptance;
+use kin_runtime::free_angle::{SAMPLES, roomiest_turn};
 use kin_runtime::polish::{Aim, Problem, land};
 use kin_runtime::{Pose, Solution};
 
@@ -173,10 +174,10 @@ fn solve_snapped(trials: &Trials, snap: Snap, target: Target) -> Result<ClosedFo
             .is_some_and(|best| best.certificate.unanswered == 0)
     };
     let done = plans.iter().any(|plan| attempt(plan, FreeAngles::Seeded));
-    // Spending a free angle costs operations: only where it is seen to lose targets.
+    // To turn a free angle costs operations: only where it is seen to lose targets.
     if let (false, Some(plan)) = (done, plans.first()) {
-        let spent = (0..plan.steps.len()).map(FreeAngles::SpentAt);
-        let _ = spent
+        let turned = (0..plan.steps.len()).map(FreeAngles::TurnedAt);
+        let _ = turned
             .filter(|free| free.may_help(plan))
             .any(|free| attempt(plan, free));
     }
@@ -198,16 +199,6 @@ fn tip_shift(literal: &Model, snapped: &Model) -> f64 {
 }
 
 impl ClosedForm {
-    /// How far, in radians or relative to the arm's size, the plan's arm may
-    /// be from the literal one.
-    pub fn slack(&self) -> f64 {
-        if self.polish == 0 {
-            0.0
-        } else {
-            SLACK * self.tip_shift / self.linkage.size
-        }
-    }
-
     /// What the generated function will answer, computed by the interpreter.
     pub fn answers(&self, target: &Pose) -> Vec<Answer> {
         let branches = self.branches(target);
@@ -227,26 +218,45 @@ impl ClosedForm {
 
     /// The branches of the plan that exist.
     fn branches(&self, target: &Pose) -> Vec<Answer> {
+        let branches = 0..self.plan.branches() as u32;
+        branches
+            .filter_map(|branch| self.branch(target, branch))
+            .collect()
+    }
+
+    fn branch(&self, target: &Pose, branch: u32) -> Option<Answer> {
+        let inverse = &self.inverse;
+        let mut values = self.evaluate(target, branch, 0.0);
+        if let Some(free) = inverse.free_angle
+            && values[free.no_root.index()] > 0.0
+        {
+            let level = |turn| self.evaluate(target, branch, turn)[free.level.index()];
+            let turn = roomiest_turn(SAMPLES.map(level));
+            values = self.evaluate(target, branch, turn);
+        }
+        let of = |e: crate::expr::Expr| values[e.index()];
+        (of(inverse.invalid) <= 0.0).then(|| Answer {
+            q: inverse.q.iter().map(|&e| of(e)).collect(),
+            residual: of(inverse.residual),
+            singular: of(inverse.singular) > 0.0,
+            branch,
+        })
+    }
+
+    /// The values of a branch for a seed of zeros, but for a turn of the angle
+    /// that may be free.
+    fn evaluate(&self, target: &Pose, branch: u32, turn: f64) -> Vec<f64> {
         let inverse = &self.inverse;
         let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
         inputs.extend(target.translation);
-        // The seed.
+        let seed = inputs.len();
         inputs.resize(usize::from(inverse.graph.inputs()), 0.0);
-        let mut values = Vec::new();
-        let mut branches = Vec::new();
-        for branch in 0..self.plan.branches() as u32 {
-            inverse.graph.evaluate(&inputs, branch, &mut values);
-            let of = |e: crate::expr::Expr| values[e.index()];
-            if of(inverse.invalid) <= 0.0 {
-                branches.push(Answer {
-                    q: inverse.q.iter().map(|&e| of(e)).collect(),
-                    residual: of(inverse.residual),
-                    singular: of(inverse.singular) > 0.0,
-                    branch,
-                });
-            }
+        if let Some(free) = inverse.free_angle {
+            inputs[seed + free.coordinate] = turn;
         }
-        branches
+        let mut values = Vec::new();
+        inverse.graph.evaluate(&inputs, branch, &mut values);
+        values
     }
 
     /// The branches on the literal arm.

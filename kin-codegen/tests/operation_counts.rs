@@ -2,6 +2,7 @@
 //! are known to be possible, and at them for arms with parallel axes.
 
 use kin_codegen::expr::Operations;
+use kin_codegen::expr::inverse::Inverse;
 use kin_codegen::{Compiled, Ik, Options, Source, compile};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -45,6 +46,36 @@ fn assert_within(found: [[usize; 2]; 2], limits: [[usize; 2]; 2]) {
 fn universal_robots() {
     for file in ["ur5e.urdf", "ur10e.yaml"] {
         assert_within(counts(&robot(file)), [[40, 23], [62, 38]]);
+    }
+}
+
+/// The angle that a stretched wrist leaves free costs a branch of inverse
+/// kinematics two comparisons; what it turns to is found when it is free.
+#[test]
+fn a_free_angle_costs_regular_targets_two_selections() {
+    for file in ["ur5e.urdf", "ur10e.yaml"] {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
+        let source = Source::read(file, &root).unwrap();
+        let form = compile(&source, &Options::default()).unwrap().inverse;
+        let inverse = form.unwrap().inverse;
+        let [with, without] = [true, false].map(|kept| {
+            let free_angle = inverse.free_angle.filter(|_| kept);
+            let inverse = Inverse {
+                free_angle,
+                ..inverse.clone()
+            };
+            inverse.graph.operations(&inverse.outputs())
+        });
+        assert!(inverse.free_angle.is_some());
+        assert!(with.multiplications <= 124, "{with:?}");
+        let selections = without.selections + 2;
+        assert_eq!(
+            with,
+            Operations {
+                selections,
+                ..without
+            }
+        );
     }
 }
 

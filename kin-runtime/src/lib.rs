@@ -31,6 +31,7 @@ mod derivative;
 #[cfg(feature = "alloc")]
 mod descent;
 mod exponential;
+pub mod free_angle;
 #[cfg(feature = "glam")]
 mod glam;
 mod inherent;

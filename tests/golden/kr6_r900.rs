@@ -17,7 +17,7 @@ const _: () = {
     #[allow(unused_imports)]
     use ::kinematics::{
         branches::{Acceptance, Branches},
-        lanes::{self, widen},
+        free_angle::FreeAngle, lanes::{self, widen},
         math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
         Kinematics, Pose, Singularity, Solution, Solutions,
     };

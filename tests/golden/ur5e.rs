@@ -3,8 +3,8 @@
 // Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
 // With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 190 multiplications, 150 additions, 4 divisions, 8 roots, 3
-// sines with cosines, 6 arctangents, 36 selections.
+// branches; one branch: 124 multiplications, 86 additions, 3 divisions, 6 roots, 3
+// sines with cosines, 6 arctangents, 33 selections.
 
 /// The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
 ///
@@ -17,7 +17,7 @@ const _: () = {
     #[allow(unused_imports)]
     use ::kinematics::{
         branches::{Acceptance, Branches},
-        lanes::{self, widen},
+        free_angle::FreeAngle, lanes::{self, widen},
         math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
         Kinematics, Pose, Singularity, Solution, Solutions,
     };
@@ -517,6 +517,23 @@ const _: () = {
 
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
+            let (mut branches, free_angle) = self.seeded(pose, seed);
+            if free_angle.leaves_no_root() {
+                branches = Branches::with_free_angle(
+                    seed,
+                    3,
+                    |seed| { self.seeded(pose, seed) },
+                );
+            }
+            branches
+        }
+
+        #[inline]
+        fn seeded(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 6],
+        ) -> (Branches<6, 8>, FreeAngle<8>) {
             let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
             let [px, py, pz] = pose.translation;
             // The seed, for an angle that the target leaves free
@@ -548,217 +565,167 @@ const _: () = {
             );
             let t23 = 1.0 / t13;
             // 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share)
-            let t24 = 0.0997 * r32;
-            let t25 = 0.0997 * r31;
-            let t26 = r11 * t25 + r12 * t24;
-            let t27 = r21 * t25 + r22 * t24;
-            let t28 = r31 * t25 + r32 * t24;
-            let t29 = px + (t26 - t8);
-            let t30 = py + (t27 - t9);
-            let t31 = pz + (t28 - t10) - 0.1625;
-            let t32 = 0.17610736499999996 - 0.5 * (t31 * t31 + (t29 * t29 + t30 * t30));
-            let t33 = px - (t8 + t26);
-            let t34 = py - (t9 + t27);
-            let t35 = pz - (t10 + t28) - 0.1625;
-            let t36 = 0.17610736499999996 - 0.5 * (t35 * t35 + (t33 * t33 + t34 * t34));
-            let t37 = r31 * t6;
-            let t38 = r32 * t6;
-            let t39 = 0.5 * (t32 + t36);
-            let t40 = 0.5 * (t32 - t36);
-            let t41 = t40 * t40;
-            let t42 = t39 * t39;
-            let t43 = t39 * t40;
-            let t44 = r33 * r33;
+            let t24 = r33 * r33;
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             let mut s1_ = [0.0; 4];
             let mut c1_ = [0.0; 4];
-            let mut t72_ = [0.0; 4];
+            let mut t32_ = [0.0; 4];
             let mut s234_ = [0.0; 4];
             let mut c234_ = [0.0; 4];
-            let mut t82_ = [0.0; 4];
-            let mut t86_ = [0.0; 4];
-            let mut t87_ = [0.0; 4];
-            let mut t88_ = [0.0; 4];
-            let mut t90_ = [0.0; 4];
+            let mut t42_ = [0.0; 4];
+            let mut level_ = [0.0; 4];
+            let mut t45_ = [0.0; 4];
+            let mut t46_ = [0.0; 4];
+            let mut t47_ = [0.0; 4];
+            let mut t49_ = [0.0; 4];
             let mut c3_ = [0.0; 4];
-            let mut t91_ = [0.0; 4];
-            let mut t93_ = [0.0; 4];
-            let mut t94_ = [0.0; 4];
-            let mut t95_ = [0.0; 4];
-            let mut t96_ = [0.0; 4];
-            let mut t108_ = [0.0; 4];
-            let mut t109_ = [0.0; 4];
-            let mut t111_ = [0.0; 4];
-            let mut t112_ = [0.0; 4];
-            let mut t123_ = [0.0; 4];
+            let mut no_root_ = [0.0; 4];
+            let mut t50_ = [0.0; 4];
+            let mut t52_ = [0.0; 4];
+            let mut t53_ = [0.0; 4];
+            let mut t54_ = [0.0; 4];
+            let mut t55_ = [0.0; 4];
+            let mut t67_ = [0.0; 4];
+            let mut t68_ = [0.0; 4];
+            let mut t70_ = [0.0; 4];
+            let mut t71_ = [0.0; 4];
+            let mut t82_ = [0.0; 4];
             let mut q1_ = [0.0; 4];
             let mut q5_ = [0.0; 4];
             let mut q6_ = [0.0; 4];
             for k in 0..4 {
                 // 1. q1 by SP4
-                let t45 = -e1[k];
-                let t46 = e1[k] * t17;
+                let t25 = -e1[k];
+                let t26 = e1[k] * t17;
                 let s1 = math::select(
                     t13 < 2.965736179997062e-24,
                     t2,
-                    (t21 + t12 * t46) * t23,
+                    (t21 + t12 * t26) * t23,
                 );
                 let c1 = math::select(
                     t13 < 2.965736179997062e-24,
                     t5,
-                    (t20 - t11 * t46) * t23,
+                    (t20 - t11 * t26) * t23,
                 );
                 // 2. q2+q3+q4 and q5 by SP2, given q1
-                let t47 = 0.0997 * (r12 * c1 + r22 * s1);
-                let t48 = 0.0997 * (r11 * c1 + r21 * s1);
-                let t49 = px - (t8 + (r11 * t48 + r12 * t47));
-                let t50 = py - (t9 + (r21 * t48 + r22 * t47));
-                let t51 = pz - (t10 + (r31 * t48 + r32 * t47)) - 0.1625;
-                let t52 = c1 * t3;
-                let t53 = s1 * t3;
-                let t54 = 0.0997 * (t38 - (r12 * t52 + r22 * t53));
-                let t55 = 0.0997 * (r11 * t52 + r21 * t53 - t37);
-                let t56 = px + (r12 * t54 - r11 * t55 - t8);
-                let t57 = py + (r22 * t54 - r21 * t55 - t9);
-                let t58 = pz + (r32 * t54 - r31 * t55 - t10) - 0.1625;
-                let t59 = 0.17610736499999996
-                    - 0.5 * (t58 * t58 + (t56 * t56 + t57 * t57));
-                let t60 = 0.027783889225002766 - t59 * t59;
-                let t61 = 0.17610736499999996
-                    - 0.5 * (t51 * t51 + (t49 * t49 + t50 * t50)) - t39;
-                let t62 = math::sqrt(math::max(0.0, t41 + t61 * t61 - t42));
-                let t63 = t40 * t62 - t39 * t61;
-                let t64 = t43 + t61 * t62;
-                let t65 = math::sqrt(t63 * t63 + t64 * t64);
-                let t66 = 1.0 / t65;
-                let t67 = r13 * s1;
-                let t68 = r23 * c1;
-                let t69 = r13 * c1 + r23 * s1;
-                let t70 = t68 - t67;
-                let c5 = t67 - t68;
-                let t71 = t44 + t69 * t69;
-                let t72 = math::max(
+                let t27 = r13 * s1;
+                let t28 = r23 * c1;
+                let t29 = r13 * c1 + r23 * s1;
+                let t30 = t28 - t27;
+                let c5 = t27 - t28;
+                let t31 = t24 + t29 * t29;
+                let t32 = math::max(
                     math::max(
-                        math::select(t14 < t15, math::select(t14 < t16, 1.0, t45), 0.0),
-                        math::select(t13 < 2.965736179997062e-24, t45, 0.0),
+                        math::select(t14 < t15, math::select(t14 < t16, 1.0, t25), 0.0),
+                        math::select(t13 < 2.965736179997062e-24, t25, 0.0),
                     ),
-                    math::select(t71 < 1e-24, -e2[k], 0.0),
+                    math::select(t31 < 1e-24, -e2[k], 0.0),
                 );
-                let s5 = e2[k] * math::sqrt(math::select(t71 < 1e-24, 0.0, t71));
-                let t73 = 1.0 / t71;
-                let s234 = math::select(
-                    t71 < 1e-24,
-                    math::select(
-                        0.0 < t60,
-                        t3,
-                        math::select(t65 < 1e-200, 0.0, t63 * t66),
-                    ),
-                    -(r33 * s5 * t73),
-                );
-                let c234 = math::select(
-                    t71 < 1e-24,
-                    math::select(
-                        0.0 < t60,
-                        t6,
-                        math::select(t65 < 1e-200, 1.0, -(t64 * t66)),
-                    ),
-                    -(t69 * s5 * t73),
-                );
+                let s5 = e2[k] * math::sqrt(math::select(t31 < 1e-24, 0.0, t31));
+                let t33 = 1.0 / t31;
+                let s234 = math::select(t31 < 1e-24, t3, -(r33 * s5 * t33));
+                let c234 = math::select(t31 < 1e-24, t6, -(t29 * s5 * t33));
                 // 3. q6 by SP1, given q1 and q2+q3+q4
-                let t74 = c1 * s234;
-                let t75 = s1 * s234;
-                let t76 = r31 * c234;
-                let t77 = r11 * t74 + r21 * t75;
-                let c6 = r32 * c234 - (r12 * t74 + r22 * t75);
-                let s6 = t76 - t77;
+                let t34 = c1 * s234;
+                let t35 = s1 * s234;
+                let t36 = r31 * c234;
+                let t37 = r11 * t34 + r21 * t35;
+                let c6 = r32 * c234 - (r12 * t34 + r22 * t35);
+                let s6 = t36 - t37;
                 // 4. q3 by SP3, given q6 (what several branches share)
-                let t78 = 0.0997 * c6;
-                let t79 = 0.0997 * (t77 - t76);
-                let t80 = px + (r12 * t78 - r11 * t79 - t8);
-                let t81 = py + (r22 * t78 - r21 * t79 - t9);
-                let t82 = pz + (r32 * t78 - r31 * t79 - t10) - 0.1625;
-                let t83 = t82 * t82;
-                let t84 = 0.5 * (t83 + (t80 * t80 + t81 * t81));
-                let t85 = 0.17610736499999996 - t84;
-                let t86 = 0.02778388922499999 - t85 * t85;
-                let t87 = math::max(
-                    math::max(t22, math::select(t71 < 1e-13, 1.0, 0.0)),
-                    math::select(t86 < 2.778388922499999e-15, 1.0, 0.0),
+                let t38 = 0.0997 * c6;
+                let t39 = 0.0997 * (t37 - t36);
+                let t40 = px + (r12 * t38 - r11 * t39 - t8);
+                let t41 = py + (r22 * t38 - r21 * t39 - t9);
+                let t42 = pz + (r32 * t38 - r31 * t39 - t10) - 0.1625;
+                let t43 = t42 * t42;
+                let t44 = 0.5 * (t43 + (t40 * t40 + t41 * t41));
+                let level = 0.17610736499999996 - t44;
+                let t45 = 0.02778388922499999 - level * level;
+                let t46 = math::max(
+                    math::max(t22, math::select(t31 < 1e-13, 1.0, 0.0)),
+                    math::select(t45 < 2.778388922499999e-15, 1.0, 0.0),
                 );
-                let t88 = math::sqrt(
-                    math::select(t86 < 2.778388922499999e-15, 0.0, t86),
+                let t47 = math::sqrt(
+                    math::select(t45 < 2.778388922499999e-15, 0.0, t45),
                 );
-                let t89 = math::max(
+                let t48 = math::max(
                     -0.16668499999999997,
-                    -math::max(-0.16668499999999997, t84 - 0.17610736499999996),
+                    -math::max(-0.16668499999999997, t44 - 0.17610736499999996),
                 );
-                let t90 = 5.999340072592016 * t89;
-                let c3 = -t90;
+                let t49 = 5.999340072592016 * t48;
+                let c3 = -t49;
+                let no_root = math::select(
+                    t31 < 1e-24,
+                    math::select(t45 < -2.778388922499999e-15, 1.0, 0.0),
+                    0.0,
+                );
                 // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                let t91 = c1 * t80 + s1 * t81;
-                let t92 = 0.425 - 2.3529411764705883 * t89;
-                let t93 = t91 * t92;
-                let t94 = t82 * t92;
-                let t95 = t83 + t91 * t91;
-                let t96 = t92 * t92;
+                let t50 = c1 * t40 + s1 * t41;
+                let t51 = 0.425 - 2.3529411764705883 * t48;
+                let t52 = t50 * t51;
+                let t53 = t42 * t51;
+                let t54 = t43 + t50 * t50;
+                let t55 = t51 * t51;
                 // Residual: forward kinematics against the target (what several
                 // branches share)
-                let t97 = c5 * s6;
-                let t98 = s5 * s6;
-                let t99 = c234 * c6 - s234 * t97;
-                let t100 = s234 * c6 + c234 * t97;
-                let t101 = c1 * t100 + s1 * t98;
-                let t102 = c1 * t98 - s1 * t100;
-                let t103 = s5 * c234;
-                let t104 = s5 * s234;
-                let t105 = c1 * t103 + s1 * t70;
-                let t106 = c1 * t70 - s1 * t103;
-                let t107 = 0.0996 * s5;
-                let t108 = 0.0997 * c234 + s234 * t107;
-                let t109 = c234 * t107 - 0.0997 * s234;
-                let t110 = -0.1333 - 0.0996 * c5;
-                let t111 = c1 * t110;
-                let t112 = s1 * t110;
-                let t113 = r11 + (t102 * t104 + t99 * t106);
-                let t114 = r12 + t101;
-                let t115 = r13 + t105;
-                let t116 = r21 + (t99 * t105 + t101 * t104);
-                let t117 = t102 - r22;
-                let t118 = t106 - r23;
-                let t119 = t113 * t113 + t114 * t114 + t115 * t115 + t116 * t116
-                    + t117 * t117 + t118 * t118;
-                let t120 = t102 * t105 - t101 * t106 - r31;
-                let t121 = t99 - r32;
-                let t122 = r33 + t104;
-                let t123 = 0.8610656449999997
-                    * (t119 + t120 * t120 + t121 * t121 + t122 * t122);
+                let t56 = c5 * s6;
+                let t57 = s5 * s6;
+                let t58 = c234 * c6 - s234 * t56;
+                let t59 = s234 * c6 + c234 * t56;
+                let t60 = c1 * t59 + s1 * t57;
+                let t61 = c1 * t57 - s1 * t59;
+                let t62 = s5 * c234;
+                let t63 = s5 * s234;
+                let t64 = c1 * t62 + s1 * t30;
+                let t65 = c1 * t30 - s1 * t62;
+                let t66 = 0.0996 * s5;
+                let t67 = 0.0997 * c234 + s234 * t66;
+                let t68 = c234 * t66 - 0.0997 * s234;
+                let t69 = -0.1333 - 0.0996 * c5;
+                let t70 = c1 * t69;
+                let t71 = s1 * t69;
+                let t72 = r11 + (t61 * t63 + t58 * t65);
+                let t73 = r12 + t60;
+                let t74 = r13 + t64;
+                let t75 = r21 + (t58 * t64 + t60 * t63);
+                let t76 = t61 - r22;
+                let t77 = t65 - r23;
+                let t78 = t72 * t72 + t73 * t73 + t74 * t74 + t75 * t75 + t76 * t76
+                    + t77 * t77;
+                let t79 = t61 * t64 - t60 * t65 - r31;
+                let t80 = t58 - r32;
+                let t81 = r33 + t63;
+                let t82 = 0.8610656449999997 * (t78 + t79 * t79 + t80 * t80 + t81 * t81);
                 // Joint values: angles from sines and cosines, in (−π, π]
                 let q1 = lanes::angle(s1, c1);
                 let q5 = lanes::angle(s5, c5);
                 let q6 = lanes::angle(s6, c6);
                 s1_[k] = s1;
                 c1_[k] = c1;
-                t72_[k] = t72;
+                t32_[k] = t32;
                 s234_[k] = s234;
                 c234_[k] = c234;
-                t82_[k] = t82;
-                t86_[k] = t86;
-                t87_[k] = t87;
-                t88_[k] = t88;
-                t90_[k] = t90;
+                t42_[k] = t42;
+                level_[k] = level;
+                t45_[k] = t45;
+                t46_[k] = t46;
+                t47_[k] = t47;
+                t49_[k] = t49;
                 c3_[k] = c3;
-                t91_[k] = t91;
-                t93_[k] = t93;
-                t94_[k] = t94;
-                t95_[k] = t95;
-                t96_[k] = t96;
-                t108_[k] = t108;
-                t109_[k] = t109;
-                t111_[k] = t111;
-                t112_[k] = t112;
-                t123_[k] = t123;
+                no_root_[k] = no_root;
+                t50_[k] = t50;
+                t52_[k] = t52;
+                t53_[k] = t53;
+                t54_[k] = t54;
+                t55_[k] = t55;
+                t67_[k] = t67;
+                t68_[k] = t68;
+                t70_[k] = t70;
+                t71_[k] = t71;
+                t82_[k] = t82;
                 q1_[k] = q1;
                 q5_[k] = q5;
                 q6_[k] = q6;
@@ -766,25 +733,27 @@ const _: () = {
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             let s1_ = widen::<4, 8>(s1_);
             let c1_ = widen::<4, 8>(c1_);
-            let t72_ = widen::<4, 8>(t72_);
+            let t32_ = widen::<4, 8>(t32_);
             let s234_ = widen::<4, 8>(s234_);
             let c234_ = widen::<4, 8>(c234_);
-            let t82_ = widen::<4, 8>(t82_);
-            let t86_ = widen::<4, 8>(t86_);
-            let t87_ = widen::<4, 8>(t87_);
-            let t88_ = widen::<4, 8>(t88_);
-            let t90_ = widen::<4, 8>(t90_);
+            let t42_ = widen::<4, 8>(t42_);
+            let level_ = widen::<4, 8>(level_);
+            let t45_ = widen::<4, 8>(t45_);
+            let t46_ = widen::<4, 8>(t46_);
+            let t47_ = widen::<4, 8>(t47_);
+            let t49_ = widen::<4, 8>(t49_);
             let c3_ = widen::<4, 8>(c3_);
-            let t91_ = widen::<4, 8>(t91_);
-            let t93_ = widen::<4, 8>(t93_);
-            let t94_ = widen::<4, 8>(t94_);
-            let t95_ = widen::<4, 8>(t95_);
-            let t96_ = widen::<4, 8>(t96_);
-            let t108_ = widen::<4, 8>(t108_);
-            let t109_ = widen::<4, 8>(t109_);
-            let t111_ = widen::<4, 8>(t111_);
-            let t112_ = widen::<4, 8>(t112_);
-            let t123_ = widen::<4, 8>(t123_);
+            let no_root_ = widen::<4, 8>(no_root_);
+            let t50_ = widen::<4, 8>(t50_);
+            let t52_ = widen::<4, 8>(t52_);
+            let t53_ = widen::<4, 8>(t53_);
+            let t54_ = widen::<4, 8>(t54_);
+            let t55_ = widen::<4, 8>(t55_);
+            let t67_ = widen::<4, 8>(t67_);
+            let t68_ = widen::<4, 8>(t68_);
+            let t70_ = widen::<4, 8>(t70_);
+            let t71_ = widen::<4, 8>(t71_);
+            let t82_ = widen::<4, 8>(t82_);
             let q1_ = widen::<4, 8>(q1_);
             let q5_ = widen::<4, 8>(q5_);
             let q6_ = widen::<4, 8>(q6_);
@@ -799,53 +768,51 @@ const _: () = {
             for k in 0..8 {
                 // 4. q3 by SP3, given q6
                 let invalid = math::max(
-                    t72_[k],
+                    t32_[k],
                     math::select(
-                        t86_[k] < 2.778388922499999e-15,
-                        math::select(t86_[k] < -2.778388922499999e-10, 1.0, -e3[k]),
+                        t45_[k] < 2.778388922499999e-15,
+                        math::select(t45_[k] < -2.778388922499999e-10, 1.0, -e3[k]),
                         0.0,
                     ),
                 );
-                let t124 = e3[k] * t88_[k];
-                let t125 = 5.999340072592016 * t124;
-                let s3 = -t125;
+                let t83 = e3[k] * t47_[k];
+                let t84 = 5.999340072592016 * t83;
+                let s3 = -t84;
                 // 5. q2 by SP1, given q1, q3 and q6
-                let t126 = 2.3529411764705883 * t124;
-                let t127 = math::sqrt(t95_[k] * (t126 * t126 + t96_[k]));
+                let t85 = 2.3529411764705883 * t83;
+                let t86 = math::sqrt(t54_[k] * (t85 * t85 + t55_[k]));
                 let singular = math::max(
-                    t87_[k],
-                    math::select(t127 < 1.7221312899999994e-24, 1.0, 0.0),
+                    t46_[k],
+                    math::select(t86 < 1.7221312899999994e-24, 1.0, 0.0),
                 );
-                let t128 = 1.0 / t127;
+                let t87 = 1.0 / t86;
                 let s2 = math::select(
-                    t127 < 1.7221312899999994e-24,
+                    t86 < 1.7221312899999994e-24,
                     t4,
-                    -((t91_[k] * t126 + t94_[k]) * t128),
+                    -((t50_[k] * t85 + t53_[k]) * t87),
                 );
                 let c2 = math::select(
-                    t127 < 1.7221312899999994e-24,
+                    t86 < 1.7221312899999994e-24,
                     t7,
-                    (t82_[k] * t126 - t93_[k]) * t128,
+                    (t42_[k] * t85 - t52_[k]) * t87,
                 );
                 // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                let t129 = s234_[k] * c2 - c234_[k] * s2;
-                let t130 = c234_[k] * c2 + s234_[k] * s2;
+                let t88 = s234_[k] * c2 - c234_[k] * s2;
+                let t89 = c234_[k] * c2 + s234_[k] * s2;
                 // Residual: forward kinematics against the target
-                let t131 = 0.425 * c2 + 0.3922 * (t125 * s2 - t90_[k] * c2) + t109_[k];
-                let t132 = 0.3922 * (t90_[k] * s2 + t125 * c2) - 0.425 * s2 - t108_[k]
+                let t90 = 0.425 * c2 + 0.3922 * (t84 * s2 - t49_[k] * c2) + t68_[k];
+                let t91 = 0.3922 * (t49_[k] * s2 + t84 * c2) - 0.425 * s2 - t67_[k]
                     + 0.1625;
-                let t133 = px + (c1_[k] * t131 + t112_[k]);
-                let t134 = t111_[k] - s1_[k] * t131 - py;
-                let t135 = t132 - pz;
-                let residual = math::sqrt(
-                    t135 * t135 + (t133 * t133 + t134 * t134) + t123_[k],
-                );
+                let t92 = px + (c1_[k] * t90 + t71_[k]);
+                let t93 = t70_[k] - s1_[k] * t90 - py;
+                let t94 = t91 - pz;
+                let residual = math::sqrt(t94 * t94 + (t92 * t92 + t93 * t93) + t82_[k]);
                 // Joint values: angles from sines and cosines, in (−π, π]
                 let q2 = lanes::angle(s2, c2);
                 let q3 = lanes::angle(s3, c3_[k]);
                 let q4 = lanes::angle(
-                    t125 * t130 - t90_[k] * t129,
-                    -(t90_[k] * t130 + t125 * t129),
+                    t84 * t89 - t49_[k] * t88,
+                    -(t49_[k] * t89 + t84 * t88),
                 );
                 invalid_[k] = invalid;
                 singular_[k] = singular;
@@ -854,12 +821,18 @@ const _: () = {
                 q3_[k] = q3;
                 q4_[k] = q4;
             }
-            Branches {
-                q: [q1_, q2_, q3_, q4_, q5_, q6_],
-                residual: residual_,
-                invalid: invalid_,
-                singular: singular_,
-            }
+            (
+                Branches {
+                    q: [q1_, q2_, q3_, q4_, q5_, q6_],
+                    residual: residual_,
+                    invalid: invalid_,
+                    singular: singular_,
+                },
+                FreeAngle {
+                    level: level_,
+                    no_root: no_root_,
+                },
+            )
         }
 
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.

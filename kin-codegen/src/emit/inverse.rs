@@ -12,8 +12,7 @@ use quote::{format_ident, quote};
 /// The methods that solve for joint values.
 pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
-    let width = Literal::usize_unsuffixed(solver.plan.branches());
-    let body = body(model, solver);
+    let branches = branches(model, solver);
     let accept = acceptance(solver);
     let sorted = sorted(solver);
     let closest = closest(model, solver);
@@ -51,14 +50,14 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
             #closest
         }
 
-        #[inline]
-        fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
-            #body
-        }
+        #branches
     }
 }
 
-fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
+/// The private method `branches`, which `ik` and its like share.
+fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let n = Literal::usize_unsuffixed(model.variables.len());
+    let width = Literal::usize_unsuffixed(solver.plan.branches());
     let target = target_names();
     let seed = (0..model.variables.len()).map(|i| {
         let i = Literal::usize_unsuffixed(i);
@@ -71,15 +70,49 @@ fn body(model: &Model, solver: &ClosedForm) -> TokenStream {
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
     let unused = lanes.inputs.iter().skip(target.len()).all(|used| !used);
     let unused = unused.then(|| quote!(let _ = seed;));
-    quote! {
+    let statements = quote! {
         #unused
         #entries
         #(#statements)*
+    };
+    let branches = quote! {
         Branches {
             q: [#(#q),*],
             residual: #residual,
             invalid: #invalid,
             singular: #singular,
+        }
+    };
+    let Some((free, said)) = solver.inverse.free_angle.zip(lanes.free_angle) else {
+        return quote! {
+            #[inline]
+            fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
+                #statements
+                #branches
+            }
+        };
+    };
+    let coordinate = Literal::usize_unsuffixed(free.coordinate);
+    quote! {
+        #[inline]
+        fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
+            let (mut branches, free_angle) = self.seeded(pose, seed);
+            if free_angle.leaves_no_root() {
+                branches = Branches::with_free_angle(seed, #coordinate, |seed| {
+                    self.seeded(pose, seed)
+                });
+            }
+            branches
+        }
+
+        #[inline]
+        fn seeded(
+            &self,
+            pose: &Pose,
+            seed: &[f64; #n],
+        ) -> (Branches<#n, #width>, FreeAngle<#width>) {
+            #statements
+            (#branches, #said)
         }
     }
 }

@@ -30,6 +30,8 @@ pub struct Lanes {
     pub invalid: TokenStream,
     /// Positive where the branch is singular.
     pub singular: TokenStream,
+    /// What the next root says of an angle that may be free.
+    pub free_angle: Option<TokenStream>,
     /// The inputs that are read.
     pub inputs: Vec<bool>,
 }
@@ -118,6 +120,10 @@ pub fn lanes(solver: &ClosedForm, inputs: &[TokenStream]) -> Lanes {
         residual: array(inverse.residual),
         invalid: array(inverse.invalid),
         singular: array(inverse.singular),
+        free_angle: inverse.free_angle.map(|free| {
+            let (level, no_root) = (array(free.level), array(free.no_root));
+            quote!(FreeAngle { level: #level, no_root: #no_root })
+        }),
         inputs: used_inputs(&writer, inverse),
         statements,
     }

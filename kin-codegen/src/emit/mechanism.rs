@@ -46,7 +46,8 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
                 // As above.
                 #[allow(unused_imports)]
                 use ::kinematics::{
-                    branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
+                    branches::{Acceptance, Branches}, free_angle::FreeAngle, lanes::{self, widen},
+                    math, polish::Aim,
                     quartic::trig_roots, Jacobian, Pose, Solution, Solutions,
                 };
                 #arms

@@ -34,7 +34,8 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
             // Which of them an arm needs depends on its plan.
             #[allow(unused_imports)]
             use ::kinematics::{
-                branches::{Acceptance, Branches}, lanes::{self, widen}, math, polish::Aim,
+                branches::{Acceptance, Branches}, free_angle::FreeAngle, lanes::{self, widen}, math,
+                polish::Aim,
                 quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
                 Singularity, Solution, Solutions,
             };
@@ -55,11 +56,12 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
 }
 
 /// Names that the generated items use and that a robot cannot have.
-pub const TAKEN: [&str; 16] = [
+pub const TAKEN: [&str; 17] = [
     "Acceptance",
     "Aim",
     "Branches",
     "Default",
+    "FreeAngle",
     "Hessian",
     "Jacobian",
     "JointLimit",

@@ -330,10 +330,6 @@ impl<'a> Writer<'a> {
                 (quote!(math::wrap(#angle)), Atom)
             }
             Node::Wrap(a) => self.call(quote!(math::wrap), &[a]),
-            Node::Abs(a) => {
-                let a = self.at_least(a, Atom);
-                (quote!(#a.abs()), Atom)
-            }
             Node::Max(a, b) => self.call(quote!(math::max), &[a, b]),
             Node::Select([a, b, x, y]) => {
                 let [a, b, x, y] = [a, b, x, y].map(|e| self.read(e).0);

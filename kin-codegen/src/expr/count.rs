@@ -135,7 +135,7 @@ impl Graph {
                 one.multiplications = 2;
                 one.additions = 3;
             }
-            Node::Abs(_) | Node::Max(..) | Node::Select(_) => one.selections = 1,
+            Node::Max(..) | Node::Select(_) => one.selections = 1,
             // All its numbers come of one call; every quartic is read for this one.
             Node::TrigRoot(_, part) => {
                 let first = part.place == 0 && part.field == RootField::State;

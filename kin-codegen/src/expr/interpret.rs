@@ -31,7 +31,6 @@ impl Graph {
                 Node::Cos(a) => math::sin_cos(of(a)).1,
                 Node::Atan2(y, x) => lanes::angle(of(y), of(x)),
                 Node::Wrap(a) => math::wrap(of(a)),
-                Node::Abs(a) => of(a).abs(),
                 Node::Max(a, b) => math::max(of(a), of(b)),
                 Node::TrigRoot(coefficients, part) => {
                     let roots = match quartic {

@@ -64,11 +64,6 @@ impl Graph {
         [0, 1, 2].map(|i| self.sub(a[i], b[i]))
     }
 
-    /// −a.
-    pub fn opposite(&mut self, a: Vector) -> Vector {
-        a.map(|x| self.neg(x))
-    }
-
     /// k a.
     pub fn scale(&mut self, k: Expr, a: Vector) -> Vector {
         a.map(|x| self.mul(k, x))

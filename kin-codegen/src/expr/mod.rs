@@ -67,8 +67,6 @@ pub enum Node {
     Atan2(Expr, Expr),
     /// a modulo 2π, into (−π, π].
     Wrap(Expr),
-    /// |a|.
-    Abs(Expr),
     /// The larger of two; the second where either is NaN.
     Max(Expr, Expr),
     /// `[a, b, x, y]`: x where a < b, else y (also where a or b is NaN).
@@ -103,12 +101,7 @@ impl Node {
     pub fn operands(&self) -> impl Iterator<Item = Expr> + use<> {
         let count = match self {
             Node::Constant(_) | Node::Input(_) | Node::Sign(_) => 0,
-            Node::Neg(_)
-            | Node::Sqrt(_)
-            | Node::Sin(_)
-            | Node::Cos(_)
-            | Node::Wrap(_)
-            | Node::Abs(_) => 1,
+            Node::Neg(_) | Node::Sqrt(_) | Node::Sin(_) | Node::Cos(_) | Node::Wrap(_) => 1,
             Node::Add(..)
             | Node::Sub(..)
             | Node::Mul(..)
@@ -125,12 +118,7 @@ impl Node {
     fn operand_slots(&self) -> [Expr; 5] {
         match *self {
             Node::Constant(_) | Node::Input(_) | Node::Sign(_) => [Expr(0); 5],
-            Node::Neg(a)
-            | Node::Sqrt(a)
-            | Node::Sin(a)
-            | Node::Cos(a)
-            | Node::Wrap(a)
-            | Node::Abs(a) => [a; 5],
+            Node::Neg(a) | Node::Sqrt(a) | Node::Sin(a) | Node::Cos(a) | Node::Wrap(a) => [a; 5],
             Node::Add(a, b)
             | Node::Sub(a, b)
             | Node::Mul(a, b)
@@ -439,15 +427,6 @@ impl Graph {
         }
     }
 
-    /// |a|.
-    pub fn abs(&mut self, a: Expr) -> Expr {
-        let a = self.negated(a).unwrap_or(a);
-        match self.value(a) {
-            Some(x) => self.constant(x.abs()),
-            None => self.intern(Node::Abs(a)),
-        }
-    }
-
     /// The larger of two.
     pub fn max(&mut self, a: Expr, b: Expr) -> Expr {
         match (self.value(a), self.value(b)) {
@@ -480,31 +459,19 @@ impl Graph {
         }
     }
 
-    /// Rebuilds `e` of another graph, with some of its inputs replaced. The
-    /// first `shared` nodes of both are the same.
-    pub fn import(
-        &mut self,
-        grown: &Graph,
-        shared: usize,
-        e: Expr,
-        inputs: &[(Expr, Expr)],
-    ) -> Expr {
-        let needed = grown.reachable(&[e]);
-        let mut here: HashMap<Expr, Expr> = inputs.iter().copied().collect();
+    /// Rebuilds `e` of another graph, with some of its nodes replaced.
+    pub fn import(&mut self, other: &Graph, e: Expr, replaced: &[(Expr, Expr)]) -> Expr {
+        let needed = other.reachable(&[e]);
+        let mut here: HashMap<Expr, Expr> = replaced.iter().copied().collect();
         for i in (0..=e.index()).filter(|&i| needed[i]) {
-            let there = grown.at(i);
+            let there = other.at(i);
             if here.contains_key(&there) {
                 continue;
             }
-            let rebuilt = match grown.node(there) {
-                _ if i < shared => there,
-                node => {
-                    let operands = node.operand_slots();
-                    let operands = operands.map(|e| here.get(&e).copied().unwrap_or(there));
-                    self.rebuild(node, operands)
-                }
-            };
-            here.insert(there, rebuilt);
+            let node = other.node(there);
+            let operands = node.operand_slots();
+            let operands = operands.map(|e| here.get(&e).copied().unwrap_or(there));
+            here.insert(there, self.rebuild(node, operands));
         }
         here.get(&e).copied().unwrap_or(e)
     }
@@ -524,7 +491,6 @@ impl Graph {
             Node::Cos(_) => self.sin_cos(a).1,
             Node::Atan2(..) => self.atan2(a, b),
             Node::Wrap(_) => self.wrap(a),
-            Node::Abs(_) => self.abs(a),
             Node::Max(..) => self.max(a, b),
             Node::Select(_) => self.select_less(a, b, x, y),
             Node::TrigRoot(_, part) => self.intern(Node::TrigRoot(operands, part)),

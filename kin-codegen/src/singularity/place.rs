@@ -47,7 +47,7 @@ impl Factored {
                 (there, graph.input(format!("q{}", i + 1)))
             })
             .collect();
-        let expression = graph.import(g, 0, expression, &inputs);
+        let expression = graph.import(g, expression, &inputs);
         let needed = graph.reachable(&[expression]);
         let coordinates = (0..n).filter(|&i| needed[inputs[i].1.index()]).collect();
         let reach = 2.0 * size(model);

@@ -118,7 +118,7 @@ fn by_rows(g: &mut Graph, linkage: &Linkage, q: &[Expr], target: Target) -> Opti
             view.inputs.iter().copied().zip(q.iter().copied()).collect();
         product.sign(minus);
         for part in parts {
-            let expression = g.import(&view.graph, 0, part, &inputs);
+            let expression = g.import(&view.graph, part, &inputs);
             product.take(g, expression, &block.columns, block.metres);
         }
     }

@@ -16,13 +16,14 @@ mod rotate;
 mod slide;
 mod solve;
 
-pub use free::FreeAngles;
+pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, Stance, subscript};
 use super::linear::{Motion, Trig};
 use super::{Expr, Graph};
 use crate::geometry::{Linkage, Travel};
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
+use free::MayBeFree;
 use kin_runtime::Pose;
 
 /// How exact the arm is that the plan is for.
@@ -43,6 +44,8 @@ pub struct Inverse {
     pub invalid: Expr,
     /// Positive where a root is double or an angle is free.
     pub singular: Expr,
+    /// The angle that turns where it is free and the seed's value will not do.
+    pub free_angle: Option<FreeAngle>,
     /// Which of the graph's nodes belong to what.
     pub parts: Parts,
 }
@@ -74,6 +77,11 @@ impl Inverse {
     pub fn outputs(&self) -> Vec<Expr> {
         let mut all = self.q.clone();
         all.extend([self.residual, self.invalid, self.singular]);
+        all.extend(
+            self.free_angle
+                .iter()
+                .flat_map(|free| [free.level, free.no_root]),
+        );
         all
     }
 }
@@ -85,17 +93,22 @@ impl Inverse {
 /// the polish on the literal arm may still land them.
 pub fn inverse(linkage: &Linkage, plan: &Plan, slack: Slack, free: FreeAngles) -> Inverse {
     let mut writer = Writer::new(linkage, plan.target, slack);
+    let mut turned: Option<MayBeFree> = None;
+    let mut free_angle = None;
     for (i, step) in plan.steps.iter().enumerate() {
         let begins = writer.g.nodes().len();
-        if free == FreeAngles::SpentAt(i) {
-            writer.write_ahead(step, &plan.steps[i + 1..]);
-        } else {
-            writer.write(step);
+        writer.may_be_free = None;
+        writer.level = None;
+        writer.write(step);
+        if free == FreeAngles::TurnedAt(i) {
+            turned = writer.may_be_free;
+        } else if let (Some(turned), None) = (turned, free_angle) {
+            free_angle = writer.said_of(turned, plan);
         }
         let relation = writer.relation.take();
         writer.parts.steps.push(StepPart { begins, relation });
     }
-    writer.finish()
+    writer.finish(free_angle)
 }
 
 /// What is known of the loop so far.
@@ -123,13 +136,10 @@ struct Writer<'a> {
     singular: Expr,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
-    /// What stands for a free angle where the seed's value leaves the next
-    /// root no room.
-    spent: Option<Spent>,
     /// The unknown of the step just written whose angle may be free.
-    may_be_free: Option<Atom>,
-    /// The cosine-sine equation solved last, where its root can leave the
-    /// domain.
+    may_be_free: Option<MayBeFree>,
+    /// The cosine-sine equation of the step just written, where its root can
+    /// leave the domain.
     level: Option<Level>,
     /// Which relation of the step written last was the cheapest.
     relation: Option<usize>,
@@ -143,6 +153,8 @@ struct Level {
     d: Expr,
     /// a² + b².
     amplitude: Expr,
+    /// a² + b² − d².
+    discriminant: Expr,
 }
 
 /// How far a snapped arm is from the literal one.
@@ -152,15 +164,6 @@ struct Blur {
     shift: Expr,
     /// The same before anything was solved.
     least: f64,
-}
-
-/// How a free angle is spent.
-#[derive(Clone, Copy)]
-struct Spent {
-    /// The angle that leaves the next root the most room.
-    best: Trig,
-    /// Positive where the seed's own angle leaves it real.
-    room: Expr,
 }
 
 impl<'a> Writer<'a> {
@@ -197,7 +200,6 @@ impl<'a> Writer<'a> {
             invalid: zero,
             singular: zero,
             watched: Vec::new(),
-            spent: None,
             may_be_free: None,
             level: None,
             relation: None,
@@ -317,7 +319,7 @@ impl<'a> Writer<'a> {
         self.sum[run]
     }
 
-    fn finish(mut self) -> Inverse {
+    fn finish(mut self, free_angle: Option<FreeAngle>) -> Inverse {
         self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
@@ -328,6 +330,7 @@ impl<'a> Writer<'a> {
             residual: self.g.named(residual, "residual"),
             invalid: self.g.named(self.invalid, "invalid"),
             singular: self.g.named(self.singular, "singular"),
+            free_angle,
             graph: self.g,
         }
     }

@@ -1,6 +1,7 @@
 //! Square roots and angles: what is out of domain, double, free, or rounding.
 
-use super::{Blur, Level, Spent, Writer};
+use super::free::MayBeFree;
+use super::{Blur, Level, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::Atom;
@@ -67,7 +68,11 @@ impl Writer<'_> {
             }
         });
         let exact = discriminant.is_sum_of_squares();
-        self.level = (!exact).then_some(Level { d, amplitude });
+        self.level = (!exact).then_some(Level {
+            d,
+            amplitude,
+            discriminant: discriminant.value,
+        });
         let sign = self.g.sign();
         let root = self.root(sign, discriminant, amplitude);
         // Out of domain the nearest angle is that of d at its limit.
@@ -192,7 +197,7 @@ impl Writer<'_> {
     }
 
     /// (sin, cos) over a common factor; a factor of nothing leaves the angle
-    /// free, and the fallback stands for all of them.
+    /// free, and the seed's stands for all of them.
     pub(super) fn normalized(
         &mut self,
         unknown: Atom,
@@ -211,21 +216,15 @@ impl Writer<'_> {
         let inverse = self.g.div(one, factor);
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
-        self.may_be_free = Some(unknown);
+        self.may_be_free = Some(MayBeFree {
+            unknown,
+            factor,
+            threshold: nothing,
+        });
         let seeded = self.seeded(unknown);
-        let fallback = match self.spent {
-            None => seeded,
-            Some(Spent { best, room }) => {
-                let zero = self.g.zero();
-                Trig {
-                    sin: self.g.select_less(zero, room, seeded.sin, best.sin),
-                    cos: self.g.select_less(zero, room, seeded.cos, best.cos),
-                }
-            }
-        };
         Trig {
-            sin: self.g.select_less(factor, nothing, fallback.sin, sin),
-            cos: self.g.select_less(factor, nothing, fallback.cos, cos),
+            sin: self.g.select_less(factor, nothing, seeded.sin, sin),
+            cos: self.g.select_less(factor, nothing, seeded.cos, cos),
         }
     }
 
