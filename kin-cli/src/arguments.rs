@@ -149,7 +149,7 @@ pub struct RobotOptions {
     /// What of a target counts: pose, position, position_axis, position_yaw,
     /// planar, direction or orientation [default: position where it fixes the
     /// joints of an arm of up to three, otherwise pose]
-    #[arg(long)]
+    #[arg(long, value_parser = kin_codegen::target)]
     pub target: Option<Target>,
 }
 

@@ -36,6 +36,6 @@ pub mod verify;
 
 pub use compiler::{Compiled, compile};
 pub use generate::{Generated, Robot, generate};
-pub use options::{Ik, Options, Unknown};
+pub use options::{Ik, Options, Unknown, target};
 pub use plan::Target;
 pub use spec::{Diagnostics, Source};

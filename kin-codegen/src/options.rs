@@ -94,32 +94,19 @@ impl FromStr for Ik {
     }
 }
 
-impl Target {
-    /// The words that stand for it.
-    pub const WORDS: [&'static str; 7] = {
-        let mut words = [""; 7];
-        let mut i = 0;
-        while i < 7 {
-            words[i] = Target::ALL[i].word();
-            i += 1;
-        }
-        words
-    };
-}
-
-impl FromStr for Target {
-    type Err = Unknown;
-
-    fn from_str(word: &str) -> Result<Self, Unknown> {
-        let named = Target::ALL.into_iter().find(|target| target.word() == word);
-        named.ok_or_else(|| Unknown::new("target", word, &Target::WORDS))
-    }
+/// The target that a word of the options stands for.
+///
+/// # Errors
+///
+/// It stands for none.
+pub fn target(word: &str) -> Result<Target, Unknown> {
+    Target::from_word(word).ok_or_else(|| Unknown::new("target", word, &Target::WORDS))
 }
 
 /// A word that is none of those that can stand in its place.
 ///
 /// ```
-/// let refused = "positoin".parse::<kin_codegen::Target>().unwrap_err();
+/// let refused = kin_codegen::target("positoin").unwrap_err();
 /// assert_eq!(
 ///     refused.to_string(),
 ///     "unknown target `positoin`: did you mean `position`? There are `pose`, `position`, \
@@ -222,7 +209,7 @@ mod tests {
             assert_eq!(word.parse::<Ik>().unwrap().to_string(), word);
         }
         for word in Target::WORDS {
-            assert_eq!(word.parse::<Target>().unwrap().word(), word);
+            assert_eq!(target(word).unwrap().word(), word);
         }
     }
 }

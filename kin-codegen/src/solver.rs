@@ -8,7 +8,7 @@ use crate::plan::{Plan, Target, search};
 use crate::verify::{self, Certificate, Failure, SOUND, Trials, certify, chain};
 use kin_runtime::branches::Acceptance;
 use kin_runtime::free_angle::{SAMPLES, roomiest_turn};
-use kin_runtime::polish::{Aim, Problem, land};
+use kin_runtime::polish::{Problem, land};
 use kin_runtime::{Pose, Solution};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
@@ -139,7 +139,7 @@ fn solve_snapped(trials: &Trials, snap: Snap, target: Target) -> Result<ClosedFo
     let plans = search(&linkage, target, PLANS);
     let tip_shift = tip_shift(trials.model(), &snap.model);
     let literal = tip_shift < UNMOVED * linkage.size;
-    if !literal && target.aim().is_none() {
+    if !literal && target.is_projected() {
         return Err(NoClosedForm::Noisy);
     }
     let mut refusal = NoClosedForm::NoPlan;
@@ -265,7 +265,7 @@ impl ClosedForm {
             fk_jacobian: |q: &[f64; N]| self.literal.fk_jacobian(q),
             target,
             size: self.linkage.size,
-            aim: self.plan.target.aim().unwrap_or(Aim::Pose),
+            counts: self.plan.target,
         };
         let start = |answer: &Answer| Solution {
             q: std::array::from_fn(|i| answer.q[i]),

@@ -1,9 +1,8 @@
 //! What stands between the parentheses of `kinematics!`.
 
-use kin_codegen::{Ik, Options, Target, Unknown};
+use kin_codegen::{Ik, Options, Target, Unknown, target};
 use proc_macro2::Span;
 use std::fmt::Display;
-use std::str::FromStr;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, LitBool, LitStr, Result, Token};
@@ -54,8 +53,8 @@ impl Arguments {
             "name" => options.name = Some(value.identifier()?),
             "base" => options.base = Some(value.link()?),
             "tip" => options.tip = Some(value.link()?),
-            "ik" => options.ik = value.word(&Ik::WORDS)?,
-            "target" => options.target = Some(value.word(&Target::WORDS)?),
+            "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
+            "target" => options.target = Some(value.word(&Target::WORDS, target)?),
             "debug" => self.debug = value.switch()?,
             other => return Err(unknown_option(option.span(), other)),
         }
@@ -154,11 +153,14 @@ impl Value<'_> {
     }
 
     /// `none`
-    fn word<T: FromStr<Err = Unknown>>(&self, known: &[&str]) -> Result<T> {
+    fn word<T>(
+        &self,
+        known: &[&str],
+        read: fn(&str) -> std::result::Result<T, Unknown>,
+    ) -> Result<T> {
         let known = known.join("` or `");
         let word: Ident = self.parse(format!("a word without quotes: `{known}`"))?;
-        let value = word.to_string().parse();
-        value.map_err(|unknown| error(word.span(), unknown))
+        read(&word.to_string()).map_err(|unknown| error(word.span(), unknown))
     }
 
     /// `true`

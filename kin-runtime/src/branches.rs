@@ -1,7 +1,7 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
-use crate::polish::{Aim, Problem, land};
-use crate::{Jacobian, Pose, Solution, Solutions};
+use crate::polish::{Problem, land};
+use crate::{Jacobian, Pose, Solution, Solutions, Target};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
 /// choice is + where bit i of k is clear.
@@ -70,10 +70,10 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         &self,
         fk: impl Fn(&[f64; N]) -> Pose,
         target: &Pose,
-        aim: Aim,
+        counts: Target,
         accept: &Acceptance,
     ) -> Option<Solution<N>> {
-        self.least(|lane| aim.distance(&fk(&lane.q), target, accept.size))
+        self.least(|lane| counts.distance(&fk(&lane.q), target, accept.size))
     }
 
     #[inline(always)]
@@ -98,7 +98,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         &self,
         fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
-        aim: Aim,
+        counts: Target,
         steps: usize,
         accept: &Acceptance,
     ) -> Solutions<N> {
@@ -106,7 +106,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             fk_jacobian,
             target,
             size: accept.size,
-            aim,
+            counts,
         };
         let starts = (0..L).filter(|&k| self.invalid[k] <= 0.0);
         land(&problem, starts.map(|k| self.lane(k)), accept, steps)

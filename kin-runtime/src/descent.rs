@@ -3,9 +3,8 @@
 use alloc::{vec, vec::Vec};
 
 use crate::chain::at_point;
-use crate::search::Goal;
-use crate::vector::{add, cross, dot, norm, scale, sub};
-use crate::{Chain, Pose, Twist, cholesky};
+use crate::vector::{dot, scale};
+use crate::{Chain, Pose, Target, Twist, cholesky};
 
 /// A run ends after this many steps. Regular solutions take about ten; double
 /// ones converge linearly and take forty.
@@ -21,8 +20,9 @@ const CONVERGED: f64 = 1e-12;
 #[derive(Clone, Copy)]
 pub(crate) struct Task<'a> {
     pub(crate) chain: &'a Chain,
-    pub(crate) target: &'a Pose,
-    pub(crate) goal: Goal,
+    pub(crate) target: Pose,
+    /// What of the target counts.
+    pub(crate) counts: Target,
     /// Metres that weigh as much as one radian: the arm's size.
     pub(crate) length: f64,
 }
@@ -38,15 +38,16 @@ pub(crate) struct Descent<'a> {
     step: Vec<f64>,
 }
 
-/// A configuration, where it puts the tool and how the tool would move.
+/// A configuration, where it puts the tip and how the tip would move.
 struct State {
     q: Vec<f64>,
-    /// The geometric Jacobian, its angular part multiplied by the length.
+    /// What counts of the geometric Jacobian, its angular part multiplied by
+    /// the length.
     columns: Vec<Twist>,
-    /// Towards the target, metres; the angular part is the axis times the sine
-    /// of the angle between, times the length.
+    /// What is missing, its angular part multiplied by the length: minus half
+    /// the gradient of the cost in the coordinates of the columns.
     error: Twist,
-    /// Squared translation, and squared chord of the rotation angle.
+    /// The squared distance from the target.
     cost: f64,
 }
 
@@ -96,11 +97,9 @@ impl<'a> Descent<'a> {
         &self.current.q
     }
 
-    /// The error of the configuration reached, metres: the larger of the
-    /// translation and the rotation times the length.
+    /// How far the configuration reached is from the target, metres.
     pub(crate) fn residual(&self) -> f64 {
-        let error = &self.current.error;
-        norm(error.linear).max(norm(error.angular))
+        libm::sqrt(self.current.cost)
     }
 
     /// The least singular value of the Jacobian by its Frobenius norm; by
@@ -203,50 +202,23 @@ impl Task<'_> {
             *column = before.adjoint(twist);
             before = after;
         }
-        let tool = before * *self.chain.home();
-        let weight = self.angular_weight();
+        let tip = before * *self.chain.home();
         for column in &mut state.columns {
-            *column = at_point(column, tool.translation);
-            column.angular = scale(weight, column.angular);
+            let velocity = at_point(column, tip.translation);
+            *column = self.weighed(self.counts.counting(&tip, &velocity));
         }
-        (state.error, state.cost) = self.compare(&tool);
+        state.error = self.weighed(self.counts.missing(&tip, &self.target));
+        let distance = self.counts.distance(&tip, &self.target, self.length);
+        state.cost = distance * distance;
     }
 
-    fn angular_weight(&self) -> f64 {
-        match self.goal {
-            Goal::Pose => self.length,
-            Goal::Position => 0.0,
+    /// With angles as lengths.
+    fn weighed(&self, twist: Twist) -> Twist {
+        Twist {
+            angular: scale(self.length, twist.angular),
+            ..twist
         }
     }
-
-    /// The error of a tool pose and its cost, whose half the error is the
-    /// gradient of.
-    fn compare(&self, tool: &Pose) -> (Twist, f64) {
-        let weight = self.angular_weight();
-        let linear = sub(self.target.translation, tool.translation);
-        let (sine, cosine) = rotation_between(tool, self.target);
-        let angular = scale(weight, sine);
-        // 2 − 2 cos θ, which close to zero is had more exactly from the sine.
-        let chord = if cosine > 0.0 {
-            2.0 * dot(angular, angular) / (1.0 + cosine)
-        } else {
-            weight * weight * (2.0 - 2.0 * cosine)
-        };
-        (Twist { linear, angular }, dot(linear, linear) + chord)
-    }
-}
-
-/// The rotation that takes the first orientation to the second: axis times
-/// sine, and cosine.
-fn rotation_between(from: &Pose, to: &Pose) -> ([f64; 3], f64) {
-    let (a, b) = (&from.rotation, &to.rotation);
-    let (mut doubled_sine, mut trace) = ([0.0; 3], 0.0);
-    for i in 0..3 {
-        let (x, y) = ([a[0][i], a[1][i], a[2][i]], [b[0][i], b[1][i], b[2][i]]);
-        doubled_sine = add(doubled_sine, cross(x, y));
-        trace += dot(x, y);
-    }
-    (scale(0.5, doubled_sine), 0.5 * (trace - 1.0))
 }
 
 /// The inner product in six dimensions.

@@ -63,6 +63,7 @@ mod singularity;
 mod solutions;
 mod statics;
 pub mod subproblems;
+mod target;
 mod twist;
 mod vector;
 #[cfg(feature = "alloc")]
@@ -84,7 +85,7 @@ pub use placement::{WithBase, WithTool};
 pub use pose::Pose;
 pub use redundancy::{centering_gradient, null_space};
 #[cfg(feature = "alloc")]
-pub use search::{ChainSolution, Goal, SearchOptions};
+pub use search::{ChainSolution, SearchOptions};
 #[cfg(feature = "alloc")]
 pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
@@ -92,6 +93,7 @@ pub use self_motion::{
 pub use singularity::Singularity;
 pub use solutions::{IntoIter, Solution, Solutions, Windings};
 pub use statics::RANK_TOLERANCE;
+pub use target::Target;
 pub use twist::Twist;
 #[cfg(feature = "alloc")]
 pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};

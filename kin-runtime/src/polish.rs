@@ -7,7 +7,7 @@ mod place;
 mod settle;
 
 pub use landing::land;
-pub use place::{Aim, Problem};
+pub use place::Problem;
 
 use crate::{Jacobian, Pose};
 use factor::{Factor, norm};
@@ -69,7 +69,7 @@ impl<const N: usize> Polished<N> {
 /// on the way to a solution that is a tenth of a radian off.
 ///
 /// ```
-/// use kin_runtime::{Jacobian, Pose, Twist, polish::{Aim, Problem, polish}};
+/// use kin_runtime::{Jacobian, Pose, Target, Twist, polish::{Problem, polish}};
 /// // One joint about z, with the tool one metre out.
 /// let arm = |q: &[f64; 1]| {
 ///     let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[0], [0.0; 3]);
@@ -77,7 +77,7 @@ impl<const N: usize> Polished<N> {
 ///     (turn * out, Jacobian::from_columns([Twist::revolute([0.0, 0.0, 1.0], [0.0; 3])]))
 /// };
 /// let (target, _) = arm(&[0.5]);
-/// let problem = Problem { fk_jacobian: arm, target: &target, size: 1.0, aim: Aim::Pose };
+/// let problem = Problem { fk_jacobian: arm, target: &target, size: 1.0, counts: Target::Pose };
 /// let landed = polish(&problem, [0.501], 4);
 /// assert!((landed.q[0] - 0.5).abs() < 1e-15 && landed.residual < 1e-15);
 /// ```

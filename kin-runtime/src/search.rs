@@ -6,25 +6,14 @@ use core::f64::consts::PI;
 use crate::chain::is_prismatic;
 use crate::descent::{Descent, Task};
 use crate::vector::{cross, norm, sub};
-use crate::{Chain, Pose, Twist, math};
-
-/// What has to agree with the target.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Goal {
-    /// Position and orientation.
-    #[default]
-    Pose,
-    /// The position of the tool's origin alone: what a planar 2R arm or the
-    /// first three joints of a larger one can be asked for.
-    Position,
-}
+use crate::{Chain, Pose, Target, Twist, math};
 
 /// How [`Chain::ik_all`] searches. The defaults suit arms of up to six
 /// joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
-    /// What has to agree with the target.
-    pub goal: Goal,
+    /// What of the target counts; [`Target::Pose`] by default.
+    pub target: Target,
     /// How often in a row a doubling of the number of starts must find nothing
     /// new.
     pub stable_doublings: u32,
@@ -41,7 +30,7 @@ pub struct SearchOptions {
 impl Default for SearchOptions {
     fn default() -> SearchOptions {
         SearchOptions {
-            goal: Goal::Pose,
+            target: Target::Pose,
             stable_doublings: 3,
             max_starts: 1 << 14,
             max_solutions: 64,
@@ -55,8 +44,8 @@ impl Default for SearchOptions {
 pub struct ChainSolution {
     /// Joint values: radians in (−π, π], metres for prismatic joints.
     pub q: Vec<f64>,
-    /// The larger of the translation error (metres) and the rotation error
-    /// (radians times the arm's size).
+    /// How far the tip is from the target, metres: [`Target::distance`] with
+    /// the arm's size.
     pub residual: f64,
     /// The least singular value of the geometric Jacobian by its Frobenius
     /// norm, with the angular part in units of the arm's size. 0, or below
@@ -85,26 +74,20 @@ impl Chain {
     /// milliseconds.
     ///
     /// ```
-    /// use kin_runtime::{Chain, Goal, Pose, SearchOptions, Twist};
+    /// use kin_runtime::{Chain, Pose, SearchOptions, Target, Twist};
     /// let z = [0.0, 0.0, 1.0];
     /// let planar = Chain::new(
     ///     vec![Twist::revolute(z, [0.0; 3]), Twist::revolute(z, [0.5, 0.0, 0.0])],
     ///     Pose::from_translation([0.9, 0.0, 0.0]),
     /// );
     /// let target = Pose::from_translation([0.3, 0.4, 0.0]);
-    /// let options = SearchOptions { goal: Goal::Position, ..Default::default() };
+    /// let options = SearchOptions { target: Target::Position, ..Default::default() };
     /// assert_eq!(planar.ik_all(&target, &options).len(), 2);
     /// assert!(planar.ik_all(&target, &SearchOptions::default()).is_empty());
     /// ```
     pub fn ik_all(&self, target: &Pose, options: &SearchOptions) -> Vec<ChainSolution> {
         let length = self.size();
-        let task = Task {
-            chain: self,
-            target,
-            goal: options.goal,
-            length,
-        };
-        let mut descent = Descent::new(task);
+        let mut descent = Descent::new(self.task(target, options.target));
         let mut starts = Starts::new(self.twists(), length + norm(target.translation));
         let mut found: Vec<ChainSolution> = Vec::new();
         let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
@@ -127,7 +110,8 @@ impl Chain {
 
     /// The configuration that puts the tool at `target` and that a descent from
     /// `start` arrives at, if it arrives. As exact as those of
-    /// [`Chain::ik_all`]; of `options` only the goal counts.
+    /// [`Chain::ik_all`]; of `options` only [`SearchOptions::target`] and
+    /// [`SearchOptions::same`] count.
     ///
     /// ```
     /// use kin_runtime::{Chain, Pose, SearchOptions, Twist};
@@ -145,17 +129,28 @@ impl Chain {
         options: &SearchOptions,
         start: &[f64],
     ) -> Option<ChainSolution> {
-        let mut descent = Descent::new(Task {
-            chain: self,
-            target,
-            goal: options.goal,
-            length: self.size(),
-        });
+        let mut descent = Descent::new(self.task(target, options.target));
         let mut found = Vec::new();
         if descent.run(start) {
             self.insert(&mut found, &mut descent, options.same);
         }
         found.pop()
+    }
+
+    fn task(&self, target: &Pose, counts: Target) -> Task<'_> {
+        let axis = self.twists().first().map_or([0.0; 3], |first| {
+            if is_prismatic(first) {
+                first.linear
+            } else {
+                first.angular
+            }
+        });
+        Task {
+            chain: self,
+            target: counts.stands_for(target, axis, self.home()),
+            counts,
+            length: self.size(),
+        }
     }
 
     /// A length that weighs rotations against translations: the farthest that

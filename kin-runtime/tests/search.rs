@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 use kin_runtime::math::wrap;
-use kin_runtime::{Chain, ChainSolution, Goal, Pose, SearchOptions, Twist};
+use kin_runtime::{Chain, ChainSolution, Pose, SearchOptions, Target, Twist};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -160,7 +160,7 @@ fn prismatic_joints_do_not_wrap() {
 #[test]
 fn positions_alone_can_be_asked_for() {
     let options = SearchOptions {
-        goal: Goal::Position,
+        target: Target::Position,
         ..Default::default()
     };
     let target = Pose::from_translation([0.3, 0.4, 0.0]);
@@ -230,4 +230,101 @@ fn a_descent_from_a_start_stays_with_its_solution() {
     }
     let away = Pose::from_translation([100.0, 0.0, 0.0]);
     assert_eq!(chain.ik_from(&away, &options, &[0.1; 6]), None);
+}
+
+/// The chain with joints at its tip for what of a target does not count: it
+/// reaches a whole pose where the chain reaches what counts.
+fn freed(chain: &Chain, target: Target) -> Chain {
+    let home = *chain.home();
+    let spin = Twist::revolute(home.rotate(Z), home.translation);
+    let turns = [X, Y, Z].map(|axis| Twist::revolute(axis, home.translation));
+    let slides = [X, Y, Z].map(Twist::prismatic);
+    let mut twists = chain.twists().to_vec();
+    match target {
+        Target::Pose | Target::PositionYaw | Target::Planar => {}
+        Target::Position => twists.extend(turns),
+        Target::PositionAxis => twists.push(spin),
+        Target::Orientation => twists.extend(slides),
+        Target::Direction => {
+            twists.push(spin);
+            twists.extend(slides);
+        }
+    }
+    Chain::new(twists, home)
+}
+
+#[test]
+fn every_part_of_a_pose_has_the_solutions_of_an_arm_freed_of_the_rest() {
+    let wrist = wrist_arm();
+    let first = |n: usize| Chain::new(wrist.twists()[..n].to_vec(), *wrist.home());
+    let last = |n: usize| Chain::new(wrist.twists()[6 - n..].to_vec(), *wrist.home());
+    let bent = Pose::from_axis_angle(Y, 0.4, [0.0; 3]);
+    let bent = |chain: Chain| Chain::new(chain.twists().to_vec(), *chain.home() * bent);
+    let scara = {
+        let mut twists = planar(3).twists().to_vec();
+        twists.push(Twist::prismatic(Z));
+        Chain::new(twists, Pose::from_axis_angle(X, PI, [1.1, 0.0, 0.3]))
+    };
+    let q = [0.3, -0.4, 0.5, 0.6, 0.7, -0.8];
+    for (chain, target, count) in [
+        (wrist.clone(), Target::Pose, 8),
+        (first(3), Target::Position, 4),
+        (bent(first(5)), Target::PositionAxis, 8),
+        (scara, Target::PositionYaw, 2),
+        (planar(3), Target::Planar, 2),
+        (bent(last(2)), Target::Direction, 2),
+        (bent(last(3)), Target::Orientation, 2),
+    ] {
+        let n = chain.twists().len();
+        let pose = chain.fk(&q[..n]);
+        let options = SearchOptions {
+            target,
+            ..Default::default()
+        };
+        let found = chain.ik_all(&pose, &options);
+        assert_eq!(found.len(), count, "{target:?} {found:?}");
+        let whole = solve(&freed(&chain, target), &pose);
+        for solution in &found {
+            assert!(target.distance(&chain.fk(&solution.q), &pose, 1.0) < 1e-11);
+        }
+        // Three further turns make an orientation in two ways.
+        let among = |q: &[f64], all: &[ChainSolution]| {
+            all.iter()
+                .any(|other| differ(&other.q[..n], &q[..n]) < 1e-9)
+        };
+        assert!(
+            found.iter().all(|solution| among(&solution.q, &whole)),
+            "{target:?}"
+        );
+        assert!(
+            whole.iter().all(|solution| among(&solution.q, &found)),
+            "{target:?}"
+        );
+    }
+}
+
+/// How it is tilted, and how high it is, is not read of a planar target.
+#[test]
+fn a_planar_target_stands_for_the_pose_that_the_arm_can_take() {
+    let chain = planar(3);
+    let options = SearchOptions {
+        target: Target::Planar,
+        ..Default::default()
+    };
+    let flat = chain.fk(&[0.3, -0.4, 0.5]);
+    let tilted =
+        Pose::from_translation([0.0, 0.0, 0.7]) * flat * Pose::from_axis_angle(X, 0.2, [0.0; 3]);
+    let (expected, found) = (
+        chain.ik_all(&flat, &options),
+        chain.ik_all(&tilted, &options),
+    );
+    assert_eq!(found.len(), 2);
+    let stands_for = Target::Planar.stands_for(&tilted, Z, chain.home());
+    for (a, b) in found.iter().zip(&expected) {
+        assert!(chain.fk(&a.q).translation_distance(&stands_for) < 1e-11);
+        assert!(chain.fk(&a.q).rotation_distance(&stands_for) < 1e-11);
+        assert!((a.q[0] - b.q[0]).abs() < 0.1);
+    }
+    let options = SearchOptions::default();
+    assert!(chain.ik_all(&tilted, &options).is_empty());
 }

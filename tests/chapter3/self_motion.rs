@@ -4,8 +4,8 @@ use super::arms::*;
 use super::differences::assert_close;
 use super::random::Random;
 use kinematics::{
-    Goal, JointLimit, Kinematics, Pose, SelfMotion, SelfMotionError, SelfMotionOptions, Stop,
-    self_motion, self_motions,
+    JointLimit, Kinematics, Pose, SelfMotion, SelfMotionError, SelfMotionOptions, Stop, Target,
+    WithTool, self_motion, self_motions,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -17,11 +17,7 @@ fn assert_followed<K: Kinematics<N>, const N: usize>(
 ) {
     let target = arm.fk(&motion.path[0]);
     for q in &motion.path {
-        let pose = arm.fk(q);
-        assert_close(pose.translation, target.translation, 1e-11);
-        if options.goal == Goal::Pose {
-            assert!(pose.rotation_distance(&target) < 1e-11);
-        }
+        assert!(options.target.distance(&arm.fk(q), &target, 1.0) < 1e-11);
     }
     for pair in motion.path.windows(2) {
         let step: f64 = (0..N).map(|i| (pair[1][i] - pair[0][i]).powi(2)).sum();
@@ -46,7 +42,7 @@ const NEAR: (f64, f64) = (0.3 - 1e-8, 0.3 + 1e-8);
 #[test]
 fn components_of_a_planar_arm_are_those_of_a_four_bar() {
     let options = SelfMotionOptions {
-        goal: Goal::Position,
+        target: Target::Position,
         ..Default::default()
     };
     for distance in [
@@ -216,12 +212,41 @@ fn limits_end_a_self_motion() {
     assert!(arcs > 3, "{arcs}");
 }
 
+/// A torch may spin about its own axis, which is not that of the last joint:
+/// all joints move, and the seam is held.
+#[test]
+fn an_arm_spins_its_torch() {
+    let torch = Pose::from_axis_angle([1.0, 0.0, 0.0], 0.7, [0.0; 3])
+        * Pose::from_translation([0.0, 0.05, 0.2]);
+    let arm = WithTool {
+        robot: Ur5e,
+        tool: torch,
+    };
+    let options = SelfMotionOptions {
+        target: Target::PositionAxis,
+        ..Default::default()
+    };
+    let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    let motion = self_motion(&arm, &q, &options).unwrap();
+    assert_followed(&arm, &motion, &options);
+    assert!(motion.is_closed(), "{:?}", motion.stops);
+    let travel = |i: usize| {
+        let values = motion.path.iter().map(|q| q[i]);
+        values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
+    };
+    assert!(
+        (0..6).all(|i| travel(i) > 0.1),
+        "{:?}",
+        [0, 1, 2, 3, 4, 5].map(travel)
+    );
+}
+
 /// Where the four bars can lie in a line the components meet in a crossing. The
 /// trace ends there and says so.
 #[test]
 fn a_crossing_is_reported() {
     let options = SelfMotionOptions {
-        goal: Goal::Position,
+        target: Target::Position,
         ..Default::default()
     };
     // 0.5 + 0.1 = 0.3 + 0.3: the forearm folds back, the last link forth.
@@ -252,7 +277,7 @@ fn what_cannot_be_followed_is_refused() {
     let refused = self_motion(&Elbow, &q, &options).unwrap_err();
     assert_eq!(refused, SelfMotionError::Dimension(0));
     let position = SelfMotionOptions {
-        goal: Goal::Position,
+        target: Target::Position,
         ..Default::default()
     };
     let q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];

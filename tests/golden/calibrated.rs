@@ -20,8 +20,8 @@ const _: () = {
     use ::kinematics::{
         branches::{Acceptance, Branches},
         free_angle::FreeAngle, lanes::{self, widen},
-        math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
-        Kinematics, Pose, Singularity, Solution, Solutions,
+        math, quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
+        Singularity, Solution, Solutions, Target,
     };
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -812,7 +812,7 @@ const _: () = {
         pub fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             let branches = self.branches(pose, seed);
             branches
-                .polished(|q| self.fk_jacobian(q), pose, Aim::Pose, 24, &Self::ACCEPT)
+                .polished(|q| self.fk_jacobian(q), pose, Target::Pose, 24, &Self::ACCEPT)
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -827,7 +827,7 @@ const _: () = {
                 .or_else(|| {
                     self
                         .branches(pose, &[0.0; 6])
-                        .closest_by(|q| self.fk(q), pose, Aim::Pose, &Self::ACCEPT)
+                        .closest_by(|q| self.fk(q), pose, Target::Pose, &Self::ACCEPT)
                 })
         }
 

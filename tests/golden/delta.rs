@@ -32,7 +32,7 @@ const _: () = {
         use ::kinematics::{
             branches::{Acceptance, Branches},
             free_angle::FreeAngle, lanes::{self, widen},
-            math, polish::Aim, quartic::trig_roots, Jacobian, Pose, Solution, Solutions,
+            math, quartic::trig_roots, Jacobian, Pose, Solution, Solutions, Target,
         };
 
         pub struct Leg1;
@@ -254,7 +254,7 @@ const _: () = {
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<3>> {
                 self.branches(pose, &[0.0; 3])
-                    .closest_by(|q| self.fk(q), pose, Aim::Position, &Self::ACCEPT)
+                    .closest_by(|q| self.fk(q), pose, Target::Position, &Self::ACCEPT)
             }
 
             #[inline]
@@ -484,7 +484,7 @@ const _: () = {
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<2>> {
                 self.branches(pose, &[0.0; 2])
-                    .closest_by(|q| self.fk(q), pose, Aim::Orientation, &Self::ACCEPT)
+                    .closest_by(|q| self.fk(q), pose, Target::Orientation, &Self::ACCEPT)
             }
 
             #[inline]
@@ -822,7 +822,7 @@ const _: () = {
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<3>> {
                 self.branches(pose, &[0.0; 3])
-                    .closest_by(|q| self.fk(q), pose, Aim::Position, &Self::ACCEPT)
+                    .closest_by(|q| self.fk(q), pose, Target::Position, &Self::ACCEPT)
             }
 
             #[inline]
@@ -1074,7 +1074,7 @@ const _: () = {
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<2>> {
                 self.branches(pose, &[0.0; 2])
-                    .closest_by(|q| self.fk(q), pose, Aim::Orientation, &Self::ACCEPT)
+                    .closest_by(|q| self.fk(q), pose, Target::Orientation, &Self::ACCEPT)
             }
 
             #[inline]
@@ -1451,7 +1451,7 @@ const _: () = {
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<3>> {
                 self.branches(pose, &[0.0; 3])
-                    .closest_by(|q| self.fk(q), pose, Aim::Position, &Self::ACCEPT)
+                    .closest_by(|q| self.fk(q), pose, Target::Position, &Self::ACCEPT)
             }
 
             #[inline]
@@ -1703,7 +1703,7 @@ const _: () = {
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<2>> {
                 self.branches(pose, &[0.0; 2])
-                    .closest_by(|q| self.fk(q), pose, Aim::Orientation, &Self::ACCEPT)
+                    .closest_by(|q| self.fk(q), pose, Target::Orientation, &Self::ACCEPT)
             }
 
             #[inline]

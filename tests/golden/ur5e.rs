@@ -18,8 +18,8 @@ const _: () = {
     use ::kinematics::{
         branches::{Acceptance, Branches},
         free_angle::FreeAngle, lanes::{self, widen},
-        math, polish::Aim, quartic::trig_roots, Hessian, Jacobian, JointLimit,
-        Kinematics, Pose, Singularity, Solution, Solutions,
+        math, quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
+        Singularity, Solution, Solutions, Target,
     };
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -512,7 +512,7 @@ const _: () = {
         #[must_use]
         pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
             self.branches(pose, &[0.0; 6])
-                .closest_by(|q| self.fk(q), pose, Aim::Pose, &Self::ACCEPT)
+                .closest_by(|q| self.fk(q), pose, Target::Pose, &Self::ACCEPT)
         }
 
         #[inline]

@@ -2,7 +2,8 @@
 //! target.
 
 use crate::subject::Subject;
-use kinematics::{Goal, Kinematics, Pose};
+use kin_codegen::Target;
+use kinematics::{Kinematics, Pose};
 use nalgebra::{DMatrix, DVector};
 
 /// The least distance from the target, relative to the arm's size, that the
@@ -46,7 +47,11 @@ fn linearized<K: Kinematics<N>, const N: usize>(
 ) -> (DMatrix<f64>, DVector<f64>) {
     let pose = robot.chain.fk(q);
     let columns = robot.chain.geometric_jacobian(q);
-    let rows = if robot.goal() == Goal::Position { 3 } else { 6 };
+    let rows = if robot.counts == Target::Position {
+        3
+    } else {
+        6
+    };
     let scale = |i: usize| if i < 3 { 1.0 / robot.size } else { 1.0 };
     let jacobian = DMatrix::from_fn(rows, N, |i, j| columns[j].to_array()[i] * scale(i));
     let shift = |i: usize| (target.translation[i] - pose.translation[i]) / robot.size;

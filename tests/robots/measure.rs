@@ -1,7 +1,7 @@
 //! How far apart things are.
 
 use kin_codegen::Target;
-use kinematics::{Goal, Pose, Twist};
+use kinematics::{Pose, Twist};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -52,13 +52,10 @@ pub fn angle_between(a: f64, b: f64) -> f64 {
     d.min(TAU - d)
 }
 
-/// The singular values of the Jacobian of the goal, the largest first, lengths
+/// The singular values of the Jacobian of whole poses or of positions, the largest first, lengths
 /// in units of `size`. `columns` are those of the geometric Jacobian.
-pub fn singular_values(columns: &[Twist], goal: Goal, size: f64) -> Vec<f64> {
-    let rows = match goal {
-        Goal::Pose => 6,
-        Goal::Position => 3,
-    };
+pub fn singular_values(columns: &[Twist], counts: Target, size: f64) -> Vec<f64> {
+    let rows = if counts == Target::Position { 3 } else { 6 };
     let column = |twist: &Twist| {
         let linear = twist.linear.map(|x| x / size);
         DVector::from_iterator(rows, linear.into_iter().chain(twist.angular).take(rows))

@@ -6,7 +6,7 @@ use crate::random::Random;
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::spec::{Source, Spec};
 use kin_codegen::{Target, geometry, verify};
-use kinematics::{Chain, ChainSolution, Goal, Kinematics, Pose, SearchOptions, Solution};
+use kinematics::{Chain, ChainSolution, Kinematics, Pose, SearchOptions, Solution};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub struct Subject<K, const N: usize> {
@@ -16,7 +16,7 @@ pub struct Subject<K, const N: usize> {
     pub chain: Chain,
     /// What of a target counts.
     pub counts: Target,
-    /// The chain with joints for what does not count, for the search.
+    /// The chain with joints for what does not count.
     freed: Chain,
     /// Its size, metres.
     pub size: f64,
@@ -40,7 +40,7 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
 
     /// The same robot with targets of which counts what an option names.
     pub fn counting(self, option: &str) -> Self {
-        let counts = option.parse().unwrap();
+        let counts = Target::from_word(option).unwrap();
         Subject {
             freed: freed(&self.chain, counts),
             counts,
@@ -56,20 +56,10 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     /// All that the numerical search finds.
     pub fn search(&self, target: &Pose) -> Vec<ChainSolution> {
         let options = SearchOptions {
-            goal: self.goal(),
+            target: self.counts,
             ..SearchOptions::default()
         };
-        let mut found = self.freed.ik_all(&self.whole(target), &options);
-        found.iter_mut().for_each(|solution| solution.q.truncate(N));
-        found
-    }
-
-    /// What of the whole pose counts.
-    pub fn goal(&self) -> Goal {
-        match self.counts {
-            Target::Position => Goal::Position,
-            _ => Goal::Pose,
-        }
+        self.chain.ik_all(target, &options)
     }
 
     /// The whole pose that a target stands for.
@@ -104,7 +94,7 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
         let mut all = q.to_vec();
         all.resize(self.freed.twists().len(), 0.0);
         let jacobian = self.freed.geometric_jacobian(&all);
-        let values = measure::singular_values(&jacobian, self.goal(), self.size);
+        let values = measure::singular_values(&jacobian, self.counts, self.size);
         let from_end = |i: usize| values.iter().rev().nth(i).copied();
         [
             from_end(0).unwrap_or(0.0),

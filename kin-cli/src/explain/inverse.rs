@@ -60,7 +60,7 @@ impl Inverse {
 impl Inverse {
     /// What of a pose counts in words, if it is not all.
     pub(super) fn part_of_pose(&self) -> Option<&'static str> {
-        let target = self.target.parse::<Target>().ok()?;
+        let target = Target::from_word(self.target)?;
         (target != Target::Pose).then(|| target.phrase())
     }
 }

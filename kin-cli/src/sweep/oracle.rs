@@ -2,9 +2,8 @@
 
 use super::subject::{Seen, Subject};
 use super::{Kind, Split};
-use kin_codegen::plan::Target;
 use kin_codegen::solver::Answer;
-use kin_runtime::{ChainSolution, Goal, SearchOptions};
+use kin_runtime::{ChainSolution, SearchOptions};
 use serde::Serialize;
 
 /// Targets with a solution worse conditioned than this are left out: there the
@@ -57,9 +56,6 @@ impl Comparison {
                 note(Kind::Missing, near_singular);
             }
         }
-        if !finds_all(subject.form.plan.target) {
-            return;
-        }
         let found: Vec<Answer> = found.iter().map(as_answer).collect();
         for (answer, &residual) in seen.answers.iter().zip(&seen.residuals) {
             let independence = subject.independence(&answer.q);
@@ -93,19 +89,9 @@ pub(super) fn search(subject: &Subject, seen: &Seen) -> Vec<ChainSolution> {
 
 fn options(subject: &Subject) -> SearchOptions {
     SearchOptions {
-        goal: match subject.form.plan.target {
-            Target::Position => Goal::Position,
-            // Of what a part of the pose leaves open, the whole pose is a part.
-            _ => Goal::Pose,
-        },
+        target: subject.form.plan.target,
         ..SearchOptions::default()
     }
-}
-
-/// Whether every solution has to agree with the target in what the search
-/// looks at, and not only in a part of it.
-fn finds_all(target: Target) -> bool {
-    matches!(target, Target::Pose | Target::Position) || target.is_projected()
 }
 
 /// A descent from the answer stays there.

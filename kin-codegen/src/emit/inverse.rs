@@ -121,12 +121,13 @@ fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
 fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
     let branches = quote!(self.branches(pose, &[0.0; #n]));
-    let Some(aim) = solver.plan.target.aim() else {
+    let target = solver.plan.target;
+    if target.is_projected() {
         return quote!(#branches.closest());
-    };
-    let aim = format_ident!("{aim:?}");
+    }
+    let target = format_ident!("{target:?}");
     let closest = quote! {
-        #branches.closest_by(|q| self.fk(q), pose, Aim::#aim, &Self::ACCEPT)
+        #branches.closest_by(|q| self.fk(q), pose, Target::#target, &Self::ACCEPT)
     };
     if solver.polish == 0 {
         return closest;
@@ -137,13 +138,14 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 
 /// How the branches become solutions.
 fn sorted(solver: &ClosedForm) -> TokenStream {
-    let Some(aim) = solver.plan.target.aim().filter(|_| solver.polish > 0) else {
+    if solver.polish == 0 {
         return quote!(branches.solutions(&Self::ACCEPT));
-    };
-    let aim = format_ident!("{aim:?}");
+    }
+    let target = solver.plan.target;
+    let target = format_ident!("{target:?}");
     let steps = Literal::usize_unsuffixed(solver.polish);
     quote! {
-        branches.polished(|q| self.fk_jacobian(q), pose, Aim::#aim, #steps, &Self::ACCEPT)
+        branches.polished(|q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT)
     }
 }
 

@@ -47,8 +47,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
                 #[allow(unused_imports)]
                 use ::kinematics::{
                     branches::{Acceptance, Branches}, free_angle::FreeAngle, lanes::{self, widen},
-                    math, polish::Aim,
-                    quartic::trig_roots, Jacobian, Pose, Solution, Solutions,
+                    math, quartic::trig_roots, Jacobian, Pose, Solution, Solutions, Target,
                 };
                 #arms
             }

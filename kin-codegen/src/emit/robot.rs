@@ -35,9 +35,8 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
             #[allow(unused_imports)]
             use ::kinematics::{
                 branches::{Acceptance, Branches}, free_angle::FreeAngle, lanes::{self, widen}, math,
-                polish::Aim,
                 quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-                Singularity, Solution, Solutions,
+                Singularity, Solution, Solutions, Target,
             };
 
             // Constants are written with the digits that they have.
@@ -58,7 +57,6 @@ pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
 /// Names that the generated items use and that a robot cannot have.
 pub const TAKEN: [&str; 17] = [
     "Acceptance",
-    "Aim",
     "Branches",
     "Default",
     "FreeAngle",
@@ -73,6 +71,7 @@ pub const TAKEN: [&str; 17] = [
     "Singularity",
     "Solution",
     "Solutions",
+    "Target",
     "Twist",
 ];
 

@@ -10,12 +10,11 @@
 mod invariant;
 mod relation;
 mod search;
-mod target;
 
 pub use invariant::{Invariant, Kind};
+pub use kin_runtime::Target;
 pub use relation::{Atom, Relation};
 pub use search::search;
-pub use target::Target;
 
 use std::fmt;
 

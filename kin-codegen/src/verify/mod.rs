@@ -14,7 +14,6 @@ use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Answer, ClosedForm};
 use configurations::configurations;
-use kin_runtime::polish::Aim;
 use kin_runtime::{Chain, Pose, Twist};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -258,7 +257,7 @@ pub fn rank(model: &Model) -> usize {
 /// and angle times the arm's size, as the legs of a right triangle. A pose that
 /// an arm with a projected target can take has to agree as a whole.
 pub fn distance(a: &Pose, b: &Pose, size: f64, target: Target) -> f64 {
-    target.aim().unwrap_or(Aim::Pose).distance(a, b, size)
+    target.distance(a, b, size)
 }
 
 /// How independent the columns of the Jacobian are: the shortest that is left

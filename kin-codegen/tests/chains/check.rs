@@ -6,7 +6,7 @@ use kin_codegen::model::{JointKind, Model};
 use kin_codegen::plan::Target;
 use kin_codegen::solver::{Answer, ClosedForm, NoClosedForm, solve};
 use kin_codegen::verify::{chain, distance, natural_target};
-use kin_runtime::{Chain, ChainSolution, Goal, Pose, SearchOptions, Twist};
+use kin_runtime::{Chain, ChainSolution, Pose, SearchOptions, Twist};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -157,18 +157,10 @@ impl Solved {
     /// What the numerical search finds.
     fn found(&self, pose: &Pose) -> Vec<ChainSolution> {
         let options = SearchOptions {
-            goal: match self.target {
-                Target::Position => Goal::Position,
-                _ => Goal::Pose,
-            },
+            target: self.target,
             ..SearchOptions::default()
         };
-        let mut found = self.freed.ik_all(pose, &options);
-        let joints = self.arm.joints.len();
-        found
-            .iter_mut()
-            .for_each(|solution| solution.q.truncate(joints));
-        found
+        self.chain.ik_all(pose, &options)
     }
 
     fn apart(&self, a: &[f64], b: &[f64]) -> f64 {

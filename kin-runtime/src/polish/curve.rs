@@ -14,7 +14,7 @@
 //! the others return to the curve (Rheinboldt and Burkardt, "A locally
 //! parameterized continuation process", ACM TOMS 9, 1983).
 
-use super::place::{Place, Problem};
+use super::place::{Place, Problem, idle};
 use crate::{Jacobian, Pose, math};
 
 /// Steps along the curve, radians or metres in joint space.
@@ -56,7 +56,7 @@ pub(super) fn follow<const N: usize>(
     reach: f64,
     mut found: impl FnMut([f64; N], On),
 ) {
-    if N + problem.aim.idle() != 6 {
+    if N + idle(problem.counts) != 6 {
         return;
     }
     let Some(home) = Point::returned(problem, q, &weak, None) else {
@@ -116,7 +116,7 @@ impl<const N: usize> Point<N> {
         let held = (0..N).max_by(|&i, &j| tangent[i].abs().total_cmp(&tangent[j].abs()))?;
         for _ in 0..RETURNS {
             let place = Place::new(q, problem);
-            let split = Split::new(&place, held, problem.aim.idle(), normal)?;
+            let split = Split::new(&place, held, idle(problem.counts), normal)?;
             let (step, off) = split.solve(&place.error);
             if off < ON {
                 return Some(split.point(&place, tangent));

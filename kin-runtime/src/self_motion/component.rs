@@ -41,7 +41,7 @@ pub enum Stop {
 ///
 /// ```
 /// # use kin_runtime::{Jacobian, JointLimit, Kinematics, Pose, Twist};
-/// use kin_runtime::{Goal, SelfMotionOptions, self_motion};
+/// use kin_runtime::{SelfMotionOptions, Target, self_motion};
 ///
 /// /// Three links of 1 m in a plane.
 /// struct Planar;
@@ -65,7 +65,7 @@ pub enum Stop {
 ///     // ...
 /// }
 ///
-/// let options = SelfMotionOptions { goal: Goal::Position, ..Default::default() };
+/// let options = SelfMotionOptions { target: Target::Position, ..Default::default() };
 /// let motion = self_motion(&Planar, &[0.3, 1.0, 0.9], &options).unwrap();
 /// assert!(motion.is_closed());
 /// // The arm can go to any posture on the path with its tip at rest.

@@ -3,8 +3,8 @@
 use super::SelfMotionOptions;
 use crate::row_space::RowSpace;
 use crate::singular_values::inner;
-use crate::vector::{norm, sub};
-use crate::{Goal, JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
+use crate::vector::{add, cross, dot, norm, scale};
+use crate::{JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
 
 /// Newton's method from a good prediction takes 3 or 4 steps.
 const NEWTON_STEPS: usize = 10;
@@ -40,37 +40,42 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
     /// The rows that have to rest, and how far they are from where they should.
     fn task(&self, q: &[f64; N]) -> ([[f64; N]; 6], [f64; 6]) {
         let (pose, spatial) = self.robot.fk_jacobian(q);
-        let mut rows = spatial.spatial_to_geometric(&pose).rows;
-        let [x, y, z] = sub(self.target.translation, pose.translation);
-        let mut rest = [x, y, z, 0.0, 0.0, 0.0];
-        match self.options.goal {
-            Goal::Position => rows[3..].fill([0.0; N]),
-            Goal::Pose => {
-                let back = Pose {
-                    translation: [0.0; 3],
-                    ..pose
-                };
-                let turn = (self.target * back.inverse()).log().angular;
-                rest[3..].copy_from_slice(&turn);
-            }
-        }
-        (rows, rest)
+        let counts = self.options.target;
+        let geometric = spatial.spatial_to_geometric(&pose);
+        let rows = counts.counting_rows(&pose, &geometric).rows;
+        (rows, counts.missing(&pose, &self.target).to_array())
     }
 
     /// The independent internal motions at a configuration.
     pub fn internal(&self, q: &[f64; N]) -> Internal<N> {
         let space = RowSpace::new(&self.task(q).0, RANK_TOLERANCE);
         let tangent = space.null_space().first().copied().unwrap_or([0.0; N]);
-        let mut change = self.robot.geometric_jacobian_dot(q, &tangent).rows;
-        if self.options.goal == Goal::Position {
-            change[3..].fill([0.0; N]);
-        }
+        let change = self.task_dot(q, &tangent);
         let rate = math::sqrt(change.iter().map(|row| inner(row, row)).sum());
         Internal {
             dimension: N - space.rank,
             tangent,
             reach: space.least_pivot() / rate,
         }
+    }
+
+    /// How the rows change along a motion of the joints.
+    fn task_dot(&self, q: &[f64; N], rates: &[f64; N]) -> [[f64; N]; 6] {
+        let counts = self.options.target;
+        let (pose, spatial) = self.robot.fk_jacobian(q);
+        let change = self.robot.geometric_jacobian_dot(q, rates);
+        let mut rows = counts.counting_rows(&pose, &change).rows;
+        if counts.fixes_axis() {
+            // The z axis, along which turns do not count, moves.
+            let z = [0, 1, 2].map(|i| pose.rotation[i][2]);
+            let moving = cross(spatial.velocity(rates).angular, z);
+            for j in 0..N {
+                let w = spatial.column(j).angular;
+                let lost = add(scale(dot(z, w), moving), scale(dot(moving, w), z));
+                (0..3).for_each(|i| rows[3 + i][j] -= lost[i]);
+            }
+        }
+        rows
     }
 
     /// Where the curve meets a hyperplane, by Newton's method; none if it does

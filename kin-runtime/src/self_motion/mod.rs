@@ -12,19 +12,19 @@ mod trace;
 
 pub use component::{SelfMotion, SelfMotions, Stop, self_motion, self_motions};
 
-use crate::{Goal, JointLimit};
+use crate::{JointLimit, Target};
 
 /// How to follow a self-motion.
 ///
 /// ```
-/// use kin_runtime::{Goal, SelfMotionOptions};
+/// use kin_runtime::{SelfMotionOptions, Target};
 /// let coarse = SelfMotionOptions::<7> { step: 0.2, ..Default::default() };
-/// assert_eq!(coarse.goal, Goal::Pose);
+/// assert_eq!(coarse.target, Target::Pose);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SelfMotionOptions<const N: usize> {
-    /// What of the tool rests. The whole pose by default.
-    pub goal: Goal,
+    /// What of the tip rests; the whole pose by default.
+    pub target: Target,
     /// Where the motion ends; by default nowhere, and angles that differ by
     /// full turns are one posture.
     pub limits: Option<[JointLimit; N]>,
@@ -39,7 +39,7 @@ pub struct SelfMotionOptions<const N: usize> {
 impl<const N: usize> Default for SelfMotionOptions<N> {
     fn default() -> Self {
         SelfMotionOptions {
-            goal: Goal::Pose,
+            target: Target::Pose,
             limits: None,
             step: 0.05,
             most_steps: 10_000,

@@ -2,14 +2,14 @@
 
 use core::f64::consts::TAU;
 
-use crate::{Chain, Goal, Pose, SearchOptions};
+use crate::{Chain, Pose, SearchOptions, Target};
 
 /// Orientations tried at a point.
 const ORIENTATIONS: usize = 60;
 
-fn is_found(chain: &Chain, target: &Pose, goal: Goal, max_starts: usize) -> bool {
+fn is_found(chain: &Chain, target: &Pose, counts: Target, max_starts: usize) -> bool {
     let options = SearchOptions {
-        goal,
+        target: counts,
         max_starts,
         max_solutions: 1,
         ..SearchOptions::default()
@@ -18,7 +18,7 @@ fn is_found(chain: &Chain, target: &Pose, goal: Goal, max_starts: usize) -> bool
 }
 
 pub(super) fn is_reachable(chain: &Chain, point: [f64; 3]) -> bool {
-    is_found(chain, &Pose::from_translation(point), Goal::Position, 256)
+    is_found(chain, &Pose::from_translation(point), Target::Position, 256)
 }
 
 pub(super) fn is_dextrous(chain: &Chain, point: [f64; 3]) -> bool {
@@ -27,7 +27,7 @@ pub(super) fn is_dextrous(chain: &Chain, point: [f64; 3]) -> bool {
             translation: point,
             ..rotation
         };
-        is_found(chain, &target, Goal::Pose, 128)
+        is_found(chain, &target, Target::Pose, 128)
     };
     chain.twists().len() >= 6 && scattered_rotations(ORIENTATIONS).all(reaches)
 }

@@ -2,26 +2,14 @@
 //! and nowhere beside it.
 
 use crate::subject::Subject;
-use kin_codegen::Target;
 use kinematics::{Kinematics, Pose};
 use nalgebra::DMatrix;
 
 for_every_aimed_robot!(beside_its_reach_there_is_no_answer);
 
-/// Coordinates of a target.
-fn coordinates(counts: Target) -> usize {
-    match counts {
-        Target::Pose => 6,
-        Target::PositionAxis => 5,
-        Target::PositionYaw => 4,
-        Target::Position | Target::Planar | Target::Orientation => 3,
-        Target::Direction => 2,
-    }
-}
-
 /// Moves the target in a direction in which no joint does.
 fn beside_its_reach_there_is_no_answer<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    if N >= coordinates(robot.counts) {
+    if N >= robot.counts.coordinates() {
         return;
     }
     for q in robot.random(50).filter(|q| robot.conditioning(q) > 0.01) {
@@ -41,7 +29,7 @@ fn beside_its_reach_there_is_no_answer<K: Kinematics<N>, const N: usize>(robot: 
 /// lengths in units of the arm's size.
 fn aside<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>, q: &[f64; N], step: f64) -> Pose {
     let columns = robot.chain.geometric_jacobian(q);
-    let rows = coordinates(robot.counts);
+    let rows = robot.counts.coordinates();
     let entry =
         |i: usize, j: usize| columns[j].to_array()[i] / if i < 3 { robot.size } else { 1.0 };
     let jacobian = DMatrix::from_fn(rows, N, entry);
