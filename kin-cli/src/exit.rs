@@ -1,5 +1,6 @@
 //! How a command ends.
 
+use kin_codegen::Error;
 use std::process::ExitCode;
 
 /// The exit codes of `kin`.
@@ -24,5 +25,14 @@ pub enum Exit {
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
         ExitCode::from(exit as u8)
+    }
+}
+
+impl From<&Error> for Exit {
+    fn from(error: &Error) -> Self {
+        match error {
+            Error::Broken(_) => Exit::Broken,
+            Error::Refused(_) => Exit::Refused,
+        }
     }
 }

@@ -17,25 +17,12 @@ pub fn run(arguments: &Generate) -> Done {
     };
     let code = match generate(&source, &options) {
         Ok(generated) => generated.code(),
-        Err(diagnostics) => return Done::failing(why(&source, &options), diagnostics),
+        Err(error) => return Done::failing(Exit::from(&error), error),
     };
     match &arguments.output {
         None => Done::printing(code),
         Some(output) if arguments.check => check(output, &code),
         Some(output) => write(output, &code),
-    }
-}
-
-/// An arm whose forward kinematics alone can be generated is refused, not
-/// broken.
-fn why(source: &kin_codegen::Source, options: &Options) -> Exit {
-    let alone = Options {
-        ik: kin_codegen::Ik::None,
-        ..options.clone()
-    };
-    match generate(source, &alone) {
-        Ok(_) => Exit::Refused,
-        Err(_) => Exit::Broken,
     }
 }
 

@@ -154,6 +154,27 @@ fn mechanisms_are_explained_generated_and_told_from_arms() {
     let code = kin(&["generate", DELTA, "--name", "Picker"]);
     assert!(stdout(&code).contains("pub struct Picker;"));
     let checked = kin(&["check", DELTA]);
-    assert_eq!(checked.status.code(), Some(1));
-    assert!(stdout(&checked).contains("describes a parallel mechanism"));
+    assert_eq!(
+        stdout(&checked),
+        "robots/delta.yaml: solved: 3 chains, 104 closed configurations recovered; R*UU, R*UU, \
+         R*UU\n"
+    );
+    let swept = kin(&["check", DELTA, "--targets", "10"]);
+    assert_eq!(swept.status.code(), Some(1));
+    assert!(stderr(&swept).contains("try an arm, and this is a mechanism"));
+}
+
+/// The message of a file whose fault is no diagnostic of the reader of arms.
+#[test]
+fn a_comment_about_loops_changes_nothing() {
+    let folder = std::env::temp_dir().join(format!("kin-loops-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let text = include_str!("../../robots/ur5e.urdf");
+    let file = folder.join("ur5e.urdf");
+    let with_comment = text.replace("</robot>", "<!-- no <loop_joint here --></robot>");
+    std::fs::write(&file, with_comment).unwrap();
+    let checked = kin(&["check", file.to_str().unwrap()]);
+    assert_eq!(checked.status.code(), Some(0), "{}", stderr(&checked));
+    assert!(stdout(&checked).contains("solved: SP4(q1)"));
+    std::fs::remove_dir_all(folder).unwrap();
 }

@@ -1,7 +1,7 @@
 //! What is said of arms of many kinds.
 
 use kin_cli::check::{Verdict, check};
-use kin_cli::explain::{Explanation, ObjectKind, explain, mechanism};
+use kin_cli::explain::{ArmExplanation, ObjectKind, explain};
 use kin_codegen::geometry::RowRelation;
 use kin_codegen::{Ik, Options, Source};
 use std::path::Path;
@@ -11,8 +11,8 @@ fn robot(file: &str) -> Source {
     Source::read(file, &robots).unwrap()
 }
 
-fn told(source: &Source) -> Explanation {
-    explain(source, &Options::default()).unwrap()
+fn told(source: &Source) -> ArmExplanation {
+    explain(source, &Options::default()).unwrap().arm().unwrap()
 }
 
 /// A chain of revolute joints by Denavit-Hartenberg parameters d, a, alpha
@@ -124,7 +124,7 @@ fn forward_kinematics_alone_is_no_refusal() {
         ik: Ik::None,
         ..Options::default()
     };
-    let explanation = explain(&source, &options).unwrap();
+    let explanation = explain(&source, &options).unwrap().arm().unwrap();
     assert_eq!((explanation.inverse, explanation.refusal), (None, None));
     let verdict = check(&source, &options, 3).verdict;
     assert!(matches!(
@@ -149,7 +149,7 @@ fn a_broken_file_is_told_from_an_arm_without_closed_form() {
 }
 
 fn told_of_mechanism(file: &str) -> String {
-    let explanation = mechanism::explain(&robot(file), &Options::default());
+    let explanation = explain(&robot(file), &Options::default());
     explanation.unwrap().to_string()
 }
 

@@ -1,6 +1,7 @@
 //! Sweeps see what is right, and what was made wrong on purpose.
 
 use kin_cli::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::{Choice, Node};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
@@ -30,7 +31,10 @@ fn compiled(source: &Source, target: Option<Target>) -> (Model, ClosedForm) {
         target,
         ..Options::default()
     };
-    let Compiled { model, inverse, .. } = compile(source, &options).unwrap();
+    let Compiled::Arm(arm) = compile(source, &options).unwrap() else {
+        panic!("an arm");
+    };
+    let CompiledArm { model, inverse, .. } = *arm;
     (model, inverse.unwrap())
 }
 

@@ -13,12 +13,14 @@
 //! let source = Source { path: "planar.yaml".into(), text: text.into() };
 //! let generated = generate(&source, &Options::default())?;
 //! assert!(generated.code().contains("pub struct Planar;"));
-//! # Ok::<(), kin_codegen::Diagnostics>(())
+//! # Ok::<(), kin_codegen::Error>(())
 //! ```
 
+pub mod arm;
 pub mod build;
-pub mod compiler;
+mod compile;
 pub mod emit;
+mod error;
 pub mod expr;
 mod generate;
 pub mod geometry;
@@ -27,15 +29,15 @@ pub mod model;
 pub mod options;
 pub mod plan;
 pub mod random;
-mod read;
-mod refusal;
+pub mod refusal;
 pub mod singularity;
 pub mod solver;
 pub mod spec;
 pub mod verify;
 
-pub use compiler::{Compiled, compile};
-pub use generate::{Generated, Robot, generate};
+pub use compile::{Compiled, compile};
+pub use error::Error;
+pub use generate::{Generated, generate};
 pub use options::{Ik, Options, Unknown, target};
 pub use plan::Target;
 pub use spec::{Diagnostics, Source};

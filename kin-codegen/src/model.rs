@@ -5,7 +5,7 @@ mod chain;
 mod limits;
 mod mimic;
 
-use crate::spec::{self, Complaints, Diagnostics, JointType, Spec};
+use crate::spec::{self, ArmSpec, Complaints, Diagnostics, JointType};
 use kin_runtime::{Pose, Twist};
 
 /// A serial chain at its home configuration (all joint values 0), in the
@@ -108,7 +108,7 @@ impl Model {
     ///
     /// ```
     /// use kin_codegen::model::Model;
-    /// use kin_codegen::spec::{Source, Spec};
+    /// use kin_codegen::spec::{Source, ArmSpec};
     ///
     /// let text = "\
     /// robot: elbow
@@ -117,7 +117,7 @@ impl Model {
     ///   - {name: shoulder, theta: 0, d: 0, a: 0.4, alpha: pi/2}
     ///   - {name: elbow, theta: 0, d: 0, a: 0.3, alpha: 0}
     /// ";
-    /// let spec = Spec::parse(&Source { path: "elbow.yaml".into(), text: text.into() })?;
+    /// let spec = ArmSpec::parse(&Source { path: "elbow.yaml".into(), text: text.into() })?;
     /// let model = Model::new(&spec, None, None)?;
     /// assert_eq!(model.joints[1].axis, [0.0, -1.0, 0.0]);
     /// assert_eq!(model.joints[1].point, [0.4, 0.0, 0.0]);
@@ -130,7 +130,11 @@ impl Model {
     /// There is no such chain, it is not the only one, nothing in it moves, or
     /// one of its joints cannot be used: it floats, is planar or spherical, has
     /// limits that cannot be meant, or mimics a joint outside the chain.
-    pub fn new(spec: &Spec, base: Option<&str>, tip: Option<&str>) -> Result<Model, Diagnostics> {
+    pub fn new(
+        spec: &ArmSpec,
+        base: Option<&str>,
+        tip: Option<&str>,
+    ) -> Result<Model, Diagnostics> {
         let mut complaints = Complaints::new(&spec.source);
         let model = build(spec, base, tip, &mut complaints);
         complaints.unless_any(model)
@@ -138,7 +142,7 @@ impl Model {
 }
 
 fn build(
-    spec: &Spec,
+    spec: &ArmSpec,
     base: Option<&str>,
     tip: Option<&str>,
     complaints: &mut Complaints,
@@ -161,7 +165,7 @@ fn build(
 }
 
 /// Every joint is fixed, or moves in one way, and one moves at least.
-fn check_motions(spec: &Spec, chain: &chain::Chain, complaints: &mut Complaints) {
+fn check_motions(spec: &ArmSpec, chain: &chain::Chain, complaints: &mut Complaints) {
     let joints = || chain.joints.iter().map(|&j| &spec.joints[j]);
     for joint in joints() {
         let motion = match joint.kind {
@@ -181,7 +185,7 @@ fn check_motions(spec: &Spec, chain: &chain::Chain, complaints: &mut Complaints)
     }
 }
 
-fn check_size(spec: &Spec, chain: &chain::Chain, complaints: &mut Complaints) {
+fn check_size(spec: &ArmSpec, chain: &chain::Chain, complaints: &mut Complaints) {
     let length = |&j: &usize| {
         let joint = &spec.joints[j];
         norm(joint.origin.translation) + norm(joint.mount.translation)
@@ -212,7 +216,7 @@ fn norm(v: [f64; 3]) -> f64 {
 
 /// Places every moving joint in base coordinates; fixed ones fold into the
 /// next. Also the home pose.
-fn compose(spec: &Spec, chain: &chain::Chain, drives: &mimic::Drives) -> (Vec<Joint>, Pose) {
+fn compose(spec: &ArmSpec, chain: &chain::Chain, drives: &mimic::Drives) -> (Vec<Joint>, Pose) {
     let mut pose = Pose::IDENTITY;
     let mut joints = Vec::new();
     for &j in &chain.joints {

@@ -1,63 +1,80 @@
-//! Why an arm is refused, and what its owner can do.
+//! Why a sound robot file has no inverse kinematics, and what its owner can do.
 
+use crate::compile::Compiled;
 use crate::geometry::structure;
+use crate::mechanism::ChainRefusal;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::NoClosedForm;
-use crate::spec::{Diagnostic, Diagnostics, Source};
-use crate::verify::rank;
+use crate::spec::{Diagnostic, Source};
+use std::fmt;
 
-/// Refuses a chain whose joints are never independent.
-///
-/// # Errors
-///
-/// The joints that move the tip no more than the others do.
-pub fn singular_everywhere(source: &Source, model: &Model) -> Result<(), Diagnostics> {
-    let n = model.variables.len();
-    if n > 6 || model.is_coupled() {
-        return Ok(());
-    }
-    let rank = rank(model);
-    if rank == n {
-        return Ok(());
-    }
-    let reason = format!(
-        "the {n} joints from `{}` to `{}` move the tip in {rank} independent ways at most: the \
-         chain is singular in every configuration{}",
-        model.base,
-        model.tip,
-        coaxial(model).map_or_else(String::new, |pair| format!(
-            "; joints `{}` and `{}` turn about one line",
-            pair[0], pair[1]
-        )),
-    );
-    let remedy = "check axes and origins; a joint that repeats another must be fixed, or left \
-                  out of the chain by another base or tip";
-    Err(whole(source, reason, remedy.into()))
+/// A robot without closed-form inverse kinematics.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// The robot with what it has: forward kinematics and Jacobians.
+    pub robot: Compiled,
+    /// Why there is no more.
+    pub reason: Reason,
+    /// What was compiled.
+    pub(crate) source: Source,
 }
 
-/// Two neighbours on one axis.
-fn coaxial(model: &Model) -> Option<[String; 2]> {
-    use crate::geometry::{AxisRelation, axes, relate};
-    let axes = axes(model);
-    let coincide =
-        |i: &usize| relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9) == AxisRelation::Coincident;
-    let i = (0..axes.len().saturating_sub(1)).find(coincide)?;
-    Some([
-        model.joints[i].name.clone(),
-        model.joints[i + 1].name.clone(),
-    ])
+/// Why there is no inverse kinematics.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reason {
+    /// Of an arm, for targets of some kind.
+    Arm(Target, NoClosedForm),
+    /// A chain of a mechanism, by its name, cannot be solved.
+    Chain(String, ChainRefusal),
 }
 
-/// The complaint about an arm without a closed form.
-pub fn no_closed_form(
-    source: &Source,
-    model: &Model,
-    target: Target,
-    reason: &NoClosedForm,
-) -> Diagnostics {
+impl Refusal {
+    /// As a compiler's message.
+    pub fn diagnostic(&self) -> Diagnostic {
+        let remedy = "`ik = none` generates forward kinematics and Jacobians alone";
+        match (&self.robot, &self.reason) {
+            (Compiled::Mechanism(compiled), _) => {
+                let at = compiled.mechanism.at;
+                Diagnostic::at(at, &self.source, self.text(), remedy)
+            }
+            (Compiled::Arm(_), _) => Diagnostic::whole(self.text(), remedy),
+        }
+    }
+
+    /// Why, in a sentence.
+    pub fn text(&self) -> String {
+        match (&self.robot, &self.reason) {
+            (Compiled::Arm(arm), Reason::Arm(target, reason)) => {
+                no_closed_form(&arm.model, *target, reason)
+            }
+            (Compiled::Mechanism(compiled), Reason::Chain(name, reason)) => {
+                let mut legs = compiled.mechanism.legs.iter();
+                let leg = legs.find(|leg| leg.name == *name);
+                let why = match (reason, leg) {
+                    (ChainRefusal::NoClosedForm(reason), Some(leg)) => {
+                        no_closed_form(&leg.model, Target::Pose, reason)
+                    }
+                    (ChainRefusal::Lost(q), _) => {
+                        format!("its configuration {q:.4?} is not among the solutions")
+                    }
+                    (ChainRefusal::NoClosedForm(reason), None) => format!("{reason:?}"),
+                };
+                format!("the chain `{name}` cannot be solved: {why}")
+            }
+            (_, reason) => format!("{reason:?}"),
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.diagnostic().write(&self.source.path, f)
+    }
+}
+
+fn no_closed_form(model: &Model, target: Target, reason: &NoClosedForm) -> String {
     let n = model.joints.len();
-    let remedy = "`ik = none` generates forward kinematics and Jacobians alone";
     let why = match reason {
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
         NoClosedForm::Redundant(target) => format!(
@@ -76,11 +93,10 @@ pub fn no_closed_form(
             format!("the best plan, {plan}, failed its verification: {failure}")
         }
     };
-    let reason = format!(
+    format!(
         "no closed-form inverse kinematics for the {n} joints from `{}` to `{}`: {why}",
         model.base, model.tip
-    );
-    whole(source, reason, remedy.into())
+    )
 }
 
 /// What targets are, unless they are whole poses.
@@ -88,18 +104,5 @@ fn aimed_at(target: Target) -> String {
     match target {
         Target::Pose => String::new(),
         other => format!(" for {}", other.phrase()),
-    }
-}
-
-fn whole(source: &Source, reason: String, remedy: String) -> Diagnostics {
-    let diagnostic = Diagnostic {
-        at: None,
-        line: String::new(),
-        reason,
-        remedy,
-    };
-    Diagnostics {
-        path: source.path.clone(),
-        list: vec![diagnostic],
     }
 }

@@ -92,14 +92,14 @@ pub struct Answer {
 /// # Errors
 ///
 /// Why there is none.
-pub fn solve(model: &Model, target: Target) -> Result<ClosedForm, NoClosedForm> {
+pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<ClosedForm, NoClosedForm> {
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
     }
     if model.joints.len() > target.coordinates() {
         return Err(NoClosedForm::Redundant(target));
     }
-    let trials = Trials::new(model, target);
+    let trials = Trials::new(model, linkage, target);
     let mut refusal = NoClosedForm::NoPlan;
     let mut best: Option<ClosedForm> = None;
     let mut last: Option<Vec<crate::geometry::Moved>> = None;

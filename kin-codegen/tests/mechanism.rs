@@ -1,13 +1,20 @@
 //! What is read of mechanisms, and told of them.
 
-use kin_codegen::mechanism::{self, Aim, Forward, Mechanism};
-use kin_codegen::spec::{MechanismSpec, Spec};
-use kin_codegen::{Ik, Options, Robot, Source, Target, generate};
+use kin_codegen::mechanism::{Aim, CompiledMechanism, ForwardMethod, Mechanism};
+use kin_codegen::spec::{ArmSpec, MechanismSpec, Spec};
+use kin_codegen::{Compiled, Ik, Options, Source, Target, compile, generate};
 use std::path::Path;
 
 fn robot(file: &str) -> Source {
     let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
     Source::read(file, &robots).unwrap()
+}
+
+fn compiled(source: &Source) -> CompiledMechanism {
+    match compile(source, &Options::default()) {
+        Ok(Compiled::Mechanism(mechanism)) => *mechanism,
+        other => panic!("a mechanism, not {other:?}"),
+    }
 }
 
 fn urdf(text: String) -> Source {
@@ -80,13 +87,12 @@ fn three_legs() -> String {
 #[test]
 fn chains_are_found_in_a_tree_with_loop_joints_whichever_way_they_hang() {
     let source = urdf(three_legs());
-    assert!(MechanismSpec::is_meant(&source));
-    let spec = MechanismSpec::parse(&source, None, None).unwrap();
+    let spec = MechanismSpec::parse(&source).unwrap();
+    let mechanism = Mechanism::new(&spec, None, None).unwrap();
     assert_eq!(
-        (spec.base.as_str(), spec.platform.as_str()),
+        (mechanism.base.as_str(), mechanism.platform.as_str()),
         ("base", "platform")
     );
-    let mechanism = Mechanism::new(&spec).unwrap();
     let names = |k: usize| -> Vec<String> {
         let joints = &mechanism.legs[k].model.joints;
         joints.iter().map(|joint| joint.name.clone()).collect()
@@ -106,19 +112,19 @@ fn chains_are_found_in_a_tree_with_loop_joints_whichever_way_they_hang() {
 /// joints as written, and a positive one turns the parent back.
 #[test]
 fn a_joint_passed_backwards_keeps_its_value() {
-    let spec = MechanismSpec::parse(&urdf(three_legs()), None, None).unwrap();
-    let mechanism = Mechanism::new(&spec).unwrap();
+    let spec = MechanismSpec::parse(&urdf(three_legs())).unwrap();
+    let mechanism = Mechanism::new(&spec, None, None).unwrap();
     assert_eq!(mechanism.legs[0].model.joints[0].axis, [0.0, 0.0, 1.0]);
     assert_eq!(mechanism.legs[2].model.joints[0].axis, [0.0, 0.0, -1.0]);
 }
 
 #[test]
 fn a_planar_three_legged_platform_is_compiled() {
-    let compiled = mechanism::compile(&urdf(three_legs()), &Options::default()).unwrap();
+    let compiled = compiled(&urdf(three_legs()));
     let inverse = compiled.inverse.unwrap();
     assert_eq!(inverse.aim, Aim::Pose);
     assert!(inverse.legs.iter().all(|leg| leg.branches() == 2));
-    assert!(matches!(compiled.forward, Forward::Newton));
+    assert!(matches!(compiled.forward, ForwardMethod::Newton));
 }
 
 /// RSSR: a spherical loop joint is three revolutes, and the coupler's spin
@@ -143,8 +149,8 @@ fn a_spherical_loop_joint_is_three_revolutes() {
 <transmission name=\"t\"><joint name=\"a\"/></transmission>
 </robot>";
     let source = urdf(text.into());
-    let spec = MechanismSpec::parse(&source, None, Some("rocker")).unwrap();
-    let mechanism = Mechanism::new(&spec).unwrap();
+    let spec = MechanismSpec::parse(&source).unwrap();
+    let mechanism = Mechanism::new(&spec, None, Some("rocker")).unwrap();
     assert_eq!(mechanism.joints(), 8);
     let generic = mechanism.generic();
     // The rod turns about itself.
@@ -155,9 +161,14 @@ fn a_spherical_loop_joint_is_three_revolutes() {
 
 #[test]
 fn one_arm_is_no_mechanism_and_the_other_way_round() {
-    assert!(!MechanismSpec::is_meant(&robot("ur5e.urdf")));
-    assert!(!MechanismSpec::is_meant(&robot("scara.yaml")));
-    let refused = Spec::parse(&robot("delta.yaml")).unwrap_err().to_string();
+    for arm in ["ur5e.urdf", "scara.yaml"] {
+        assert!(matches!(Spec::parse(&robot(arm)), Ok(Spec::Arm(_))));
+        let refused = MechanismSpec::parse(&robot(arm)).unwrap_err().to_string();
+        assert!(refused.contains("describes an arm"), "{refused}");
+    }
+    let refused = ArmSpec::parse(&robot("delta.yaml"))
+        .unwrap_err()
+        .to_string();
     assert!(
         refused.contains("describes a parallel mechanism"),
         "{refused}"
@@ -166,10 +177,7 @@ fn one_arm_is_no_mechanism_and_the_other_way_round() {
 
 #[test]
 fn what_the_platform_is_asked_for_follows_from_its_freedoms() {
-    let aim = |file: &str| {
-        let compiled = mechanism::compile(&robot(file), &Options::default()).unwrap();
-        compiled.inverse.unwrap().aim
-    };
+    let aim = |file: &str| compiled(&robot(file)).inverse.unwrap().aim;
     assert_eq!(aim("stewart.yaml"), Aim::Pose);
     assert_eq!(aim("delta.yaml"), Aim::Translation);
     assert_eq!(aim("slider_crank.yaml"), Aim::Translation);
@@ -182,7 +190,7 @@ fn options_of_arms_are_refused() {
         target: Some(Target::Position),
         ..Options::default()
     };
-    let refused = mechanism::compile(&robot("delta.yaml"), &with_target).unwrap_err();
+    let refused = compile(&robot("delta.yaml"), &with_target).unwrap_err();
     assert!(
         refused
             .to_string()
@@ -197,11 +205,34 @@ fn without_inverse_kinematics_a_loop_still_has_its_assemblies() {
         ..Options::default()
     };
     let generated = generate(&robot("five_bar.yaml"), &options).unwrap();
-    let Robot::Mechanism(compiled) = &generated.robot else {
+    let Compiled::Mechanism(compiled) = &generated.robot else {
         panic!("a mechanism");
     };
     assert!(compiled.inverse.is_none());
-    assert!(matches!(compiled.forward, Forward::Loop(_)));
+    assert!(matches!(compiled.forward, ForwardMethod::Loop(_)));
     let code = generated.code();
     assert!(code.contains("fn fk(") && !code.contains("fn ik_near(&self, target"));
+}
+
+/// The letters `<loop_joint` in a comment or a name close no loop.
+#[test]
+fn the_parsed_tree_decides_what_a_file_describes() {
+    let ur5e = robot("ur5e.urdf");
+    let text = ur5e
+        .text
+        .replace("<link name", "<!-- no <loop_joint here -->\n<link name");
+    let source = Source { text, ..ur5e };
+    assert!(matches!(Spec::parse(&source), Ok(Spec::Arm(_))));
+    assert!(
+        compile(&source, &Options::default())
+            .unwrap()
+            .arm()
+            .is_some()
+    );
+    let scara = robot("scara.yaml");
+    let text = format!("{}# mechanism:\n", scara.text);
+    assert!(matches!(
+        Spec::parse(&Source { text, ..scara }),
+        Ok(Spec::Arm(_))
+    ));
 }

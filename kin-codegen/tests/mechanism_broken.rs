@@ -2,7 +2,7 @@
 //! the `.txt` beside it. `BLESS=1 cargo test` writes the messages anew, for
 //! review.
 
-use kin_codegen::{Options, Source, mechanism};
+use kin_codegen::{Options, Source, compile};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ fn broken_mechanisms_are_refused_as_expected() {
     for robot in robots() {
         let text = fs::read_to_string(&robot).unwrap();
         let path = robot.file_name().unwrap().to_str().unwrap().to_string();
-        let message = match mechanism::compile(&Source { path, text }, &Options::default()) {
+        let message = match compile(&Source { path, text }, &Options::default()) {
             Ok(_) => "accepted\n".to_string(),
             Err(diagnostics) => format!("{diagnostics}\n"),
         };

@@ -1,6 +1,7 @@
 //! What forward kinematics and Jacobians may cost: within 15 % of counts that
 //! are known to be possible, and at them for arms with parallel axes.
 
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::Inverse;
 use kin_codegen::{Compiled, Ik, Options, Source, compile};
@@ -10,21 +11,24 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// The forward half of a robot of `robots/`.
-fn robot(file: &str) -> Compiled {
+fn robot(file: &str) -> CompiledArm {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
     forward(&Source::read(file, &root).unwrap())
 }
 
-fn forward(source: &Source) -> Compiled {
+fn forward(source: &Source) -> CompiledArm {
     let options = Options {
         ik: Ik::None,
         ..Options::default()
     };
-    compile(source, &options).unwrap_or_else(|refused| panic!("{refused}\n{}", source.text))
+    match compile(source, &options) {
+        Ok(Compiled::Arm(arm)) => *arm,
+        other => panic!("{other:?}\n{}", source.text),
+    }
 }
 
 /// Multiplications and additions of the pose, and of pose and spatial Jacobian.
-fn counts(compiled: &Compiled) -> [[usize; 2]; 2] {
+fn counts(compiled: &CompiledArm) -> [[usize; 2]; 2] {
     let pair = |cost: Operations| [cost.multiplications, cost.additions];
     let forward = &compiled.forward;
     [
@@ -56,8 +60,9 @@ fn a_free_angle_costs_regular_targets_two_selections() {
     for file in ["ur5e.urdf", "ur10e.yaml"] {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
         let source = Source::read(file, &root).unwrap();
-        let form = compile(&source, &Options::default()).unwrap().inverse;
-        let inverse = form.unwrap().inverse;
+        let compiled = compile(&source, &Options::default()).unwrap();
+        let form = compiled.arm().unwrap().inverse.as_ref();
+        let inverse = &form.unwrap().inverse;
         let [with, without] = [true, false].map(|kept| {
             let free_angle = inverse.free_angle.filter(|_| kept);
             let inverse = Inverse {

@@ -4,7 +4,7 @@
 //! A comment `chain: base tip` in a file chooses base and tip.
 
 use kin_codegen::model::Model;
-use kin_codegen::spec::{Diagnostics, Source, Spec};
+use kin_codegen::spec::{ArmSpec, Diagnostics, Source};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ fn read(path: &Path) -> Result<Model, Diagnostics> {
         None => Vec::new(),
     };
     let name = path.file_name().unwrap().to_str().unwrap().to_string();
-    let spec = Spec::parse(&Source { path: name, text })?;
+    let spec = ArmSpec::parse(&Source { path: name, text })?;
     Model::new(
         &spec,
         chain.first().map(String::as_str),

@@ -1,7 +1,7 @@
 //! What chains are made of: which joints, in which order, moved by what.
 
 use kin_codegen::model::{JointKind, Model};
-use kin_codegen::spec::{Diagnostics, Source, Spec};
+use kin_codegen::spec::{ArmSpec, Diagnostics, Source};
 use std::f64::consts::FRAC_PI_2;
 
 fn model(
@@ -10,7 +10,7 @@ fn model(
     base: Option<&str>,
     tip: Option<&str>,
 ) -> Result<Model, Diagnostics> {
-    let spec = Spec::parse(&Source {
+    let spec = ArmSpec::parse(&Source {
         path: path.into(),
         text: text.into(),
     })?;

@@ -2,7 +2,7 @@
 
 use crate::arguments::Arguments;
 use crate::debug;
-use kin_codegen::{Diagnostics, Source, generate};
+use kin_codegen::{Source, generate};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::path::{Path, PathBuf};
@@ -16,10 +16,11 @@ pub fn expand(input: TokenStream) -> Result<TokenStream> {
         options,
         debug,
     } = syn::parse2(input)?;
-    let complain = |diagnostics: Diagnostics| Error::new(path.span(), diagnostics);
     let root = root();
-    let source = Source::read(&path.value(), &root).map_err(complain)?;
-    let generated = generate(&source, &options).map_err(complain)?;
+    let generated = Source::read(&path.value(), &root)
+        .map_err(kin_codegen::Error::from)
+        .and_then(|source| generate(&source, &options))
+        .map_err(|error| Error::new(path.span(), error))?;
     let items = if debug {
         debug::through_file(&generated, &invocation)
             .map_err(|message| Error::new(path.span(), message))?

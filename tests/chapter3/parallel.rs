@@ -25,8 +25,8 @@ const CLOSED: f64 = 1e-12;
 /// A robot of the project as the runtime's generic mechanism.
 fn generic(file: &str) -> kinematics::Mechanism {
     let source = Source::read(file, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let spec = MechanismSpec::parse(&source, None, None).unwrap();
-    Mechanism::new(&spec).unwrap().generic()
+    let spec = MechanismSpec::parse(&source).unwrap();
+    Mechanism::new(&spec, None, None).unwrap().generic()
 }
 
 /// Whether two configurations are the same, angles modulo a turn.

@@ -3,7 +3,7 @@
 
 use super::arms::{self, Elbow, InverseElbow, L1, L2, Planar2r, Planar3r, Scara, Stanford, Ur5e};
 use super::random::Random;
-use kin_cli::explain::{ConditionKind, Explanation, explain};
+use kin_cli::explain::{ArmExplanation, ConditionKind, explain};
 use kin_codegen::geometry::{Condition, conditions};
 use kin_codegen::{Ik, Options, Source};
 use kinematics::{Jacobian, Singularity, Twist};
@@ -192,17 +192,17 @@ fn shoulder_elbow_and_wrist_are_told_apart() {
     assert_eq!(wrist.value.abs(), 1.0);
 }
 
-fn explained(path: &str, ik: Ik) -> Explanation {
+fn explained(path: &str, ik: Ik) -> ArmExplanation {
     let source = Source::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
     let options = Options {
         ik,
         ..Options::default()
     };
-    explain(&source, &options).unwrap()
+    explain(&source, &options).unwrap().arm().unwrap()
 }
 
 /// What `kin explain` says of a way: where it is and which axes depend.
-fn way(explanation: &Explanation, name: &str) -> (Vec<f64>, Vec<(ConditionKind, Vec<usize>)>) {
+fn way(explanation: &ArmExplanation, name: &str) -> (Vec<f64>, Vec<(ConditionKind, Vec<usize>)>) {
     let ways = &explanation.singularities.as_ref().unwrap().ways;
     let way = ways.iter().find(|way| way.name == name).unwrap();
     let conditions = way.conditions.iter();
@@ -282,7 +282,10 @@ fn a_noisy_arm_has_the_ways_of_the_one_that_was_meant() {
     assert!(text.contains(elbow));
     let text = text.replace(elbow, r#"xyz="-0.425 0 0" rpy="0.00001 0 0""#);
     let path = "noisy.urdf".into();
-    let noisy = explain(&Source { path, text }, &Options::default()).unwrap();
+    let noisy = explain(&Source { path, text }, &Options::default())
+        .unwrap()
+        .arm()
+        .unwrap();
     let singular = noisy.singularities.as_ref().unwrap();
     assert!((5e-6..2e-5).contains(&singular.snapped.unwrap()));
     assert!(singular.difference.unwrap() < 1e-13);

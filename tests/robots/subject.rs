@@ -4,7 +4,7 @@ use crate::aim::{freed, projected};
 use crate::measure::{self, angle_between, largest};
 use crate::random::Random;
 use kin_codegen::model::{JointKind, Model};
-use kin_codegen::spec::{Source, Spec};
+use kin_codegen::spec::{ArmSpec, Source};
 use kin_codegen::{Target, geometry, verify};
 use kinematics::{Chain, ChainSolution, Kinematics, Pose, SearchOptions, Solution};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -143,7 +143,7 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
 fn read(path: &str) -> Model {
     let text = std::fs::read_to_string(path).unwrap();
     let path = path.into();
-    let spec = Spec::parse(&Source { path, text }).unwrap();
+    let spec = ArmSpec::parse(&Source { path, text }).unwrap();
     Model::new(&spec, None, None).unwrap()
 }
 

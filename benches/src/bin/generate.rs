@@ -1,7 +1,7 @@
 //! What it costs to compile a robot: time, size of the code, operations, and
 //! the build of a crate with one arm.
 
-use kin_codegen::{Options, Robot, Source, generate};
+use kin_codegen::{Options, Compiled, Source, generate};
 use kinematics_benches::contest::median;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -55,7 +55,7 @@ fn report(robot: &Path) {
         );
     }
     let generated = generate(&source, &Options::default()).expect("just done");
-    let Robot::Arm(compiled) = &generated.robot else {
+    let Compiled::Arm(compiled) = &generated.robot else {
         return;
     };
     let forward = &compiled.forward;

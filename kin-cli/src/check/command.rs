@@ -58,17 +58,23 @@ impl Checked {
     ///
     /// # Errors
     ///
-    /// The configuration to be replayed is not one of the arm.
+    /// The configuration to be replayed is not one of the arm, or there is no
+    /// arm.
     fn try_more(&mut self, arguments: &arguments::Check) -> Result<(), String> {
-        let Verdict::Solved { compiled, .. } = &self.check.verdict else {
+        let Verdict::Solved { robot, .. } = &self.check.verdict else {
             return Ok(());
         };
-        let Compiled {
-            model,
-            inverse: Some(form),
-            ..
-        } = &**compiled
-        else {
+        let arm = match &**robot {
+            Compiled::Arm(arm) => arm,
+            Compiled::Mechanism(_) if arguments.targets > 0 || arguments.at.is_some() => {
+                return Err(format!(
+                    "{}: --targets and --at try an arm, and this is a mechanism",
+                    self.check.path
+                ));
+            }
+            Compiled::Mechanism(_) => return Ok(()),
+        };
+        let (model, Some(form)) = (&arm.model, &arm.inverse) else {
             return Ok(());
         };
         if arguments.targets > 0 {

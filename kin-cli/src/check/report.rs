@@ -35,11 +35,11 @@ fn file(checked: &Checked) -> Value {
     let (structure, plan, snapped_by, deep) = match &checked.check.verdict {
         Verdict::Solved {
             structure,
-            compiled,
+            robot,
             completeness,
             ..
         } => {
-            let form = compiled.inverse.as_ref();
+            let form = robot.arm().and_then(|arm| arm.inverse.as_ref());
             let snapped = form.filter(|form| form.polish > 0);
             (
                 Some(structure),

@@ -1,10 +1,10 @@
 //! The short verdict on a robot file.
 
-use crate::explain::Attempt;
-use crate::sweep::{Kind, Settings, sweep};
+use crate::sweep::{Fault, Kind, Settings, sweep};
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::geometry::structure;
-use kin_codegen::solver::ClosedForm;
-use kin_codegen::{Compiled, Diagnostics, Ik, Options, Source};
+use kin_codegen::mechanism::CompiledMechanism;
+use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
 use serde::Serialize;
 use std::fmt;
 
@@ -22,16 +22,16 @@ pub struct Check {
 pub enum Verdict {
     /// It has a verified closed form, or none was asked for.
     Solved {
-        /// How its axes lie.
+        /// How its axes lie; of a mechanism, the structure of its chains.
         structure: String,
         /// The plan, branches and worst residual, in short.
         inverse: String,
         /// The comparison with the numerical search, if it was asked for.
         completeness: Option<Completeness>,
-        /// The arm, to try more on it.
-        compiled: Box<Compiled>,
+        /// The robot, to try more on it.
+        robot: Box<Compiled>,
     },
-    /// The file is sound, and the arm has no closed form.
+    /// The file is sound, and the robot has no closed form.
     Refused(String),
     /// The file or the options cannot be used.
     Broken(Diagnostics),
@@ -71,13 +71,21 @@ pub struct Completeness {
 /// assert!(completeness.is_some_and(|it| it.solutions == 10 && it.lost == 0));
 /// ```
 pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
-    let verdict = match Attempt::new(source, options) {
-        Err(diagnostics) => Verdict::Broken(diagnostics),
-        Ok(Attempt {
-            refusal: Some(reason),
-            ..
-        }) => Verdict::Refused(reason),
-        Ok(Attempt { compiled, .. }) => solved(compiled, options, deep),
+    let verdict = match compile(source, options) {
+        Err(Error::Broken(diagnostics)) => Verdict::Broken(diagnostics),
+        Err(Error::Refused(refusal)) => Verdict::Refused(refusal.text()),
+        Ok(robot) => Verdict::Solved {
+            structure: match &robot {
+                Compiled::Arm(arm) => structure(&arm.model),
+                Compiled::Mechanism(mechanism) => chains(mechanism),
+            },
+            inverse: match &robot {
+                Compiled::Arm(arm) => of_arm(arm),
+                Compiled::Mechanism(mechanism) => of_mechanism(mechanism),
+            },
+            completeness: robot.arm().and_then(|arm| completeness(arm, deep)),
+            robot: Box::new(robot),
+        },
     };
     Check {
         path: source.path.clone(),
@@ -85,45 +93,56 @@ pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
     }
 }
 
-fn solved(compiled: Compiled, options: &Options, deep: usize) -> Verdict {
-    let inverse = match &compiled.inverse {
+const FORWARD_ALONE: &str = "forward kinematics alone";
+
+fn of_arm(arm: &CompiledArm) -> String {
+    match &arm.inverse {
         Some(solver) => format!(
             "{}, {} branches, worst residual {:.1e} m",
             solver.plan,
             solver.plan.branches(),
             solver.certificate.worst_residual
         ),
-        None if options.ik == Ik::None => "forward kinematics alone".into(),
-        None => "no inverse kinematics".into(),
-    };
-    let comparable = compiled.inverse.as_ref().filter(|_| deep > 0);
-    Verdict::Solved {
-        structure: structure(&compiled.model),
-        inverse,
-        completeness: comparable.map(|solver| completeness(&compiled, solver, deep)),
-        compiled: Box::new(compiled),
+        None => FORWARD_ALONE.into(),
     }
 }
 
-fn completeness(compiled: &Compiled, solver: &ClosedForm, targets: usize) -> Completeness {
+fn of_mechanism(mechanism: &CompiledMechanism) -> String {
+    match &mechanism.inverse {
+        Some(inverse) => format!(
+            "{} chains, {} closed configurations recovered",
+            inverse.legs.len(),
+            inverse.verified
+        ),
+        None => FORWARD_ALONE.into(),
+    }
+}
+
+/// `UP*S, UP*S, UP*S`.
+fn chains(mechanism: &CompiledMechanism) -> String {
+    let legs = mechanism.mechanism.legs.iter();
+    let structures: Vec<String> = legs.map(|leg| leg.structure()).collect();
+    structures.join(", ")
+}
+
+/// The comparison on `targets` targets; none on no target.
+fn completeness(arm: &CompiledArm, targets: usize) -> Option<Completeness> {
+    let form = arm.inverse.as_ref().filter(|_| targets > 0)?;
     let settings = Settings {
         targets,
         oracle: targets,
         ..Settings::default()
     };
-    let tally = sweep(&compiled.model, solver, &settings, &|_| {});
+    let tally = sweep(&arm.model, form, &settings, &|_| {});
     let seen = tally.oracle.unwrap_or_default();
-    let missing = |fault: &&crate::sweep::Fault| fault.kind == Kind::Missing;
-    Completeness {
+    let missing = |fault: &&Fault| fault.kind == Kind::Missing;
+    let first = tally.faults.iter().find(missing);
+    Some(Completeness {
         targets: seen.targets,
         solutions: seen.solutions,
         lost: seen.missing.regular + seen.missing.near_singular,
-        first: tally
-            .faults
-            .iter()
-            .find(missing)
-            .map(|fault| fault.q.clone()),
-    }
+        first: first.map(|fault| fault.q.clone()),
+    })
 }
 
 impl fmt::Display for Check {
@@ -148,11 +167,10 @@ impl fmt::Display for Verdict {
             }
             Verdict::Refused(reason) => write!(f, "refused: {reason}"),
             Verdict::Broken(diagnostics) => {
-                let first = diagnostics.list.first();
-                let reason = first.map_or("", |first| first.reason.as_str());
-                match diagnostics.list.len() {
-                    0 | 1 => write!(f, "broken: {reason}"),
-                    n => write!(f, "broken: {reason} (and {} more)", n - 1),
+                write!(f, "broken: {}", diagnostics.first().reason)?;
+                match diagnostics.len() {
+                    1 => Ok(()),
+                    n => write!(f, " (and {} more)", n - 1),
                 }
             }
         }

@@ -1,18 +1,14 @@
 //! What was found in a mechanism's file and decided about it.
 
-use super::{Chain, file_name};
-use kin_codegen::mechanism::{CompiledMechanism, LegForm, compile};
-use kin_codegen::{Diagnostics, Ik, Options, Source};
+use super::{Chain, SCHEMA};
+use kin_codegen::mechanism::{CompiledMechanism, LegForm};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
-
-/// The version of the JSON that [`Explanation`] serializes to.
-pub const SCHEMA: u32 = 1;
 
 /// All that there is to tell about a mechanism's file. Lengths are metres,
 /// angles radians, coordinates those of the base.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Explanation {
+pub struct MechanismExplanation {
     /// [`SCHEMA`].
     pub schema: u32,
     /// The robot file's name.
@@ -101,29 +97,8 @@ pub struct ForwardExplanation {
     pub assemblies: usize,
 }
 
-/// Explains a mechanism's file. One whose chains have no closed form is
-/// explained too.
-///
-/// # Errors
-///
-/// What is wrong with the file, the mechanism or the options.
-pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagnostics> {
-    let (compiled, refusal) = match compile(source, options) {
-        Ok(compiled) => (compiled, None),
-        Err(refused) => {
-            let options = Options {
-                ik: Ik::None,
-                ..options.clone()
-            };
-            let reason = refused.list.into_iter().next().map(|first| first.reason);
-            (compile(source, &options)?, reason)
-        }
-    };
-    Ok(Explanation::of(&compiled, refusal))
-}
-
-impl Explanation {
-    fn of(compiled: &CompiledMechanism, refusal: Option<String>) -> Self {
+impl MechanismExplanation {
+    pub(super) fn of(compiled: &CompiledMechanism, refusal: Option<String>) -> Self {
         let CompiledMechanism {
             mechanism, freedom, ..
         } = compiled;
@@ -136,9 +111,9 @@ impl Explanation {
             actuated: leg.actuated_names(),
         });
         let chains: Vec<LegExplanation> = legs.collect();
-        Explanation {
+        Self {
             schema: SCHEMA,
-            file: file_name(&compiled.path).to_owned(),
+            file: compiled.file.clone(),
             robot: mechanism.name.clone(),
             base: mechanism.base.clone(),
             platform: mechanism.platform.clone(),
@@ -171,7 +146,7 @@ impl Explanation {
     }
 }
 
-impl Display for Explanation {
+impl Display for MechanismExplanation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Mobility {
             dimension,
@@ -234,7 +209,7 @@ impl Display for Explanation {
     }
 }
 
-impl Explanation {
+impl MechanismExplanation {
     fn write_inverse(&self, inverse: &InverseExplanation, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "  Targets are {}.", inverse.target)?;
         let plans = inverse.plans.iter().zip(&inverse.branches);

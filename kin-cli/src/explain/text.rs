@@ -1,7 +1,7 @@
 //! An explanation as text for a terminal.
 
 use super::singular::NOT_SQUARE;
-use super::{Chain, Explanation, Inverse, Joint, JointMotion, Snapping, Step};
+use super::{ArmExplanation, Chain, Inverse, Joint, JointMotion, Snapping, Step};
 use std::fmt::{self, Display, Formatter};
 
 /// Deviations below this are rounding, and not worth a word; radians, metres.
@@ -13,7 +13,7 @@ pub(super) fn vector_of(values: &[f64]) -> String {
     shown.join(", ")
 }
 
-impl Display for Explanation {
+impl Display for ArmExplanation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Chain {
             base, tip, joints, ..

@@ -20,11 +20,12 @@
 //! let source = Source { path: "planar.yaml".into(), text: text.into() };
 //! let compiled = compile(&source, &Options::default())?;
 //! let settings = Settings { targets: 100, oracle: 10, ..Settings::default() };
-//! let form = compiled.inverse.as_ref().unwrap();
-//! let tally = sweep(&compiled.model, form, &settings, &|_| {});
+//! let arm = compiled.arm().unwrap();
+//! let form = arm.inverse.as_ref().unwrap();
+//! let tally = sweep(&arm.model, form, &settings, &|_| {});
 //! assert!(tally.is_clean());
 //! assert_eq!(tally.answers[&2], 100);
-//! # Ok::<(), kin_codegen::Diagnostics>(())
+//! # Ok::<(), kin_codegen::Error>(())
 //! ```
 
 mod draw;

@@ -80,11 +80,12 @@ impl Replay {
     /// ";
     /// let source = Source { path: "planar.yaml".into(), text: text.into() };
     /// let compiled = compile(&source, &Options::default())?;
-    /// let form = compiled.inverse.as_ref().unwrap();
-    /// let replay = Replay::new(&compiled.model, form, &[0.3, 0.8]).unwrap();
+    /// let arm = compiled.arm().unwrap();
+    /// let form = arm.inverse.as_ref().unwrap();
+    /// let replay = Replay::new(&arm.model, form, &[0.3, 0.8]).unwrap();
     /// assert_eq!((replay.answers.len(), replay.solutions.len()), (2, 2));
     /// assert_eq!(replay.answers.iter().filter(|answer| answer.is_q).count(), 1);
-    /// # Ok::<(), kin_codegen::Diagnostics>(())
+    /// # Ok::<(), kin_codegen::Error>(())
     /// ```
     pub fn new(model: &Model, form: &ClosedForm, q: &[f64]) -> Option<Self> {
         if q.len() != model.variables.len() || q.iter().any(|x| !x.is_finite()) {

@@ -2,13 +2,14 @@
 
 use super::map::{Robot, Sampling, slices};
 use crate::arguments;
+use kin_codegen::Target;
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::Graph;
 use kin_codegen::geometry::{Line, axes, size};
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::singularity::Singular;
 use kin_codegen::solver::ClosedForm;
 use kin_codegen::verify::chain;
-use kin_codegen::{Compiled, Target};
 use kin_runtime::{Pose, scattered_rotations};
 use std::f64::consts::TAU;
 
@@ -22,7 +23,7 @@ struct Arm<'a> {
 
 /// Through the shoulder; none if targets have no position.
 pub fn sampling<'a>(
-    compiled: &'a Compiled,
+    compiled: &'a CompiledArm,
     arguments: &arguments::Workspace,
 ) -> Option<Sampling<'a>> {
     let form = compiled.inverse.as_ref()?;

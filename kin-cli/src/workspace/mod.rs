@@ -9,8 +9,7 @@ mod picture;
 use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::{Done, Exit};
-use kin_codegen::spec::MechanismSpec;
-use kin_codegen::{Ik, Options, Source, compile};
+use kin_codegen::{Compiled, Ik, compile};
 use map::{Map, Sampling};
 use serde_json::json;
 use std::fs;
@@ -27,65 +26,37 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         Ok(source) => source,
         Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
     };
-    if MechanismSpec::is_meant(&source) {
-        of_mechanism(arguments, &source, &options)
-    } else {
-        of_arm(arguments, &source, &options)
-    }
-}
-
-fn of_arm(arguments: &arguments::Workspace, source: &Source, options: &Options) -> Done {
-    let compiled = match compile(source, options) {
-        Ok(compiled) => compiled,
-        Err(diagnostics) => {
-            let valid = compile(source, &without_inverse(options)).is_ok();
-            return Done::failing(refused(valid), diagnostics);
-        }
+    let robot = match compile(&source, &options) {
+        Ok(robot) => robot,
+        Err(error) => return Done::failing(Exit::from(&error), error),
     };
-    match arm::sampling(&compiled, arguments) {
-        Some(sampling) => draw(arguments, &compiled.model.name, &sampling),
+    let (name, sampling) = match &robot {
+        Compiled::Arm(arm) => (&arm.model.name, arm::sampling(arm, arguments)),
+        Compiled::Mechanism(compiled) => (
+            &compiled.mechanism.name,
+            mechanism::sampling(compiled, arguments),
+        ),
+    };
+    match sampling {
+        Some(sampling) => draw(arguments, name, &sampling),
         None => Done::failing(
             Exit::Usage,
-            format!(
-                "{}: targets are {}, which have no place in a workspace",
-                arguments.file,
-                compiled.target().phrase()
-            ),
+            format!("{}: {}", arguments.file, placeless(&robot)),
         ),
     }
 }
 
-fn of_mechanism(arguments: &arguments::Workspace, source: &Source, options: &Options) -> Done {
-    let compiled = match kin_codegen::mechanism::compile(source, options) {
-        Ok(compiled) => compiled,
-        Err(diagnostics) => {
-            let without = without_inverse(options);
-            let valid = kin_codegen::mechanism::compile(source, &without).is_ok();
-            return Done::failing(refused(valid), diagnostics);
-        }
-    };
-    match mechanism::sampling(&compiled, arguments) {
-        Some(sampling) => draw(arguments, &compiled.mechanism.name, &sampling),
-        None => Done::failing(
-            Exit::Usage,
-            format!(
-                "{}: the platform's position cannot be chosen freely at a given orientation",
-                arguments.file
-            ),
+/// Why a robot's targets make no map.
+fn placeless(robot: &Compiled) -> String {
+    match robot {
+        Compiled::Arm(arm) => format!(
+            "targets are {}, which have no place in a workspace",
+            arm.target().phrase()
         ),
+        Compiled::Mechanism(_) => {
+            "the platform's position cannot be chosen freely at a given orientation".into()
+        }
     }
-}
-
-fn without_inverse(options: &Options) -> Options {
-    Options {
-        ik: Ik::None,
-        ..options.clone()
-    }
-}
-
-/// Whether the file is broken, or valid and its robot has no closed form.
-fn refused(valid: bool) -> Exit {
-    if valid { Exit::Refused } else { Exit::Broken }
 }
 
 fn draw(arguments: &arguments::Workspace, name: &str, sampling: &Sampling) -> Done {

@@ -5,9 +5,9 @@
 use super::robot::limit;
 use super::straight::signed;
 use super::{forward, inverse, matrix};
-use crate::compiler::Compiled;
+use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
-use crate::mechanism::{Aim, CompiledMechanism, Forward, LegForm, Loop, Rod};
+use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Loop, Rod};
 use crate::model::JointKind;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -156,22 +156,22 @@ fn arms(compiled: &CompiledMechanism) -> TokenStream {
         }
     }
     match &compiled.forward {
-        Forward::Loop(found) => {
+        ForwardMethod::Loop(found) => {
             all.extend(arm(&format_ident!("Drive"), &found.drive));
             all.extend(arm(&format_ident!("Passive"), &found.passive));
         }
-        Forward::Spheres(rods) => {
+        ForwardMethod::Spheres(rods) => {
             for (i, rod) in rods.iter().enumerate() {
                 all.extend(arm(&rod_name(i), &rod.drive));
             }
         }
-        Forward::Newton => {}
+        ForwardMethod::Newton => {}
     }
     all
 }
 
 /// A serial chain with as much of its kinematics as a mechanism may call.
-fn arm(name: &Ident, compiled: &Compiled) -> TokenStream {
+fn arm(name: &Ident, compiled: &CompiledArm) -> TokenStream {
     let count = compiled.model.variables.len();
     let n = Literal::usize_unsuffixed(count);
     let f = &compiled.forward;
@@ -322,9 +322,9 @@ fn pushes(compiled: &CompiledMechanism, leg: usize, place: &TokenStream) -> Toke
 
 fn fk(compiled: &CompiledMechanism, Sizes { n, m, .. }: &Sizes) -> Option<TokenStream> {
     let body = match &compiled.forward {
-        Forward::Loop(found) => around(compiled, found, n),
-        Forward::Spheres(rods) => spheres(compiled, rods, n),
-        Forward::Newton => return None,
+        ForwardMethod::Loop(found) => around(compiled, found, n),
+        ForwardMethod::Spheres(rods) => spheres(compiled, rods, n),
+        ForwardMethod::Newton => return None,
     };
     Some(quote! {
         fn fk(&self, actuated: &[f64; #m]) -> Solutions<#n> {

@@ -3,7 +3,7 @@
 use super::straight::signed;
 use super::summary::summary;
 use super::{forward, inverse, singular};
-use crate::compiler::Compiled;
+use crate::arm::CompiledArm;
 use crate::expr::Operations;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
@@ -12,7 +12,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// The items that a robot becomes.
-pub fn robot(compiled: &Compiled, name: &Ident) -> TokenStream {
+pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let n = Literal::usize_unsuffixed(compiled.model.variables.len());
     let doc = documentation(compiled);
     let constants = constants(compiled, &n);
@@ -78,17 +78,17 @@ pub const TAKEN: [&str; 17] = [
 /// A spatial Jacobian of more multiplications is left to `fk_jacobian`.
 const LONGEST: usize = 80;
 
-fn documentation(compiled: &Compiled) -> Vec<String> {
+fn documentation(compiled: &CompiledArm) -> Vec<String> {
     let model = &compiled.model;
     let mut lines = vec![format!(
         " The arm `{}` from `{}` to `{}`, compiled from `{}`.",
-        model.name, model.base, model.tip, compiled.path
+        model.name, model.base, model.tip, compiled.file
     )];
     lines.extend(summary(compiled).into_iter().map(|line| format!(" {line}")));
     lines
 }
 
-fn constants(compiled: &Compiled, n: &Literal) -> TokenStream {
+fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let model = &compiled.model;
     let names = model.variables.iter().map(|variable| &variable.name);
     let limits = (0..model.variables.len()).map(|i| limit(model, i, &model.variables[i]));
@@ -136,7 +136,7 @@ pub(super) fn cost(operations: Operations) -> String {
     )
 }
 
-fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
+fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let f = &compiled.forward;
     let count = compiled.model.variables.len();
     let g = &f.graph;
@@ -210,7 +210,7 @@ fn methods(compiled: &Compiled, n: &Literal) -> TokenStream {
 }
 
 /// The trait, by the inherent methods.
-fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
+fn delegation(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream {
     let method = |function: &str, parameters: TokenStream, of: TokenStream, result: TokenStream| {
         let function = Ident::new(function, proc_macro2::Span::call_site());
         quote! {
@@ -257,7 +257,7 @@ fn delegation(compiled: &Compiled, name: &Ident, n: &Literal) -> TokenStream {
 
 /// The derivatives of the Jacobian where joints mimic others, so that the trait
 /// cannot tell them from the Jacobian.
-fn derivatives(compiled: &Compiled, dot: &Columns, n: &Literal) -> TokenStream {
+fn derivatives(compiled: &CompiledArm, dot: &Columns, n: &Literal) -> TokenStream {
     let count = compiled.model.variables.len();
     let body = forward::block(&compiled.forward.graph, &dot.expressions(), count, |w| {
         forward::jacobian(w, dot)

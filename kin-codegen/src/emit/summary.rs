@@ -1,12 +1,12 @@
 //! A few words for the robot's documentation.
 
-use crate::compiler::Compiled;
+use crate::arm::CompiledArm;
 use crate::geometry::structure;
 use crate::plan::Target;
 
 /// What the documentation of the robot says of its kinematics, in Markdown
 /// lines.
-pub fn summary(compiled: &Compiled) -> Vec<String> {
+pub fn summary(compiled: &CompiledArm) -> Vec<String> {
     let mut lines = vec![
         String::new(),
         format!("Axes: {}.", structure(&compiled.model)),

@@ -1,18 +1,17 @@
 //! Forward kinematics: closed forms where a loop or three spheres give them.
 
 use super::freedom::Freedom;
-use super::inverse::{Aim, Inverse};
+use super::inverse::{Aim, Inverse, forward_alone, solved};
 use super::model::{Leg, Mechanism, meeting_point};
-use crate::compiler::Compiled;
+use crate::arm::CompiledArm;
 use crate::geometry::{Vec3, norm, sub};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
-use crate::solver::solve;
 use kin_runtime::{Pose, math, three_spheres};
 
 /// How forward kinematics finds the assemblies.
 #[derive(Clone, Debug)]
-pub enum Forward {
+pub enum ForwardMethod {
     /// One loop: the passive joints around it are a serial chain, and the
     /// actuated ones place its end.
     Loop(Box<Loop>),
@@ -27,11 +26,11 @@ pub enum Forward {
 #[derive(Clone, Debug)]
 pub struct Loop {
     /// The actuated joints, which place the end of the others.
-    pub drive: Compiled,
+    pub drive: CompiledArm,
     /// The number among the actuated joints of each joint of `drive`.
     pub driven: Vec<usize>,
     /// The passive joints, with their inverse kinematics.
-    pub passive: Compiled,
+    pub passive: CompiledArm,
     /// The number among all joints of each joint of `passive`.
     pub joints: Vec<usize>,
 }
@@ -41,7 +40,7 @@ pub struct Loop {
 #[derive(Clone, Debug)]
 pub struct Rod {
     /// The actuated joints; the tip is where the rod begins.
-    pub drive: Compiled,
+    pub drive: CompiledArm,
     /// The numbers among the actuated joints.
     pub driven: Vec<usize>,
     /// Where the rod ends, less the platform's origin: base coordinates.
@@ -50,34 +49,34 @@ pub struct Rod {
     pub length: f64,
 }
 
-impl Forward {
+impl ForwardMethod {
     /// Finds a closed form, verified on the samples.
     pub fn find(
         mechanism: &Mechanism,
         freedom: &Freedom,
         inverse: Option<&Inverse>,
-        path: &str,
+        file: &str,
     ) -> Self {
-        if let Some(found) = single_loop(mechanism, path)
+        if let Some(found) = single_loop(mechanism, file)
             && recovers(mechanism, freedom, &found)
         {
-            return Forward::Loop(Box::new(found));
+            return ForwardMethod::Loop(Box::new(found));
         }
         if inverse.is_some_and(|inverse| inverse.aim == Aim::Translation)
-            && let Some(rods) = rods(mechanism, path)
+            && let Some(rods) = rods(mechanism, file)
             && hold(mechanism, freedom, &rods)
         {
-            return Forward::Spheres(rods);
+            return ForwardMethod::Spheres(rods);
         }
-        Forward::Newton
+        ForwardMethod::Newton
     }
 
     /// How many assemblies it looks at; 0 without a closed form.
     pub fn assemblies(&self) -> usize {
         match self {
-            Forward::Loop(found) => found.passive.branches(),
-            Forward::Spheres(_) => 2,
-            Forward::Newton => 0,
+            ForwardMethod::Loop(found) => found.passive.branches(),
+            ForwardMethod::Spheres(_) => 2,
+            ForwardMethod::Newton => 0,
         }
     }
 }
@@ -86,7 +85,7 @@ impl Forward {
 /// platform.
 type Passed = (usize, bool);
 
-fn single_loop(mechanism: &Mechanism, path: &str) -> Option<Loop> {
+fn single_loop(mechanism: &Mechanism, file: &str) -> Option<Loop> {
     let [out, back] = &mechanism.ranges()[..] else {
         return None;
     };
@@ -108,12 +107,11 @@ fn single_loop(mechanism: &Mechanism, path: &str) -> Option<Loop> {
     // rest.
     let undone: Vec<Passed> = drive.into_iter().rev().map(|(j, way)| (j, !way)).collect();
     let model = chain_of(mechanism, &passive, Pose::IDENTITY);
-    let form = solve(&model, Target::Pose).ok()?;
     let number = |joint: usize| actuated.iter().position(|a| *a == joint);
     Some(Loop {
-        drive: Compiled::of(path, chain_of(mechanism, &undone, Pose::IDENTITY), None),
+        drive: forward_alone(file, chain_of(mechanism, &undone, Pose::IDENTITY)),
         driven: undone.iter().filter_map(|(j, _)| number(*j)).collect(),
-        passive: Compiled::of(path, model, Some(form)),
+        passive: solved(file, model, Target::Pose).ok()?,
         joints: passive.iter().map(|(j, _)| *j).collect(),
     })
 }
@@ -175,14 +173,14 @@ fn recovers(mechanism: &Mechanism, freedom: &Freedom, found: &Loop) -> bool {
 
 /// Three rods, if every chain is actuated joints and then passive axes that meet
 /// in one or the other end of a rod.
-fn rods(mechanism: &Mechanism, path: &str) -> Option<Vec<Rod>> {
+fn rods(mechanism: &Mechanism, file: &str) -> Option<Vec<Rod>> {
     if mechanism.legs.len() != 3 {
         return None;
     }
     let mut first = 0;
     let mut rods = Vec::new();
     for leg in &mechanism.legs {
-        rods.push(rod(leg, first, mechanism.home(), path)?);
+        rods.push(rod(leg, first, mechanism.home(), file)?);
         first += leg.actuated.len();
     }
     Some(rods)
@@ -207,7 +205,7 @@ fn hold(mechanism: &Mechanism, freedom: &Freedom, rods: &[Rod]) -> bool {
     })
 }
 
-fn rod(leg: &Leg, first: usize, home: Pose, path: &str) -> Option<Rod> {
+fn rod(leg: &Leg, first: usize, home: Pose, file: &str) -> Option<Rod> {
     let model = &leg.model;
     let (n, driven) = (model.joints.len(), leg.actuated.len());
     if driven == 0 || leg.actuated != (0..driven).collect::<Vec<_>>() {
@@ -223,7 +221,7 @@ fn rod(leg: &Leg, first: usize, home: Pose, path: &str) -> Option<Rod> {
     })?;
     let drive = super::inverse::part(model, 0..driven, Pose::from_translation(begin), "rod");
     Some(Rod {
-        drive: Compiled::of(path, drive, None),
+        drive: forward_alone(file, drive),
         driven: (first..first + driven).collect(),
         end: sub(end, home.translation),
         length: norm(sub(end, begin)),

@@ -126,22 +126,14 @@ fn joints(n: usize) -> String {
 }
 
 /// A complaint about the mechanism as a whole, where the file introduces it.
-pub(super) fn refuse(
+fn refuse(
     mechanism: &Mechanism,
     source: &Source,
     reason: impl Into<String>,
     remedy: impl Into<String>,
 ) -> Diagnostics {
-    let line = source.text.lines().nth(mechanism.at.line as usize - 1);
-    Diagnostics {
-        path: source.path.clone(),
-        list: vec![Diagnostic {
-            at: Some(mechanism.at),
-            line: line.unwrap_or("").to_owned(),
-            reason: reason.into(),
-            remedy: remedy.into(),
-        }],
-    }
+    let diagnostic = Diagnostic::at(mechanism.at, source, reason, remedy);
+    Diagnostics::one(&source.path, diagnostic)
 }
 
 /// Closed configurations while the actuators go from home to some values, as

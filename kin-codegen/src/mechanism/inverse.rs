@@ -2,8 +2,8 @@
 
 use super::freedom::Freedom;
 use super::model::{Leg, Mechanism, meeting_point};
-use crate::compiler::Compiled;
-use crate::geometry::Vec3;
+use crate::arm::CompiledArm;
+use crate::geometry::{Linkage, Vec3};
 use crate::model::{JointKind, Model};
 use crate::plan::Target;
 use crate::solver::{NoClosedForm, solve};
@@ -25,7 +25,7 @@ pub enum Aim {
 #[derive(Clone, Debug)]
 pub enum LegForm {
     /// As one chain.
-    Whole(Box<Compiled>),
+    Whole(Box<CompiledArm>),
     /// Up to the point where its last axes meet, and then about it.
     Split(Box<Split>),
 }
@@ -34,9 +34,9 @@ pub enum LegForm {
 #[derive(Clone, Debug)]
 pub struct Split {
     /// Up to the point, which its tip is at; at home turned as the base is.
-    pub head: Compiled,
+    pub head: CompiledArm,
     /// About the point, from the base's orientation to the platform's.
-    pub tail: Compiled,
+    pub tail: CompiledArm,
     /// The point in the platform's frame.
     pub point: Vec3,
 }
@@ -64,8 +64,8 @@ impl Inverse {
     pub fn find(
         mechanism: &Mechanism,
         freedom: &Freedom,
-        path: &str,
-    ) -> Result<Self, (String, Reason)> {
+        file: &str,
+    ) -> Result<Self, (String, ChainRefusal)> {
         let aim = aim(mechanism, freedom);
         let regular = regular(mechanism, freedom);
         let mut legs = Vec::new();
@@ -73,7 +73,7 @@ impl Inverse {
             let [first, end] = mechanism.ranges()[k];
             let own = |q: &&Vec<f64>| q[first..end].to_vec();
             let samples: Vec<Vec<f64>> = regular.iter().map(own).collect();
-            let form = leg_form(leg, k, aim, path, &samples);
+            let form = leg_form(leg, k, aim, file, &samples);
             legs.push(form.map_err(|reason| (leg.name.clone(), reason))?);
         }
         Ok(Inverse {
@@ -86,9 +86,9 @@ impl Inverse {
 
 /// Why a chain has no closed form.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Reason {
+pub enum ChainRefusal {
     /// The search or its certificate says so.
-    None(NoClosedForm),
+    NoClosedForm(NoClosedForm),
     /// A closed configuration did not come back.
     Lost(Vec<f64>),
 }
@@ -118,20 +118,19 @@ fn leg_form(
     leg: &Leg,
     k: usize,
     aim: Aim,
-    path: &str,
+    file: &str,
     samples: &[Vec<f64>],
-) -> Result<LegForm, Reason> {
+) -> Result<LegForm, ChainRefusal> {
     let target = match aim {
         Aim::Lead(lead) if lead == k => Target::Position,
         _ => Target::Pose,
     };
-    let whole = solve(&leg.model, target)
-        .map_err(Reason::None)
-        .map(|form| Compiled::of(path, leg.model.clone(), Some(form)))
+    let whole = solved(file, leg.model.clone(), target)
+        .map_err(ChainRefusal::NoClosedForm)
         .map(|compiled| LegForm::Whole(Box::new(compiled)))
         .and_then(|form| form.recovers(leg, samples));
     match whole {
-        Err(reason) if target == Target::Pose => split(leg, path)
+        Err(reason) if target == Target::Pose => split(leg, file)
             .and_then(|form| form.recovers(leg, samples).ok())
             .ok_or(reason),
         other => other,
@@ -140,7 +139,7 @@ fn leg_form(
 
 /// The last two or three axes meet, and what is in front of them reaches their
 /// point.
-fn split(leg: &Leg, path: &str) -> Option<LegForm> {
+fn split(leg: &Leg, file: &str) -> Option<LegForm> {
     let model = &leg.model;
     let n = model.joints.len();
     [3, 2]
@@ -160,16 +159,29 @@ fn split(leg: &Leg, path: &str) -> Option<LegForm> {
                 ..model.home
             };
             let tail = part(model, at..n, tail, &model.tip);
-            let compile = |model: Model, target| {
-                let form = solve(&model, target).ok()?;
-                Some(Compiled::of(path, model, Some(form)))
-            };
             Some(LegForm::Split(Box::new(Split {
-                head: compile(head, Target::Position)?,
-                tail: compile(tail, Target::Orientation)?,
+                head: solved(file, head, Target::Position).ok()?,
+                tail: solved(file, tail, Target::Orientation).ok()?,
                 point: model.home.inverse().transform_point(point),
             })))
         })
+}
+
+/// A chain with its closed form.
+pub(super) fn solved(
+    file: &str,
+    model: Model,
+    target: Target,
+) -> Result<CompiledArm, NoClosedForm> {
+    let linkage = Linkage::new(&model);
+    let form = solve(&model, &linkage, target)?;
+    Ok(CompiledArm::new(file, model, linkage, Some(form)))
+}
+
+/// A chain without inverse kinematics.
+pub(super) fn forward_alone(file: &str, model: Model) -> CompiledArm {
+    let linkage = Linkage::new(&model);
+    CompiledArm::new(file, model, linkage, None)
 }
 
 /// Some joints of a chain as a chain of their own.
@@ -199,7 +211,7 @@ impl LegForm {
 
     /// The plans, in short.
     pub fn plan(&self) -> String {
-        let plan = |compiled: &Compiled| {
+        let plan = |compiled: &CompiledArm| {
             let form = compiled.inverse.as_ref();
             form.map_or_else(String::new, |form| form.plan.to_string())
         };
@@ -211,7 +223,7 @@ impl LegForm {
 
     /// What the generated function will answer, computed by the interpreter.
     pub fn answers(&self, target: &Pose) -> Vec<Vec<f64>> {
-        let of = |compiled: &Compiled, target: &Pose| -> Vec<Vec<f64>> {
+        let of = |compiled: &CompiledArm, target: &Pose| -> Vec<Vec<f64>> {
             let form = compiled.inverse.as_ref();
             let answers = form.map_or_else(Vec::new, |form| form.answers(target));
             answers.into_iter().map(|answer| answer.q).collect()
@@ -236,7 +248,7 @@ impl LegForm {
 
     /// Every configuration comes back from the pose that it makes, and every
     /// answer makes that pose.
-    fn recovers(self, leg: &Leg, samples: &[Vec<f64>]) -> Result<Self, Reason> {
+    fn recovers(self, leg: &Leg, samples: &[Vec<f64>]) -> Result<Self, ChainRefusal> {
         let chain = leg.chain();
         let turns = |j: usize| leg.model.joints[j].kind == JointKind::Revolute;
         let same = |a: &[f64], b: &[f64]| {
@@ -248,7 +260,7 @@ impl LegForm {
         for q in samples {
             let answers = self.answers(&chain.fk(q));
             if !answers.iter().any(|answer| same(answer, q)) {
-                return Err(Reason::Lost(q.clone()));
+                return Err(ChainRefusal::Lost(q.clone()));
             }
         }
         Ok(self)

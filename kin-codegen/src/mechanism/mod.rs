@@ -5,7 +5,8 @@
 //!
 //! ```text
 //! robot file
-//!   -> spec::MechanismSpec   chains of one file, which joints are actuated
+//!   -> spec::MechanismSpec   chains, or a tree with loops; which joints are actuated
+//!   -> chains                from base to platform
 //!   -> model                 every chain as a Model; at home they end together
 //!   -> mobility              Grübler's formula and the rank; what cannot work is refused
 //!   -> inverse               chain by chain through the plan search, aimed at the platform
@@ -34,6 +35,7 @@
 //! Data flows one way; the runtime half is [`kin_runtime::ParallelKinematics`],
 //! and [`kin_runtime::Mechanism`] is the generic mechanism that checks it.
 
+mod chains;
 mod compiled;
 mod forward;
 mod freedom;
@@ -41,8 +43,9 @@ mod inverse;
 mod model;
 mod summary;
 
-pub use compiled::{CompiledMechanism, Placed, compile};
-pub use forward::{Forward, Loop, Rod};
+pub(crate) use compiled::compile;
+pub use compiled::{CompiledMechanism, Placed};
+pub use forward::{ForwardMethod, Loop, Rod};
 pub use freedom::Freedom;
-pub use inverse::{Aim, Inverse, LegForm, Reason, Split};
+pub use inverse::{Aim, ChainRefusal, Inverse, LegForm, Split};
 pub use model::{Leg, Mechanism};

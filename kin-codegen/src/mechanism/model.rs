@@ -1,5 +1,6 @@
 //! The chains of a mechanism, each as a serial model, at home together.
 
+use super::chains::{Chains, chains};
 use crate::geometry::{Vec3, axes, concurrency, size};
 use crate::model::{JointKind, Model};
 use crate::spec::{ChainSpec, Complaints, Diagnostics, Location, MechanismSpec};
@@ -38,41 +39,55 @@ pub struct Leg {
 }
 
 impl Mechanism {
-    /// Builds the chains and holds their ends together.
+    /// Builds the chains and holds their ends together. `base` and `platform`
+    /// name links of a URDF; by default the base is the root, and the platform
+    /// the only other link at which more than two chains meet, or the tree's
+    /// only leaf in the loop. YAML says both itself.
     ///
     /// # Errors
     ///
-    /// A chain cannot be used, or does not end at home where the first does.
-    pub fn new(spec: &MechanismSpec) -> Result<Self, Diagnostics> {
+    /// There are no chains between the two, a chain cannot be used, or does not
+    /// end at home where the first does.
+    pub fn new(
+        spec: &MechanismSpec,
+        base: Option<&str>,
+        platform: Option<&str>,
+    ) -> Result<Self, Diagnostics> {
+        let Chains {
+            base,
+            platform,
+            chains,
+        } = chains(spec, base, platform)?;
         let mut legs = Vec::new();
         let mut refused: Option<Diagnostics> = None;
-        for chain in &spec.chains {
-            match Model::new(&chain.spec, Some(&spec.base), Some(&spec.platform)) {
+        for chain in &chains {
+            match Model::new(&chain.spec, Some(&base), Some(&platform)) {
                 Ok(model) => legs.push(Leg {
                     name: chain.name.clone(),
                     actuated: numbers(&model, &chain.actuated),
                     model,
                 }),
-                Err(diagnostics) => match &mut refused {
-                    Some(all) => all.list.extend(diagnostics.list),
-                    None => refused = Some(diagnostics),
-                },
+                Err(more) => {
+                    refused = Some(match refused {
+                        Some(all) => all.and(more),
+                        None => more,
+                    });
+                }
             }
         }
-        if let Some(mut refused) = refused {
-            refused.list.sort_by_key(|d| (d.at.is_none(), d.at));
+        if let Some(refused) = refused {
             return Err(refused);
         }
         let mut mechanism = Mechanism {
             name: spec.name.clone(),
-            base: spec.base.clone(),
-            platform: spec.platform.clone(),
+            base,
+            platform,
             legs,
             at: spec.at,
         };
         let mut complaints = Complaints::new(&spec.source);
-        mechanism.refuse_coupled(&spec.chains, &mut complaints);
-        mechanism.join(&spec.chains, &mut complaints);
+        mechanism.refuse_coupled(&chains, &mut complaints);
+        mechanism.join(&chains, &mut complaints);
         complaints.unless_any(Some(mechanism))
     }
 

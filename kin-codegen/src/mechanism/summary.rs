@@ -1,14 +1,14 @@
 //! A few words for the mechanism's documentation and the header of its code.
 
 use super::compiled::CompiledMechanism;
-use super::forward::Forward;
+use super::forward::ForwardMethod;
 use super::inverse::{Aim, LegForm};
 
-impl Forward {
+impl ForwardMethod {
     /// How forward kinematics is found, in words.
     pub fn method(&self) -> String {
         match self {
-            Forward::Loop(found) => format!(
+            ForwardMethod::Loop(found) => format!(
                 "closed form: the passive joints around the loop are a serial chain between ends \
                  that the actuated ones place, solved by {}",
                 found
@@ -17,7 +17,7 @@ impl Forward {
                     .as_ref()
                     .map_or_else(String::new, |form| form.plan.to_string())
             ),
-            Forward::Spheres(rods) => format!(
+            ForwardMethod::Spheres(rods) => format!(
                 "closed form: the platform translates at {} from points that the actuators place, \
                  so its position is where three spheres meet (assemblies with the platform \
                  turned, in another mode of its joints, are left out)",
@@ -26,7 +26,7 @@ impl Forward {
                     .collect::<Vec<_>>()
                     .join(", ")
             ),
-            Forward::Newton => {
+            ForwardMethod::Newton => {
                 "Newton's method on the structure equation, from a seed, in at most 60 steps".into()
             }
         }
@@ -61,7 +61,7 @@ impl CompiledMechanism {
         let mut lines = vec![
             format!(
                 " The mechanism `{}` from `{}` to `{}`, compiled from `{}`.",
-                mechanism.name, mechanism.base, mechanism.platform, self.path
+                mechanism.name, mechanism.base, mechanism.platform, self.file
             ),
             String::new(),
             format!(" Chains: {}.", legs.join(", ")),

@@ -1,6 +1,6 @@
 //! Which joints lead from base to tip.
 
-use crate::spec::{Complaints, JointType, Spec, did_you_mean};
+use crate::spec::{ArmSpec, Complaints, JointType, did_you_mean};
 
 /// A path down the tree.
 pub(super) struct Chain {
@@ -14,7 +14,7 @@ pub(super) struct Chain {
 
 /// The chain between two links named by the user, or found.
 pub(super) fn choose(
-    spec: &Spec,
+    spec: &ArmSpec,
     base: Option<&str>,
     tip: Option<&str>,
     complaints: &mut Complaints,
@@ -46,7 +46,7 @@ pub(super) fn choose(
     }
 }
 
-fn find(spec: &Spec, role: &str, name: &str, complaints: &mut Complaints) -> Option<usize> {
+fn find(spec: &ArmSpec, role: &str, name: &str, complaints: &mut Complaints) -> Option<usize> {
     let found = spec.links.iter().position(|link| link.name == name);
     if found.is_none() {
         let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
@@ -84,12 +84,12 @@ fn explain_no_path(tree: &Tree, base: usize, tip: usize, complaints: &mut Compla
 
 /// The robot with links that know the joint above them.
 struct Tree<'s> {
-    spec: &'s Spec,
+    spec: &'s ArmSpec,
     above: Vec<Option<usize>>,
 }
 
 impl<'s> Tree<'s> {
-    fn new(spec: &'s Spec) -> Self {
+    fn new(spec: &'s ArmSpec) -> Self {
         let mut above = vec![None; spec.links.len()];
         for (j, joint) in spec.joints.iter().enumerate() {
             above[joint.child] = Some(j);

@@ -3,7 +3,7 @@
 use super::Variable;
 use super::chain::Chain;
 use super::mimic::Drives;
-use crate::spec::{Complaints, Joint, JointType, Limits, Spec};
+use crate::spec::{ArmSpec, Complaints, Joint, JointType, Limits};
 
 /// Whole numbers of this size, as limits of an angle, are degrees: 45 rad are
 /// seven turns.
@@ -14,7 +14,7 @@ const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
 
 /// Complains about every moving joint of the chain whose limits are missing,
 /// empty, or in another unit.
-pub(super) fn check(spec: &Spec, chain: &Chain, complaints: &mut Complaints) {
+pub(super) fn check(spec: &ArmSpec, chain: &Chain, complaints: &mut Complaints) {
     for &j in &chain.joints {
         let joint = &spec.joints[j];
         if matches!(joint.kind, JointType::Revolute | JointType::Prismatic) {
@@ -78,7 +78,7 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
 /// The coordinates of the chain. A coordinate that moves several joints has
 /// the range in which all of them are within their limits.
 pub(super) fn variables(
-    spec: &Spec,
+    spec: &ArmSpec,
     drives: &Drives,
     complaints: &mut Complaints,
 ) -> Vec<Variable> {

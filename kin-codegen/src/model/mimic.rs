@@ -1,7 +1,7 @@
 //! Which coordinate moves which joint.
 
 use super::chain::Chain;
-use crate::spec::{Complaints, Joint, JointType, Spec};
+use crate::spec::{ArmSpec, Complaints, Joint, JointType};
 use std::collections::BTreeMap;
 
 /// A joint value as a function of the configuration:
@@ -34,7 +34,11 @@ impl Drives {
 }
 
 /// Follows every mimic to the joint that leads it.
-pub(super) fn resolve(spec: &Spec, chain: &Chain, complaints: &mut Complaints) -> Option<Drives> {
+pub(super) fn resolve(
+    spec: &ArmSpec,
+    chain: &Chain,
+    complaints: &mut Complaints,
+) -> Option<Drives> {
     let moves = |&j: &usize| spec.joints[j].kind != JointType::Fixed;
     let leads = |&j: &usize| spec.joints[j].mimic.is_none();
     let moving: Vec<usize> = chain.joints.iter().copied().filter(moves).collect();
@@ -63,8 +67,8 @@ pub(super) fn resolve(spec: &Spec, chain: &Chain, complaints: &mut Complaints) -
 }
 
 /// The joint at the end of a line of mimics, and the value as a function of
-/// that joint's. The line ends: `Spec` holds no cyclic mimics.
-fn follow(spec: &Spec, joint: usize) -> (usize, f64, f64) {
+/// that joint's. The line ends: `ArmSpec` holds no cyclic mimics.
+fn follow(spec: &ArmSpec, joint: usize) -> (usize, f64, f64) {
     let (mut joint, mut multiplier, mut offset) = (joint, 1.0, 0.0);
     while let Some(mimic) = spec.joints[joint].mimic {
         offset += multiplier * mimic.offset;

@@ -49,13 +49,7 @@ impl<'s> Complaints<'s> {
 
     /// Complains about the robot as a whole.
     pub(crate) fn whole(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
-        let (reason, remedy) = (reason.into(), remedy.into());
-        self.list.push(Diagnostic {
-            at: None,
-            line: String::new(),
-            reason,
-            remedy,
-        });
+        self.list.push(Diagnostic::whole(reason, remedy));
     }
 
     /// Whether there is a complaint about this very place.
@@ -69,19 +63,18 @@ impl<'s> Complaints<'s> {
 
     /// The value, if there was nothing to complain about.
     pub(crate) fn unless_any<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
-        match value {
-            Some(value) if self.list.is_empty() => Ok(value),
-            _ => Err(self.into_diagnostics()),
-        }
-    }
-
-    /// What was collected, in the order of the file.
-    pub(crate) fn into_diagnostics(mut self) -> Diagnostics {
-        self.list.sort_by_key(|d| (d.at.is_none(), d.at));
-        self.list.dedup();
-        Diagnostics {
-            path: self.source.path.clone(),
-            list: self.list,
+        match (Diagnostics::of(&self.source.path, self.list), value) {
+            (None, Some(value)) => Ok(value),
+            (Some(diagnostics), _) => Err(diagnostics),
+            // Whoever gives up says why; should one forget, the user still
+            // gets an error instead of a blank line.
+            (None, None) => Err(Diagnostics::one(
+                &self.source.path,
+                Diagnostic::whole(
+                    "the file cannot be read, for a reason that was not recorded",
+                    "report this file as a defect of kin-codegen",
+                ),
+            )),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Complaints as data: a place, a reason and a remedy.
 
+use super::Source;
 use std::fmt;
 
 /// A place in a robot file, both counted from 1; columns count characters.
@@ -36,10 +37,9 @@ pub struct Diagnostic {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
-    /// The file, as the user named it.
-    pub path: String,
-    /// In the order of the file; complaints about the whole robot last.
-    pub list: Vec<Diagnostic>,
+    path: String,
+    first: Diagnostic,
+    rest: Vec<Diagnostic>,
 }
 
 /// More than this is noise: the first complaints usually explain the rest.
@@ -50,13 +50,13 @@ const LINE_WIDTH: usize = 160;
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, diagnostic) in self.list.iter().take(SHOWN).enumerate() {
+        for (i, diagnostic) in self.iter().take(SHOWN).enumerate() {
             if i > 0 {
                 f.write_str("\n\n")?;
             }
             diagnostic.write(&self.path, f)?;
         }
-        match self.list.len().saturating_sub(SHOWN) {
+        match self.len().saturating_sub(SHOWN) {
             0 => Ok(()),
             more => write!(f, "\n\n{}: and {more} more", self.path),
         }
@@ -65,8 +65,86 @@ impl fmt::Display for Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
+impl Diagnostics {
+    /// One diagnostic about the file that the user named `path`.
+    pub fn one(path: impl Into<String>, diagnostic: Diagnostic) -> Self {
+        Self {
+            path: path.into(),
+            first: diagnostic,
+            rest: Vec::new(),
+        }
+    }
+
+    /// Several, in the order of the file; none of an empty list.
+    pub(crate) fn of(path: &str, mut list: Vec<Diagnostic>) -> Option<Self> {
+        // Those about the robot as a whole come last.
+        list.sort_by_key(|diagnostic| (diagnostic.at.is_none(), diagnostic.at));
+        list.dedup();
+        let mut list = list.into_iter();
+        Some(Self {
+            path: path.into(),
+            first: list.next()?,
+            rest: list.collect(),
+        })
+    }
+
+    /// These and others about the same file, in its order.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let list = self.iter().chain(other.iter()).cloned().collect();
+        Self::of(&self.path, list).unwrap_or(self)
+    }
+
+    /// The file, as the user named it.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The first in the file, which usually explains the rest.
+    pub fn first(&self) -> &Diagnostic {
+        &self.first
+    }
+
+    /// All of them, in the order of the file; those about the robot as a whole
+    /// come last.
+    pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
+        std::iter::once(&self.first).chain(&self.rest)
+    }
+
+    /// How many there are: one at least.
+    #[allow(clippy::len_without_is_empty, reason = "never empty")]
+    pub fn len(&self) -> usize {
+        1 + self.rest.len()
+    }
+}
+
 impl Diagnostic {
-    fn write(&self, path: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// About the robot as a whole.
+    pub fn whole(reason: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self {
+            at: None,
+            line: String::new(),
+            reason: reason.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// About a place in a file.
+    pub fn at(
+        at: Location,
+        source: &Source,
+        reason: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        let line = source.text.lines().nth(at.line as usize - 1);
+        Self {
+            at: Some(at),
+            line: line.unwrap_or("").to_owned(),
+            reason: reason.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    pub(crate) fn write(&self, path: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.at {
             None => writeln!(f, "{path}: {}", self.reason)?,
             Some(Location { line, column }) => {

@@ -1,6 +1,6 @@
 //! Which format a robot file is in.
 
-use super::{Complaints, Diagnostics, Source};
+use super::{Diagnostic, Diagnostics, Source};
 use std::path::Path;
 
 /// The formats that can be read.
@@ -78,9 +78,7 @@ pub(super) fn is_yaml_robot(text: &str) -> bool {
 }
 
 fn refuse(source: &Source, reason: impl Into<String>, remedy: &str) -> Diagnostics {
-    let mut complaints = Complaints::new(source);
-    complaints.whole(reason, remedy);
-    complaints.into_diagnostics()
+    Diagnostics::one(&source.path, Diagnostic::whole(reason, remedy))
 }
 
 #[cfg(test)]

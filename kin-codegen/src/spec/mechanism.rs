@@ -1,24 +1,37 @@
 //! What a file says of a parallel mechanism: chains from one base to one
-//! platform.
+//! platform, or a tree and the joints that close its loops.
 
-use super::{Diagnostics, Location, Source, Spec, format, urdf, yaml};
+use super::{ArmSpec, Diagnostics, Location, Source, Spec};
 
-/// Several chains from one base to one platform, each a robot of its own, in
-/// metres and radians. Joint names are unique among all chains.
+/// A parallel mechanism, in metres and radians. Joint names are unique.
 #[derive(Clone, Debug)]
 pub struct MechanismSpec {
     /// The mechanism's name.
     pub name: String,
-    /// The link that all chains begin at.
-    pub base: String,
-    /// The link that all chains end at.
-    pub platform: String,
-    /// In the order of the file.
-    pub chains: Vec<ChainSpec>,
+    /// How its joints connect.
+    pub topology: Topology,
     /// Where all of this was read, for messages.
     pub source: Source,
     /// Where the file introduces the chains or loops.
     pub at: Location,
+}
+
+/// How the joints of a mechanism connect.
+#[derive(Clone, Debug)]
+pub enum Topology {
+    /// Two or more chains, from one base to one platform (YAML).
+    Chains {
+        /// The link that all chains begin at.
+        base: String,
+        /// The link that all chains end at.
+        platform: String,
+        /// In the order of the file.
+        chains: Vec<ChainSpec>,
+    },
+    /// A tree and the joints that close its loops (URDF). Base and platform are
+    /// links of it; [`Mechanism::new`](crate::mechanism::Mechanism::new) cuts it
+    /// into chains between them.
+    Looped(LoopedTree),
 }
 
 /// One chain of a mechanism.
@@ -29,49 +42,44 @@ pub struct ChainSpec {
     /// Where the file introduces it.
     pub at: Location,
     /// The chain, from the mechanism's base to its platform.
-    pub spec: Spec,
+    pub spec: ArmSpec,
     /// The names of its actuated joints.
     pub actuated: Vec<String>,
 }
 
+/// A tree of links, whose loops further joints close: the `<loop_joint>`
+/// elements of a URDF (in the dialect of Drake):
+///
+/// ```xml
+/// <loop_joint name="rocker_pin" type="revolute">
+///   <link1 link="rocker" xyz="0 2 0" rpy="0 0 0"/>
+///   <link2 link="coupler" xyz="1.5 0 0"/>
+///   <axis xyz="0 0 1"/>
+/// </loop_joint>
+/// ```
+///
+/// The joint's frame lies in `link1`, with `axis` a direction in it (x by
+/// default); `link2` says where the same point lies in the other link, and
+/// with all joint values 0 the two coincide. `type` is `revolute`,
+/// `prismatic`, `fixed`, or `spherical` (three revolutes). Joints that a
+/// `<transmission>` names are actuated.
+#[derive(Clone, Debug)]
+pub struct LoopedTree {
+    /// Links and joints. Behind those of the tree are the joints that close
+    /// loops: their child is a link that has a parent already.
+    pub links: ArmSpec,
+    /// How many of the joints are the tree's.
+    pub tree_joints: usize,
+    /// The names of the joints that transmissions drive.
+    pub actuated: Vec<String>,
+}
+
 impl MechanismSpec {
-    /// Whether a file is about a mechanism rather than one arm: YAML with the
-    /// key `mechanism`, or a URDF with `<loop_joint>` elements.
-    pub fn is_meant(source: &Source) -> bool {
-        match format::of(source) {
-            Ok(format::Format::Yaml) => yaml::mechanism::is_meant(&source.text),
-            Ok(format::Format::Urdf) => urdf::loops::is_meant(&source.text),
-            Err(_) => false,
-        }
-    }
-
-    /// Whether a file says its base and platform itself: YAML does.
-    pub(crate) fn says_ends(source: &Source) -> bool {
-        matches!(format::of(source), Ok(format::Format::Yaml))
-    }
-
-    /// Reads a mechanism. `base` and `platform` choose links of a URDF, whose
-    /// loops the elements `<loop_joint>` close (in the dialect of Drake):
-    ///
-    /// ```xml
-    /// <loop_joint name="rocker_pin" type="revolute">
-    ///   <link1 link="rocker" xyz="0 2 0" rpy="0 0 0"/>
-    ///   <link2 link="coupler" xyz="1.5 0 0"/>
-    ///   <axis xyz="0 0 1"/>
-    /// </loop_joint>
-    /// ```
-    ///
-    /// The joint's frame lies in `link1`, with `axis` a direction in it (x by
-    /// default); `link2` says where the same point lies in the other link, and
-    /// with all joint values 0 the two coincide. `type` is `revolute`,
-    /// `prismatic`, `fixed`, or `spherical` (three revolutes). Joints that a
-    /// `<transmission>` names are actuated. By default the base is the root, and
-    /// the platform the only other link at which more than two chains meet, or
-    /// the tree's only leaf in the loop. YAML says its base and platform itself;
-    /// see [`yaml::mechanism`](super::yaml::mechanism).
+    /// Reads the file of a mechanism; the formats are described at
+    /// [`LoopedTree`] and [`yaml::mechanism`](super::yaml::mechanism).
     ///
     /// ```
-    /// use kin_codegen::spec::{MechanismSpec, Source};
+    /// use kin_codegen::spec::{MechanismSpec, Source, Topology};
     ///
     /// let text = "\
     /// robot: parallelogram
@@ -90,29 +98,29 @@ impl MechanismSpec {
     ///         - {name: other_pin, axis: [0, 0, 1], point: [2, 1, 0]}
     /// ";
     /// let source = Source { path: "parallelogram.yaml".into(), text: text.into() };
-    /// let mechanism = MechanismSpec::parse(&source, None, None)?;
-    /// assert_eq!(mechanism.chains[0].actuated, ["crank"]);
+    /// let Topology::Chains { chains, .. } = MechanismSpec::parse(&source)?.topology else {
+    ///     panic!("YAML lists its chains")
+    /// };
+    /// assert_eq!(chains[0].actuated, ["crank"]);
     /// # Ok::<(), kin_codegen::spec::Diagnostics>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// Everything that is wrong with the file, in its order. What no mechanism
-    /// can have (chains that end elsewhere, no mobility) is left to
+    /// Those of [`Spec::parse`], and the file of an arm. What no mechanism can
+    /// have (chains that end elsewhere, no mobility) is left to
     /// [`Mechanism::new`](crate::mechanism::Mechanism::new).
-    pub fn parse(
-        source: &Source,
-        base: Option<&str>,
-        platform: Option<&str>,
-    ) -> Result<MechanismSpec, Diagnostics> {
-        let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
-        let source = Source {
-            path: source.path.clone(),
-            text: text.to_string(),
-        };
-        match format::of(&source)? {
-            format::Format::Yaml => yaml::mechanism::parse(&source),
-            format::Format::Urdf => urdf::loops::parse(&source, base, platform),
+    pub fn parse(source: &Source) -> Result<MechanismSpec, Diagnostics> {
+        match Spec::parse(source)? {
+            Spec::Mechanism(mechanism) => Ok(mechanism),
+            Spec::Arm(_) => Err(Diagnostics::one(
+                &source.path,
+                super::Diagnostic::whole(
+                    "this file describes an arm: no joint closes a loop",
+                    "give the file of a mechanism: YAML with `mechanism:`, or a URDF with \
+                     <loop_joint> elements",
+                ),
+            )),
         }
     }
 }

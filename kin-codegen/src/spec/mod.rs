@@ -1,16 +1,18 @@
 //! Reading robot files.
 //!
-//! Two formats, one result: [`Spec`], a tree of links and joints in metres and
-//! radians whose numbers are finite, whose names are unique and whose joints
-//! connect. A file that leaves any of this open is refused with every
-//! complaint that can be made in one go, each with its place and a remedy.
-//! Which joints make up the arm is not decided here; see
-//! [`Model`](crate::model::Model).
+//! Two formats, one result: a [`Spec`], which is an arm or a parallel
+//! mechanism, in metres and radians; its numbers are finite, its names unique,
+//! and its joints connect. A file that leaves any of this open is refused with
+//! every diagnostic that can be made in one go, each with its place and a
+//! remedy. Which joints make up the arm is not decided here; see
+//! [`Model`](crate::model::Model) and
+//! [`Mechanism`](crate::mechanism::Mechanism).
 mod complaints;
 mod diagnostic;
 mod format;
 mod mechanism;
 mod orientation;
+mod source;
 mod suggest;
 mod tree;
 mod urdf;
@@ -18,23 +20,24 @@ pub mod yaml;
 
 pub(crate) use complaints::Complaints;
 pub use diagnostic::{Diagnostic, Diagnostics, Location};
-pub use mechanism::{ChainSpec, MechanismSpec};
+pub use mechanism::{ChainSpec, LoopedTree, MechanismSpec, Topology};
+pub use source::Source;
 pub(crate) use suggest::{did_you_mean, list as list_names};
 
 use kin_runtime::Pose;
 
-/// A robot file in memory: the text, and the path that messages name.
+/// What a robot file describes.
 #[derive(Clone, Debug)]
-pub struct Source {
-    /// As the user wrote it; its extension chooses the format.
-    pub path: String,
-    /// The whole file.
-    pub text: String,
+pub enum Spec {
+    /// A tree of links, of which a chain is the arm.
+    Arm(ArmSpec),
+    /// Several chains to one platform.
+    Mechanism(MechanismSpec),
 }
 
-/// What a robot file says: a tree of links connected by joints.
+/// A tree of links connected by joints.
 #[derive(Clone, Debug)]
-pub struct Spec {
+pub struct ArmSpec {
     /// The robot's name; the file's stem where the file gives none.
     pub name: String,
     /// In the order of the file.
@@ -62,9 +65,9 @@ pub struct Joint {
     pub name: String,
     /// How it moves.
     pub kind: JointType,
-    /// Index into [`Spec::links`].
+    /// Index into [`ArmSpec::links`].
     pub parent: usize,
-    /// Index into [`Spec::links`].
+    /// Index into [`ArmSpec::links`].
     pub child: usize,
     /// The joint's frame in the parent link.
     pub origin: Pose,
@@ -120,7 +123,7 @@ pub enum Limits {
 /// The joint value is `multiplier * (value of joint) + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mimic {
-    /// Index into [`Spec::joints`]; never leads back to the mimicking joint.
+    /// Index into [`ArmSpec::joints`]; never leads back to the mimicking joint.
     pub joint: usize,
     /// In radians and metres.
     pub multiplier: f64,
@@ -131,10 +134,29 @@ pub struct Mimic {
 }
 
 impl Spec {
-    /// Reads a robot file.
+    /// Reads a robot file. Its content decides whether it is an arm or a
+    /// mechanism: YAML with the key `mechanism`, and a URDF with
+    /// `<loop_joint>` elements, are mechanisms.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong with the file, in its order. What only a chain
+    /// cannot have (missing limits, floating joints) is left to
+    /// [`Model::new`](crate::model::Model::new): it matters on the chain alone.
+    pub fn parse(source: &Source) -> Result<Spec, Diagnostics> {
+        let source = source.without_mark();
+        match format::of(&source)? {
+            format::Format::Urdf => urdf::parse(&source),
+            format::Format::Yaml => yaml::parse(&source),
+        }
+    }
+}
+
+impl ArmSpec {
+    /// Reads the file of an arm.
     ///
     /// ```
-    /// use kin_codegen::spec::{Source, Spec};
+    /// use kin_codegen::spec::{ArmSpec, Source};
     ///
     /// let text = "\
     /// robot: slider
@@ -143,28 +165,29 @@ impl Spec {
     ///   - {name: rail, type: prismatic, axis: [1, 0, 0], limits: [0, 8OO]}
     /// ";
     /// let source = Source { path: "slider.yaml".into(), text: text.into() };
-    /// let refused = Spec::parse(&source).unwrap_err();
+    /// let refused = ArmSpec::parse(&source).unwrap_err();
     /// assert!(refused.to_string().starts_with("slider.yaml:4:64: `8OO` is not a number"));
     ///
     /// let source = Source { text: text.replace("8OO", "800"), ..source };
-    /// assert_eq!(Spec::parse(&source)?.joints[0].name, "rail");
+    /// assert_eq!(ArmSpec::parse(&source)?.joints[0].name, "rail");
     /// # Ok::<(), kin_codegen::spec::Diagnostics>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// Everything that is wrong with the file, in its order. What only an arm
-    /// cannot have (missing limits, floating joints) is left to
-    /// [`Model::new`](crate::model::Model::new): it matters on the chain alone.
-    pub fn parse(source: &Source) -> Result<Spec, Diagnostics> {
-        let text = source.text.strip_prefix('\u{feff}').unwrap_or(&source.text);
-        let source = Source {
-            path: source.path.clone(),
-            text: text.to_string(),
-        };
-        match format::of(&source)? {
-            format::Format::Urdf => urdf::parse(&source),
-            format::Format::Yaml => yaml::parse(&source),
+    /// Those of [`Spec::parse`], and the file of a mechanism.
+    pub fn parse(source: &Source) -> Result<ArmSpec, Diagnostics> {
+        match Spec::parse(source)? {
+            Spec::Arm(arm) => Ok(arm),
+            Spec::Mechanism(mechanism) => {
+                let mut complaints = Complaints::new(source);
+                complaints.at(
+                    mechanism.at,
+                    "this file describes a parallel mechanism, not one arm",
+                    "generate it, or `kin explain` it; whatever takes one arm cannot take it",
+                );
+                complaints.unless_any(None)
+            }
         }
     }
 }

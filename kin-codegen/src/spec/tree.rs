@@ -1,6 +1,6 @@
 //! From joints that name links to a tree of them.
 
-use super::{Complaints, Joint, JointType, Limits, Link, Location, Mimic, Source, Spec};
+use super::{ArmSpec, Complaints, Joint, JointType, Limits, Link, Location, Mimic, Source};
 use super::{did_you_mean, list_names};
 use kin_runtime::Pose;
 use std::collections::HashMap;
@@ -46,7 +46,7 @@ pub(super) struct DraftMimic {
 ///
 /// Whether there is one root is asked only if nothing was wrong before, since
 /// a joint that could not be read leaves a hole in the tree.
-pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) -> Option<Spec> {
+pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) -> Option<ArmSpec> {
     let joints = index("joint", draft.joints.iter().map(|j| &j.name), complaints);
     let links = index("link", draft.links.iter(), complaints);
     let mut resolved = Vec::new();
@@ -56,7 +56,7 @@ pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) 
     if !complaints.is_empty() {
         return None;
     }
-    let spec = Spec {
+    let spec = ArmSpec {
         name: draft.name,
         links: draft
             .links
@@ -171,7 +171,7 @@ fn resolve_mimic(
 }
 
 /// Every link but one has exactly one parent, and none is its own ancestor.
-fn check_tree(spec: &Spec, complaints: &mut Complaints) {
+fn check_tree(spec: &ArmSpec, complaints: &mut Complaints) {
     let mut above: Vec<Option<usize>> = vec![None; spec.links.len()];
     for (i, joint) in spec.joints.iter().enumerate() {
         let child = &spec.links[joint.child].name;
@@ -191,7 +191,7 @@ fn check_tree(spec: &Spec, complaints: &mut Complaints) {
     }
 }
 
-fn check_root(spec: &Spec, above: &[Option<usize>], complaints: &mut Complaints) {
+fn check_root(spec: &ArmSpec, above: &[Option<usize>], complaints: &mut Complaints) {
     let roots: Vec<usize> = (0..spec.links.len())
         .filter(|&l| above[l].is_none())
         .collect();
@@ -222,7 +222,7 @@ fn check_root(spec: &Spec, above: &[Option<usize>], complaints: &mut Complaints)
 }
 
 /// The first joint whose child is an ancestor of itself.
-fn first_in_cycle(spec: &Spec, above: &[Option<usize>]) -> Option<usize> {
+fn first_in_cycle(spec: &ArmSpec, above: &[Option<usize>]) -> Option<usize> {
     // Walking up, a path longer than the robot has joints goes in circles.
     let circles = |start: usize| {
         let mut link = start;
@@ -240,7 +240,7 @@ fn first_in_cycle(spec: &Spec, above: &[Option<usize>]) -> Option<usize> {
     (0..spec.joints.len()).find(|&j| circles(spec.joints[j].child))
 }
 
-fn check_mimics(spec: &Spec, complaints: &mut Complaints) {
+fn check_mimics(spec: &ArmSpec, complaints: &mut Complaints) {
     for joint in &spec.joints {
         let Some(mimic) = joint.mimic else { continue };
         let mut next = Some(mimic);

@@ -7,7 +7,7 @@
 //! differ is refused rather than chosen.
 mod checks;
 mod joint;
-pub(in crate::spec) mod loops;
+mod loops;
 mod numbers;
 mod origin;
 mod strict;
@@ -41,7 +41,11 @@ fn read(source: &Source, complaints: &mut Complaints) -> Option<Spec> {
     if complaints.is_empty() {
         witness::agree(&document, &draft, complaints);
     }
-    tree::build(draft, source, complaints)
+    let tree = tree::build(draft, source, complaints)?;
+    match loops::is_looped(&document) {
+        false => Some(Spec::Arm(tree)),
+        true => loops::read(&document, tree, complaints).map(Spec::Mechanism),
+    }
 }
 
 /// Elements in the namespace of the root, usually none: other namespaces are

@@ -87,7 +87,7 @@ mod screws;
 mod units;
 
 use super::tree::{self, Draft, DraftJoint, Name};
-use super::{Complaints, Diagnostics, JointType, Limits, Source, Spec, did_you_mean};
+use super::{ArmSpec, Complaints, Diagnostics, JointType, Limits, Source, Spec, did_you_mean};
 use fields::{Fields, Reader};
 use kin_runtime::Pose;
 use node::{Node, Value};
@@ -104,27 +104,26 @@ const KEYS: [&str; 9] = [
 /// Reads a robot in this format.
 pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
     let mut reader = Reader::new(source);
-    let draft = read(source, &mut reader);
-    let mut complaints = reader.complaints;
-    let spec = draft.and_then(|draft| tree::build(draft, source, &mut complaints));
-    complaints.unless_any(spec)
-}
-
-fn read(source: &Source, reader: &mut Reader) -> Option<Draft> {
-    let document = match node::parse(&source.text) {
-        Ok(document) => document,
+    let spec = match node::parse(&source.text) {
+        Ok(document) => match mechanism::key(&document) {
+            Some(_) => mechanism::read(source, &document, &mut reader).map(Spec::Mechanism),
+            None => read(source, &document, &mut reader).map(Spec::Arm),
+        },
         Err(error) => {
             reader.explain_syntax(&error);
-            return None;
+            None
         }
     };
-    if let Some(key) = mechanism::key(&document) {
-        let reason = "this file describes a parallel mechanism, not one arm";
-        let remedy = "generate it, or `kin explain` it; whatever takes one arm cannot take it";
-        reader.at(key, reason, remedy);
-        return None;
-    }
-    let file = reader.fields(&document, "robot file", &KEYS)?;
+    reader.complaints.unless_any(spec)
+}
+
+fn read(source: &Source, document: &Node, reader: &mut Reader) -> Option<ArmSpec> {
+    let draft = draft(document, reader)?;
+    tree::build(draft, source, &mut reader.complaints)
+}
+
+fn draft(document: &Node, reader: &mut Reader) -> Option<Draft> {
+    let file = reader.fields(document, "robot file", &KEYS)?;
     let name = file
         .required("robot", reader)
         .and_then(|node| reader.name(node));

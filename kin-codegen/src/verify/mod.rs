@@ -85,7 +85,7 @@ impl fmt::Display for Failure {
 /// The configurations to try on an arm, with the targets that they make.
 pub struct Trials<'a> {
     model: &'a Model,
-    linkage: Linkage,
+    linkage: &'a Linkage,
     chain: Chain,
     all: Vec<Trial>,
 }
@@ -99,7 +99,7 @@ struct Trial {
 
 impl<'a> Trials<'a> {
     /// Moves the arm to all the configurations.
-    pub fn new(model: &'a Model, target: Target) -> Self {
+    pub fn new(model: &'a Model, linkage: &'a Linkage, target: Target) -> Self {
         let (chain, size) = (chain(model), size(model));
         let trial = |q: Vec<f64>| Trial {
             pose: chain.fk(&q),
@@ -109,7 +109,7 @@ impl<'a> Trials<'a> {
         let all = configurations(model).into_iter().map(trial).collect();
         Self {
             model,
-            linkage: Linkage::new(model),
+            linkage,
             chain,
             all,
         }
@@ -122,7 +122,7 @@ impl<'a> Trials<'a> {
 
     /// Its frames.
     pub fn linkage(&self) -> &Linkage {
-        &self.linkage
+        self.linkage
     }
 }
 

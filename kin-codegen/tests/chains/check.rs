@@ -1,7 +1,7 @@
 //! What a closed form has to do.
 
 use crate::arm::Arm;
-use kin_codegen::geometry::size;
+use kin_codegen::geometry::{Linkage, size};
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::plan::Target;
 use kin_codegen::solver::{Answer, ClosedForm, NoClosedForm, solve};
@@ -54,7 +54,7 @@ impl Solved {
             arm: arm.clone(),
             chain: chain(arm),
             freed: freed(&chain(arm), target),
-            form: solve(arm, target)?,
+            form: solve(arm, &Linkage::new(arm), target)?,
             size: size(arm),
             target,
         })

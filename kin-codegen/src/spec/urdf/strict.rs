@@ -27,6 +27,8 @@ pub(super) fn read(
         match child.tag_name().name() {
             "link" => draft.links.extend(link(child, complaints)),
             "joint" => draft.joints.extend(joint::read(child, complaints)),
+            // Read when the tree stands.
+            "loop_joint" => {}
             other => {
                 // Joints that hang on a misspelt link are not wrong themselves.
                 if refuse_misspelt_structure(child, other, complaints) == Some("link") {
@@ -77,9 +79,13 @@ fn refuse_misspelt_structure(
     complaints: &mut Complaints,
 ) -> Option<&'static str> {
     let at = place(node, complaints);
-    if vocabulary::LOOPS.contains(&name) {
+    if name == "loop" {
         let reason = format!("<{name}> closes a kinematic loop, and a URDF is read as a tree");
-        complaints.at(at, reason, "remove the loop, or give its open chain");
+        complaints.at(
+            at,
+            reason,
+            "close it with a <loop_joint>, or give its open chain",
+        );
     }
     let meant = suggest::nearest(name, vocabulary::STRUCTURE)?;
     let reason = format!("unknown element <{name}>: skipping it might lose a {meant}");

@@ -6,10 +6,6 @@ use crate::spec::JointType;
 /// Children of `<robot>` that are read.
 pub(super) const STRUCTURE: [&str; 2] = ["link", "joint"];
 
-/// Children of `<robot>` that close kinematic loops in dialects of URDF; to
-/// skip them would be to read another robot.
-pub(super) const LOOPS: [&str; 2] = ["loop_joint", "loop"];
-
 /// Children of `<link>`: what a link weighs and looks like, and what
 /// simulators attach to it. None moves a frame.
 pub(super) const IN_LINK: [&str; 16] = [

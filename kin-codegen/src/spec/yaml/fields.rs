@@ -65,14 +65,6 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Reads the chains of a mechanism.
-    pub(super) fn of_mechanism(source: &'s Source) -> Self {
-        Reader {
-            of_mechanism: true,
-            ..Reader::new(source)
-        }
-    }
-
     /// Where a node stands.
     pub(super) fn place(&self, id: u32) -> Location {
         node::locate(self.text, id)

@@ -38,24 +38,15 @@
 //! the same platform pose, to 1e-6 of the mechanism's length.
 
 use super::fields::{Fields, Reader};
-use super::node::{self, Node, Value};
+use super::node::{Node, Value};
 use super::units::{self, Units};
 use super::{End, WAYS, frames, joint, pose};
 use crate::spec::tree::{self, Draft, Name};
-use crate::spec::{ChainSpec, Diagnostics, MechanismSpec, Source};
+use crate::spec::{ChainSpec, MechanismSpec, Source, Topology};
 use kin_runtime::Pose;
 
 /// All keys at the top of such a file.
 const KEYS: [&str; 4] = ["robot", "units", "base", "mechanism"];
-
-/// Whether a text is about a mechanism.
-pub(in crate::spec) fn is_meant(text: &str) -> bool {
-    match node::parse(text.trim_start_matches('\u{feff}')) {
-        Ok(document) => key(&document).is_some(),
-        // What cannot be read is best explained where it says to belong.
-        Err(_) => text.lines().any(|line| line.starts_with("mechanism:")),
-    }
-}
 
 /// The key that makes a document one about a mechanism.
 pub(super) fn key(document: &Node) -> Option<u32> {
@@ -68,21 +59,9 @@ pub(super) fn key(document: &Node) -> Option<u32> {
 }
 
 /// Reads a mechanism in this format.
-pub(in crate::spec) fn parse(source: &Source) -> Result<MechanismSpec, Diagnostics> {
-    let mut reader = Reader::of_mechanism(source);
-    let mechanism = read(source, &mut reader);
-    reader.complaints.unless_any(mechanism)
-}
-
-fn read(source: &Source, reader: &mut Reader) -> Option<MechanismSpec> {
-    let document = match node::parse(&source.text) {
-        Ok(document) => document,
-        Err(error) => {
-            reader.explain_syntax(&error);
-            return None;
-        }
-    };
-    let file = reader.fields(&document, "file of a mechanism", &KEYS)?;
+pub(super) fn read(source: &Source, document: &Node, reader: &mut Reader) -> Option<MechanismSpec> {
+    reader.of_mechanism = true;
+    let file = reader.fields(document, "file of a mechanism", &KEYS)?;
     let name = file
         .required("robot", reader)
         .and_then(|node| reader.name(node));
@@ -122,9 +101,11 @@ fn read(source: &Source, reader: &mut Reader) -> Option<MechanismSpec> {
     refuse_repeated_names(&chains, reader);
     Some(MechanismSpec {
         name: name?.text,
-        base: ends.base,
-        platform: ends.platform.text,
-        chains,
+        topology: Topology::Chains {
+            base: ends.base,
+            platform: ends.platform.text,
+            chains,
+        },
         source: source.clone(),
         at,
     })

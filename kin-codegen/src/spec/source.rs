@@ -1,8 +1,17 @@
-//! From a path to a source, the same behind every door.
+//! A robot file in memory.
 
-use crate::spec::{Diagnostic, Diagnostics, Location, Source};
+use super::{Diagnostic, Diagnostics, Location};
 use std::io::ErrorKind;
 use std::path::Path;
+
+/// A robot file in memory: the text, and the path that messages name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// As the user wrote it; its extension chooses the format.
+    pub path: String,
+    /// The whole file.
+    pub text: String,
+}
 
 impl Source {
     /// Reads a robot file. A relative `path` is relative to `root`; messages
@@ -14,32 +23,34 @@ impl Source {
     pub fn read(path: &str, root: &Path) -> Result<Source, Diagnostics> {
         let file = root.join(path);
         let bytes = std::fs::read(&file).map_err(|error| unreadable(path, root, &file, &error))?;
-        text(bytes)
-            .map_err(|diagnostic| Diagnostics {
-                path: path.into(),
-                list: vec![diagnostic],
-            })
-            .map(|text| Source {
-                path: path.into(),
-                text,
-            })
+        let text = text(bytes).map_err(|diagnostic| Diagnostics::one(path, diagnostic))?;
+        Ok(Source {
+            path: path.into(),
+            text,
+        })
+    }
+
+    /// Without the byte order mark that some editors write.
+    pub(super) fn without_mark(&self) -> Source {
+        let text = self.text.strip_prefix('\u{feff}').unwrap_or(&self.text);
+        Source {
+            path: self.path.clone(),
+            text: text.into(),
+        }
     }
 }
 
 /// The text of a file, or why it is none.
 fn text(bytes: Vec<u8>) -> Result<String, Diagnostic> {
     const UTF_16: [&[u8]; 2] = [&[0xff, 0xfe], &[0xfe, 0xff]];
-    let whole = |reason: &str, remedy: &str| Diagnostic {
-        at: None,
-        line: String::new(),
-        reason: reason.into(),
-        remedy: remedy.into(),
-    };
     if UTF_16.iter().any(|mark| bytes.starts_with(mark)) {
-        return Err(whole("the file is in UTF-16", "save it in UTF-8"));
+        return Err(Diagnostic::whole(
+            "the file is in UTF-16",
+            "save it in UTF-8",
+        ));
     }
     if bytes.contains(&0) {
-        return Err(whole(
+        return Err(Diagnostic::whole(
             "the file is binary",
             "give a URDF or YAML file, which are text",
         ));
@@ -82,15 +93,7 @@ fn unreadable(path: &str, root: &Path, file: &Path, error: &std::io::Error) -> D
             "give the path of a URDF or YAML file".into(),
         ),
     };
-    Diagnostics {
-        path: path.into(),
-        list: vec![Diagnostic {
-            at: None,
-            line: String::new(),
-            reason,
-            remedy,
-        }],
-    }
+    Diagnostics::one(path, Diagnostic::whole(reason, remedy))
 }
 
 #[cfg(test)]
@@ -116,9 +119,8 @@ mod tests {
     #[test]
     fn other_encodings_are_told() {
         let message = |bytes: &[u8]| {
-            let list = vec![text(bytes.to_vec()).unwrap_err()];
-            let path = "arm.urdf".into();
-            Diagnostics { path, list }.to_string()
+            let diagnostic = text(bytes.to_vec()).unwrap_err();
+            Diagnostics::one("arm.urdf", diagnostic).to_string()
         };
         assert_eq!(
             message(b"<robot\r\n  name=\"M\xfcller\">\r\n"),

@@ -1,26 +1,29 @@
-//! The whole way from a robot file to verified expressions.
+//! An arm: its chain, and its kinematics as expressions.
 
+use crate::compile::Compiled;
+use crate::error::Error;
 use crate::expr::forward::{Outputs, Stance, link_frames, tip};
 use crate::expr::jacobian::{
     Columns, TipAndColumns, Which, jacobian, jacobian_dot, tip_and_jacobian,
 };
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
-use crate::geometry::Linkage;
+use crate::geometry::{AxisRelation, Linkage, axes, relate};
 use crate::model::Model;
-use crate::options::{Ik, Options};
+use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
-use crate::refusal;
+use crate::refusal::{Reason, Refusal};
 use crate::singularity::Singular;
 use crate::solver::{ClosedForm, solve};
-use crate::spec::{Diagnostics, Source, Spec};
-use crate::verify::natural_target;
+use crate::spec::{ArmSpec, Diagnostic, Diagnostics, Source};
+use crate::verify::{natural_target, rank};
 
-/// A robot, compiled but not yet written as Rust.
+/// A serial arm, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
-pub struct Compiled {
-    /// The robot file, as the user named it.
-    pub path: String,
+pub struct CompiledArm {
+    /// The robot file's name, without its folders: what is generated does not
+    /// depend on where the file lies.
+    pub file: String,
     /// The chain.
     pub model: Model,
     /// The frames of the literal arm.
@@ -105,42 +108,86 @@ impl Forward {
     }
 }
 
-/// Reads a robot file and compiles it.
+/// Compiles the arm of a robot file.
 ///
 /// # Errors
 ///
-/// What is wrong with the file or the options, or why the arm has no closed
+/// What is wrong with the chain or the options, or why the arm has no closed
 /// form.
-pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Diagnostics> {
-    let spec = Spec::parse(source)?;
-    let model = Model::new(&spec, options.base.as_deref(), options.tip.as_deref())?;
-    refusal::singular_everywhere(source, &model)?;
+pub(crate) fn compile(spec: &ArmSpec, options: &Options) -> Result<Compiled, Error> {
+    let model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
+    refuse_singular(&spec.source, &model)?;
     let target = options.target.unwrap_or_else(|| natural_target(&model));
-    let inverse = match options.ik {
-        Ik::None => None,
-        Ik::ClosedForm => {
-            let solver = solve(&model, target);
-            Some(
-                solver
-                    .map_err(|reason| refusal::no_closed_form(source, &model, target, &reason))?,
-            )
-        }
+    let linkage = Linkage::new(&model);
+    let (inverse, refusal) = match options.ik {
+        Ik::None => (None, None),
+        Ik::ClosedForm => match solve(&model, &linkage, target) {
+            Ok(inverse) => (Some(inverse), None),
+            Err(reason) => (None, Some(reason)),
+        },
     };
-    let meant = inverse.as_ref().filter(|solver| solver.polish > 0);
-    let singular = Singular::new(&model, meant.map(|solver| &solver.snap.model), target);
-    Ok(Compiled {
+    let idealized = inverse.as_ref().filter(|solver| solver.polish > 0);
+    let singular = Singular::new(&model, idealized.map(|solver| &solver.snap.model), target);
+    let arm = CompiledArm {
         singular,
-        ..Compiled::of(&source.path, model, inverse)
-    })
+        ..CompiledArm::new(file_name(&spec.source.path), model, linkage, inverse)
+    };
+    let robot = Compiled::Arm(Box::new(arm));
+    match refusal {
+        None => Ok(robot),
+        Some(reason) => Err(Error::Refused(Box::new(Refusal {
+            robot,
+            reason: Reason::Arm(target, reason),
+            source: spec.source.clone(),
+        }))),
+    }
 }
 
-impl Compiled {
+/// Refuses a chain whose joints are never independent.
+fn refuse_singular(source: &Source, model: &Model) -> Result<(), Diagnostics> {
+    let n = model.variables.len();
+    if n > 6 || model.is_coupled() {
+        return Ok(());
+    }
+    let rank = rank(model);
+    if rank == n {
+        return Ok(());
+    }
+    let reason = format!(
+        "the {n} joints from `{}` to `{}` move the tip in {rank} independent ways at most: the \
+         chain is singular in every configuration{}",
+        model.base,
+        model.tip,
+        coaxial(model).map_or_else(String::new, |[a, b]| format!(
+            "; joints `{a}` and `{b}` turn about one line"
+        )),
+    );
+    let remedy = "check axes and origins; a joint that repeats another must be fixed, or left \
+                  out of the chain by another base or tip";
+    let diagnostic = Diagnostic::whole(reason, remedy);
+    Err(Diagnostics::one(&source.path, diagnostic))
+}
+
+/// Two neighbours on one axis.
+fn coaxial(model: &Model) -> Option<[&str; 2]> {
+    let axes = axes(model);
+    let coincide =
+        |i: &usize| relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9) == AxisRelation::Coincident;
+    let i = (0..axes.len().saturating_sub(1)).find(coincide)?;
+    Some([&model.joints[i].name, &model.joints[i + 1].name])
+}
+
+impl CompiledArm {
     /// From a chain and what was found to invert it; its singularities are not
     /// looked for.
-    pub(crate) fn of(path: &str, model: Model, inverse: Option<ClosedForm>) -> Self {
-        let linkage = Linkage::new(&model);
+    pub(crate) fn new(
+        file: &str,
+        model: Model,
+        linkage: Linkage,
+        inverse: Option<ClosedForm>,
+    ) -> Self {
         Self {
-            path: path.to_owned(),
+            file: file.to_owned(),
             forward: Forward::new(&model, &linkage),
             model,
             linkage,
