@@ -38,8 +38,8 @@ pub struct Diagnostic {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     path: String,
-    first: Diagnostic,
-    rest: Vec<Diagnostic>,
+    /// Never empty: no constructor makes it so.
+    list: Vec<Diagnostic>,
 }
 
 /// More than this is noise: the first complaints usually explain the rest.
@@ -70,8 +70,7 @@ impl Diagnostics {
     pub fn one(path: impl Into<String>, diagnostic: Diagnostic) -> Self {
         Self {
             path: path.into(),
-            first: diagnostic,
-            rest: Vec::new(),
+            list: vec![diagnostic],
         }
     }
 
@@ -80,11 +79,9 @@ impl Diagnostics {
         // Those about the robot as a whole come last.
         list.sort_by_key(|diagnostic| (diagnostic.at.is_none(), diagnostic.at));
         list.dedup();
-        let mut list = list.into_iter();
-        Some(Self {
+        (!list.is_empty()).then(|| Self {
             path: path.into(),
-            first: list.next()?,
-            rest: list.collect(),
+            list,
         })
     }
 
@@ -101,19 +98,19 @@ impl Diagnostics {
 
     /// The first in the file, which usually explains the rest.
     pub fn first(&self) -> &Diagnostic {
-        &self.first
+        &self.list[0]
     }
 
     /// All of them, in the order of the file; those about the robot as a whole
     /// come last.
     pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
-        std::iter::once(&self.first).chain(&self.rest)
+        self.list.iter()
     }
 
     /// How many there are: one at least.
     #[allow(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
-        1 + self.rest.len()
+        self.list.len()
     }
 }
 
