@@ -5,12 +5,12 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
 
-kinematics::kinematics!("robots/ur5e.urdf");
-kinematics::kinematics!("robots/puma560.yaml");
-kinematics::kinematics!("robots/scara.yaml");
-kinematics::kinematics!("robots/delta.yaml");
-kinematics::kinematics!("robots/stewart.yaml");
-kinematics::kinematics!("tests/robots/noisy/calibrated.yaml");
+kinematics::kinematics!("../robots/ur5e.urdf");
+kinematics::kinematics!("../robots/puma560.yaml");
+kinematics::kinematics!("../robots/scara.yaml");
+kinematics::kinematics!("../robots/delta.yaml");
+kinematics::kinematics!("../robots/stewart.yaml");
+kinematics::kinematics!("robots/noisy/calibrated.yaml");
 
 /// The system's allocator, counting what the current thread asks for.
 struct Counting;

@@ -3,15 +3,15 @@
 use super::random::Random;
 use kinematics::Kinematics;
 
-kinematics::kinematics!("robots/elbow.yaml");
-kinematics::kinematics!("robots/inverse_elbow.yaml");
-kinematics::kinematics!("robots/planar_2r.yaml");
-kinematics::kinematics!("robots/planar_3r.yaml");
-kinematics::kinematics!("robots/scara.yaml");
-kinematics::kinematics!("robots/stanford.yaml");
-kinematics::kinematics!("robots/ur5e.urdf");
-kinematics::kinematics!("tests/chapter3/arms/palletizer.yaml", ik = none);
-kinematics::kinematics!("tests/chapter3/arms/seven.yaml", ik = none);
+kinematics::kinematics!("../robots/elbow.yaml");
+kinematics::kinematics!("../robots/inverse_elbow.yaml");
+kinematics::kinematics!("../robots/planar_2r.yaml");
+kinematics::kinematics!("../robots/planar_3r.yaml");
+kinematics::kinematics!("../robots/scara.yaml");
+kinematics::kinematics!("../robots/stanford.yaml");
+kinematics::kinematics!("../robots/ur5e.urdf");
+kinematics::kinematics!("chapter3/arms/palletizer.yaml", ik = none);
+kinematics::kinematics!("chapter3/arms/seven.yaml", ik = none);
 
 /// The book's l0, l1 and l2.
 pub const L0: f64 = 0.5;

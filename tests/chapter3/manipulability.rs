@@ -7,7 +7,7 @@ use kinematics::{Ellipsoid, Jacobian, Kinematics, Manipulability};
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-kinematics::kinematics!("tests/robots/book/isotropic_2r.yaml");
+kinematics::kinematics!("robots/book/isotropic_2r.yaml");
 
 const ROUNDING: f64 = 1e-13;
 

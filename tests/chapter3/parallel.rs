@@ -9,11 +9,11 @@ mod properties;
 mod slider_crank;
 mod stewart;
 
-kinematics::kinematics!("robots/delta.yaml");
-kinematics::kinematics!("robots/five_bar.yaml");
-kinematics::kinematics!("robots/four_bar.yaml");
-kinematics::kinematics!("robots/slider_crank.yaml");
-kinematics::kinematics!("robots/stewart.yaml");
+kinematics::kinematics!("../robots/delta.yaml");
+kinematics::kinematics!("../robots/five_bar.yaml");
+kinematics::kinematics!("../robots/four_bar.yaml");
+kinematics::kinematics!("../robots/slider_crank.yaml");
+kinematics::kinematics!("../robots/stewart.yaml");
 
 use kin_codegen::mechanism::Mechanism;
 use kin_codegen::spec::{MechanismSpec, Source};

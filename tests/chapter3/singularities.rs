@@ -214,12 +214,12 @@ fn way(explanation: &ArmExplanation, name: &str) -> (Vec<f64>, Vec<(ConditionKin
 fn explanations_name_values_and_conditions() {
     use ConditionKind::{AllMeetALine, Collinear, Concurrent, ParallelCoplanar};
     let all = (AllMeetALine, vec![1, 2, 3, 4, 5, 6]);
-    let ur = explained("robots/ur5e.urdf", Ik::ClosedForm);
+    let ur = explained("../robots/ur5e.urdf", Ik::ClosedForm);
     assert_eq!(way(&ur, "wrist"), (vec![0.0, PI], vec![all.clone()]));
     let parallel = (ParallelCoplanar, vec![2, 3, 4]);
     assert_eq!(way(&ur, "elbow"), (vec![0.0, PI], vec![parallel]));
     assert_eq!(way(&ur, "shoulder"), (vec![], vec![all.clone()]));
-    let puma = explained("robots/puma560.yaml", Ik::ClosedForm);
+    let puma = explained("../robots/puma560.yaml", Ik::ClosedForm);
     let collinear = (Collinear, vec![4, 6]);
     assert_eq!(
         way(&puma, "wrist"),
@@ -234,16 +234,16 @@ fn explanations_name_values_and_conditions() {
     );
     assert!((values[1] - values[0] - PI).abs() < 1e-12);
     assert_eq!(conditions, std::slice::from_ref(&all));
-    let elbow = explained("robots/elbow.yaml", Ik::ClosedForm);
+    let elbow = explained("../robots/elbow.yaml", Ik::ClosedForm);
     let concurrent = (Concurrent, vec![1, 4, 5, 6]);
     assert_eq!(way(&elbow, "shoulder").1, [concurrent.clone(), all.clone()]);
-    let stanford = explained("robots/stanford.yaml", Ik::ClosedForm);
+    let stanford = explained("../robots/stanford.yaml", Ik::ClosedForm);
     assert_eq!(
         way(&stanford, "shoulder"),
         (vec![-FRAC_PI_2, FRAC_PI_2], vec![concurrent, all])
     );
     assert_eq!(way(&stanford, "elbow").0, [-L1]);
-    let scara = explained("robots/scara.yaml", Ik::ClosedForm);
+    let scara = explained("../robots/scara.yaml", Ik::ClosedForm);
     let parallel = (ParallelCoplanar, vec![1, 2, 3]);
     assert_eq!(way(&scara, "elbow"), (vec![0.0, PI], vec![parallel]));
 }
@@ -256,17 +256,17 @@ fn determinants_take_few_operations() {
         assert!(singular.difference.is_none_or(|off| off < 1e-13));
         (cost.multiplications, cost.additions)
     };
-    assert_eq!(count("robots/ur5e.urdf"), (6, 4));
-    assert_eq!(count("robots/puma560.yaml"), (8, 4));
-    assert_eq!(count("robots/elbow.yaml"), (5, 2));
-    assert_eq!(count("robots/stanford.yaml"), (3, 1));
-    assert_eq!(count("robots/scara.yaml"), (1, 0));
+    assert_eq!(count("../robots/ur5e.urdf"), (6, 4));
+    assert_eq!(count("../robots/puma560.yaml"), (8, 4));
+    assert_eq!(count("../robots/elbow.yaml"), (5, 2));
+    assert_eq!(count("../robots/stanford.yaml"), (3, 1));
+    assert_eq!(count("../robots/scara.yaml"), (1, 0));
 }
 
 /// A chain without structure has a determinant all the same, in one piece.
 #[test]
 fn a_general_arm_has_one_way() {
-    let general = explained("tests/ui/robots/general.yaml", Ik::None);
+    let general = explained("ui/robots/general.yaml", Ik::None);
     let singular = general.singularities.unwrap();
     assert_eq!(singular.ways.len(), 1);
     assert_eq!(singular.ways[0].coordinates, [2, 3, 4, 5]);
@@ -277,7 +277,7 @@ fn a_general_arm_has_one_way() {
 /// An arm that is off its design by a hundredth of a milliradian.
 #[test]
 fn a_noisy_arm_has_the_ways_of_the_one_that_was_meant() {
-    let text = std::fs::read_to_string("robots/ur5e.urdf").unwrap();
+    let text = std::fs::read_to_string("../robots/ur5e.urdf").unwrap();
     let elbow = r#"xyz="-0.425 0 0" rpy="0 0 0""#;
     assert!(text.contains(elbow));
     let text = text.replace(elbow, r#"xyz="-0.425 0 0" rpy="0.00001 0 0""#);

@@ -5,8 +5,8 @@ use super::random::Random;
 use kinematics::{Chain, Kinematics, Pose, Twist, WithTool, Workspace, WorkspaceMethod};
 use std::f64::consts::PI;
 
-kinematics::kinematics!("robots/puma560.yaml");
-kinematics::kinematics!("robots/kr6_r900.yaml");
+kinematics::kinematics!("../robots/puma560.yaml");
+kinematics::kinematics!("../robots/kr6_r900.yaml");
 
 const NEAR: f64 = 1e-9;
 

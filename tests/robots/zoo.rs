@@ -29,55 +29,55 @@ macro_rules! robots {
 
 robots! {
     EXACT for_every_robot:
-    elbow Elbow "robots/elbow.yaml"
-    inverse_elbow InverseElbow "robots/inverse_elbow.yaml"
-    irb6640 Irb6640 "robots/irb6640.yaml"
-    kr6_r900 Kr6R900 "robots/kr6_r900.yaml"
-    planar_2r Planar2r "robots/planar_2r.yaml"
-    planar_3r Planar3r "robots/planar_3r.yaml"
-    puma560 Puma560 "robots/puma560.yaml"
-    scara Scara "robots/scara.yaml"
-    stanford Stanford "robots/stanford.yaml"
-    tx60 Tx60 "robots/tx60.yaml"
-    ur10e Ur10e "robots/ur10e.yaml"
-    ur5e Ur5e "robots/ur5e.urdf"
+    elbow Elbow "../robots/elbow.yaml"
+    inverse_elbow InverseElbow "../robots/inverse_elbow.yaml"
+    irb6640 Irb6640 "../robots/irb6640.yaml"
+    kr6_r900 Kr6R900 "../robots/kr6_r900.yaml"
+    planar_2r Planar2r "../robots/planar_2r.yaml"
+    planar_3r Planar3r "../robots/planar_3r.yaml"
+    puma560 Puma560 "../robots/puma560.yaml"
+    scara Scara "../robots/scara.yaml"
+    stanford Stanford "../robots/stanford.yaml"
+    tx60 Tx60 "../robots/tx60.yaml"
+    ur10e Ur10e "../robots/ur10e.yaml"
+    ur5e Ur5e "../robots/ur5e.urdf"
 }
 
 robots! {
     NOISY for_every_noisy_robot:
-    calibrated Calibrated "tests/robots/noisy/calibrated.yaml"
-    rounded_right_angles RoundedRightAngles "tests/robots/noisy/rounded_right_angles.yaml"
-    stray_offset StrayOffset "tests/robots/noisy/stray_offset.yaml"
-    ten_digits TenDigits "tests/robots/noisy/ten_digits.yaml"
-    truncated_pi TruncatedPi "tests/robots/noisy/truncated_pi.yaml"
+    calibrated Calibrated "robots/noisy/calibrated.yaml"
+    rounded_right_angles RoundedRightAngles "robots/noisy/rounded_right_angles.yaml"
+    stray_offset StrayOffset "robots/noisy/stray_offset.yaml"
+    ten_digits TenDigits "robots/noisy/ten_digits.yaml"
+    truncated_pi TruncatedPi "robots/noisy/truncated_pi.yaml"
 }
 
 robots! {
     TABLE for_every_table_row:
-    concurrent_345 Concurrent345 "tests/robots/table/concurrent_345.yaml"
-    parallel_123 Parallel123 "tests/robots/table/parallel_123.yaml"
-    parallel_234 Parallel234 "tests/robots/table/parallel_234.yaml"
-    wrist_alone WristAlone "tests/robots/table/wrist_alone.yaml"
+    concurrent_345 Concurrent345 "robots/table/concurrent_345.yaml"
+    parallel_123 Parallel123 "robots/table/parallel_123.yaml"
+    parallel_234 Parallel234 "robots/table/parallel_234.yaml"
+    wrist_alone WristAlone "robots/table/wrist_alone.yaml"
 }
 
 robots! {
     AIMED for_every_aimed_robot:
-    shoulder Shoulder "tests/robots/targets/shoulder.yaml" => position
-    welder Welder "tests/robots/targets/welder.yaml" => position_axis
-    welder_pose WelderPose "tests/robots/targets/welder.yaml" => pose
-    sprayer_pose SprayerPose "tests/robots/targets/sprayer.yaml" => pose
-    antenna Antenna "tests/robots/targets/antenna.yaml" => direction
-    gimbal Gimbal "tests/robots/targets/gimbal.yaml" => orientation
-    scara_yaw ScaraYaw "robots/scara.yaml" => position_yaw
-    planar PlanarTarget "robots/planar_3r.yaml" => planar
-    cylindrical Cylindrical "tests/robots/targets/cylindrical.yaml"
-    gantry Gantry "tests/robots/targets/gantry.yaml"
-    palletizer Palletizer "tests/robots/targets/palletizer.yaml"
-    arm_2r_pose Arm2rPose "tests/robots/targets/arm_2r.yaml" => pose
-    crank Crank "tests/robots/targets/crank.yaml"
-    crank_pose CrankPose "tests/robots/targets/crank.yaml" => pose
-    slide Slide "tests/robots/targets/slide.yaml"
-    slide_pose SlidePose "tests/robots/targets/slide.yaml" => pose
+    shoulder Shoulder "robots/targets/shoulder.yaml" => position
+    welder Welder "robots/targets/welder.yaml" => position_axis
+    welder_pose WelderPose "robots/targets/welder.yaml" => pose
+    sprayer_pose SprayerPose "robots/targets/sprayer.yaml" => pose
+    antenna Antenna "robots/targets/antenna.yaml" => direction
+    gimbal Gimbal "robots/targets/gimbal.yaml" => orientation
+    scara_yaw ScaraYaw "../robots/scara.yaml" => position_yaw
+    planar PlanarTarget "../robots/planar_3r.yaml" => planar
+    cylindrical Cylindrical "robots/targets/cylindrical.yaml"
+    gantry Gantry "robots/targets/gantry.yaml"
+    palletizer Palletizer "robots/targets/palletizer.yaml"
+    arm_2r_pose Arm2rPose "robots/targets/arm_2r.yaml" => pose
+    crank Crank "robots/targets/crank.yaml"
+    crank_pose CrankPose "robots/targets/crank.yaml" => pose
+    slide Slide "robots/targets/slide.yaml"
+    slide_pose SlidePose "robots/targets/slide.yaml" => pose
 }
 
 /// The files of a folder, by their paths in the project.
@@ -100,9 +100,9 @@ fn is_mechanism(file: &str) -> bool {
 
 #[test]
 fn no_robot_is_left_out() {
-    assert_eq!(files("robots"), EXACT);
-    assert_eq!(files("tests/robots/noisy"), NOISY);
-    assert_eq!(files("tests/robots/table"), TABLE);
-    let aimed = files("tests/robots/targets");
+    assert_eq!(files("../robots"), EXACT);
+    assert_eq!(files("robots/noisy"), NOISY);
+    assert_eq!(files("robots/table"), TABLE);
+    let aimed = files("robots/targets");
     assert!(aimed.iter().all(|file| AIMED.contains(&file.as_str())));
 }

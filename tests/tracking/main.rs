@@ -7,7 +7,7 @@ mod path;
 mod shoulder;
 mod wrist;
 
-kinematics::kinematics!("robots/elbow.yaml");
-kinematics::kinematics!("robots/puma560.yaml");
-kinematics::kinematics!("robots/ur5e.urdf");
-kinematics::kinematics!("tests/robots/noisy/calibrated.yaml");
+kinematics::kinematics!("../robots/elbow.yaml");
+kinematics::kinematics!("../robots/puma560.yaml");
+kinematics::kinematics!("../robots/ur5e.urdf");
+kinematics::kinematics!("robots/noisy/calibrated.yaml");

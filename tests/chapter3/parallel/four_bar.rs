@@ -49,7 +49,7 @@ fn freudenstein_s_equation_holds_for_the_whole_turn() {
 #[test]
 fn mobility_is_one() {
     assert_eq!(FourBar::MOBILITY, 1);
-    let generic = super::generic("robots/four_bar.yaml");
+    let generic = super::generic("../robots/four_bar.yaml");
     assert_eq!((generic.gruebler(3), generic.gruebler(6)), (1, -2));
 }
 

@@ -3,7 +3,7 @@
 use super::{CLOSED, FourBar, same};
 
 kinematics::kinematics!(
-    "tests/chapter3/parallel/linkages/four_bar.urdf",
+    "chapter3/parallel/linkages/four_bar.urdf",
     name = Tree,
     tip = "coupler"
 );

@@ -141,27 +141,27 @@ fn rates_close_the_loops<P, const N: usize, const M: usize, const K: usize>(
 
 #[test]
 fn four_bar() {
-    check(&FourBar, "robots/four_bar.yaml", 3.0);
+    check(&FourBar, "../robots/four_bar.yaml", 3.0);
 }
 
 #[test]
 fn slider_crank() {
-    check(&SliderCrank, "robots/slider_crank.yaml", 3.0);
+    check(&SliderCrank, "../robots/slider_crank.yaml", 3.0);
 }
 
 #[test]
 fn five_bar() {
-    check(&FiveBar, "robots/five_bar.yaml", 1.0);
+    check(&FiveBar, "../robots/five_bar.yaml", 1.0);
 }
 
 #[test]
 fn delta() {
-    check(&Delta, "robots/delta.yaml", 0.7);
+    check(&Delta, "../robots/delta.yaml", 0.7);
 }
 
 #[test]
 fn stewart() {
-    check(&Stewart, "robots/stewart.yaml", 0.1);
+    check(&Stewart, "../robots/stewart.yaml", 0.1);
 }
 
 /// Closed forms find the assembly that made the actuated values, and the ways
@@ -195,7 +195,7 @@ fn closed_forms_find_all_assemblies() {
     let mut random = Random::new(7);
     for _ in 0..10 {
         let crank = [random.angle()];
-        let expected = generic("robots/four_bar.yaml").assemblies(&crank);
+        let expected = generic("../robots/four_bar.yaml").assemblies(&crank);
         assert_eq!(FourBar.fk(&crank).len(), expected.len());
         for q in expected {
             assert!(FourBar.fk(&crank).iter().any(|s| (0..4).all(|i| {
@@ -203,7 +203,7 @@ fn closed_forms_find_all_assemblies() {
             })));
         }
         let motors = [random.between(-0.8, 0.8), random.between(-0.8, 0.8)];
-        let expected = generic("robots/five_bar.yaml").assemblies(&motors);
+        let expected = generic("../robots/five_bar.yaml").assemblies(&motors);
         assert_eq!(FiveBar.fk(&motors).len(), expected.len());
     }
 }

@@ -132,7 +132,7 @@ fn singular_at_a_quarter_turn() {
 
 #[test]
 fn mobility_is_six() {
-    let generic = super::generic("robots/stewart.yaml");
+    let generic = super::generic("../robots/stewart.yaml");
     assert_eq!((generic.gruebler(6), generic.mobility()), (6, 6));
     assert_eq!(Stewart::MOBILITY, 6);
 }

@@ -4,7 +4,7 @@ use crate::zoo::{Planar2r, Planar3r};
 use kinematics::Pose;
 use std::f64::consts::{PI, SQRT_2};
 
-kinematics::kinematics!("tests/robots/book/isotropic_2r.yaml");
+kinematics::kinematics!("robots/book/isotropic_2r.yaml");
 
 #[test]
 fn two_joints_are_singular_where_the_elbow_is_stretched() {

@@ -43,37 +43,37 @@ fn approach<K: Kinematics<6>>(robot: Subject<K, 6>, singular: [f64; 6], joint: u
 #[test]
 fn fourth_and_sixth_axis_in_line() {
     let straight = [0.3, -0.6, 0.8, 0.4, 0.0, -0.9];
-    approach(Subject::new(Irb6640, "robots/irb6640.yaml"), straight, 4);
-    approach(Subject::new(Kr6R900, "robots/kr6_r900.yaml"), straight, 4);
-    approach(Subject::new(Puma560, "robots/puma560.yaml"), straight, 4);
-    approach(Subject::new(Tx60, "robots/tx60.yaml"), straight, 4);
-    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), straight, 4);
-    approach(Subject::new(Ur10e, "robots/ur10e.yaml"), straight, 4);
+    approach(Subject::new(Irb6640, "../robots/irb6640.yaml"), straight, 4);
+    approach(Subject::new(Kr6R900, "../robots/kr6_r900.yaml"), straight, 4);
+    approach(Subject::new(Puma560, "../robots/puma560.yaml"), straight, 4);
+    approach(Subject::new(Tx60, "../robots/tx60.yaml"), straight, 4);
+    approach(Subject::new(Ur5e, "../robots/ur5e.urdf"), straight, 4);
+    approach(Subject::new(Ur10e, "../robots/ur10e.yaml"), straight, 4);
     let turned_back = [0.3, -0.6, 0.8, 0.4, PI, -0.9];
-    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), turned_back, 4);
-    approach(Subject::new(Puma560, "robots/puma560.yaml"), turned_back, 4);
+    approach(Subject::new(Ur5e, "../robots/ur5e.urdf"), turned_back, 4);
+    approach(Subject::new(Puma560, "../robots/puma560.yaml"), turned_back, 4);
     let quarter = [0.3, -0.6, 0.2, 0.4, FRAC_PI_2, -0.9];
     approach(
-        Subject::new(Elbow, "robots/elbow.yaml"),
+        Subject::new(Elbow, "../robots/elbow.yaml"),
         [0.3, -0.6, 0.8, 0.4, FRAC_PI_2, -0.9],
         4,
     );
-    approach(Subject::new(Stanford, "robots/stanford.yaml"), quarter, 4);
+    approach(Subject::new(Stanford, "../robots/stanford.yaml"), quarter, 4);
 }
 
 #[test]
 fn elbow_stretched() {
     let stretched = [0.3, -0.6, 0.0, 0.4, 0.7, -0.9];
-    approach(Subject::new(Elbow, "robots/elbow.yaml"), stretched, 2);
-    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), stretched, 2);
-    approach(Subject::new(Ur10e, "robots/ur10e.yaml"), stretched, 2);
+    approach(Subject::new(Elbow, "../robots/elbow.yaml"), stretched, 2);
+    approach(Subject::new(Ur5e, "../robots/ur5e.urdf"), stretched, 2);
+    approach(Subject::new(Ur10e, "../robots/ur10e.yaml"), stretched, 2);
     // The forearm is offset: 35 mm beside 420 mm.
     let offset = [0.3, -0.6, 35_f64.atan2(420.0), 0.4, 0.7, -0.9];
-    approach(Subject::new(Kr6R900, "robots/kr6_r900.yaml"), offset, 2);
+    approach(Subject::new(Kr6R900, "../robots/kr6_r900.yaml"), offset, 2);
     // Read backwards, the elbow is the fourth joint.
     let backwards = [0.9, -0.7, -0.4, 0.0, 0.6, -0.3];
     approach(
-        Subject::new(InverseElbow, "robots/inverse_elbow.yaml"),
+        Subject::new(InverseElbow, "../robots/inverse_elbow.yaml"),
         backwards,
         3,
     );
@@ -82,8 +82,8 @@ fn elbow_stretched() {
 #[test]
 fn elbow_folded() {
     let folded = [0.3, -0.6, PI, 0.4, 0.7, -0.9];
-    approach(Subject::new(Elbow, "robots/elbow.yaml"), folded, 2);
-    approach(Subject::new(Ur5e, "robots/ur5e.urdf"), folded, 2);
+    approach(Subject::new(Elbow, "../robots/elbow.yaml"), folded, 2);
+    approach(Subject::new(Ur5e, "../robots/ur5e.urdf"), folded, 2);
 }
 /// The elbow manipulator's wrist is above its shoulder where
 /// 0.4 cos q2 + 0.3 cos(q2 + q3) = 0.
@@ -92,8 +92,8 @@ fn wrist_on_the_shoulder_axis() {
     let shoulder: f64 = 1.2;
     let elbow = (-0.4 / 0.3 * shoulder.cos()).acos() - shoulder;
     let above = [0.3, shoulder, elbow, 0.4, 0.7, -0.9];
-    approach(Subject::new(Elbow, "robots/elbow.yaml"), above, 1);
+    approach(Subject::new(Elbow, "../robots/elbow.yaml"), above, 1);
     // The Stanford arm's, where its slide points up.
     let up = [0.3, FRAC_PI_2, 0.2, 0.4, 0.7, -0.9];
-    approach(Subject::new(Stanford, "robots/stanford.yaml"), up, 1);
+    approach(Subject::new(Stanford, "../robots/stanford.yaml"), up, 1);
 }

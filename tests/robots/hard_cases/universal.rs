@@ -24,16 +24,16 @@ fn with_joint<K: Kinematics<6>>(robot: &Subject<K, 6>, joint: usize, value: f64)
 #[test]
 fn first_joint_at_a_right_angle() {
     for value in [0.0, FRAC_PI_2, -FRAC_PI_2, PI] {
-        with_joint(&Subject::new(Ur5e, "robots/ur5e.urdf"), 0, value);
-        with_joint(&Subject::new(Ur10e, "robots/ur10e.yaml"), 0, value);
+        with_joint(&Subject::new(Ur5e, "../robots/ur5e.urdf"), 0, value);
+        with_joint(&Subject::new(Ur10e, "../robots/ur10e.yaml"), 0, value);
     }
 }
 
 #[test]
 fn last_joint_at_a_right_angle() {
     for value in [0.0, FRAC_PI_2, -FRAC_PI_2, PI] {
-        with_joint(&Subject::new(Ur5e, "robots/ur5e.urdf"), 5, value);
-        with_joint(&Subject::new(Ur10e, "robots/ur10e.yaml"), 5, value);
+        with_joint(&Subject::new(Ur5e, "../robots/ur5e.urdf"), 5, value);
+        with_joint(&Subject::new(Ur10e, "../robots/ur10e.yaml"), 5, value);
     }
 }
 
@@ -41,7 +41,7 @@ fn last_joint_at_a_right_angle() {
 fn tool_straight_down() {
     for yaw in [0.0, 0.3, FRAC_PI_2, PI] {
         assert_eight(
-            &Subject::new(Ur5e, "robots/ur5e.urdf"),
+            &Subject::new(Ur5e, "../robots/ur5e.urdf"),
             [yaw, -1.2, 1.5, -1.87, -FRAC_PI_2, 0.0],
         );
     }

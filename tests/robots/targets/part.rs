@@ -59,12 +59,12 @@ fn assert_moved_target_is_the_same<K: Kinematics<N>, const N: usize>(
 
 #[test]
 fn tilt_does_not_matter_to_a_scara() {
-    let scara = Subject::new(ScaraYaw, "robots/scara.yaml").counting("position_yaw");
+    let scara = Subject::new(ScaraYaw, "../robots/scara.yaml").counting("position_yaw");
     assert_moved_target_is_the_same(&scara, [0.0; 3]);
 }
 
 #[test]
 fn tilt_and_height_do_not_matter_in_a_plane() {
-    let planar = Subject::new(PlanarTarget, "robots/planar_3r.yaml").counting("planar");
+    let planar = Subject::new(PlanarTarget, "../robots/planar_3r.yaml").counting("planar");
     assert_moved_target_is_the_same(&planar, [-0.4, 1e-3, 20.0]);
 }

@@ -1,4 +1,4 @@
-//! One generator, three doors: the macro, build scripts and `kin generate`
+//! One generator, three interfaces: the macro, build scripts and `kin generate`
 //! take the same options and give the same code, header included.
 
 use kin_codegen::build::Config;
@@ -6,14 +6,14 @@ use kin_codegen::{Ik, Options, Source, Target, generate};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROBOT: &str = "robots/ur5e.urdf";
-const PLANAR: &str = "robots/planar_2r.yaml";
+const ROBOT: &str = "../robots/ur5e.urdf";
+const PLANAR: &str = "../robots/planar_2r.yaml";
 
 /// With `debug = true` the macro leaves its code where it can be read.
 mod macros {
-    kinematics::kinematics!("robots/ur5e.urdf", debug = true);
+    kinematics::kinematics!("../robots/ur5e.urdf", debug = true);
     kinematics::kinematics!(
-        "robots/ur5e.urdf",
+        "../robots/ur5e.urdf",
         debug = true,
         name = Shoulder,
         base = "shoulder_link",
@@ -21,7 +21,7 @@ mod macros {
         ik = none,
     );
     kinematics::kinematics!(
-        "robots/planar_2r.yaml",
+        "../robots/planar_2r.yaml",
         debug = true,
         name = Elbow,
         target = position,
@@ -35,7 +35,7 @@ fn library(robot: &str, options: &Options) -> String {
 
 /// What the macro wrote for the type; the newest, if its invocation changed.
 fn macro_file(name: &str) -> String {
-    let folder = temporary("kinematics/doors");
+    let folder = temporary("kinematics/interfaces");
     let of_type = |path: &PathBuf| {
         let file = path.file_name().unwrap().to_string_lossy().into_owned();
         file.starts_with(&format!("{name}-")) && file.ends_with(".rs")
