@@ -16,6 +16,8 @@ mod source;
 mod suggest;
 mod tree;
 mod urdf;
+#[cfg(feature = "urdf-rs")]
+mod urdf_rs;
 pub mod yaml;
 
 pub(crate) use complaints::Complaints;

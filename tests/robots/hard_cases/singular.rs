@@ -44,21 +44,33 @@ fn approach<K: Kinematics<6>>(robot: Subject<K, 6>, singular: [f64; 6], joint: u
 fn fourth_and_sixth_axis_in_line() {
     let straight = [0.3, -0.6, 0.8, 0.4, 0.0, -0.9];
     approach(Subject::new(Irb6640, "../robots/irb6640.yaml"), straight, 4);
-    approach(Subject::new(Kr6R900, "../robots/kr6_r900.yaml"), straight, 4);
+    approach(
+        Subject::new(Kr6R900, "../robots/kr6_r900.yaml"),
+        straight,
+        4,
+    );
     approach(Subject::new(Puma560, "../robots/puma560.yaml"), straight, 4);
     approach(Subject::new(Tx60, "../robots/tx60.yaml"), straight, 4);
     approach(Subject::new(Ur5e, "../robots/ur5e.urdf"), straight, 4);
     approach(Subject::new(Ur10e, "../robots/ur10e.yaml"), straight, 4);
     let turned_back = [0.3, -0.6, 0.8, 0.4, PI, -0.9];
     approach(Subject::new(Ur5e, "../robots/ur5e.urdf"), turned_back, 4);
-    approach(Subject::new(Puma560, "../robots/puma560.yaml"), turned_back, 4);
+    approach(
+        Subject::new(Puma560, "../robots/puma560.yaml"),
+        turned_back,
+        4,
+    );
     let quarter = [0.3, -0.6, 0.2, 0.4, FRAC_PI_2, -0.9];
     approach(
         Subject::new(Elbow, "../robots/elbow.yaml"),
         [0.3, -0.6, 0.8, 0.4, FRAC_PI_2, -0.9],
         4,
     );
-    approach(Subject::new(Stanford, "../robots/stanford.yaml"), quarter, 4);
+    approach(
+        Subject::new(Stanford, "../robots/stanford.yaml"),
+        quarter,
+        4,
+    );
 }
 
 #[test]

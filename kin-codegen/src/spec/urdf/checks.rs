@@ -66,10 +66,23 @@ pub(super) fn required(node: Node, name: &str, complaints: &mut Complaints) -> O
         );
         return None;
     }
+    if let Some(breaks) = attribute_text(node, &attribute).find(['\t', '\n', '\r']) {
+        let at = complaints.place(attribute.range_value().start + breaks);
+        let reason = format!(
+            "a tab or a line break in {name}=\"{text}\": not every reader of URDF takes it for a blank"
+        );
+        complaints.at(at, reason, "write the name without it");
+        return None;
+    }
     Some(Name {
         text: text.to_string(),
         at,
     })
+}
+
+/// The value as it stands in the file: XML makes blanks of tabs and line breaks.
+fn attribute_text<'i>(node: Node<'_, 'i>, attribute: &Attribute) -> &'i str {
+    &node.document().input_text()[attribute.range_value()]
 }
 
 /// Complains about attributes that the element does not have, or that look
