@@ -2,10 +2,10 @@
 
 use kin_cli::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::arm::CompiledArm;
+use kin_codegen::closed_form::ClosedForm;
 use kin_codegen::expr::{Choice, Node};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
-use kin_codegen::solver::ClosedForm;
 use kin_codegen::{Compiled, Options, Source, Target, compile};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -35,7 +35,7 @@ fn compiled(source: &Source, target: Option<Target>) -> (Model, ClosedForm) {
         panic!("an arm");
     };
     let CompiledArm { model, inverse, .. } = *arm;
-    (model, inverse.unwrap())
+    (model, inverse.unwrap().form)
 }
 
 fn swept((model, form): &(Model, ClosedForm)) -> Tally {
@@ -69,8 +69,8 @@ fn sound_arms_are_clean() {
         let exact = file.starts_with("robots/");
         assert!(tally.lost.near_singular == 0 || !exact, "{file}\n{tally}");
         assert_eq!(tally.targets, SETTINGS.targets);
-        assert_eq!(tally.answers.values().sum::<usize>(), SETTINGS.targets);
-        assert_eq!(tally.answers.last_key_value().unwrap().0, &most, "{file}");
+        assert_eq!(tally.solutions.values().sum::<usize>(), SETTINGS.targets);
+        assert_eq!(tally.solutions.last_key_value().unwrap().0, &most, "{file}");
         let replay = Replay::new(&arm.0, &arm.1, &tally.worst_at).unwrap();
         assert_eq!(replay.tally.worst_residual, tally.worst_residual);
         assert!(tally.worst_residual < 1e-9);
@@ -87,7 +87,7 @@ fn a_part_of_a_pose_is_swept_as_such() {
     let file = source("robots/scara.yaml");
     let tally = swept(&compiled(&file, Some(Target::PositionYaw)));
     assert!(tally.is_clean(), "{tally}");
-    assert_eq!(tally.answers[&2], SETTINGS.targets);
+    assert_eq!(tally.solutions[&2], SETTINGS.targets);
 }
 
 #[test]
@@ -154,12 +154,12 @@ fn the_closed_form_of_another_arm_is_unsound_and_loses() {
 }
 
 #[test]
-fn a_polish_onto_another_arm_is_unsound() {
+fn a_refinement_onto_another_arm_is_unsound() {
     let (model, mut form) = arm("tests/robots/noisy/calibrated.yaml");
-    assert!(form.polish > 0);
+    assert!(!form.is_exact());
     let mut other = model.clone();
     other.home.translation[0] += 1e-6;
-    form.literal = Linkage::new(&other);
+    form.given = Linkage::new(&other);
     let tally = swept(&(model, form));
     assert!(tally.unsound > SETTINGS.targets, "{tally}");
 }
@@ -171,7 +171,7 @@ fn a_branch_left_out_is_lost_and_missing() {
     let plus = Node::Sign(Choice(0));
     form.inverse.invalid = form.inverse.graph.find(plus).unwrap();
     let tally = swept(&(model, form));
-    assert_eq!(tally.answers[&4], SETTINGS.targets, "{tally}");
+    assert_eq!(tally.solutions[&4], SETTINGS.targets, "{tally}");
     let half = SETTINGS.targets / 2;
     assert!(tally.lost.regular.abs_diff(half) < half / 2, "{tally}");
     let seen = tally.oracle.as_ref().unwrap();
@@ -204,10 +204,10 @@ fn faults_can_be_replayed() {
     for fault in lost(Kind::Lost) {
         let replay = Replay::new(&model, &form, &fault.q).unwrap();
         assert_eq!(replay.tally.lost.regular, 1);
-        assert_eq!((replay.answers.len(), replay.solutions.len()), (4, 8));
-        assert!(replay.answers.iter().all(|answer| !answer.is_q));
-        let unanswered = replay.solutions.iter().filter(|it| it.answer.is_none());
-        assert_eq!(unanswered.count(), 4);
+        assert_eq!((replay.solutions.len(), replay.found.len()), (4, 8));
+        assert!(replay.solutions.iter().all(|solution| !solution.is_q));
+        let missing = replay.found.iter().filter(|it| it.solution.is_none());
+        assert_eq!(missing.count(), 4);
         let text = replay.to_string();
         let values: Vec<String> = fault.q.iter().map(|x| format!("{x:?}")).collect();
         assert!(text.contains(&values.join(",")), "{text}");
@@ -216,17 +216,17 @@ fn faults_can_be_replayed() {
 }
 
 #[test]
-fn a_replay_pairs_answers_with_solutions() {
+fn a_replay_pairs_the_solutions_of_both() {
     let (model, form) = arm("robots/ur5e.urdf");
     let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
     let replay = Replay::new(&model, &form, &q).unwrap();
-    assert_eq!((replay.answers.len(), replay.solutions.len()), (8, 8));
-    for (i, answer) in replay.answers.iter().enumerate() {
-        let pair = answer.solution.unwrap();
-        assert_eq!(replay.solutions[pair].answer, Some(i));
-        assert!(answer.residual < 1e-12 && !answer.singular);
+    assert_eq!((replay.solutions.len(), replay.found.len()), (8, 8));
+    for (i, solution) in replay.solutions.iter().enumerate() {
+        let pair = solution.found.unwrap();
+        assert_eq!(replay.found[pair].solution, Some(i));
+        assert!(solution.residual < 1e-12 && !solution.singular);
     }
-    let own = replay.answers.iter().filter(|answer| answer.is_q);
+    let own = replay.solutions.iter().filter(|solution| solution.is_q);
     assert_eq!(own.count(), 1);
     assert!(replay.tally.is_clean() && !replay.near_singular);
 }
@@ -236,8 +236,8 @@ fn a_singular_configuration_is_replayed_as_one() {
     let (model, form) = arm("robots/ur5e.urdf");
     let q = [0.3, -1.2, 1.5, -0.7, 0.0, 0.4];
     let replay = Replay::new(&model, &form, &q).unwrap();
-    assert!(replay.near_singular && replay.independence < 1e-12);
-    assert!(replay.answers.iter().any(|answer| answer.singular));
+    assert!(replay.near_singular && replay.conditioning < 1e-12);
+    assert!(replay.solutions.iter().any(|solution| solution.singular));
     assert_eq!(replay.tally.oracle.as_ref().unwrap().skipped, 1);
     assert!(replay.tally.is_clean());
 }
@@ -253,7 +253,7 @@ fn a_target_without_answers_is_told_from_a_lost_configuration() {
     let (model, mut form) = arm("robots/scara.yaml");
     form.inverse.invalid = form.inverse.graph.one();
     let tally = swept(&(model, form));
-    assert_eq!(tally.answers[&0], SETTINGS.targets, "{tally}");
+    assert_eq!(tally.solutions[&0], SETTINGS.targets, "{tally}");
     assert_eq!(tally.lost.regular, SETTINGS.targets, "{tally}");
     let kinds: Vec<Kind> = tally.faults.iter().map(|fault| fault.kind).collect();
     let expected = [[Kind::Unanswered; 5], [Kind::Missing; 5]].concat();

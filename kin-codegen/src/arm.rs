@@ -1,22 +1,19 @@
 //! An arm: its chain, and its kinematics as expressions.
 
-use crate::compile::Compiled;
-use crate::error::Error;
+use crate::closed_form::ClosedForm;
 use crate::expr::forward::{Outputs, Stance, link_frames, tip};
 use crate::expr::jacobian::{
     Columns, TipAndColumns, Which, jacobian, jacobian_dot, tip_and_jacobian,
 };
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
-use crate::geometry::{AxisRelation, Linkage, axes, relate};
+use crate::geometry::{AxisRelation, Linkage, axes, natural_target, rank, relate};
 use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
-use crate::refusal::{Reason, Refusal};
 use crate::singularity::Singular;
-use crate::solver::{ClosedForm, solve};
+use crate::solver::{Certified, NoClosedForm, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, Source};
-use crate::verify::{natural_target, rank};
 
 /// A serial arm, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
@@ -31,7 +28,7 @@ pub struct CompiledArm {
     /// Forward kinematics and Jacobians.
     pub forward: Forward,
     /// Inverse kinematics; none if it was not asked for.
-    pub inverse: Option<ClosedForm>,
+    pub inverse: Option<Certified>,
     /// Determinant and singularities; none if no square Jacobian is there.
     pub singular: Option<Singular>,
 }
@@ -108,39 +105,36 @@ impl Forward {
     }
 }
 
-/// Compiles the arm of a robot file.
+/// Compiles the arm of a robot file. If inverse kinematics is asked for and
+/// there is none, the arm comes without it, and why beside it.
 ///
 /// # Errors
 ///
-/// What is wrong with the chain or the options, or why the arm has no closed
-/// form.
-pub(crate) fn compile(spec: &ArmSpec, options: &Options) -> Result<Compiled, Error> {
+/// What is wrong with the chain or the options.
+pub(crate) fn compile(
+    spec: &ArmSpec,
+    options: &Options,
+) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
     let model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
     refuse_singular(&spec.source, &model)?;
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let linkage = Linkage::new(&model);
-    let (inverse, refusal) = match options.ik {
+    let (inverse, refused) = match options.ik {
         Ik::None => (None, None),
         Ik::ClosedForm => match solve(&model, &linkage, target) {
             Ok(inverse) => (Some(inverse), None),
             Err(reason) => (None, Some(reason)),
         },
     };
-    let idealized = inverse.as_ref().filter(|solver| solver.polish > 0);
-    let singular = Singular::new(&model, idealized.map(|solver| &solver.snap.model), target);
+    let form = inverse.as_ref().map(|certified| &certified.form);
+    let idealized = form.filter(|form| !form.is_exact());
+    let singular = Singular::new(&model, idealized.map(|form| &form.idealized.model), target);
+    let file = file_name(&spec.source.path);
     let arm = CompiledArm {
         singular,
-        ..CompiledArm::new(file_name(&spec.source.path), model, linkage, inverse)
+        ..CompiledArm::new(file, model, linkage, inverse)
     };
-    let robot = Compiled::Arm(Box::new(arm));
-    match refusal {
-        None => Ok(robot),
-        Some(reason) => Err(Error::Refused(Box::new(Refusal {
-            robot,
-            reason: Reason::Arm(target, reason),
-            source: spec.source.clone(),
-        }))),
-    }
+    Ok((arm, refused))
 }
 
 /// Refuses a chain whose joints are never independent.
@@ -184,7 +178,7 @@ impl CompiledArm {
         file: &str,
         model: Model,
         linkage: Linkage,
-        inverse: Option<ClosedForm>,
+        inverse: Option<Certified>,
     ) -> Self {
         Self {
             file: file.to_owned(),
@@ -196,17 +190,18 @@ impl CompiledArm {
         }
     }
 
+    /// The closed form; none without inverse kinematics.
+    pub fn form(&self) -> Option<&ClosedForm> {
+        self.inverse.as_ref().map(|certified| &certified.form)
+    }
+
     /// How many branches inverse kinematics looks at; 0 without it.
     pub fn branches(&self) -> usize {
-        self.inverse
-            .as_ref()
-            .map_or(0, |solver| solver.plan.branches())
+        self.form().map_or(0, |form| form.plan.branches())
     }
 
     /// What `q` stands for in targets: the whole pose unless said otherwise.
     pub fn target(&self) -> Target {
-        self.inverse
-            .as_ref()
-            .map_or(Target::Pose, |solver| solver.plan.target)
+        self.form().map_or(Target::Pose, |form| form.plan.target)
     }
 }

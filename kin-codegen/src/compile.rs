@@ -1,37 +1,12 @@
 //! The whole way from a robot file to verified expressions.
 
-use crate::arm::{self, CompiledArm};
+use crate::arm;
+use crate::compiled::Compiled;
 use crate::error::Error;
-use crate::mechanism::{self, CompiledMechanism};
+use crate::mechanism;
 use crate::options::Options;
+use crate::refusal::{Reason, Refusal};
 use crate::spec::{Source, Spec};
-
-/// A robot, compiled but not yet written as Rust.
-#[derive(Clone, Debug)]
-pub enum Compiled {
-    /// A serial arm.
-    Arm(Box<CompiledArm>),
-    /// Several chains to one platform.
-    Mechanism(Box<CompiledMechanism>),
-}
-
-impl Compiled {
-    /// The arm, if it is one.
-    pub fn arm(&self) -> Option<&CompiledArm> {
-        match self {
-            Compiled::Arm(arm) => Some(arm),
-            Compiled::Mechanism(_) => None,
-        }
-    }
-
-    /// The mechanism, if it is one.
-    pub fn mechanism(&self) -> Option<&CompiledMechanism> {
-        match self {
-            Compiled::Arm(_) => None,
-            Compiled::Mechanism(mechanism) => Some(mechanism),
-        }
-    }
-}
 
 /// Reads a robot file and compiles it.
 ///
@@ -48,8 +23,23 @@ impl Compiled {
 /// What is wrong with the file or the options, or why the robot has no closed
 /// form.
 pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
-    match Spec::parse(source)? {
-        Spec::Arm(spec) => arm::compile(&spec, options),
-        Spec::Mechanism(spec) => mechanism::compile(&spec, options),
+    let (robot, reason) = match Spec::parse(source)? {
+        Spec::Arm(spec) => {
+            let (arm, refused) = arm::compile(&spec, options)?;
+            (Compiled::Arm(Box::new(arm)), refused.map(Reason::Arm))
+        }
+        Spec::Mechanism(spec) => {
+            let (mechanism, refused) = mechanism::compile(&spec, options)?;
+            let robot = Compiled::Mechanism(Box::new(mechanism));
+            (robot, refused.map(Reason::Chain))
+        }
+    };
+    match reason {
+        None => Ok(robot),
+        Some(reason) => Err(Error::Refused(Box::new(Refusal {
+            robot,
+            reason,
+            source: source.clone(),
+        }))),
     }
 }

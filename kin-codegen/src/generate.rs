@@ -1,7 +1,8 @@
 //! Robot file in, Rust out.
 
 use crate::arm::CompiledArm;
-use crate::compile::{Compiled, compile};
+use crate::compile::compile;
+use crate::compiled::Compiled;
 use crate::emit::{self, TAKEN};
 use crate::error::Error;
 use crate::options::Options;
@@ -100,12 +101,12 @@ fn of_arm(compiled: &CompiledArm) -> Vec<String> {
     lines.push(format!("Forward kinematics: {fk}."));
     let both = compiled.forward.tip_and_jacobian_cost();
     lines.push(format!("With the spatial Jacobian: {both}."));
-    if let Some(solver) = &compiled.inverse {
-        let branches = solver.plan.branches();
-        let cost = solver.inverse.graph.operations(&solver.inverse.outputs());
+    if let Some(form) = compiled.form() {
+        let branches = form.plan.branches();
+        let cost = form.inverse.graph.operations(&form.inverse.outputs());
         lines.push(format!(
             "Inverse kinematics: {}, {branches} branches; one branch: {cost}.",
-            solver.plan
+            form.plan
         ));
     }
     lines

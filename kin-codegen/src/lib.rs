@@ -18,7 +18,10 @@
 
 pub mod arm;
 pub mod build;
+pub mod certificate;
+pub mod closed_form;
 mod compile;
+mod compiled;
 pub mod emit;
 mod error;
 pub mod expr;
@@ -33,9 +36,9 @@ pub mod refusal;
 pub mod singularity;
 pub mod solver;
 pub mod spec;
-pub mod verify;
 
-pub use compile::{Compiled, compile};
+pub use compile::compile;
+pub use compiled::Compiled;
 pub use error::Error;
 pub use generate::{Generated, generate};
 pub use options::{Ik, Options, Unknown, target};

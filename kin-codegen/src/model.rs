@@ -2,11 +2,14 @@
 //! home pose, limits and names (MLS section 3.2).
 
 mod chain;
+mod configurations;
 mod limits;
 mod mimic;
 
 use crate::spec::{self, ArmSpec, Complaints, Diagnostics, JointType};
-use kin_runtime::{Pose, Twist};
+use kin_runtime::{Chain, Pose, Twist};
+
+pub(crate) use configurations::configurations;
 
 /// A serial chain at its home configuration (all joint values 0), in the
 /// coordinates of the base link; metres and radians.
@@ -89,6 +92,14 @@ impl Joint {
 const LONGEST_ARM: f64 = 100.0;
 
 impl Model {
+    /// The arm as a generic product of exponentials, one joint per coordinate:
+    /// the reference that closed forms are held against.
+    pub fn chain(&self) -> Chain {
+        let twists = self.joints.iter().map(|joint| joint.twist()).collect();
+        let links = self.joints.iter().map(|joint| joint.frame).collect();
+        Chain::new(twists, self.home).with_links(links)
+    }
+
     /// Whether some joints mimic others, so that joints and coordinates of q
     /// are not the same.
     pub fn is_coupled(&self) -> bool {

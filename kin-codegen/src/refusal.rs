@@ -1,8 +1,8 @@
 //! Why a sound robot file has no inverse kinematics, and what its owner can do.
 
-use crate::compile::Compiled;
+use crate::compiled::Compiled;
 use crate::geometry::structure;
-use crate::mechanism::ChainRefusal;
+use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::NoClosedForm;
@@ -23,10 +23,10 @@ pub struct Refusal {
 /// Why there is no inverse kinematics.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
-    /// Of an arm, for targets of some kind.
-    Arm(Target, NoClosedForm),
-    /// A chain of a mechanism, by its name, cannot be solved.
-    Chain(String, ChainRefusal),
+    /// Of an arm.
+    Arm(NoClosedForm),
+    /// A chain of a mechanism cannot be solved.
+    Chain(UnsolvedChain),
 }
 
 impl Refusal {
@@ -45,24 +45,18 @@ impl Refusal {
     /// Why, in a sentence.
     pub fn text(&self) -> String {
         match (&self.robot, &self.reason) {
-            (Compiled::Arm(arm), Reason::Arm(target, reason)) => {
-                no_closed_form(&arm.model, *target, reason)
-            }
-            (Compiled::Mechanism(compiled), Reason::Chain(name, reason)) => {
-                let mut legs = compiled.mechanism.legs.iter();
-                let leg = legs.find(|leg| leg.name == *name);
-                let why = match (reason, leg) {
-                    (ChainRefusal::NoClosedForm(reason), Some(leg)) => {
-                        no_closed_form(&leg.model, Target::Pose, reason)
-                    }
-                    (ChainRefusal::Lost(q), _) => {
+            (Compiled::Arm(arm), Reason::Arm(reason)) => no_closed_form(&arm.model, reason),
+            (Compiled::Mechanism(compiled), Reason::Chain(UnsolvedChain { number, reason })) => {
+                let leg = &compiled.mechanism.legs[*number];
+                let why = match reason {
+                    ChainRefusal::NoClosedForm(reason) => no_closed_form(&leg.model, reason),
+                    ChainRefusal::Lost(q) => {
                         format!("its configuration {q:.4?} is not among the solutions")
                     }
-                    (ChainRefusal::NoClosedForm(reason), None) => format!("{reason:?}"),
                 };
-                format!("the chain `{name}` cannot be solved: {why}")
+                format!("the chain `{}` cannot be solved: {why}", leg.name)
             }
-            (_, reason) => format!("{reason:?}"),
+            (_, reason) => unreachable!("{reason:?} is of another robot"),
         }
     }
 }
@@ -73,7 +67,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-fn no_closed_form(model: &Model, target: Target, reason: &NoClosedForm) -> String {
+fn no_closed_form(model: &Model, reason: &NoClosedForm) -> String {
     let n = model.joints.len();
     let why = match reason {
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
@@ -84,9 +78,9 @@ fn no_closed_form(model: &Model, target: Target, reason: &NoClosedForm) -> Strin
         NoClosedForm::Noisy => "its axes are off exact relations by the noise of the file, and a \
                                 projected target (position_yaw, planar) needs them exact"
             .to_owned(),
-        NoClosedForm::NoPlan => format!(
+        NoClosedForm::NoPlan(target) => format!(
             "no sequence of the subproblems SP1 to SP6 solves the chain{}: {}",
-            aimed_at(target),
+            aimed_at(*target),
             structure(model)
         ),
         NoClosedForm::Uncertified { plan, failure } => {

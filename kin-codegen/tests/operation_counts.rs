@@ -61,7 +61,7 @@ fn a_free_angle_costs_regular_targets_two_selections() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
         let source = Source::read(file, &root).unwrap();
         let compiled = compile(&source, &Options::default()).unwrap();
-        let form = compiled.arm().unwrap().inverse.as_ref();
+        let form = compiled.arm().unwrap().form();
         let inverse = &form.unwrap().inverse;
         let [with, without] = [true, false].map(|kept| {
             let free_angle = inverse.free_angle.filter(|_| kept);

@@ -5,7 +5,7 @@ use crate::measure::{self, angle_between, largest};
 use crate::random::Random;
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::spec::{ArmSpec, Source};
-use kin_codegen::{Target, geometry, verify};
+use kin_codegen::{Target, geometry};
 use kinematics::{Chain, ChainSolution, Kinematics, Pose, SearchOptions, Solution};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,7 +27,7 @@ pub struct Subject<K, const N: usize> {
 impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     pub fn new(arm: K, path: &str) -> Self {
         let model = read(path);
-        let (chain, counts) = (verify::chain(&model), verify::natural_target(&model));
+        let (chain, counts) = (model.chain(), geometry::natural_target(&model));
         Subject {
             arm,
             freed: freed(&chain, counts),

@@ -1,19 +1,12 @@
 //! `kin check`.
 
-use super::report;
+use super::report::{self, Checked};
 use super::verdict::{Check, Verdict, check};
 use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::sweep::{Draw, Replay, Settings, Tally, sweep};
 use crate::{Done, Exit};
 use kin_codegen::{Compiled, Options};
-
-/// What became of a robot file, and of what was tried on it.
-pub(super) struct Checked {
-    pub check: Check,
-    pub sweep: Option<Tally>,
-    pub replay: Option<Replay>,
-}
 
 pub fn run(arguments: &arguments::Check) -> Done {
     let options = arguments.options.options();
@@ -74,7 +67,7 @@ impl Checked {
             }
             Compiled::Mechanism(_) => return Ok(()),
         };
-        let (model, Some(form)) = (&arm.model, &arm.inverse) else {
+        let (model, Some(form)) = (&arm.model, arm.form()) else {
             return Ok(());
         };
         if arguments.targets > 0 {

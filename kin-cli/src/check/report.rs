@@ -1,12 +1,19 @@
 //! What was checked, as text and as JSON.
 
-use super::command::Checked;
-use super::verdict::Verdict;
+use super::verdict::{Check, Verdict};
+use crate::sweep::{Replay, Tally};
 use serde_json::{Value, json};
+
+/// What became of a robot file, and of what was tried on it.
+pub(super) struct Checked {
+    pub check: Check,
+    pub sweep: Option<Tally>,
+    pub replay: Option<Replay>,
+}
 
 /// The version of the JSON. Grows when a field changes its meaning or goes; new
 /// fields may come without.
-const SCHEMA: u32 = 1;
+const SCHEMA: u32 = 2;
 
 /// One line, and below it what a sweep or a replay has to say.
 pub fn text(checked: &Checked) -> String {
@@ -32,19 +39,19 @@ fn file(checked: &Checked) -> Value {
         Verdict::Refused(_) => "refused",
         Verdict::Broken(_) => "broken",
     };
-    let (structure, plan, snapped_by, deep) = match &checked.check.verdict {
+    let (structure, plan, tip_shift, deep) = match &checked.check.verdict {
         Verdict::Solved {
             structure,
             robot,
             completeness,
             ..
         } => {
-            let form = robot.arm().and_then(|arm| arm.inverse.as_ref());
-            let snapped = form.filter(|form| form.polish > 0);
+            let form = robot.arm().and_then(|arm| arm.form());
+            let idealized = form.filter(|form| !form.is_exact());
             (
                 Some(structure),
                 form.map(|form| form.plan.to_string()),
-                snapped.map(|form| form.tip_shift),
+                idealized.map(|form| form.tip_shift),
                 completeness.as_ref(),
             )
         }
@@ -56,7 +63,7 @@ fn file(checked: &Checked) -> Value {
         "text": checked.check.verdict.to_string(),
         "structure": structure,
         "plan": plan,
-        "snapped_by": snapped_by,
+        "tip_shift": tip_shift,
         "deep": deep,
         "sweep": checked.sweep,
         "replay": checked.replay,

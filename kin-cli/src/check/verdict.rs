@@ -4,6 +4,7 @@ use crate::sweep::{Fault, Kind, Settings, sweep};
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::geometry::structure;
 use kin_codegen::mechanism::CompiledMechanism;
+use kin_codegen::solver::Certified;
 use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
 use serde::Serialize;
 use std::fmt;
@@ -97,11 +98,13 @@ const FORWARD_ALONE: &str = "forward kinematics alone";
 
 fn of_arm(arm: &CompiledArm) -> String {
     match &arm.inverse {
-        Some(solver) => format!(
+        Some(Certified {
+            form, certificate, ..
+        }) => format!(
             "{}, {} branches, worst residual {:.1e} m",
-            solver.plan,
-            solver.plan.branches(),
-            solver.certificate.worst_residual
+            form.plan,
+            form.plan.branches(),
+            certificate.worst_residual
         ),
         None => FORWARD_ALONE.into(),
     }
@@ -127,7 +130,7 @@ fn chains(mechanism: &CompiledMechanism) -> String {
 
 /// The comparison on `targets` targets; none on no target.
 fn completeness(arm: &CompiledArm, targets: usize) -> Option<Completeness> {
-    let form = arm.inverse.as_ref().filter(|_| targets > 0)?;
+    let form = arm.form().filter(|_| targets > 0)?;
     let settings = Settings {
         targets,
         oracle: targets,

@@ -1,22 +1,23 @@
 //! The closed form: its plan, why it was chosen, and what it costs.
 
-use super::{Snapping, Step};
+use super::{Idealization, Step};
+use kin_codegen::Target;
+use kin_codegen::certificate::Certificate;
+use kin_codegen::closed_form::ClosedForm;
 use kin_codegen::expr::Operations;
-use kin_codegen::plan::{Target, search};
-use kin_codegen::solver::ClosedForm;
-use kin_codegen::verify::Certificate;
+use kin_codegen::solver::Certified;
 use serde::Serialize;
 
-/// Plans looked at to tell what else there was.
-const ALTERNATIVES: usize = 4;
+/// Other plans told of.
+const ALTERNATIVES: usize = 3;
 
 /// A verified closed form.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inverse {
     /// What of a pose counts, as the option `target` has it.
     pub target: &'static str,
-    /// What was snapped; none if the file is exact.
-    pub snapping: Option<Snapping>,
+    /// What was idealized; none if the file is exact.
+    pub idealization: Option<Idealization>,
     /// The plan in short: `SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6)`.
     pub plan: String,
     /// The plan step by step.
@@ -31,7 +32,7 @@ pub struct Inverse {
     pub certificate: Certificate,
 }
 
-/// What inverse kinematics takes, without the polish.
+/// What inverse kinematics takes, without the refinement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct LaneCost {
     /// One branch.
@@ -41,18 +42,22 @@ pub struct LaneCost {
 }
 
 impl Inverse {
-    pub(super) fn of(solver: &ClosedForm) -> Self {
-        let plan = &solver.plan;
+    pub(super) fn of(certified: &Certified) -> Self {
+        let form = &certified.form;
+        let plan = &form.plan;
         let steps = plan.steps.iter();
         Self {
             target: plan.target.word(),
-            snapping: Snapping::of(solver),
+            idealization: Idealization::of(form),
             plan: plan.to_string(),
-            steps: steps.map(|step| Step::of(step, &solver.linkage)).collect(),
+            steps: steps.map(|step| Step::of(step, &form.linkage)).collect(),
             branches: plan.branches(),
-            others: others(solver),
-            cost: LaneCost::of(solver),
-            certificate: solver.certificate,
+            others: (certified.alternatives.iter())
+                .take(ALTERNATIVES)
+                .map(ToString::to_string)
+                .collect(),
+            cost: LaneCost::of(form),
+            certificate: certified.certificate,
         }
     }
 }
@@ -65,20 +70,11 @@ impl Inverse {
     }
 }
 
-fn others(solver: &ClosedForm) -> Vec<String> {
-    let chosen = solver.plan.to_string();
-    search(&solver.linkage, solver.plan.target, ALTERNATIVES)
-        .iter()
-        .map(ToString::to_string)
-        .filter(|plan| *plan != chosen)
-        .collect()
-}
-
 impl LaneCost {
     /// An expression behind the k-th choice is computed in 2ᵏ lanes.
-    fn of(solver: &ClosedForm) -> Self {
-        let graph = &solver.inverse.graph;
-        let outputs = solver.inverse.outputs();
+    fn of(form: &ClosedForm) -> Self {
+        let graph = &form.inverse.graph;
+        let outputs = form.inverse.outputs();
         let levels = graph.levels();
         let needed = graph.reachable(&outputs);
         let up_to = |level: u8| {

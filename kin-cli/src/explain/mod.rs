@@ -6,23 +6,23 @@
 mod arm;
 mod chain;
 mod command;
+mod idealization;
 mod inverse;
 mod mechanism;
 mod singular;
-mod snapping;
 mod step;
 mod text;
 
 pub use arm::ArmExplanation;
 pub use chain::{Chain, Joint, JointMotion, Mimic};
 pub(crate) use command::run;
+pub use idealization::{Idealization, Moved};
 pub use inverse::{Inverse, LaneCost};
 pub use mechanism::{
     Actuation, ForwardExplanation, InverseExplanation, LegExplanation, MechanismExplanation,
     Mobility,
 };
 pub use singular::{AxesCondition, ConditionKind, Singularities, Singularity};
-pub use snapping::{Moved, Snapping};
 pub use step::{Object, ObjectKind, Step};
 
 use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
@@ -31,7 +31,7 @@ use std::fmt;
 
 /// The version of the JSON that [`Explanation`] serializes to. Grows when a
 /// field changes its meaning or goes; new fields may come without.
-pub const SCHEMA: u32 = 1;
+pub const SCHEMA: u32 = 2;
 
 /// All that there is to tell about a robot file.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,6 +1,5 @@
 //! The singular configurations of an arm, and what its determinant takes.
 
-use super::text::vector_of;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::determinant::Rows;
 use kin_codegen::geometry::Condition;
@@ -224,3 +223,9 @@ impl Display for Singularities {
 /// What is said of an arm whose Jacobian is not square.
 pub(super) const NOT_SQUARE: &str = "  The Jacobian is not square: its rank is measured by its \
                                      singular values, or by the root of det(J Jᵀ) or det(Jᵀ J).";
+
+/// `0.3, -1.2`.
+fn vector_of(values: &[f64]) -> String {
+    let shown: Vec<String> = values.iter().map(|x| format!("{x:.3}")).collect();
+    shown.join(", ")
+}

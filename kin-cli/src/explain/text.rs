@@ -1,17 +1,11 @@
 //! An explanation as text for a terminal.
 
 use super::singular::NOT_SQUARE;
-use super::{ArmExplanation, Chain, Inverse, Joint, JointMotion, Snapping, Step};
+use super::{ArmExplanation, Chain, Idealization, Inverse, Joint, JointMotion, Step};
 use std::fmt::{self, Display, Formatter};
 
 /// Deviations below this are rounding, and not worth a word; radians, metres.
 const ROUNDING: f64 = 1e-9;
-
-/// `0.3, -1.2`.
-pub(super) fn vector_of(values: &[f64]) -> String {
-    let shown: Vec<String> = values.iter().map(|x| format!("{x:.3}")).collect();
-    shown.join(", ")
-}
 
 impl Display for ArmExplanation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -115,8 +109,8 @@ impl Display for Inverse {
         if let Some(target) = self.part_of_pose() {
             writeln!(f, "  Targets are {target}: the rest of a pose is not read.")?;
         }
-        if let Some(snapping) = &self.snapping {
-            write!(f, "{snapping}")?;
+        if let Some(idealization) = &self.idealization {
+            write!(f, "{idealization}")?;
         }
         writeln!(f, "  Plan {}", self.plan)?;
         for (i, step) in self.steps.iter().enumerate() {
@@ -134,13 +128,13 @@ impl Display for Inverse {
         let seen = &self.certificate;
         writeln!(
             f,
-            "  Verified on {} configurations, {} of them singular: {} answers, the worst {:.1e} m \
+            "  Verified on {} configurations, {} of them singular: {} solutions, the worst {:.1e} m \
              from its target, at most {} to one target; {}.",
             seen.configurations,
             seen.singular,
-            seen.answers,
+            seen.solutions,
             seen.worst_residual,
-            seen.most_answers,
+            seen.most_solutions,
             match seen.unanswered {
                 0 => "every configuration was recovered".into(),
                 unanswered => format!("{unanswered} of the singular ones got no representative"),
@@ -180,7 +174,7 @@ impl Display for Step {
     }
 }
 
-impl Display for Snapping {
+impl Display for Idealization {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -201,9 +195,9 @@ impl Display for Snapping {
         }
         writeln!(
             f,
-            "    whose tip is within {:.1e} m of the file's. At most {} Newton steps land every \
-             branch on the file's arm.",
-            self.tip_shift, self.polish_steps
+            "    whose tip is within {:.1e} m of the file's. At most {} Newton steps refine every \
+             branch onto the file's arm.",
+            self.tip_shift, self.refinement_steps
         )
     }
 }

@@ -21,33 +21,33 @@
 //! let compiled = compile(&source, &Options::default())?;
 //! let settings = Settings { targets: 100, oracle: 10, ..Settings::default() };
 //! let arm = compiled.arm().unwrap();
-//! let form = arm.inverse.as_ref().unwrap();
+//! let form = arm.form().unwrap();
 //! let tally = sweep(&arm.model, form, &settings, &|_| {});
 //! assert!(tally.is_clean());
-//! assert_eq!(tally.answers[&2], 100);
+//! assert_eq!(tally.solutions[&2], 100);
 //! # Ok::<(), kin_codegen::Error>(())
 //! ```
 
+mod case;
 mod draw;
 mod oracle;
 mod replay;
-mod subject;
 mod tally;
 mod text;
 
 pub use draw::Draw;
 pub use oracle::Comparison;
-pub use replay::{Answered, Found, Replay};
+pub use replay::{FormSolution, Found, Replay};
 pub use tally::{Fault, Kind, Split, Tally};
 
+use case::Case;
+use kin_codegen::closed_form::ClosedForm;
 use kin_codegen::model::Model;
-use kin_codegen::solver::ClosedForm;
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Instant;
-use subject::Subject;
 
 /// Targets that a thread takes at once.
 const PORTION: usize = 64;
@@ -88,11 +88,11 @@ pub fn sweep(
     progress: &(dyn Fn(usize) + Sync),
 ) -> Tally {
     let start = Instant::now();
-    let subject = Subject::new(model, form);
+    let case = Case::new(model, form);
     let next = AtomicUsize::new(0);
-    let total = Mutex::new(Tally::new(&subject, settings));
+    let total = Mutex::new(Tally::new(&case, settings));
     let work = || {
-        let mut tally = Tally::new(&subject, settings);
+        let mut tally = Tally::new(&case, settings);
         loop {
             let from = next.fetch_add(PORTION, Ordering::Relaxed);
             let portion = from..settings.targets.min(from + PORTION);
@@ -100,7 +100,7 @@ pub fn sweep(
                 break;
             }
             let count = portion.len();
-            examine(&subject, settings, portion, &mut tally);
+            examine(&case, settings, portion, &mut tally);
             progress(count);
         }
         if let Ok(mut total) = total.lock() {
@@ -120,13 +120,13 @@ pub fn sweep(
     tally
 }
 
-fn examine(subject: &Subject, settings: &Settings, numbers: Range<usize>, tally: &mut Tally) {
+fn examine(case: &Case, settings: &Settings, numbers: Range<usize>, tally: &mut Tally) {
     for number in numbers {
-        let q = subject.draw(settings, number);
-        let seen = subject.look(q);
-        tally.count(subject, &seen, number);
+        let q = case.draw(settings, number);
+        let outcome = case.run(q);
+        tally.count(case, &outcome, number);
         if settings.is_compared(number) {
-            tally.compare(subject, &seen, number);
+            tally.compare(case, &outcome, number);
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The comparison with the numerical search.
 
-use super::subject::{Seen, Subject};
+use super::case::{Case, Outcome};
 use super::{Kind, Split};
-use kin_codegen::solver::Answer;
+use kin_codegen::closed_form::BranchSolution;
 use kin_runtime::{ChainSolution, SearchOptions};
 use serde::Serialize;
 
@@ -19,16 +19,16 @@ pub struct Comparison {
     pub skipped: usize,
     /// Solutions that the search found.
     pub solutions: usize,
-    /// Of these, not among the answers.
+    /// Of these, not among the solutions.
     pub missing: Split,
-    /// Answers that the search does not find, even if it begins there.
+    /// Solutions that the search does not find, even if it begins there.
     pub extra: Split,
-    /// Answers that the search finds only if it begins there.
+    /// Solutions that the search finds only if it begins there.
     pub overlooked: usize,
 }
 
 impl Comparison {
-    /// Whether answers and solutions are the same, away from singular
+    /// Whether solutions and solutions are the same, away from singular
     /// configurations.
     pub fn is_clean(&self) -> bool {
         self.missing.regular == 0 && self.extra.regular == 0
@@ -37,11 +37,11 @@ impl Comparison {
     /// Tells `note` of every difference, and whether it is near singular.
     pub(super) fn compare(
         &mut self,
-        subject: &Subject,
-        seen: &Seen,
+        case: &Case,
+        outcome: &Outcome,
         mut note: impl FnMut(Kind, bool),
     ) {
-        let found = search(subject, seen);
+        let found = search(case, outcome);
         if found.iter().any(|found| found.conditioning < REGULAR) {
             self.skipped += 1;
             return;
@@ -49,23 +49,23 @@ impl Comparison {
         self.targets += 1;
         self.solutions += found.len();
         for solution in &found {
-            let independence = subject.independence(&solution.q);
-            if !subject.is_among(&solution.q, &seen.answers, independence) {
-                let near_singular = independence < subject.near_singular;
+            let conditioning = case.conditioning(&solution.q);
+            if !case.is_among(&solution.q, &outcome.solutions, conditioning) {
+                let near_singular = conditioning < case.near_singular;
                 self.missing.count(near_singular);
                 note(Kind::Missing, near_singular);
             }
         }
-        let found: Vec<Answer> = found.iter().map(as_answer).collect();
-        for (answer, &residual) in seen.answers.iter().zip(&seen.residuals) {
-            let independence = subject.independence(&answer.q);
-            if !subject.is_sound(residual) || subject.is_among(&answer.q, &found, independence) {
+        let found: Vec<BranchSolution> = found.iter().map(as_solution).collect();
+        for (solution, &residual) in outcome.solutions.iter().zip(&outcome.residuals) {
+            let conditioning = case.conditioning(&solution.q);
+            if !case.is_sound(residual) || case.is_among(&solution.q, &found, conditioning) {
                 continue;
             }
-            if is_confirmed(subject, seen, answer, independence) {
+            if is_confirmed(case, outcome, solution, conditioning) {
                 self.overlooked += 1;
             } else {
-                let near_singular = independence < subject.near_singular;
+                let near_singular = conditioning < case.near_singular;
                 self.extra.count(near_singular);
                 note(Kind::Extra, near_singular);
             }
@@ -83,28 +83,33 @@ impl Comparison {
 }
 
 /// What the search finds for a target.
-pub(super) fn search(subject: &Subject, seen: &Seen) -> Vec<ChainSolution> {
-    subject.chain.ik_all(&seen.target, &options(subject))
+pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
+    case.chain.ik_all(&outcome.target, &options(case))
 }
 
-fn options(subject: &Subject) -> SearchOptions {
+fn options(case: &Case) -> SearchOptions {
     SearchOptions {
-        target: subject.form.plan.target,
+        target: case.form.plan.target,
         ..SearchOptions::default()
     }
 }
 
-/// A descent from the answer stays there.
-fn is_confirmed(subject: &Subject, seen: &Seen, answer: &Answer, independence: f64) -> bool {
-    let landed = subject
+/// A descent from the solution stays there.
+fn is_confirmed(
+    case: &Case,
+    outcome: &Outcome,
+    solution: &BranchSolution,
+    conditioning: f64,
+) -> bool {
+    let landed = case
         .chain
-        .ik_from(&seen.target, &options(subject), &answer.q);
-    landed.is_some_and(|landed| subject.is_among(&answer.q, &[as_answer(&landed)], independence))
+        .ik_from(&outcome.target, &options(case), &solution.q);
+    landed.is_some_and(|landed| case.is_among(&solution.q, &[as_solution(&landed)], conditioning))
 }
 
-/// A solution of the search, to be looked for as answers are.
-pub(super) fn as_answer(found: &ChainSolution) -> Answer {
-    Answer {
+/// A solution of the search, to be looked for as solutions are.
+pub(super) fn as_solution(found: &ChainSolution) -> BranchSolution {
+    BranchSolution {
         q: found.q.clone(),
         residual: found.residual,
         branch: 0,

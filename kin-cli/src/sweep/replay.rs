@@ -1,13 +1,13 @@
 //! One configuration in full.
 
-use super::oracle::{as_answer, search};
-use super::subject::{Seen, Subject};
+use super::case::{Case, Outcome};
+use super::oracle::{as_solution, search};
 use super::{Settings, Tally};
+use kin_codegen::closed_form::{BranchSolution, ClosedForm};
 use kin_codegen::model::Model;
-use kin_codegen::solver::{Answer, ClosedForm};
 use serde::Serialize;
 
-/// One configuration, its target, what the closed form answers and what the
+/// One configuration, its target, what the closed form solutions and what the
 /// numerical search finds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Replay {
@@ -17,21 +17,21 @@ pub struct Replay {
     pub rotation: [[f64; 3]; 3],
     /// The translation of its target, metres.
     pub translation: [f64; 3],
-    /// How independent the columns of its Jacobian are, 1 at best.
-    pub independence: f64,
+    /// The conditioning of its Jacobian, 1 at best.
+    pub conditioning: f64,
     /// Whether that is near singular, see [`Tally::near_singular_below`].
     pub near_singular: bool,
-    /// What the closed form answers.
-    pub answers: Vec<Answered>,
+    /// What the closed form solutions.
+    pub solutions: Vec<FormSolution>,
     /// What the numerical search finds.
-    pub solutions: Vec<Found>,
+    pub found: Vec<Found>,
     /// The verdict, as a sweep of this one target.
     pub tally: Tally,
 }
 
-/// An answer of the closed form.
+/// A solution of the closed form.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Answered {
+pub struct FormSolution {
     /// The configuration.
     pub q: Vec<f64>,
     /// Its distance from the target by the generic forward kinematics, metres.
@@ -41,12 +41,12 @@ pub struct Answered {
     /// Whether the closed form says that it is one of a family or a double
     /// root.
     pub singular: bool,
-    /// How independent the columns of its Jacobian are.
-    pub independence: f64,
+    /// The conditioning of its Jacobian.
+    pub conditioning: f64,
     /// Whether it is the configuration that made the target.
     pub is_q: bool,
     /// Which of the solutions it is, from 0.
-    pub solution: Option<usize>,
+    pub found: Option<usize>,
 }
 
 /// A solution of the numerical search.
@@ -56,10 +56,10 @@ pub struct Found {
     pub q: Vec<f64>,
     /// Its distance from the target, metres.
     pub residual: f64,
-    /// How independent the columns of its Jacobian are.
-    pub independence: f64,
-    /// Which of the answers it is, from 0.
-    pub answer: Option<usize>,
+    /// The conditioning of its Jacobian.
+    pub conditioning: f64,
+    /// Which of the solutions it is, from 0.
+    pub solution: Option<usize>,
 }
 
 impl Replay {
@@ -81,73 +81,78 @@ impl Replay {
     /// let source = Source { path: "planar.yaml".into(), text: text.into() };
     /// let compiled = compile(&source, &Options::default())?;
     /// let arm = compiled.arm().unwrap();
-    /// let form = arm.inverse.as_ref().unwrap();
+    /// let form = arm.form().unwrap();
     /// let replay = Replay::new(&arm.model, form, &[0.3, 0.8]).unwrap();
-    /// assert_eq!((replay.answers.len(), replay.solutions.len()), (2, 2));
-    /// assert_eq!(replay.answers.iter().filter(|answer| answer.is_q).count(), 1);
+    /// assert_eq!((replay.solutions.len(), replay.found.len()), (2, 2));
+    /// assert_eq!(replay.solutions.iter().filter(|solution| solution.is_q).count(), 1);
     /// # Ok::<(), kin_codegen::Error>(())
     /// ```
     pub fn new(model: &Model, form: &ClosedForm, q: &[f64]) -> Option<Self> {
         if q.len() != model.variables.len() || q.iter().any(|x| !x.is_finite()) {
             return None;
         }
-        let subject = Subject::new(model, form);
-        let seen = subject.look(q.to_vec());
+        let case = Case::new(model, form);
+        let outcome = case.run(q.to_vec());
         let settings = Settings {
             targets: 1,
             oracle: 1,
             ..Settings::default()
         };
-        let mut tally = Tally::new(&subject, &settings);
-        tally.count(&subject, &seen, 0);
-        tally.compare(&subject, &seen, 0);
-        let found = search(&subject, &seen);
-        let solutions: Vec<Answer> = found.iter().map(as_answer).collect();
+        let mut tally = Tally::new(&case, &settings);
+        tally.count(&case, &outcome, 0);
+        tally.compare(&case, &outcome, 0);
+        let found = search(&case, &outcome);
+        let searched: Vec<BranchSolution> = found.iter().map(as_solution).collect();
         Some(Replay {
-            rotation: seen.target.rotation,
-            translation: seen.target.translation,
-            independence: seen.independence,
-            near_singular: seen.independence < subject.near_singular,
-            answers: answered(&subject, &seen, &solutions),
-            solutions: solutions
+            rotation: outcome.target.rotation,
+            translation: outcome.target.translation,
+            conditioning: outcome.conditioning,
+            near_singular: outcome.conditioning < case.near_singular,
+            solutions: form_solutions(&case, &outcome, &searched),
+            found: searched
                 .iter()
-                .map(|solution| Found {
-                    q: solution.q.clone(),
-                    residual: solution.residual,
-                    independence: subject.independence(&solution.q),
-                    answer: subject.place(solution, &seen.answers),
+                .map(|found| Found {
+                    q: found.q.clone(),
+                    residual: found.residual,
+                    conditioning: case.conditioning(&found.q),
+                    solution: case.index(found, &outcome.solutions),
                 })
                 .collect(),
-            q: seen.q,
+            q: outcome.q,
             tally,
         })
     }
 }
 
-fn answered(subject: &Subject, seen: &Seen, solutions: &[Answer]) -> Vec<Answered> {
-    let answers = seen.answers.iter().zip(&seen.residuals);
-    answers
-        .map(|(answer, &residual)| {
-            let own = std::slice::from_ref(answer);
-            Answered {
-                q: answer.q.clone(),
+fn form_solutions(
+    case: &Case,
+    outcome: &Outcome,
+    searched: &[BranchSolution],
+) -> Vec<FormSolution> {
+    let solutions = outcome.solutions.iter().zip(&outcome.residuals);
+    solutions
+        .map(|(solution, &residual)| {
+            let own = std::slice::from_ref(solution);
+            FormSolution {
+                q: solution.q.clone(),
                 residual,
-                branch: answer.branch,
-                singular: answer.singular,
-                independence: subject.independence(&answer.q),
-                is_q: subject.is_among(&seen.q, own, seen.independence),
-                solution: subject.place(answer, solutions),
+                branch: solution.branch,
+                singular: solution.singular,
+                conditioning: case.conditioning(&solution.q),
+                is_q: case.is_among(&outcome.q, own, outcome.conditioning),
+                found: case.index(solution, searched),
             }
         })
         .collect()
 }
 
-impl Subject<'_> {
-    /// Which of the others an answer is.
-    fn place(&self, answer: &Answer, others: &[Answer]) -> Option<usize> {
-        let independence = self.independence(&answer.q);
-        let same =
-            |other: &Answer| self.is_among(&answer.q, std::slice::from_ref(other), independence);
+impl Case<'_> {
+    /// Which of the others a solution is.
+    fn index(&self, solution: &BranchSolution, others: &[BranchSolution]) -> Option<usize> {
+        let conditioning = self.conditioning(&solution.q);
+        let same = |other: &BranchSolution| {
+            self.is_among(&solution.q, std::slice::from_ref(other), conditioning)
+        };
         others.iter().position(same)
     }
 }

@@ -1,6 +1,6 @@
 //! What a sweep counts.
 
-use super::subject::{Seen, Subject};
+use super::case::{Case, Outcome};
 use super::{Comparison, Draw, Settings};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// Of every kind of fault so many are kept.
 const LISTED: usize = 5;
 
-/// What was seen of all targets.
+/// What was outcome of all targets.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
     /// See [`Settings`].
@@ -17,12 +17,12 @@ pub struct Tally {
     pub draw: Draw,
     /// Random targets.
     pub targets: usize,
-    /// How many targets had so many answers.
-    pub answers: BTreeMap<usize, usize>,
-    /// The largest distance of an answer from its target by the generic forward
+    /// How many targets had so many solutions.
+    pub solutions: BTreeMap<usize, usize>,
+    /// The largest distance of a solution from its target by the generic forward
     /// kinematics, metres.
     pub worst_residual: f64,
-    /// The configuration that made the target of that answer.
+    /// The configuration that made the target of that solution.
     pub worst_at: Vec<f64>,
     /// Configurations are near singular where their Jacobian's columns are less
     /// independent than this. Wider for an arm that was snapped: what has met
@@ -30,15 +30,15 @@ pub struct Tally {
     pub near_singular_below: f64,
     /// Targets of such configurations.
     pub near_singular: usize,
-    /// Of these, without any answer.
+    /// Of these, without any solution.
     pub unanswered: usize,
-    /// Targets whose configuration is not among the answers.
+    /// Targets whose configuration is not among the solutions.
     pub lost: Split,
-    /// The largest independence of a configuration that was lost; 0 if none was.
+    /// The largest conditioning of a configuration that was lost; 0 if none was.
     pub lost_up_to: f64,
-    /// Answers that miss their target by more than 1e-9 of the arm's size.
+    /// Solutions that miss their target by more than 1e-9 of the arm's size.
     pub unsound: usize,
-    /// Answers that repeat another.
+    /// Solutions that repeat another.
     pub doubled: Split,
     /// The comparison with the numerical search, if it was asked for.
     pub oracle: Option<Comparison>,
@@ -93,78 +93,79 @@ pub struct Fault {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// There is no answer at all.
+    /// There is no solution at all.
     Unanswered,
-    /// The configuration is not among the answers.
+    /// The configuration is not among the solutions.
     Lost,
-    /// An answer misses the target.
+    /// A solution misses the target.
     Unsound,
-    /// An answer came twice.
+    /// A solution came twice.
     Doubled,
-    /// A solution of the search is not among the answers.
+    /// A solution of the search is not among the solutions.
     Missing,
-    /// An answer that the search knows nothing of, even if it begins there.
+    /// A solution that the search knows nothing of, even if it begins there.
     Extra,
 }
 
 impl Tally {
-    pub(super) fn new(subject: &Subject, settings: &Settings) -> Self {
+    pub(super) fn new(case: &Case, settings: &Settings) -> Self {
         Self {
             seed: settings.seed,
             draw: settings.draw,
-            near_singular_below: subject.near_singular,
+            near_singular_below: case.near_singular,
             oracle: (settings.oracle > 0).then(Comparison::default),
             ..Self::default()
         }
     }
 
     /// Whether nothing is wrong away from singular configurations, and no
-    /// answer anywhere misses its target.
+    /// solution anywhere misses its target.
     pub fn is_clean(&self) -> bool {
         let regular = [self.lost.regular, self.doubled.regular, self.unsound];
         let compared = self.oracle.as_ref().is_none_or(Comparison::is_clean);
         regular == [0; 3] && compared
     }
 
-    pub(super) fn count(&mut self, subject: &Subject, seen: &Seen, number: usize) {
-        let answers = &seen.answers;
-        let near_singular = seen.independence < subject.near_singular;
+    pub(super) fn count(&mut self, case: &Case, outcome: &Outcome, number: usize) {
+        let solutions = &outcome.solutions;
+        let near_singular = outcome.conditioning < case.near_singular;
         let before = self.targets as f64;
         self.targets += 1;
-        self.microseconds += (seen.took.as_secs_f64() * 1e6 - self.microseconds) / (before + 1.0);
-        *self.answers.entry(answers.len()).or_default() += 1;
+        self.microseconds +=
+            (outcome.took.as_secs_f64() * 1e6 - self.microseconds) / (before + 1.0);
+        *self.solutions.entry(solutions.len()).or_default() += 1;
         self.near_singular += usize::from(near_singular);
-        self.unanswered += usize::from(near_singular && answers.is_empty());
-        if !subject.is_among(&seen.q, answers, seen.independence) {
+        self.unanswered += usize::from(near_singular && solutions.is_empty());
+        if !case.is_among(&outcome.q, solutions, outcome.conditioning) {
             self.lost.count(near_singular);
-            self.lost_up_to = self.lost_up_to.max(seen.independence);
-            let kind = match answers.is_empty() {
+            self.lost_up_to = self.lost_up_to.max(outcome.conditioning);
+            let kind = match solutions.is_empty() {
                 true => Kind::Unanswered,
                 false => Kind::Lost,
             };
-            self.note(kind, number, &seen.q, near_singular);
+            self.note(kind, number, &outcome.q, near_singular);
         }
-        for (i, &residual) in seen.residuals.iter().enumerate() {
+        for (i, &residual) in outcome.residuals.iter().enumerate() {
             if residual > self.worst_residual {
                 self.worst_residual = residual;
-                self.worst_at.clone_from(&seen.q);
+                self.worst_at.clone_from(&outcome.q);
             }
-            if !subject.is_sound(residual) {
+            if !case.is_sound(residual) {
                 self.unsound += 1;
-                self.note(Kind::Unsound, number, &seen.q, near_singular);
+                self.note(Kind::Unsound, number, &outcome.q, near_singular);
             }
-            if subject.is_doubled(&answers[..=i]) {
-                let near_singular = subject.is_near_singular(&answers[i].q);
+            if case.is_doubled(&solutions[..=i]) {
+                let near_singular = case.is_near_singular(&solutions[i].q);
                 self.doubled.count(near_singular);
-                self.note(Kind::Doubled, number, &seen.q, near_singular);
+                self.note(Kind::Doubled, number, &outcome.q, near_singular);
             }
         }
     }
 
-    pub(super) fn compare(&mut self, subject: &Subject, seen: &Seen, number: usize) {
+    pub(super) fn compare(&mut self, case: &Case, outcome: &Outcome, number: usize) {
         let mut comparison = self.oracle.take().unwrap_or_default();
-        comparison.compare(subject, seen, |kind, near_singular| {
-            self.note(kind, number, &seen.q, near_singular);
+        comparison.compare(case, outcome, |kind, near_singular| {
+            self.note(kind, number, &outcome.q, near_singular);
         });
         self.oracle = Some(comparison);
     }
@@ -184,14 +185,14 @@ impl Tally {
         }
     }
 
-    /// Puts what another thread has seen to it.
+    /// Puts what another thread has outcome to it.
     pub(super) fn add(&mut self, other: Tally) {
         let all = (self.targets + other.targets).max(1) as f64;
         let share = other.targets as f64 / all;
         self.microseconds += share * (other.microseconds - self.microseconds);
         self.targets += other.targets;
-        for (count, targets) in other.answers {
-            *self.answers.entry(count).or_default() += targets;
+        for (count, targets) in other.solutions {
+            *self.solutions.entry(count).or_default() += targets;
         }
         if other.worst_residual > self.worst_residual {
             self.worst_residual = other.worst_residual;

@@ -1,6 +1,6 @@
 //! Sweeps as text for a terminal.
 
-use super::{Answered, Comparison, Draw, Fault, Found, Kind, Replay, Split, Tally};
+use super::{Comparison, Draw, Fault, FormSolution, Found, Kind, Replay, Split, Tally};
 use std::fmt::{self, Display, Formatter};
 
 impl Display for Tally {
@@ -14,11 +14,11 @@ impl Display for Tally {
             "  {} {aligned}targets of seed {} in {:.1} s, {:.1} µs each",
             self.targets, self.seed, self.seconds, self.microseconds
         )?;
-        let histogram = self.answers.iter().rev();
+        let histogram = self.solutions.iter().rev();
         let histogram: Vec<String> = histogram
             .map(|(count, targets)| format!("{count} to {targets}"))
             .collect();
-        writeln!(f, "  answers: {}", histogram.join(", "))?;
+        writeln!(f, "  solutions: {}", histogram.join(", "))?;
         writeln!(
             f,
             "  worst residual {:.1e} m, at {}",
@@ -27,12 +27,12 @@ impl Display for Tally {
         )?;
         write!(f, "  lost {}", self.lost)?;
         if self.lost_up_to > 0.0 {
-            write!(f, " (up to an independence of {:.1e})", self.lost_up_to)?;
+            write!(f, " (up to an conditioning of {:.1e})", self.lost_up_to)?;
         }
         writeln!(f, ", unsound {}, doubled {}", self.unsound, self.doubled)?;
         writeln!(
             f,
-            "  near singular {}, below an independence of {:.1e}; {} of these unanswered",
+            "  near singular {}, below an conditioning of {:.1e}; {} of these unanswered",
             self.near_singular, self.near_singular_below, self.unanswered
         )?;
         if let Some(comparison) = &self.oracle {
@@ -109,18 +109,18 @@ impl Display for Replay {
             ""
         };
         writeln!(f, "  q            {}", listed(&self.q))?;
-        writeln!(f, "  independence {:.1e}{near}", self.independence)?;
+        writeln!(f, "  conditioning {:.1e}{near}", self.conditioning)?;
         writeln!(f, "  translation  {}", listed(&self.translation))?;
         for (i, row) in self.rotation.iter().enumerate() {
             let title = if i == 0 { "rotation" } else { "" };
             writeln!(f, "  {title:12} {}", listed(row))?;
         }
         writeln!(f, "  closed form")?;
-        for (i, answer) in self.answers.iter().enumerate() {
-            writeln!(f, "  {:>4}. {answer}", i + 1)?;
+        for (i, solution) in self.solutions.iter().enumerate() {
+            writeln!(f, "  {:>4}. {solution}", i + 1)?;
         }
         writeln!(f, "  numerical search")?;
-        for (i, found) in self.solutions.iter().enumerate() {
+        for (i, found) in self.found.iter().enumerate() {
             writeln!(f, "  {:>4}. {found}", i + 1)?;
         }
         let Tally {
@@ -137,20 +137,20 @@ impl Display for Replay {
     }
 }
 
-impl Display for Answered {
+impl Display for FormSolution {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{}: branch {}, residual {:.1e} m, independence {:.1e}",
+            "{}: branch {}, residual {:.1e} m, conditioning {:.1e}",
             listed(&self.q),
             self.branch,
             self.residual,
-            self.independence
+            self.conditioning
         )?;
         if self.singular {
             write!(f, ", singular")?;
         }
-        match self.solution {
+        match self.found {
             Some(i) => write!(f, ", found as {}", i + 1)?,
             None => write!(f, ", not found")?,
         }
@@ -165,12 +165,12 @@ impl Display for Found {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{}: residual {:.1e} m, independence {:.1e}",
+            "{}: residual {:.1e} m, conditioning {:.1e}",
             listed(&self.q),
             self.residual,
-            self.independence
+            self.conditioning
         )?;
-        match self.answer {
+        match self.solution {
             Some(i) => write!(f, ", answered as {}", i + 1),
             None => write!(f, ", not answered"),
         }

@@ -4,12 +4,11 @@ use super::map::{Robot, Sampling, slices};
 use crate::arguments;
 use kin_codegen::Target;
 use kin_codegen::arm::CompiledArm;
+use kin_codegen::closed_form::ClosedForm;
 use kin_codegen::expr::Graph;
 use kin_codegen::geometry::{Line, axes, size};
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::singularity::Singular;
-use kin_codegen::solver::ClosedForm;
-use kin_codegen::verify::chain;
 use kin_runtime::{Pose, scattered_rotations};
 use std::f64::consts::TAU;
 
@@ -26,7 +25,7 @@ pub fn sampling<'a>(
     compiled: &'a CompiledArm,
     arguments: &arguments::Workspace,
 ) -> Option<Sampling<'a>> {
-    let form = compiled.inverse.as_ref()?;
+    let form = compiled.form()?;
     let model = &compiled.model;
     let axes = axes(model);
     let planar = is_planar(model, &axes);
@@ -55,7 +54,7 @@ pub fn sampling<'a>(
 
 impl Robot for Arm<'_> {
     fn try_pose(&self, target: &Pose, values: &mut Vec<f64>) -> Option<f64> {
-        let answers = self.form.answers(target);
+        let answers = self.form.solutions(target);
         let within =
             (answers.iter()).filter(|answer| !self.limited || is_within(self.model, &answer.q));
         within
@@ -141,7 +140,7 @@ fn centre(model: &Model, axes: &[Line], planar: bool) -> [f64; 3] {
 pub fn reach(model: &Model, centre: [f64; 3]) -> f64 {
     const STARTS: usize = 12;
     const ROUNDS: usize = 40;
-    let chain = chain(model);
+    let chain = model.chain();
     let n = model.variables.len();
     let squared = |q: &[f64]| {
         let tip = chain.fk(q).translation;

@@ -71,9 +71,9 @@ impl Robot for Platform<'_> {
     /// The posture measured is that of the answers nearest home, chain by
     /// chain.
     fn try_pose(&self, target: &Pose, _: &mut Vec<f64>) -> Option<f64> {
-        let placed = self.compiled.answers(target);
+        let placed = self.compiled.solutions(target);
         let postures = placed.iter().filter_map(|placed| {
-            let chains = placed.answers.iter().enumerate();
+            let chains = placed.solutions.iter().enumerate();
             let nearest = chains.map(|(k, answers)| self.nearest(k, answers));
             nearest.collect::<Option<Vec<_>>>()
         });

@@ -2,9 +2,9 @@
 
 use super::lanes::lanes;
 use super::straight::literal;
+use crate::closed_form::ClosedForm;
 use crate::model::Model;
 use crate::plan::Target;
-use crate::solver::ClosedForm;
 use kin_runtime::branches::Acceptance;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -129,7 +129,7 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     let closest = quote! {
         #branches.closest_by(|q| self.fk(q), pose, Target::#target, &Self::ACCEPT)
     };
-    if solver.polish == 0 {
+    if solver.is_exact() {
         return closest;
     }
     // The branches are those of the snapped arm.
@@ -138,12 +138,12 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 
 /// How the branches become solutions.
 fn sorted(solver: &ClosedForm) -> TokenStream {
-    if solver.polish == 0 {
+    if solver.is_exact() {
         return quote!(branches.solutions(&Self::ACCEPT));
     }
     let target = solver.plan.target;
     let target = format_ident!("{target:?}");
-    let steps = Literal::usize_unsuffixed(solver.polish);
+    let steps = Literal::usize_unsuffixed(solver.refinement);
     quote! {
         branches.polished(|q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT)
     }

@@ -11,9 +11,9 @@
 use super::comment::comment;
 use super::headings::{self, Headings};
 use super::straight::{Place, Writer, sign_name};
+use crate::closed_form::ClosedForm;
 use crate::expr::inverse::Inverse;
 use crate::expr::{Expr, Graph, Node};
-use crate::solver::ClosedForm;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};

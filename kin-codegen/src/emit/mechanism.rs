@@ -183,9 +183,8 @@ fn arm(name: &Ident, compiled: &CompiledArm) -> TokenStream {
         quote!((#pose, #jacobian))
     });
     let inverse = compiled
-        .inverse
-        .as_ref()
-        .map(|solver| inverse::methods(&compiled.model, solver));
+        .form()
+        .map(|form| inverse::methods(&compiled.model, form));
     quote! {
         pub struct #name;
 

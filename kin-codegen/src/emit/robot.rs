@@ -18,9 +18,8 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let constants = constants(compiled, &n);
     let methods = methods(compiled, &n);
     let inverse = compiled
-        .inverse
-        .as_ref()
-        .map(|solver| inverse::methods(&compiled.model, solver));
+        .form()
+        .map(|form| inverse::methods(&compiled.model, form));
     let variables = compiled.model.variables.len();
     let singular = compiled.singular.as_ref();
     let singular = singular.map(|singular| singular::methods(singular, variables));

@@ -1,12 +1,14 @@
 //! Geometry of the chain: lines and how they lie, the frames in which
 //! constants vanish, and the snapping of noisy files onto exact relations.
 
+mod conditioning;
 mod linkage;
 mod relation;
 mod singular;
 mod snap;
 mod structure;
 
+pub use conditioning::{conditioning, natural_target, rank};
 pub use linkage::{Link, Linkage, Run, Travel};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};

@@ -3,14 +3,11 @@
 use super::chains::meaningless;
 use super::forward::ForwardMethod;
 use super::freedom::Freedom;
-use super::inverse::{Aim, Inverse, LegForm, forward_alone};
+use super::inverse::{Aim, Inverse, LegForm, UnsolvedChain, forward_alone};
 use super::model::{Leg, Mechanism};
 use crate::arm::CompiledArm;
-use crate::compile::Compiled;
-use crate::error::Error;
 use crate::options::{Ik, Options, file_name};
-use crate::refusal::{Reason, Refusal};
-use crate::spec::MechanismSpec;
+use crate::spec::{Diagnostics, MechanismSpec};
 use kin_runtime::Pose;
 
 /// A mechanism, compiled but not yet written as Rust.
@@ -36,13 +33,13 @@ pub struct CompiledMechanism {
 pub struct Placed {
     /// In base coordinates, metres.
     pub pose: Pose,
-    /// The answers of each chain, at least one: joint values in radians and
-    /// metres. Any answer of one goes with any of the others.
-    pub answers: Vec<Vec<Vec<f64>>>,
+    /// The solutions of each chain, at least one: joint values in radians and
+    /// metres. Any solution of one goes with any of the others.
+    pub solutions: Vec<Vec<Vec<f64>>>,
 }
 
 impl CompiledMechanism {
-    /// What the generated inverse kinematics will answer, computed by the
+    /// What the generated inverse kinematics will return, computed by the
     /// interpreter: the poses that a target stands for (see [`Aim`]) and all
     /// chains reach. There are several only where a chain leads. Empty if the
     /// target is out of reach, or there is no inverse kinematics.
@@ -53,11 +50,11 @@ impl CompiledMechanism {
     /// let source = Source::read("robots/stewart.yaml", root)?;
     /// let compiled = compile(&source, &Options::default())?;
     /// let stewart = compiled.mechanism().unwrap();
-    /// let placed = stewart.answers(&stewart.mechanism.home());
-    /// assert!(placed[0].answers[5].iter().any(|q| q.iter().all(|x| x.abs() < 1e-9)));
+    /// let placed = stewart.solutions(&stewart.mechanism.home());
+    /// assert!(placed[0].solutions[5].iter().any(|q| q.iter().all(|x| x.abs() < 1e-9)));
     /// # Ok::<(), kin_codegen::Error>(())
     /// ```
-    pub fn answers(&self, target: &Pose) -> Vec<Placed> {
+    pub fn solutions(&self, target: &Pose) -> Vec<Placed> {
         let Some(inverse) = &self.inverse else {
             return Vec::new();
         };
@@ -69,28 +66,31 @@ impl CompiledMechanism {
             }],
             Aim::Lead(lead) => {
                 let chain = self.mechanism.legs[lead].chain();
-                let answers = inverse.legs[lead].answers(target);
-                answers.iter().map(|q| chain.fk(q)).collect()
+                let solutions = inverse.legs[lead].solutions(target);
+                solutions.iter().map(|q| chain.fk(q)).collect()
             }
         };
         let placed = |pose: Pose| {
-            let reached = |leg: &LegForm| Some(leg.answers(&pose)).filter(|q| !q.is_empty());
-            let answers = inverse.legs.iter().map(reached).collect::<Option<_>>()?;
-            Some(Placed { pose, answers })
+            let reached = |leg: &LegForm| Some(leg.solutions(&pose)).filter(|q| !q.is_empty());
+            let solutions = inverse.legs.iter().map(reached).collect::<Option<_>>()?;
+            Some(Placed { pose, solutions })
         };
         poses.into_iter().filter_map(placed).collect()
     }
 }
 
-/// Compiles the mechanism of a robot file.
+/// Compiles the mechanism of a robot file. If inverse kinematics is asked for
+/// and there is none, the mechanism comes without it, and why beside it.
 ///
 /// # Errors
 ///
-/// What is wrong with the mechanism or the options, or why one of its chains
-/// has no closed form.
-pub(crate) fn compile(spec: &MechanismSpec, options: &Options) -> Result<Compiled, Error> {
+/// What is wrong with the mechanism or the options.
+pub(crate) fn compile(
+    spec: &MechanismSpec,
+    options: &Options,
+) -> Result<(CompiledMechanism, Option<UnsolvedChain>), Diagnostics> {
     if options.target.is_some() {
-        return Err(Error::Broken(meaningless(spec, "target")));
+        return Err(meaningless(spec, "target"));
     }
     let source = &spec.source;
     let file = file_name(&source.path);
@@ -98,7 +98,7 @@ pub(crate) fn compile(spec: &MechanismSpec, options: &Options) -> Result<Compile
     let mechanism = Mechanism::new(spec, base, platform)?;
     let freedom = Freedom::of(&mechanism);
     freedom.check(&mechanism, source)?;
-    let (inverse, refusal) = match options.ik {
+    let (inverse, refused) = match options.ik {
         Ik::None => (None, None),
         Ik::ClosedForm => match Inverse::find(&mechanism, &freedom, file) {
             Ok(inverse) => (Some(inverse), None),
@@ -110,20 +110,13 @@ pub(crate) fn compile(spec: &MechanismSpec, options: &Options) -> Result<Compile
         Some(LegForm::Whole(whole)) => (**whole).clone(),
         _ => forward_alone(file, leg.model.clone()),
     };
-    let robot = Compiled::Mechanism(Box::new(CompiledMechanism {
+    let compiled = CompiledMechanism {
         file: file.to_owned(),
         legs: mechanism.legs.iter().enumerate().map(leg).collect(),
         mechanism,
         freedom,
         inverse,
         forward,
-    }));
-    match refusal {
-        None => Ok(robot),
-        Some((name, reason)) => Err(Error::Refused(Box::new(Refusal {
-            robot,
-            reason: Reason::Chain(name, reason),
-            source: source.clone(),
-        }))),
-    }
+    };
+    Ok((compiled, refused))
 }

@@ -152,8 +152,8 @@ fn chain_of(mechanism: &Mechanism, passed: &[Passed], home: Pose) -> Model {
 fn recovers(mechanism: &Mechanism, freedom: &Freedom, found: &Loop) -> bool {
     let generic = mechanism.generic();
     let actuated = mechanism.actuated();
-    let drive = crate::verify::chain(&found.drive.model);
-    let Some(form) = &found.passive.inverse else {
+    let drive = found.drive.model.chain();
+    let Some(form) = found.passive.form() else {
         return false;
     };
     let regular = |q: &&Vec<f64>| generic.actuator_singularity(q) > 1e-4;
@@ -164,10 +164,10 @@ fn recovers(mechanism: &Mechanism, freedom: &Freedom, found: &Loop) -> bool {
             let turns = found.passive.model.joints[i].kind == JointKind::Revolute;
             (if turns { math::wrap(d) } else { d }).abs() < 1e-6
         };
-        let answers = form.answers(&drive.fk(&values));
-        answers
+        let solutions = form.solutions(&drive.fk(&values));
+        solutions
             .iter()
-            .any(|answer| answer.q.iter().enumerate().all(same))
+            .any(|solution| solution.q.iter().enumerate().all(same))
     })
 }
 
@@ -194,7 +194,7 @@ fn hold(mechanism: &Mechanism, freedom: &Freedom, rods: &[Rod]) -> bool {
     freedom.samples.iter().filter(regular).all(|q| {
         let centre = |rod: &Rod| {
             let values: Vec<f64> = rod.driven.iter().map(|a| q[actuated[*a]]).collect();
-            let from = crate::verify::chain(&rod.drive.model).fk(&values);
+            let from = rod.drive.model.chain().fk(&values);
             sub(from.translation, rod.end)
         };
         let centres = [0, 1, 2].map(|i| centre(&rods[i]));

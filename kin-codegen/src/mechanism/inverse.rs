@@ -3,11 +3,10 @@
 use super::freedom::Freedom;
 use super::model::{Leg, Mechanism, meeting_point};
 use crate::arm::CompiledArm;
-use crate::geometry::{Linkage, Vec3};
+use crate::geometry::{Linkage, Vec3, natural_target};
 use crate::model::{JointKind, Model};
 use crate::plan::Target;
 use crate::solver::{NoClosedForm, solve};
-use crate::verify::natural_target;
 use kin_runtime::{Pose, math};
 
 /// What the platform is asked for.
@@ -60,12 +59,12 @@ impl Inverse {
     ///
     /// # Errors
     ///
-    /// The name of the first chain that has none, and why.
+    /// The first chain that has none, and why.
     pub fn find(
         mechanism: &Mechanism,
         freedom: &Freedom,
         file: &str,
-    ) -> Result<Self, (String, ChainRefusal)> {
+    ) -> Result<Self, UnsolvedChain> {
         let aim = aim(mechanism, freedom);
         let regular = regular(mechanism, freedom);
         let mut legs = Vec::new();
@@ -74,7 +73,7 @@ impl Inverse {
             let own = |q: &&Vec<f64>| q[first..end].to_vec();
             let samples: Vec<Vec<f64>> = regular.iter().map(own).collect();
             let form = leg_form(leg, k, aim, file, &samples);
-            legs.push(form.map_err(|reason| (leg.name.clone(), reason))?);
+            legs.push(form.map_err(|reason| UnsolvedChain { number: k, reason })?);
         }
         Ok(Inverse {
             aim,
@@ -82,6 +81,15 @@ impl Inverse {
             verified: regular.len(),
         })
     }
+}
+
+/// A chain without a closed form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnsolvedChain {
+    /// Its number among the chains.
+    pub number: usize,
+    /// Why.
+    pub reason: ChainRefusal,
 }
 
 /// Why a chain has no closed form.
@@ -212,7 +220,7 @@ impl LegForm {
     /// The plans, in short.
     pub fn plan(&self) -> String {
         let plan = |compiled: &CompiledArm| {
-            let form = compiled.inverse.as_ref();
+            let form = compiled.form();
             form.map_or_else(String::new, |form| form.plan.to_string())
         };
         match self {
@@ -221,19 +229,19 @@ impl LegForm {
         }
     }
 
-    /// What the generated function will answer, computed by the interpreter.
-    pub fn answers(&self, target: &Pose) -> Vec<Vec<f64>> {
+    /// What the generated function will return, computed by the interpreter.
+    pub fn solutions(&self, target: &Pose) -> Vec<Vec<f64>> {
         let of = |compiled: &CompiledArm, target: &Pose| -> Vec<Vec<f64>> {
-            let form = compiled.inverse.as_ref();
-            let answers = form.map_or_else(Vec::new, |form| form.answers(target));
-            answers.into_iter().map(|answer| answer.q).collect()
+            let form = compiled.form();
+            let solutions = form.map_or_else(Vec::new, |form| form.solutions(target));
+            solutions.into_iter().map(|solution| solution.q).collect()
         };
         match self {
             LegForm::Whole(whole) => of(whole, target),
             LegForm::Split(split) => {
                 let wrist = Pose::from_translation(target.transform_point(split.point));
                 let tails = |head: Vec<f64>| {
-                    let turned = crate::verify::chain(&split.head.model).fk(&head);
+                    let turned = split.head.model.chain().fk(&head);
                     let rest = turned.inverse() * *target;
                     let both = move |tail: Vec<f64>| [head.clone(), tail].concat();
                     of(&split.tail, &rest).into_iter().map(both)
@@ -247,7 +255,7 @@ impl LegForm {
     }
 
     /// Every configuration comes back from the pose that it makes, and every
-    /// answer makes that pose.
+    /// solution makes that pose.
     fn recovers(self, leg: &Leg, samples: &[Vec<f64>]) -> Result<Self, ChainRefusal> {
         let chain = leg.chain();
         let turns = |j: usize| leg.model.joints[j].kind == JointKind::Revolute;
@@ -258,8 +266,8 @@ impl LegForm {
             })
         };
         for q in samples {
-            let answers = self.answers(&chain.fk(q));
-            if !answers.iter().any(|answer| same(answer, q)) {
+            let solutions = self.solutions(&chain.fk(q));
+            if !solutions.iter().any(|solution| same(solution, q)) {
                 return Err(ChainRefusal::Lost(q.clone()));
             }
         }

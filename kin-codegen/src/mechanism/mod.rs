@@ -47,5 +47,5 @@ pub(crate) use compiled::compile;
 pub use compiled::{CompiledMechanism, Placed};
 pub use forward::{ForwardMethod, Loop, Rod};
 pub use freedom::Freedom;
-pub use inverse::{Aim, ChainRefusal, Inverse, LegForm, Split};
+pub use inverse::{Aim, ChainRefusal, Inverse, LegForm, Split, UnsolvedChain};
 pub use model::{Leg, Mechanism};

@@ -170,7 +170,7 @@ impl Mechanism {
 impl Leg {
     /// The generic chain.
     pub fn chain(&self) -> Chain {
-        crate::verify::chain(&self.model)
+        self.model.chain()
     }
 
     /// The names of its actuated joints.

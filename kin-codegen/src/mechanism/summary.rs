@@ -13,8 +13,7 @@ impl ForwardMethod {
                  that the actuated ones place, solved by {}",
                 found
                     .passive
-                    .inverse
-                    .as_ref()
+                    .form()
                     .map_or_else(String::new, |form| form.plan.to_string())
             ),
             ForwardMethod::Spheres(rods) => format!(

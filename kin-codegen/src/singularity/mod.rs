@@ -15,11 +15,10 @@ pub use place::Place;
 
 use crate::expr::determinant::{Determinant, Factor, Rows, determinant};
 use crate::expr::{Expr, Graph, Operations};
-use crate::geometry::{Condition, Linkage, conditions, size, snap};
+use crate::geometry::{Condition, Linkage, conditioning, conditions, size, snap};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::random::Random;
-use crate::verify::{chain, independence};
 use kin_runtime::Jacobian;
 use place::Factored;
 use std::f64::consts::PI;
@@ -144,8 +143,8 @@ impl Way {
     fn new(g: &Graph, model: &Model, factor: &Factor, counts: Target) -> Option<Self> {
         let factored = Factored::new(g, model, factor.expression);
         let (place, samples) = factored.place();
-        let (chain, size) = (chain(model), size(model));
-        let full = |q: &Vec<f64>| independence(&chain, q, size, counts) > LOST;
+        let (chain, size) = (model.chain(), size(model));
+        let full = |q: &Vec<f64>| conditioning(&chain, q, size, counts) > LOST;
         if samples.iter().flatten().any(full) {
             return None;
         }
@@ -226,7 +225,7 @@ fn difference(model: &Model, g: &Graph, product: &Determinant) -> Option<f64> {
     if product.rows != Rows::All {
         return None;
     }
-    let chain = chain(model);
+    let chain = model.chain();
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let (mut worst, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
     let mut values = Vec::new();

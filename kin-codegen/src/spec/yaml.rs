@@ -83,6 +83,7 @@ mod joint;
 pub mod mechanism;
 mod node;
 mod pose;
+mod row;
 mod screws;
 mod units;
 

@@ -8,7 +8,7 @@ use kin_codegen::expr::forward::{Outputs, Stance, link_frames, tip};
 use kin_codegen::expr::jacobian::{Which, jacobian, tip_and_jacobian};
 use kin_codegen::expr::{Expr, Graph};
 use kin_codegen::geometry::Linkage;
-use kin_codegen::verify::{chain, rank};
+use kin_codegen::geometry::rank;
 use kin_runtime::{Pose, Twist};
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ proptest! {
 
     #[test]
     fn poses_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
-        let chain = chain(&arm.0);
+        let chain = arm.0.chain();
         let found = evaluated(&arm, &q, tip);
         assert_close(&found, &pose_entries(&chain.fk(&q)));
         let joints: Vec<usize> = (0..q.len()).collect();
@@ -33,7 +33,7 @@ proptest! {
 
     #[test]
     fn jacobians_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
-        let chain = chain(&arm.0);
+        let chain = arm.0.chain();
         let columns = |which| evaluated(&arm, &q, |g, linkage, stance| jacobian(g, linkage, stance, which));
         assert_close(&columns(Which::Spatial), &column_entries(&chain.spatial_jacobian(&q)));
         assert_close(&columns(Which::Body), &column_entries(&chain.body_jacobian(&q)));

@@ -1,7 +1,7 @@
 //! Arms by how each axis lies to the one before, with random dimensions.
 
+use kin_codegen::geometry::rank;
 use kin_codegen::model::{Joint, JointKind, Model, Variable};
-use kin_codegen::verify::rank;
 use kin_runtime::Pose;
 use proptest::collection::vec;
 use proptest::prelude::*;

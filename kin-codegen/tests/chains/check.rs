@@ -1,11 +1,11 @@
 //! What a closed form has to do.
 
 use crate::arm::Arm;
-use kin_codegen::geometry::{Linkage, size};
+use kin_codegen::closed_form::{BranchSolution, ClosedForm};
+use kin_codegen::geometry::{Linkage, natural_target, size};
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::plan::Target;
-use kin_codegen::solver::{Answer, ClosedForm, NoClosedForm, solve};
-use kin_codegen::verify::{chain, distance, natural_target};
+use kin_codegen::solver::{NoClosedForm, solve};
 use kin_runtime::{Chain, ChainSolution, Pose, SearchOptions, Twist};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -52,9 +52,9 @@ impl Solved {
     pub fn for_target(Arm(arm): &Arm, target: Target) -> Result<Solved, NoClosedForm> {
         Ok(Solved {
             arm: arm.clone(),
-            chain: chain(arm),
-            freed: freed(&chain(arm), target),
-            form: solve(arm, &Linkage::new(arm), target)?,
+            chain: arm.chain(),
+            freed: freed(&arm.chain(), target),
+            form: solve(arm, &Linkage::new(arm), target)?.form,
             size: size(arm),
             target,
         })
@@ -78,14 +78,14 @@ impl Solved {
     pub fn check(&self, q: &[f64]) -> Check {
         self.check_quickly(q)?;
         let pose = self.chain.fk(q);
-        self.complete(&self.form.answers(&pose), &pose)
+        self.complete(&self.form.solutions(&pose), &pose)
     }
 
     /// The answers to the target of `q` reach it, each comes once, and `q` is
     /// one of them.
     pub fn check_quickly(&self, q: &[f64]) -> Check {
         let pose = self.chain.fk(q);
-        let answers = self.form.answers(&pose);
+        let answers = self.form.solutions(&pose);
         self.sound(&answers, &pose)?;
         self.distinct(&answers)?;
         if self.conditioning(q) > REGULAR {
@@ -94,15 +94,17 @@ impl Solved {
         Ok(())
     }
 
-    fn sound(&self, answers: &[Answer], pose: &Pose) -> Check {
+    fn sound(&self, answers: &[BranchSolution], pose: &Pose) -> Check {
         for answer in answers {
-            let miss = distance(&self.chain.fk(&answer.q), pose, self.size, self.target);
+            let miss = self
+                .target
+                .distance(&self.chain.fk(&answer.q), pose, self.size);
             prop_assert!(miss <= SOUND * self.size, "{answer:?} misses by {miss:e}");
         }
         Ok(())
     }
 
-    fn distinct(&self, answers: &[Answer]) -> Check {
+    fn distinct(&self, answers: &[BranchSolution]) -> Check {
         for (i, a) in answers.iter().enumerate() {
             for b in &answers[..i] {
                 prop_assert!(self.apart(&a.q, &b.q) > SAME, "{a:?} and {b:?}");
@@ -111,9 +113,9 @@ impl Solved {
         Ok(())
     }
 
-    fn among(&self, q: &[f64], answers: &[Answer], rounding: f64) -> Check {
+    fn among(&self, q: &[f64], answers: &[BranchSolution], rounding: f64) -> Check {
         let tolerance = rounding / self.conditioning(q);
-        let same = |answer: &&Answer| self.apart(&answer.q, q) < tolerance;
+        let same = |answer: &&BranchSolution| self.apart(&answer.q, q) < tolerance;
         let count = answers.iter().filter(same).count();
         prop_assert!(
             count == 1,
@@ -124,7 +126,7 @@ impl Solved {
         Ok(())
     }
 
-    fn complete(&self, answers: &[Answer], pose: &Pose) -> Check {
+    fn complete(&self, answers: &[BranchSolution], pose: &Pose) -> Check {
         let found = self.found(pose);
         let conditioning = |q: &Vec<f64>| self.conditioning(q);
         let regular = |q: &Vec<f64>| conditioning(q) > REGULAR;
@@ -150,8 +152,8 @@ impl Solved {
 
     /// How the arm was read.
     fn reading(&self) -> String {
-        let (shift, steps) = (self.form.tip_shift, self.form.polish);
-        format!("tip shifted by {shift:e} m, {steps} steps of polish")
+        let (shift, steps) = (self.form.tip_shift, self.form.refinement);
+        format!("tip shifted by {shift:e} m, {steps} steps of refinement")
     }
 
     /// What the numerical search finds.
@@ -183,7 +185,7 @@ impl Solved {
 
 /// Whether the joints move what of a target counts independently, somewhere.
 pub fn commands(Arm(arm): &Arm, target: Target) -> bool {
-    let freed = freed(&chain(arm), target);
+    let freed = freed(&arm.chain(), target);
     let somewhere = |k: usize| -> Vec<f64> {
         let value = |i: usize| (i * 5 + k * 7) as f64 * 0.61 % 3.0;
         (0..arm.joints.len()).map(value).collect()

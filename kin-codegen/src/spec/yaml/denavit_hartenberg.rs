@@ -1,7 +1,7 @@
 //! Joints by Denavit-Hartenberg parameters, standard and modified.
 
 use super::fields::{Fields, Reader};
-use super::joint::Geometry;
+use super::row::Geometry;
 use super::units::Units;
 use crate::spec::JointType;
 use crate::spec::orientation::{about_x, about_z, shift};

@@ -2,8 +2,8 @@
 //! the other ways are turned into as well.
 
 use super::fields::{Fields, Reader};
-use super::joint::{self, Geometry, Row};
 use super::node::Node;
+use super::row::{self, Geometry, Row};
 use super::units::Units;
 use super::{End, fix_tip, pose};
 use crate::spec::JointType;
@@ -23,7 +23,7 @@ pub(super) fn read(
     let origin = pose::read(fields, units, reader);
     let axis = match kind {
         JointType::Fixed => Some([0.0, 0.0, 1.0]),
-        _ => joint::axis(fields, reader),
+        _ => row::axis(fields, reader),
     };
     let parent = match fields.get("parent") {
         Some(node) => Some(reader.name(node)?),

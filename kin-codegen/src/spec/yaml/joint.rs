@@ -2,36 +2,14 @@
 
 use super::fields::{Fields, Reader};
 use super::node::{Node, Value};
+use super::row::Row;
 use super::units::Units;
 use super::{denavit_hartenberg, frames, pose, screws};
 use crate::spec::tree::{DraftMimic, Name};
-use crate::spec::{JointType, Limits, orientation};
-use kin_runtime::Pose;
+use crate::spec::{JointType, Limits};
 
 /// The keys that all joints have.
 const COMMON: [&str; 5] = ["name", "type", "limits", "link", "mimic"];
-
-/// One entry of the list.
-pub(super) struct Row {
-    pub name: Name,
-    pub kind: JointType,
-    pub limits: Limits,
-    /// The link that the joint moves.
-    pub link: Name,
-    pub mimic: Option<DraftMimic>,
-    /// Whether a joint of a mechanism is driven.
-    pub actuated: bool,
-    pub geometry: Geometry,
-}
-
-/// Where the joint is: see [`Joint`](crate::spec::Joint).
-pub(super) struct Geometry {
-    /// The link to hang on; by default that of the row before.
-    pub parent: Option<Name>,
-    pub origin: Pose,
-    pub axis: [f64; 3],
-    pub mount: Pose,
-}
 
 /// Reads all entries of a list; `None` if one cannot be read.
 pub(super) fn rows(list: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Vec<Row>> {
@@ -196,18 +174,4 @@ fn convert_multipliers(rows: &mut [Row], units: &Units) {
             mimic.multiplier *= units.of_joint(row.kind) / units.of_joint(leader);
         }
     }
-}
-
-/// A direction of any length but 0.
-pub(super) fn axis(fields: &Fields, reader: &mut Reader) -> Option<[f64; 3]> {
-    let node = fields.required("axis", reader)?;
-    let axis = orientation::unit(reader.exactly(node, pose::plain)?);
-    if axis.is_none() {
-        reader.at(
-            node.id,
-            "this axis is zero, which is no direction",
-            "write the direction of the joint's axis, such as [0, 0, 1]",
-        );
-    }
-    axis
 }

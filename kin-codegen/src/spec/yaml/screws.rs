@@ -1,7 +1,7 @@
 //! Joints by screw axes: a direction and a point, in the base frame at home.
 
 use super::fields::{Fields, Reader};
-use super::joint::{self, Geometry};
+use super::row::{self, Geometry};
 use super::units::Units;
 use crate::spec::{JointType, orientation};
 
@@ -16,7 +16,7 @@ pub(super) fn read(
     units: &Units,
     reader: &mut Reader,
 ) -> Option<Geometry> {
-    let axis = joint::axis(fields, reader);
+    let axis = row::axis(fields, reader);
     let point = match (fields.get("point"), kind) {
         (Some(node), _) => reader.exactly(node, |reader, node| units.length(node, reader)),
         (None, JointType::Prismatic) => Some([0.0; 3]),

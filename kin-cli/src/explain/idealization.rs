@@ -1,12 +1,12 @@
-//! What it took to read the file as the arm that was meant.
+//! What it took to read exact relations into the axes of a file.
 
-use kin_codegen::solver::ClosedForm;
+use kin_codegen::closed_form::ClosedForm;
 use serde::Serialize;
 
 /// The file's axes are off exact relations: the closed form runs on an arm
-/// that has them, and every branch is polished onto the file's own.
+/// that has them, and every branch is refined onto the file's own.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Snapping {
+pub struct Idealization {
     /// Directions that differ by less were taken for equal, and lengths by the
     /// same number times the arm's size.
     pub tolerance: f64,
@@ -15,7 +15,7 @@ pub struct Snapping {
     /// How far the tips of the two arms are apart.
     pub tip_shift: f64,
     /// Newton steps at most that return a branch to the file's arm.
-    pub polish_steps: usize,
+    pub refinement_steps: usize,
 }
 
 /// One axis that moved.
@@ -31,20 +31,20 @@ pub struct Moved {
     pub distance: f64,
 }
 
-impl Snapping {
+impl Idealization {
     /// None if the file is exact up to its rounding.
-    pub(super) fn of(solver: &ClosedForm) -> Option<Self> {
+    pub(super) fn of(form: &ClosedForm) -> Option<Self> {
         let moved = |moved: &kin_codegen::geometry::Moved| Moved {
             joint: moved.joint + 1,
-            name: solver.snap.model.joints[moved.joint].name.clone(),
+            name: form.idealized.model.joints[moved.joint].name.clone(),
             angle: moved.angle,
             distance: moved.distance,
         };
-        (solver.polish > 0).then(|| Self {
-            tolerance: solver.snap.tolerance,
-            moved: solver.snap.moved.iter().map(moved).collect(),
-            tip_shift: solver.tip_shift,
-            polish_steps: solver.polish,
+        (!form.is_exact()).then(|| Self {
+            tolerance: form.idealized.tolerance,
+            moved: form.idealized.moved.iter().map(moved).collect(),
+            tip_shift: form.tip_shift,
+            refinement_steps: form.refinement,
         })
     }
 }

@@ -1,6 +1,6 @@
-//! The configurations that a plan must survive.
+//! Configurations to try an arm on: random and structured ones.
 
-use crate::model::Model;
+use super::Model;
 use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 

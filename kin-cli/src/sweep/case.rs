@@ -1,0 +1,111 @@
+//! An arm and its closed form under examination.
+
+use super::Settings;
+use super::draw::Ranges;
+use kin_codegen::certificate::{EXCUSED, Failure, SINGULAR, recovered};
+use kin_codegen::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
+use kin_codegen::geometry::{conditioning, size};
+use kin_codegen::model::Model;
+use kin_runtime::{Chain, Pose};
+use std::time::{Duration, Instant};
+
+/// An arm and its closed form.
+pub(super) struct Case<'a> {
+    model: &'a Model,
+    pub(super) form: &'a ClosedForm,
+    /// The arm as a generic product of exponentials.
+    pub(super) chain: Chain,
+    /// Metres.
+    pub(super) size: f64,
+    /// Below this conditioning the certificate takes a configuration for
+    /// singular, or too near to it for an arm that was snapped.
+    pub(super) near_singular: f64,
+    ranges: Ranges,
+}
+
+/// A configuration, its target and what the closed form solutions.
+pub(super) struct Outcome {
+    pub(super) q: Vec<f64>,
+    pub(super) target: Pose,
+    pub(super) conditioning: f64,
+    pub(super) solutions: Vec<BranchSolution>,
+    /// How far the generic forward kinematics of each solution is from the
+    /// target, metres.
+    pub(super) residuals: Vec<f64>,
+    pub(super) took: Duration,
+}
+
+impl<'a> Case<'a> {
+    pub(super) fn new(model: &'a Model, form: &'a ClosedForm) -> Self {
+        let size = size(model);
+        Self {
+            model,
+            form,
+            chain: model.chain(),
+            size,
+            near_singular: SINGULAR.max(EXCUSED * (form.tip_shift / size).sqrt()),
+            ranges: Ranges::new(model, size),
+        }
+    }
+
+    pub(super) fn draw(&self, settings: &Settings, number: usize) -> Vec<f64> {
+        self.ranges.draw(settings.draw, settings.seed, number)
+    }
+
+    pub(super) fn run(&self, q: Vec<f64>) -> Outcome {
+        let target = self.chain.fk(&q);
+        let start = Instant::now();
+        let solutions = self.form.solutions(&target);
+        let took = start.elapsed();
+        let residual = |solution: &BranchSolution| self.residual(&solution.q, &target);
+        Outcome {
+            conditioning: self.conditioning(&q),
+            residuals: solutions.iter().map(residual).collect(),
+            q,
+            target,
+            solutions,
+            took,
+        }
+    }
+
+    fn residual(&self, q: &[f64], target: &Pose) -> f64 {
+        self.form
+            .plan
+            .target
+            .distance(&self.chain.fk(q), target, self.size)
+    }
+
+    /// How far from singular a configuration is.
+    pub(super) fn conditioning(&self, q: &[f64]) -> f64 {
+        conditioning(&self.chain, q, self.size, self.form.plan.target)
+    }
+
+    pub(super) fn is_near_singular(&self, q: &[f64]) -> bool {
+        self.conditioning(q) < self.near_singular
+    }
+
+    pub(super) fn is_sound(&self, residual: f64) -> bool {
+        residual <= TOLERANCE * self.size
+    }
+
+    /// Whether a configuration is among the solutions, to what its conditioning
+    /// allows.
+    pub(super) fn is_among(
+        &self,
+        q: &[f64],
+        solutions: &[BranchSolution],
+        conditioning: f64,
+    ) -> bool {
+        let outcome = recovered(self.model, q, solutions, conditioning);
+        !matches!(outcome, Err(Failure::Lost(_)))
+    }
+
+    /// Whether the last solution repeats one before it.
+    pub(super) fn is_doubled(&self, solutions: &[BranchSolution]) -> bool {
+        // At this conditioning the same is to the last digits.
+        const EXACTLY: f64 = 1.0;
+        solutions
+            .split_last()
+            .is_some_and(|(last, before)| self.is_among(&last.q, before, EXACTLY))
+    }
+}

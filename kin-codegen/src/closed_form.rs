@@ -1,0 +1,174 @@
+//! The closed form of an arm: the relations that were read into its axes, the
+//! plan, its expressions, and the refinement onto the arm as given.
+
+use crate::expr::inverse::Inverse;
+use crate::geometry::{Linkage, Snap};
+use crate::model::JointKind;
+use crate::plan::Plan;
+use kin_runtime::branches::Acceptance;
+use kin_runtime::free_angle::{SAMPLES, roomiest_turn};
+use kin_runtime::polish::{Problem, land};
+use kin_runtime::{Pose, Solution};
+
+/// Solutions reach the target to this, relative to the arm's size.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// In square roots of the relative shift of the tip, how near to a singular
+/// configuration the branches of the idealized arm do not tell those of the arm
+/// as given.
+const NEAR_SINGULAR: f64 = 0.5;
+
+/// A closed form.
+#[derive(Clone, Debug)]
+pub struct ClosedForm {
+    /// The arm that the plan is for: that of the file, with its relations made
+    /// exact.
+    pub idealized: Snap,
+    /// Its frames.
+    pub linkage: Linkage,
+    /// The frames of the arm as given.
+    pub given: Linkage,
+    /// The plan.
+    pub plan: Plan,
+    /// The plan as expressions.
+    pub inverse: Inverse,
+    /// How far the idealized arm's tip is from the given one's, metres.
+    pub tip_shift: f64,
+    /// Newton steps at most that refine every branch onto the arm as given; 0
+    /// if that is the idealized one.
+    pub refinement: usize,
+}
+
+/// One solution, by the interpreter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BranchSolution {
+    /// The configuration, radians and metres.
+    pub q: Vec<f64>,
+    /// Its distance from the target, metres.
+    pub residual: f64,
+    /// Its branch.
+    pub branch: u32,
+    /// Whether it stands for a family or a double root.
+    pub singular: bool,
+}
+
+impl ClosedForm {
+    /// Whether the arm as given has the relations exactly, so that no branch
+    /// needs refinement.
+    pub fn is_exact(&self) -> bool {
+        self.refinement == 0
+    }
+
+    /// What the generated function will return, computed by the interpreter.
+    pub fn solutions(&self, target: &Pose) -> Vec<BranchSolution> {
+        let mut branches = self.branches(target);
+        if self.is_exact() {
+            let tolerance = self.acceptance().tolerance;
+            branches.retain(|solution| solution.residual <= tolerance);
+            return branches;
+        }
+        match self.given.variables() {
+            1 => self.refined::<1>(target, &branches),
+            2 => self.refined::<2>(target, &branches),
+            3 => self.refined::<3>(target, &branches),
+            4 => self.refined::<4>(target, &branches),
+            5 => self.refined::<5>(target, &branches),
+            _ => self.refined::<6>(target, &branches),
+        }
+    }
+
+    /// The branches of the plan that exist.
+    fn branches(&self, target: &Pose) -> Vec<BranchSolution> {
+        let branches = 0..self.plan.branches() as u32;
+        branches
+            .filter_map(|branch| self.branch(target, branch))
+            .collect()
+    }
+
+    fn branch(&self, target: &Pose, branch: u32) -> Option<BranchSolution> {
+        let inverse = &self.inverse;
+        let mut values = self.evaluate(target, branch, 0.0);
+        if let Some(free) = inverse.free_angle
+            && values[free.no_root.index()] > 0.0
+        {
+            let level = |turn| self.evaluate(target, branch, turn)[free.level.index()];
+            let turn = roomiest_turn(SAMPLES.map(level));
+            values = self.evaluate(target, branch, turn);
+        }
+        let of = |e: crate::expr::Expr| values[e.index()];
+        (of(inverse.invalid) <= 0.0).then(|| BranchSolution {
+            q: inverse.q.iter().map(|&e| of(e)).collect(),
+            residual: of(inverse.residual),
+            singular: of(inverse.singular) > 0.0,
+            branch,
+        })
+    }
+
+    /// The values of a branch for a seed of zeros, but for a turn of the angle
+    /// that may be free.
+    fn evaluate(&self, target: &Pose, branch: u32, turn: f64) -> Vec<f64> {
+        let inverse = &self.inverse;
+        let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
+        inputs.extend(target.translation);
+        let seed = inputs.len();
+        inputs.resize(usize::from(inverse.graph.inputs()), 0.0);
+        if let Some(free) = inverse.free_angle {
+            inputs[seed + free.coordinate] = turn;
+        }
+        let mut values = Vec::new();
+        inverse.graph.evaluate(&inputs, branch, &mut values);
+        values
+    }
+
+    /// The branches, refined onto the arm as given.
+    fn refined<const N: usize>(
+        &self,
+        target: &Pose,
+        branches: &[BranchSolution],
+    ) -> Vec<BranchSolution> {
+        let problem = Problem {
+            fk_jacobian: |q: &[f64; N]| self.given.fk_jacobian(q),
+            target,
+            size: self.linkage.size,
+            counts: self.plan.target,
+        };
+        let start = |branch: &BranchSolution| Solution {
+            q: std::array::from_fn(|i| branch.q[i]),
+            residual: branch.residual,
+            branch: branch.branch,
+            singular: branch.singular,
+        };
+        let starts = branches.iter().map(start);
+        land(&problem, starts, &self.acceptance(), self.refinement)
+            .iter()
+            .map(|found| BranchSolution {
+                q: found.q.to_vec(),
+                residual: found.residual,
+                branch: found.branch,
+                singular: found.singular,
+            })
+            .collect()
+    }
+
+    /// What makes a branch an branch.
+    pub fn acceptance(&self) -> Acceptance {
+        let slides = |variable: &usize| {
+            let mut joints = self.idealized.model.joints.iter();
+            joints.any(|joint| joint.variable == *variable && joint.kind == JointKind::Prismatic)
+        };
+        let size = self.linkage.size;
+        Acceptance {
+            size,
+            tolerance: TOLERANCE * size,
+            blur: if self.is_exact() {
+                0.0
+            } else {
+                NEAR_SINGULAR * (self.tip_shift / size).sqrt()
+            },
+            prismatic: (0..self.given.variables())
+                .filter(slides)
+                .map(|i| 1 << i)
+                .sum(),
+        }
+    }
+}

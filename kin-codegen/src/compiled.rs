@@ -1,0 +1,31 @@
+//! What a robot file becomes before it is written as Rust.
+
+use crate::arm::CompiledArm;
+use crate::mechanism::CompiledMechanism;
+
+/// A robot, compiled but not yet written as Rust.
+#[derive(Clone, Debug)]
+pub enum Compiled {
+    /// A serial arm.
+    Arm(Box<CompiledArm>),
+    /// Several chains to one platform.
+    Mechanism(Box<CompiledMechanism>),
+}
+
+impl Compiled {
+    /// The arm, if it is one.
+    pub fn arm(&self) -> Option<&CompiledArm> {
+        match self {
+            Compiled::Arm(arm) => Some(arm),
+            Compiled::Mechanism(_) => None,
+        }
+    }
+
+    /// The mechanism, if it is one.
+    pub fn mechanism(&self) -> Option<&CompiledMechanism> {
+        match self {
+            Compiled::Arm(_) => None,
+            Compiled::Mechanism(mechanism) => Some(mechanism),
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! How far an arm is from singular: the rank and conditioning of its Jacobian.
+
+use super::{along, cross, dot, size};
+use crate::model::{Model, configurations};
+use kin_runtime::{Chain, Target, Twist};
+
+/// Columns that are all shorter than this, relative to the arm's size, are
+/// rounding.
+const NOTHING: f64 = 1e-4;
+/// Above this, columns of the Jacobian are independent in general.
+const GENERIC: f64 = 1e-9;
+
+/// What an arm can be asked for: the position of its tip where that alone
+/// fixes the joints (a planar 2R arm, the first three joints of a larger one),
+/// otherwise the whole pose.
+pub fn natural_target(model: &Model) -> Target {
+    let chain = model.chain();
+    let size = size(model);
+    let n = model.joints.len();
+    let fixed = |q: &Vec<f64>| conditioning(&chain, q, size, Target::Position) > GENERIC;
+    if n <= 3 && !model.is_coupled() && configurations(model).iter().any(fixed) {
+        Target::Position
+    } else {
+        Target::Pose
+    }
+}
+
+/// The largest number of independent ways in which the joints move the tip.
+pub fn rank(model: &Model) -> usize {
+    let chain = model.chain();
+    let size = size(model);
+    let rank = |q: &Vec<f64>| {
+        lengths(&chain, q, size, Target::Pose)
+            .iter()
+            .filter(|x| **x > GENERIC)
+            .count()
+    };
+    configurations(model)
+        .iter()
+        .take(8)
+        .map(rank)
+        .max()
+        .unwrap_or(0)
+}
+
+/// The conditioning of the Jacobian for a target: the shortest column that is left
+/// when each is made perpendicular to those before it, longest first, relative
+/// to the longest. Within a factor of the least singular value.
+pub fn conditioning(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
+    lengths(chain, q, size, target)
+        .into_iter()
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// The lengths of the Jacobian's columns when each is made perpendicular to
+/// those before it, longest first, relative to the longest. Lengths are in
+/// units of the arm's size.
+fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
+    let z = [0, 1, 2].map(|i| chain.fk(q).rotation[i][2]);
+    let yaw = chain
+        .twists()
+        .first()
+        .map_or([0.0; 3], |twist| twist.angular);
+    let rows = |twist: &Twist| -> Vec<f64> {
+        let v = twist.linear.map(|x| x / size);
+        let w = twist.angular;
+        let about = dot(w, yaw);
+        match target {
+            Target::Pose => [v, w].concat(),
+            Target::Position => v.to_vec(),
+            Target::PositionAxis => [v, cross(w, z)].concat(),
+            Target::Direction => cross(w, z).to_vec(),
+            Target::Orientation => w.to_vec(),
+            Target::PositionYaw => [v[0], v[1], v[2], about].to_vec(),
+            Target::Planar => {
+                let across = along(v, -dot(v, yaw), yaw);
+                [across[0], across[1], across[2], about].to_vec()
+            }
+        }
+    };
+    let norm = |v: &Vec<f64>| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let mut columns: Vec<Vec<f64>> = chain.geometric_jacobian(q).iter().map(rows).collect();
+    let mut lengths: Vec<f64> = Vec::new();
+    while !columns.is_empty() {
+        columns.sort_by(|a, b| norm(a).total_cmp(&norm(b)));
+        let Some(next) = columns.pop() else { break };
+        let length = norm(&next);
+        lengths.push(length);
+        for column in columns.iter_mut().filter(|_| length > 0.0) {
+            let along: f64 = column.iter().zip(&next).map(|(x, y)| x * y).sum();
+            for (x, y) in column.iter_mut().zip(&next) {
+                *x -= along / (length * length) * y;
+            }
+        }
+    }
+    let longest = lengths.first().copied().unwrap_or(0.0).max(NOTHING);
+    lengths.into_iter().map(|x| x / longest).collect()
+}
