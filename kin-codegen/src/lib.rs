@@ -15,27 +15,29 @@
 //! assert!(generated.code().contains("pub struct Planar;"));
 //! # Ok::<(), kin_codegen::Error>(())
 //! ```
+//!
+//! [`generate`] is what the macro, [`build`] scripts and `kin generate` call;
+//! [`compile`] stops before Rust is written. The formats of robot files are
+//! described in [`spec`].
 
-pub mod arm;
 pub mod build;
-pub mod certificate;
-pub mod closed_form;
 mod compile;
 mod compiled;
-pub mod emit;
 mod error;
-pub mod expr;
 mod generate;
-pub mod geometry;
-pub mod mechanism;
-pub mod model;
-pub mod options;
-pub mod plan;
-pub mod random;
-pub mod refusal;
-pub mod singularity;
-pub mod solver;
+mod options;
+mod refusal;
 pub mod spec;
+
+/// The rooms of the compiler, in the order in which data walks through them.
+/// Open to the programs and tests of the project; no part of what versions
+/// promise.
+macro_rules! rooms {
+    ($($room:ident)*) => { $(#[doc(hidden)] pub mod $room;)* };
+}
+rooms! {
+    random model geometry singularity plan expr closed_form certificate solver arm mechanism emit
+}
 
 pub use compile::compile;
 pub use compiled::Compiled;
@@ -43,4 +45,5 @@ pub use error::Error;
 pub use generate::{Generated, generate};
 pub use options::{Ik, Options, Unknown, target};
 pub use plan::Target;
+pub use refusal::{Reason, Refusal};
 pub use spec::{Diagnostics, Source};

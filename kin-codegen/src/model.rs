@@ -6,7 +6,7 @@ mod configurations;
 mod limits;
 mod mimic;
 
-use crate::spec::{self, ArmSpec, Complaints, Diagnostics, JointType};
+use crate::spec::{self, ArmSpec, Collector, Diagnostics, JointType};
 use kin_runtime::{Chain, Pose, Twist};
 
 pub(crate) use configurations::configurations;
@@ -146,9 +146,9 @@ impl Model {
         base: Option<&str>,
         tip: Option<&str>,
     ) -> Result<Model, Diagnostics> {
-        let mut complaints = Complaints::new(&spec.source);
-        let model = build(spec, base, tip, &mut complaints);
-        complaints.unless_any(model)
+        let mut diagnostics = Collector::new(&spec.source);
+        let model = build(spec, base, tip, &mut diagnostics);
+        diagnostics.unless_any(model)
     }
 }
 
@@ -156,14 +156,14 @@ fn build(
     spec: &ArmSpec,
     base: Option<&str>,
     tip: Option<&str>,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Model> {
-    let chain = chain::choose(spec, base, tip, complaints)?;
-    check_motions(spec, &chain, complaints);
-    check_size(spec, &chain, complaints);
-    limits::check(spec, &chain, complaints);
-    let drives = mimic::resolve(spec, &chain, complaints)?;
-    let variables = limits::variables(spec, &drives, complaints);
+    let chain = chain::choose(spec, base, tip, diagnostics)?;
+    check_motions(spec, &chain, diagnostics);
+    check_size(spec, &chain, diagnostics);
+    limits::check(spec, &chain, diagnostics);
+    let drives = mimic::resolve(spec, &chain, diagnostics)?;
+    let variables = limits::variables(spec, &drives, diagnostics);
     let (joints, home) = compose(spec, &chain, &drives);
     Some(Model {
         name: spec.name.clone(),
@@ -176,7 +176,7 @@ fn build(
 }
 
 /// Every joint is fixed, or moves in one way, and one moves at least.
-fn check_motions(spec: &ArmSpec, chain: &chain::Chain, complaints: &mut Complaints) {
+fn check_motions(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector) {
     let joints = || chain.joints.iter().map(|&j| &spec.joints[j]);
     for joint in joints() {
         let motion = match joint.kind {
@@ -186,17 +186,17 @@ fn check_motions(spec: &ArmSpec, chain: &chain::Chain, complaints: &mut Complain
             JointType::Fixed | JointType::Revolute | JointType::Prismatic => continue,
         };
         let remedy = "begin or end the chain on this side of it (base, tip), or replace it by revolute and prismatic joints";
-        complaints.at(joint.at, format!("joint `{}` {motion}", joint.name), remedy);
+        diagnostics.at(joint.at, format!("joint `{}` {motion}", joint.name), remedy);
     }
     if joints().all(|joint| joint.kind == JointType::Fixed) {
         let (base, tip) = (&spec.links[chain.base].name, &spec.links[chain.tip].name);
         let reason =
             format!("nothing moves between `{base}` and `{tip}`: all joints there are fixed");
-        complaints.whole(reason, "choose another base or tip");
+        diagnostics.whole(reason, "choose another base or tip");
     }
 }
 
-fn check_size(spec: &ArmSpec, chain: &chain::Chain, complaints: &mut Complaints) {
+fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector) {
     let length = |&j: &usize| {
         let joint = &spec.joints[j];
         norm(joint.origin.translation) + norm(joint.mount.translation)
@@ -213,7 +213,7 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, complaints: &mut Complaints)
             length(&longest),
             joint.name
         );
-        complaints.at(
+        diagnostics.at(
             joint.at,
             reason,
             "write metres in a URDF, or state the unit in YAML: `units: {length: mm}`",

@@ -135,8 +135,8 @@ struct Value<'a> {
 impl Value<'_> {
     fn parse<T: Parse>(&self, what: impl Display) -> Result<T> {
         let place = place(self.input, self.option.span());
-        let complaint = |_| error(place, format!("`{}` takes {what}", self.option));
-        self.input.parse().map_err(complaint)
+        let diagnostic = |_| error(place, format!("`{}` takes {what}", self.option));
+        self.input.parse().map_err(diagnostic)
     }
 
     /// `Arm`

@@ -18,10 +18,10 @@ pub fn run(arguments: &arguments::Check) -> Done {
             sweep: None,
             replay: None,
         };
-        if let Err(complaint) = checked.try_more(arguments) {
-            return Done::failing(Exit::Broken, complaint);
+        if let Err(diagnostic) = checked.try_more(arguments) {
+            return Done::failing(Exit::Broken, diagnostic);
         }
-        // The line names the first complaint; here are all, with their places.
+        // The line names the first diagnostic; here are all, with their places.
         if let Verdict::Broken(diagnostics) = &checked.check.verdict {
             done.stderr += &format!("{diagnostics}\n\n");
         }

@@ -7,7 +7,7 @@
 //! does not count. YAML lists its chains, and says both ends itself.
 
 use crate::spec::{
-    ArmSpec, ChainSpec, Complaints, Diagnostic, Diagnostics, Joint, Location, LoopedTree,
+    ArmSpec, ChainSpec, Collector, Diagnostic, Diagnostics, Joint, Location, LoopedTree,
     MechanismSpec, Topology, did_you_mean, list_names,
 };
 
@@ -46,9 +46,9 @@ pub(super) fn chains(
             })
         }
         Topology::Looped(looped) => {
-            let mut complaints = Complaints::new(&spec.source);
-            let chains = cut(looped, base, platform, spec.at, &mut complaints);
-            complaints.unless_any(chains)
+            let mut diagnostics = Collector::new(&spec.source);
+            let chains = cut(looped, base, platform, spec.at, &mut diagnostics);
+            diagnostics.unless_any(chains)
         }
     }
 }
@@ -71,12 +71,12 @@ fn cut(
     base: Option<&str>,
     platform: Option<&str>,
     at: Location,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Chains> {
     let links = &looped.links;
     let graph = Graph::of(looped);
     let base = match base {
-        Some(name) => find(links, "base", name, complaints)?,
+        Some(name) => find(links, "base", name, diagnostics)?,
         None => {
             let tree = &links.joints[..looped.tree_joints];
             let hangs = |link: usize| tree.iter().any(|joint| joint.child == link);
@@ -84,10 +84,10 @@ fn cut(
         }
     };
     let platform = match platform {
-        Some(name) => find(links, "tip", name, complaints)?,
-        None => graph.platform(base, at, complaints)?,
+        Some(name) => find(links, "tip", name, diagnostics)?,
+        None => graph.platform(base, at, diagnostics)?,
     };
-    let paths = graph.paths(base, platform, at, complaints)?;
+    let paths = graph.paths(base, platform, at, diagnostics)?;
     Some(Chains {
         base: links.links[base].name.clone(),
         platform: links.links[platform].name.clone(),
@@ -95,12 +95,12 @@ fn cut(
     })
 }
 
-fn find(spec: &ArmSpec, role: &str, name: &str, complaints: &mut Complaints) -> Option<usize> {
+fn find(spec: &ArmSpec, role: &str, name: &str, diagnostics: &mut Collector) -> Option<usize> {
     let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
     let found = names.iter().position(|known| *known == name);
     if found.is_none() {
         let reason = format!("the {role} `{name}` is no link of this robot");
-        complaints.whole(reason, did_you_mean(name, &names));
+        diagnostics.whole(reason, did_you_mean(name, &names));
     }
     found
 }
@@ -142,7 +142,7 @@ impl<'s> Graph<'s> {
 
     /// The only link but the base at which three chains meet; or where there is
     /// none, and the base has but two, the tree's only leaf in the loop.
-    fn platform(&self, base: usize, at: Location, complaints: &mut Complaints) -> Option<usize> {
+    fn platform(&self, base: usize, at: Location, diagnostics: &mut Collector) -> Option<usize> {
         let pruned = self.pruned(&[base]);
         let meeting: Vec<usize> = (0..pruned.len())
             .filter(|l| *l != base && pruned[*l].len() > 2)
@@ -169,7 +169,7 @@ impl<'s> Graph<'s> {
                     names.len(),
                     list_names(&names)
                 );
-                complaints.at(at, reason, "name the one you mean (tip)");
+                diagnostics.at(at, reason, "name the one you mean (tip)");
                 None
             }
         }
@@ -181,7 +181,7 @@ impl<'s> Graph<'s> {
         base: usize,
         platform: usize,
         at: Location,
-        complaints: &mut Complaints,
+        diagnostics: &mut Collector,
     ) -> Option<Vec<Vec<Passed>>> {
         let pruned = self.pruned(&[base, platform]);
         let name = |link: usize| &self.spec.links[link].name;
@@ -215,7 +215,7 @@ impl<'s> Graph<'s> {
                             name(base),
                             name(platform)
                         );
-                        complaints.at(at, reason, remedy);
+                        diagnostics.at(at, reason, remedy);
                         return None;
                     }
                 }
@@ -232,7 +232,7 @@ impl<'s> Graph<'s> {
                 name(platform),
                 passed
             );
-            complaints.at(at, reason, "choose another base or tip");
+            diagnostics.at(at, reason, "choose another base or tip");
             return None;
         }
         Some(paths)

@@ -125,7 +125,7 @@ fn joints(n: usize) -> String {
     }
 }
 
-/// A complaint about the mechanism as a whole, where the file introduces it.
+/// A diagnostic about the mechanism as a whole, where the file introduces it.
 fn refuse(
     mechanism: &Mechanism,
     source: &Source,

@@ -3,7 +3,7 @@
 use super::chains::{Chains, chains};
 use crate::geometry::{Vec3, axes, concurrency, size};
 use crate::model::{JointKind, Model};
-use crate::spec::{ChainSpec, Complaints, Diagnostics, Location, MechanismSpec};
+use crate::spec::{ChainSpec, Collector, Diagnostics, Location, MechanismSpec};
 use kin_runtime::{Chain, Pose};
 
 /// Chains that end further apart at home, relative to the mechanism's length,
@@ -23,7 +23,7 @@ pub struct Mechanism {
     pub platform: String,
     /// Two or more. Their homes are equal.
     pub legs: Vec<Leg>,
-    /// Where the file introduces the chains, for complaints.
+    /// Where the file introduces the chains, for diagnostics.
     pub at: Location,
 }
 
@@ -85,13 +85,13 @@ impl Mechanism {
             legs,
             at: spec.at,
         };
-        let mut complaints = Complaints::new(&spec.source);
-        mechanism.refuse_coupled(&chains, &mut complaints);
-        mechanism.join(&chains, &mut complaints);
-        complaints.unless_any(Some(mechanism))
+        let mut diagnostics = Collector::new(&spec.source);
+        mechanism.refuse_coupled(&chains, &mut diagnostics);
+        mechanism.join(&chains, &mut diagnostics);
+        diagnostics.unless_any(Some(mechanism))
     }
 
-    fn refuse_coupled(&self, chains: &[ChainSpec], complaints: &mut Complaints) {
+    fn refuse_coupled(&self, chains: &[ChainSpec], diagnostics: &mut Collector) {
         for (leg, chain) in self.legs.iter().zip(chains) {
             if leg.model.is_coupled() {
                 let reason = format!(
@@ -100,14 +100,14 @@ impl Mechanism {
                     leg.name
                 );
                 let remedy = "remove `mimic`, or describe the gear as a chain of its own";
-                complaints.at(chain.at, reason, remedy);
+                diagnostics.at(chain.at, reason, remedy);
             }
         }
     }
 
     /// Refuses chains that end elsewhere, and makes what is nearly one home the
     /// same home.
-    fn join(&mut self, chains: &[ChainSpec], complaints: &mut Complaints) {
+    fn join(&mut self, chains: &[ChainSpec], diagnostics: &mut Collector) {
         let length = self.generic().length();
         let (first, home) = (self.legs[0].name.clone(), self.legs[0].model.home);
         for (leg, chain) in self.legs.iter_mut().zip(chains).skip(1) {
@@ -125,7 +125,7 @@ impl Mechanism {
                 );
                 let remedy = "correct its geometry, or choose the zeros of its joints so that all \
                               chains are assembled there";
-                complaints.at(chain.at, reason, remedy);
+                diagnostics.at(chain.at, reason, remedy);
             }
             leg.model.home = home;
         }

@@ -1,6 +1,6 @@
 //! Which joints lead from base to tip.
 
-use crate::spec::{ArmSpec, Complaints, JointType, did_you_mean};
+use crate::spec::{ArmSpec, Collector, JointType, did_you_mean};
 
 /// A path down the tree.
 pub(super) struct Chain {
@@ -17,22 +17,22 @@ pub(super) fn choose(
     spec: &ArmSpec,
     base: Option<&str>,
     tip: Option<&str>,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Chain> {
     let tree = Tree::new(spec);
     let base_link = match base {
-        Some(name) => find(spec, "base", name, complaints),
+        Some(name) => find(spec, "base", name, diagnostics),
         None => tree.root(),
     };
     let tip_link = match tip {
-        Some(name) => find(spec, "tip", name, complaints),
-        None => Some(tree.only_leaf_below(base_link?, complaints)?),
+        Some(name) => find(spec, "tip", name, diagnostics),
+        None => Some(tree.only_leaf_below(base_link?, diagnostics)?),
     };
     let (base, tip) = (base_link?, tip_link?);
     match tree.path(base, tip) {
         Some(joints) if joints.is_empty() => {
             let name = &spec.links[base].name;
-            complaints.whole(
+            diagnostics.whole(
                 format!("base and tip are both `{name}`, so there is no chain"),
                 "choose a tip further out",
             );
@@ -40,17 +40,17 @@ pub(super) fn choose(
         }
         Some(joints) => Some(Chain { base, tip, joints }),
         None => {
-            explain_no_path(&tree, base, tip, complaints);
+            explain_no_path(&tree, base, tip, diagnostics);
             None
         }
     }
 }
 
-fn find(spec: &ArmSpec, role: &str, name: &str, complaints: &mut Complaints) -> Option<usize> {
+fn find(spec: &ArmSpec, role: &str, name: &str, diagnostics: &mut Collector) -> Option<usize> {
     let found = spec.links.iter().position(|link| link.name == name);
     if found.is_none() {
         let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
-        complaints.whole(
+        diagnostics.whole(
             format!("the {role} `{name}` is no link of this robot"),
             did_you_mean(name, &names),
         );
@@ -58,7 +58,7 @@ fn find(spec: &ArmSpec, role: &str, name: &str, complaints: &mut Complaints) -> 
     found
 }
 
-fn explain_no_path(tree: &Tree, base: usize, tip: usize, complaints: &mut Complaints) {
+fn explain_no_path(tree: &Tree, base: usize, tip: usize, diagnostics: &mut Collector) {
     let name = |link: usize| &tree.spec.links[link].name;
     let reason = format!(
         "the tip `{}` is not below the base `{}`",
@@ -71,14 +71,14 @@ fn explain_no_path(tree: &Tree, base: usize, tip: usize, complaints: &mut Compla
             name(tip),
             name(base)
         );
-        complaints.whole(format!("{reason}, but above it"), remedy);
+        diagnostics.whole(format!("{reason}, but above it"), remedy);
     } else {
         let parting = tree.common_ancestor(base, tip);
         let remedy = format!(
             "choose a base above both, such as `{}` where their branches part",
             name(parting)
         );
-        complaints.whole(reason, remedy);
+        diagnostics.whole(reason, remedy);
     }
 }
 
@@ -128,7 +128,7 @@ impl<'s> Tree<'s> {
             .unwrap_or(a)
     }
 
-    fn only_leaf_below(&self, base: usize, complaints: &mut Complaints) -> Option<usize> {
+    fn only_leaf_below(&self, base: usize, diagnostics: &mut Collector) -> Option<usize> {
         let is_leaf = |&link: &usize| self.spec.joints.iter().all(|joint| joint.parent != link);
         let leaves: Vec<usize> = (0..self.above.len())
             .filter(is_leaf)
@@ -147,7 +147,7 @@ impl<'s> Tree<'s> {
             leaves.len(),
             described.join(", ")
         );
-        complaints.whole(
+        diagnostics.whole(
             reason,
             "name the one you mean (tip); any link in between can be the tip too",
         );

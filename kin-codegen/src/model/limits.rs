@@ -3,7 +3,7 @@
 use super::Variable;
 use super::chain::Chain;
 use super::mimic::Drives;
-use crate::spec::{ArmSpec, Complaints, Joint, JointType, Limits};
+use crate::spec::{ArmSpec, Collector, Joint, JointType, Limits};
 
 /// Whole numbers of this size, as limits of an angle, are degrees: 45 rad are
 /// seven turns.
@@ -12,18 +12,18 @@ const DEGREES: std::ops::RangeInclusive<f64> = 45.0..=720.0;
 /// Strokes of this size are millimetres. Beyond it people write "no limit".
 const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
 
-/// Complains about every moving joint of the chain whose limits are missing,
+/// Reports every moving joint of the chain whose limits are missing,
 /// empty, or in another unit.
-pub(super) fn check(spec: &ArmSpec, chain: &Chain, complaints: &mut Complaints) {
+pub(super) fn check(spec: &ArmSpec, chain: &Chain, diagnostics: &mut Collector) {
     for &j in &chain.joints {
         let joint = &spec.joints[j];
         if matches!(joint.kind, JointType::Revolute | JointType::Prismatic) {
-            check_joint(joint, complaints);
+            check_joint(joint, diagnostics);
         }
     }
 }
 
-fn check_joint(joint: &Joint, complaints: &mut Complaints) {
+fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
     let name = &joint.name;
     let turns = joint.kind == JointType::Revolute;
     let (lower, upper, at) = match joint.limits {
@@ -39,14 +39,14 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
             let remedy = format!(
                 "add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>{continuous}"
             );
-            return complaints.at(joint.at, reason, remedy);
+            return diagnostics.at(joint.at, reason, remedy);
         }
         Limits::Range { lower, upper, at } => (lower, upper, at),
     };
     let whole = lower.fract() == 0.0 && upper.fract() == 0.0;
     let largest = lower.abs().max(upper.abs());
     if lower > upper {
-        complaints.at(
+        diagnostics.at(
             at,
             format!("joint `{name}` has the lower limit {lower} above the upper limit {upper}"),
             "swap them",
@@ -55,7 +55,7 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
         let reason = format!(
             "joint `{name}` has the limits 0..0, so it cannot move; usually the real ones are missing"
         );
-        complaints.at(
+        diagnostics.at(
             at,
             reason,
             "write its limits, or make it fixed (or continuous, if it turns freely)",
@@ -63,7 +63,7 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
     } else if turns && whole && DEGREES.contains(&largest) {
         let reason =
             format!("joint `{name}` has the limits {lower}..{upper} rad: this looks like degrees");
-        complaints.at(
+        diagnostics.at(
             at,
             reason,
             "write radians (180 degrees are 3.141592653589793), or state `angle: deg` in YAML",
@@ -71,7 +71,7 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
     } else if !turns && MILLIMETRES.contains(&largest) {
         let reason =
             format!("joint `{name}` slides {lower}..{upper} m: this looks like millimetres");
-        complaints.at(at, reason, "write metres");
+        diagnostics.at(at, reason, "write metres");
     }
 }
 
@@ -80,7 +80,7 @@ fn check_joint(joint: &Joint, complaints: &mut Complaints) {
 pub(super) fn variables(
     spec: &ArmSpec,
     drives: &Drives,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Vec<Variable> {
     let mut variables = Vec::new();
     for (v, &leader) in drives.leaders.iter().enumerate() {
@@ -98,7 +98,7 @@ pub(super) fn variables(
                 "no value of joint `{}` keeps the joints that mimic it within their limits",
                 joint.name
             );
-            complaints.at(
+            diagnostics.at(
                 joint.at,
                 reason,
                 "correct the limits, or the multiplier and offset of its mimics",

@@ -1,7 +1,7 @@
 //! Which coordinate moves which joint.
 
 use super::chain::Chain;
-use crate::spec::{ArmSpec, Complaints, Joint, JointType};
+use crate::spec::{ArmSpec, Collector, Joint, JointType};
 use std::collections::BTreeMap;
 
 /// A joint value as a function of the configuration:
@@ -37,7 +37,7 @@ impl Drives {
 pub(super) fn resolve(
     spec: &ArmSpec,
     chain: &Chain,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Drives> {
     let moves = |&j: &usize| spec.joints[j].kind != JointType::Fixed;
     let leads = |&j: &usize| spec.joints[j].mimic.is_none();
@@ -57,11 +57,11 @@ pub(super) fn resolve(
                     },
                 );
             }
-            None => explain_leader(&spec.joints[j], &spec.joints[leader], complaints),
+            None => explain_leader(&spec.joints[j], &spec.joints[leader], diagnostics),
         }
-        refuse_standstill(&spec.joints[j], complaints);
+        refuse_standstill(&spec.joints[j], diagnostics);
     }
-    complaints
+    diagnostics
         .is_empty()
         .then_some(Drives { leaders, by_joint })
 }
@@ -78,14 +78,14 @@ fn follow(spec: &ArmSpec, joint: usize) -> (usize, f64, f64) {
     (joint, multiplier, offset)
 }
 
-fn explain_leader(joint: &Joint, leader: &Joint, complaints: &mut Complaints) {
+fn explain_leader(joint: &Joint, leader: &Joint, diagnostics: &mut Collector) {
     let Some(mimic) = joint.mimic else { return };
     if leader.kind == JointType::Fixed {
         let reason = format!(
             "joint `{}` mimics `{}`, which is fixed",
             joint.name, leader.name
         );
-        complaints.at(
+        diagnostics.at(
             mimic.at,
             reason,
             "make the joint fixed too, or let it mimic one that moves",
@@ -95,7 +95,7 @@ fn explain_leader(joint: &Joint, leader: &Joint, complaints: &mut Complaints) {
             "joint `{}` mimics `{}`, which is not between base and tip: its value is no function of this chain's coordinates",
             joint.name, leader.name
         );
-        complaints.at(
+        diagnostics.at(
             mimic.at,
             reason,
             "choose base and tip so that the chain has both joints, or remove the mimic",
@@ -103,13 +103,13 @@ fn explain_leader(joint: &Joint, leader: &Joint, complaints: &mut Complaints) {
     }
 }
 
-fn refuse_standstill(joint: &Joint, complaints: &mut Complaints) {
+fn refuse_standstill(joint: &Joint, diagnostics: &mut Collector) {
     if let Some(mimic) = joint.mimic.filter(|mimic| mimic.multiplier == 0.0) {
         let reason = format!(
             "joint `{}` mimics with multiplier 0, so it never moves",
             joint.name
         );
-        complaints.at(
+        diagnostics.at(
             mimic.at,
             reason,
             "make the joint fixed, or correct the multiplier",

@@ -4,7 +4,7 @@
 //! that some joints leave alone cuts the loop; two of them cut it into two
 //! arcs, and what lies between them (a distance, an angle, a height) can be
 //! written along either arc. Where all but one joint of both arcs are known,
-//! that is a subproblem. The [search] knows no robot types: a spherical wrist,
+//! that is a subproblem. The search knows no robot types: a spherical wrist,
 //! a UR and their mirror images all come out of the same relations.
 
 mod invariant;

@@ -1,4 +1,4 @@
-//! Complaints as data: a place, a reason and a remedy.
+//! Collector as data: a place, a reason and a remedy.
 
 use super::Source;
 use std::fmt;
@@ -12,10 +12,10 @@ pub struct Location {
     pub column: u32,
 }
 
-/// One complaint.
+/// One diagnostic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Where; `None` when the complaint is about the robot as a whole.
+    /// Where; `None` when it is about the robot as a whole.
     pub at: Option<Location>,
     /// The offending line, without its line break; empty without a place.
     pub line: String,
@@ -27,7 +27,7 @@ pub struct Diagnostic {
 
 /// Everything wrong with one robot file; never empty.
 ///
-/// Displayed as a compiler would, one paragraph per complaint:
+/// Displayed as a compiler would, one paragraph per diagnostic:
 ///
 /// ```text
 /// arm.urdf:42:17: joint `elbow` has the axis 0 0 0, which is no direction
@@ -42,7 +42,7 @@ pub struct Diagnostics {
     list: Vec<Diagnostic>,
 }
 
-/// More than this is noise: the first complaints usually explain the rest.
+/// More than this is noise: the first diagnostics usually explain the rest.
 const SHOWN: usize = 20;
 
 /// Longer lines (generated XML without line breaks) are cut around the caret.
@@ -176,7 +176,7 @@ fn excerpt(line: &str, column: usize) -> (String, String) {
 mod tests {
     use super::*;
 
-    fn complaint(at: Option<(u32, u32)>, line: &str) -> Diagnostics {
+    fn diagnostic(at: Option<(u32, u32)>, line: &str) -> Diagnostics {
         let at = at.map(|(line, column)| Location { line, column });
         let list = vec![Diagnostic {
             at,
@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_place_shows_its_line_and_a_caret() {
-        let shown = complaint(Some((42, 4)), "\t <axis/>").to_string();
+        let shown = diagnostic(Some((42, 4)), "\t <axis/>").to_string();
         assert_eq!(
             shown,
             "arm.urdf:42:4: reason\n\t <axis/>\n\t  ^\nhelp: remedy"
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn the_whole_robot_has_no_line() {
         assert_eq!(
-            complaint(None, "").to_string(),
+            diagnostic(None, "").to_string(),
             "arm.urdf: reason\nhelp: remedy"
         );
     }
@@ -210,15 +210,15 @@ mod tests {
     #[test]
     fn a_long_line_is_cut_around_the_caret() {
         let line = format!("{}X{}", "a".repeat(1000), "b".repeat(1000));
-        let shown = complaint(Some((1, 1001)), &line).to_string();
+        let shown = diagnostic(Some((1, 1001)), &line).to_string();
         let rows: Vec<_> = shown.lines().collect();
         assert_eq!(rows[1].len(), LINE_WIDTH);
         assert_eq!(rows[1].find('X'), rows[2].find('^'));
     }
 
     #[test]
-    fn many_complaints_are_counted() {
-        let mut all = complaint(None, "");
+    fn many_diagnostics_are_counted() {
+        let mut all = diagnostic(None, "");
         all.list = vec![all.list[0].clone(); SHOWN + 3];
         assert!(all.to_string().ends_with("arm.urdf: and 3 more"));
     }

@@ -7,7 +7,7 @@
 //! remedy. Which joints make up the arm is not decided here; see
 //! [`Model`](crate::model::Model) and
 //! [`Mechanism`](crate::mechanism::Mechanism).
-mod complaints;
+mod collector;
 mod diagnostic;
 mod format;
 mod mechanism;
@@ -20,7 +20,7 @@ mod urdf;
 mod urdf_rs;
 pub mod yaml;
 
-pub(crate) use complaints::Complaints;
+pub(crate) use collector::Collector;
 pub use diagnostic::{Diagnostic, Diagnostics, Location};
 pub use mechanism::{ChainSpec, LoopedTree, MechanismSpec, Topology};
 pub use source::Source;
@@ -182,13 +182,13 @@ impl ArmSpec {
         match Spec::parse(source)? {
             Spec::Arm(arm) => Ok(arm),
             Spec::Mechanism(mechanism) => {
-                let mut complaints = Complaints::new(source);
-                complaints.at(
+                let mut diagnostics = Collector::new(source);
+                diagnostics.at(
                     mechanism.at,
                     "this file describes a parallel mechanism, not one arm",
                     "generate it, or `kin explain` it; whatever takes one arm cannot take it",
                 );
-                complaints.unless_any(None)
+                diagnostics.unless_any(None)
             }
         }
     }

@@ -1,6 +1,6 @@
 //! From joints that name links to a tree of them.
 
-use super::{ArmSpec, Complaints, Joint, JointType, Limits, Link, Location, Mimic, Source};
+use super::{ArmSpec, Collector, Joint, JointType, Limits, Link, Location, Mimic, Source};
 use super::{did_you_mean, list_names};
 use kin_runtime::Pose;
 use std::collections::HashMap;
@@ -46,14 +46,14 @@ pub(super) struct DraftMimic {
 ///
 /// Whether there is one root is asked only if nothing was wrong before, since
 /// a joint that could not be read leaves a hole in the tree.
-pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) -> Option<ArmSpec> {
-    let joints = index("joint", draft.joints.iter().map(|j| &j.name), complaints);
-    let links = index("link", draft.links.iter(), complaints);
+pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) -> Option<ArmSpec> {
+    let joints = index("joint", draft.joints.iter().map(|j| &j.name), diagnostics);
+    let links = index("link", draft.links.iter(), diagnostics);
     let mut resolved = Vec::new();
     for joint in &draft.joints {
-        resolved.extend(resolve(joint, &links, &joints, complaints));
+        resolved.extend(resolve(joint, &links, &joints, diagnostics));
     }
-    if !complaints.is_empty() {
+    if !diagnostics.is_empty() {
         return None;
     }
     let spec = ArmSpec {
@@ -69,9 +69,9 @@ pub(super) fn build(draft: Draft, source: &Source, complaints: &mut Complaints) 
         joints: resolved,
         source: source.clone(),
     };
-    check_tree(&spec, complaints);
-    check_mimics(&spec, complaints);
-    complaints.is_empty().then_some(spec)
+    check_tree(&spec, diagnostics);
+    check_mimics(&spec, diagnostics);
+    diagnostics.is_empty().then_some(spec)
 }
 
 /// Names in the order of the file, and their places in it.
@@ -83,7 +83,7 @@ struct Index<'d> {
 fn index<'d>(
     what: &str,
     names: impl Iterator<Item = &'d Name>,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Index<'d> {
     let mut index = Index {
         names: Vec::new(),
@@ -95,12 +95,12 @@ fn index<'d>(
         index.by_name.entry(&name.text).or_insert(index.names.len());
         index.names.push(&name.text);
         // A link named after its joint is no second mistake.
-        if first != name.at && !complaints.mentions(name.at) {
+        if first != name.at && !diagnostics.mentions(name.at) {
             let reason = format!(
                 "a second {what} is named `{}`; the first is in line {}",
                 name.text, first.line
             );
-            complaints.at(
+            diagnostics.at(
                 name.at,
                 reason,
                 format!("give every {what} a name of its own"),
@@ -114,7 +114,7 @@ fn resolve(
     joint: &DraftJoint,
     links: &Index,
     joints: &Index,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Joint> {
     let mut link = |name: &Name, role: &str| {
         let found = links.by_name.get(name.text.as_str()).copied();
@@ -123,14 +123,14 @@ fn resolve(
                 "the {role} of joint `{}` is `{}`, and there is no such link",
                 joint.name.text, name.text
             );
-            complaints.at(name.at, reason, did_you_mean(&name.text, &links.names));
+            diagnostics.at(name.at, reason, did_you_mean(&name.text, &links.names));
         }
         found
     };
     let (parent, child) = (link(&joint.parent, "parent"), link(&joint.child, "child"));
     let mimic = match &joint.mimic {
         None => None,
-        Some(mimic) => Some(resolve_mimic(&joint.name.text, mimic, joints, complaints)?),
+        Some(mimic) => Some(resolve_mimic(&joint.name.text, mimic, joints, diagnostics)?),
     };
     Some(Joint {
         name: joint.name.text.clone(),
@@ -150,7 +150,7 @@ fn resolve_mimic(
     joint: &str,
     mimic: &DraftMimic,
     joints: &Index,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Mimic> {
     let DraftMimic {
         joint: Name { text, at },
@@ -159,7 +159,7 @@ fn resolve_mimic(
     } = mimic;
     let Some(&found) = joints.by_name.get(text.as_str()) else {
         let reason = format!("joint `{joint}` mimics `{text}`, and there is no such joint");
-        complaints.at(*at, reason, did_you_mean(text, &joints.names));
+        diagnostics.at(*at, reason, did_you_mean(text, &joints.names));
         return None;
     };
     Some(Mimic {
@@ -171,7 +171,7 @@ fn resolve_mimic(
 }
 
 /// Every link but one has exactly one parent, and none is its own ancestor.
-fn check_tree(spec: &ArmSpec, complaints: &mut Complaints) {
+fn check_tree(spec: &ArmSpec, diagnostics: &mut Collector) {
     let mut above: Vec<Option<usize>> = vec![None; spec.links.len()];
     for (i, joint) in spec.joints.iter().enumerate() {
         let child = &spec.links[joint.child].name;
@@ -181,22 +181,22 @@ fn check_tree(spec: &ArmSpec, complaints: &mut Complaints) {
                 "link `{child}` hangs on two joints, `{first}` and `{}`: that closes a loop, and this robot must be a tree",
                 joint.name
             );
-            complaints.at(joint.at, reason, "give each joint a child of its own");
+            diagnostics.at(joint.at, reason, "give each joint a child of its own");
         } else {
             above[joint.child] = Some(i);
         }
     }
-    if complaints.is_empty() {
-        check_root(spec, &above, complaints);
+    if diagnostics.is_empty() {
+        check_root(spec, &above, diagnostics);
     }
 }
 
-fn check_root(spec: &ArmSpec, above: &[Option<usize>], complaints: &mut Complaints) {
+fn check_root(spec: &ArmSpec, above: &[Option<usize>], diagnostics: &mut Collector) {
     let roots: Vec<usize> = (0..spec.links.len())
         .filter(|&l| above[l].is_none())
         .collect();
     if roots.is_empty() && spec.links.is_empty() {
-        complaints.whole(
+        diagnostics.whole(
             "the robot has no links",
             "describe at least two links and a joint between them",
         );
@@ -208,12 +208,12 @@ fn check_root(spec: &ArmSpec, above: &[Option<usize>], complaints: &mut Complain
             roots.len(),
             list_names(&names)
         );
-        complaints.at(spec.links[second].at, reason, "connect them with joints (fixed ones, if nothing moves), or remove the ones not in use");
+        diagnostics.at(spec.links[second].at, reason, "connect them with joints (fixed ones, if nothing moves), or remove the ones not in use");
     }
     if let Some(joint) = first_in_cycle(spec, above) {
         let child = &spec.links[spec.joints[joint].child].name;
         let reason = format!("the joints run in a circle: link `{child}` is its own ancestor");
-        complaints.at(
+        diagnostics.at(
             spec.joints[joint].at,
             reason,
             "swap parent and child of the joint that points back",
@@ -240,7 +240,7 @@ fn first_in_cycle(spec: &ArmSpec, above: &[Option<usize>]) -> Option<usize> {
     (0..spec.joints.len()).find(|&j| circles(spec.joints[j].child))
 }
 
-fn check_mimics(spec: &ArmSpec, complaints: &mut Complaints) {
+fn check_mimics(spec: &ArmSpec, diagnostics: &mut Collector) {
     for joint in &spec.joints {
         let Some(mimic) = joint.mimic else { continue };
         let mut next = Some(mimic);
@@ -254,7 +254,7 @@ fn check_mimics(spec: &ArmSpec, complaints: &mut Complaints) {
                 "joint `{}` mimics itself, directly or through others: nothing sets its value",
                 joint.name
             );
-            complaints.at(mimic.at, reason, "remove the mimic of the joint that leads");
+            diagnostics.at(mimic.at, reason, "remove the mimic of the joint that leads");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! URDF.
 //!
 //! [`strict`] walks the XML with roxmltree: it knows every element and
-//! attribute that can carry kinematics, complains about whatever else stands in
+//! attribute that can carry kinematics, reports whatever else stands in
 //! their place, and knows where everything is. The tests read every file a
 //! second time with urdf-rs, and compare.
 mod checks;
@@ -13,33 +13,33 @@ mod strict;
 mod vocabulary;
 mod xacro;
 
-use super::{Complaints, Diagnostics, Source, Spec, format, tree};
+use super::{Collector, Diagnostics, Source, Spec, format, tree};
 use roxmltree::Node;
 
 /// Reads a URDF.
 pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
-    let mut complaints = Complaints::new(source);
-    let spec = read(source, &mut complaints);
-    complaints.unless_any(spec)
+    let mut diagnostics = Collector::new(source);
+    let spec = read(source, &mut diagnostics);
+    diagnostics.unless_any(spec)
 }
 
-fn read(source: &Source, complaints: &mut Complaints) -> Option<Spec> {
+fn read(source: &Source, diagnostics: &mut Collector) -> Option<Spec> {
     let document = match roxmltree::Document::parse(&source.text) {
         Ok(document) => document,
         Err(error) => {
-            explain_xml(&error, source, complaints);
+            explain_xml(&error, source, diagnostics);
             return None;
         }
     };
-    xacro::refuse(&document, complaints);
-    if !complaints.is_empty() {
+    xacro::refuse(&document, diagnostics);
+    if !diagnostics.is_empty() {
         return None;
     }
-    let draft = strict::read(&document, source, complaints)?;
-    let tree = tree::build(draft, source, complaints)?;
+    let draft = strict::read(&document, source, diagnostics)?;
+    let tree = tree::build(draft, source, diagnostics)?;
     match loops::is_looped(&document) {
         false => Some(Spec::Arm(tree)),
-        true => loops::read(&document, tree, complaints).map(Spec::Mechanism),
+        true => loops::read(&document, tree, diagnostics).map(Spec::Mechanism),
     }
 }
 
@@ -53,7 +53,7 @@ fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
 }
 
 /// The text is no XML at all.
-fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Complaints) {
+fn explain_xml(error: &roxmltree::Error, source: &Source, diagnostics: &mut Collector) {
     use roxmltree::Error;
     let at = super::Location {
         line: error.pos().row,
@@ -61,7 +61,7 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Compl
     };
     match error {
         Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
-            complaints.at(
+            diagnostics.at(
                 at,
                 "this file is xacro, a program that writes a URDF, and has not been expanded",
                 xacro::EXPAND,
@@ -74,11 +74,11 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Compl
             let remedy = format!(
                 "declare it in the root element, xmlns:{prefix}=\"...\", or remove what uses it"
             );
-            complaints.at(at, reason, remedy);
+            diagnostics.at(at, reason, remedy);
         }
         Error::DtdDetected => {
             let remedy = "remove the <!DOCTYPE ...> and write its entities out";
-            complaints.whole(
+            diagnostics.whole(
                 "the file has a document type definition, which could rewrite its content",
                 remedy,
             );
@@ -86,37 +86,37 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, complaints: &mut Compl
         Error::NoRootNode | Error::UnclosedRootNode | Error::UnexpectedEndOfStream
             if source.text.trim().is_empty() =>
         {
-            complaints.whole(
+            diagnostics.whole(
                 "the file is empty",
                 "give a URDF: <robot name=\"arm\"> ... </robot>",
             );
         }
         Error::NoRootNode | Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
-            let end = complaints.place(source.text.trim_end().len());
-            complaints.at(
+            let end = diagnostics.place(source.text.trim_end().len());
+            diagnostics.at(
                 end,
                 "the file ends before its XML does",
                 "close every element; the file may have been cut off",
             );
         }
         _ if !source.text.trim_start().starts_with('<') => {
-            complaints.at(
+            diagnostics.at(
                 at,
                 "this is no XML: it does not begin with `<`",
                 rename(source),
             );
         }
-        Error::MalformedEntityReference(_) => complaints.at(
+        Error::MalformedEntityReference(_) => diagnostics.at(
             at,
             format!("this is no well-formed XML: {}", without_place(error)),
             "write &amp; for the character `&`",
         ),
-        Error::UnknownToken(_) if second_root(at, source) => complaints.at(
+        Error::UnknownToken(_) if second_root(at, source) => diagnostics.at(
             at,
             "a second element stands behind the root, and XML has one root",
             "keep one <robot> in a file",
         ),
-        _ => complaints.at(
+        _ => diagnostics.at(
             at,
             format!("this is no well-formed XML: {}", without_place(error)),
             "correct the XML at this place",

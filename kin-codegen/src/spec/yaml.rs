@@ -88,7 +88,7 @@ mod screws;
 mod units;
 
 use super::tree::{self, Draft, DraftJoint, Name};
-use super::{ArmSpec, Complaints, Diagnostics, JointType, Limits, Source, Spec, did_you_mean};
+use super::{ArmSpec, Collector, Diagnostics, JointType, Limits, Source, Spec, did_you_mean};
 use fields::{Fields, Reader};
 use kin_runtime::Pose;
 use node::{Node, Value};
@@ -115,12 +115,12 @@ pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
             None
         }
     };
-    reader.complaints.unless_any(spec)
+    reader.diagnostics.unless_any(spec)
 }
 
 fn read(source: &Source, document: &Node, reader: &mut Reader) -> Option<ArmSpec> {
     let draft = draft(document, reader)?;
-    tree::build(draft, source, &mut reader.complaints)
+    tree::build(draft, source, &mut reader.diagnostics)
 }
 
 fn draft(document: &Node, reader: &mut Reader) -> Option<Draft> {

@@ -2,20 +2,20 @@
 
 use super::vocabulary;
 use crate::spec::tree::Name;
-use crate::spec::{Complaints, Location, did_you_mean, suggest};
+use crate::spec::{Collector, Location, did_you_mean, suggest};
 use roxmltree::{Attribute, Node};
 
 /// Where an element begins.
-pub(super) fn place(node: Node, complaints: &Complaints) -> Location {
-    complaints.place(node.range().start)
+pub(super) fn place(node: Node, diagnostics: &Collector) -> Location {
+    diagnostics.place(node.range().start)
 }
 
-/// Complains about a child that is not in the vocabulary of its parent.
+/// Reports a child that is not in the vocabulary of its parent.
 pub(super) fn refuse_unknown(
     child: Node,
     parent: &str,
     known: &[&str],
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) {
     let name = child.tag_name().name();
     if known.contains(&name) {
@@ -31,15 +31,15 @@ pub(super) fn refuse_unknown(
         }
     };
     let reason = format!("unknown element <{name}> in a <{parent}>");
-    complaints.at(place(child, complaints), reason, remedy);
+    diagnostics.at(place(child, diagnostics), reason, remedy);
 }
 
-/// An attribute that must be there. One that is misspelt has been complained
-/// about under the name it has.
+/// An attribute that must be there. One that is misspelt has been reported
+/// under the name it has.
 pub(super) fn attribute<'a, 'i>(
     node: Node<'a, 'i>,
     name: &str,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Attribute<'a, 'i>> {
     let found = node.attribute_node(name);
     let known = vocabulary::attributes(node.tag_name().name());
@@ -47,19 +47,19 @@ pub(super) fn attribute<'a, 'i>(
     if found.is_none() && !node.attributes().any(|a| meant(&a)) {
         let reason = format!("<{}> has no `{name}`", node.tag_name().name());
         let remedy = format!("add {name}=\"...\"");
-        complaints.at(place(node, complaints), reason, remedy);
+        diagnostics.at(place(node, diagnostics), reason, remedy);
     }
     found
 }
 
 /// A name in an attribute that must be there.
-pub(super) fn required(node: Node, name: &str, complaints: &mut Complaints) -> Option<Name> {
-    let attribute = attribute(node, name, complaints)?;
-    let at = complaints.place(attribute.range_value().start);
+pub(super) fn required(node: Node, name: &str, diagnostics: &mut Collector) -> Option<Name> {
+    let attribute = attribute(node, name, diagnostics)?;
+    let at = diagnostics.place(attribute.range_value().start);
     let text = attribute.value();
     if text.trim().is_empty() {
         let reason = format!("{name}=\"{text}\" is empty");
-        complaints.at(
+        diagnostics.at(
             at,
             reason,
             format!("give the <{}> a {name}", node.tag_name().name()),
@@ -67,11 +67,11 @@ pub(super) fn required(node: Node, name: &str, complaints: &mut Complaints) -> O
         return None;
     }
     if let Some(breaks) = attribute_text(node, &attribute).find(['\t', '\n', '\r']) {
-        let at = complaints.place(attribute.range_value().start + breaks);
+        let at = diagnostics.place(attribute.range_value().start + breaks);
         let reason = format!(
             "a tab or a line break in {name}=\"{text}\": not every reader of URDF takes it for a blank"
         );
-        complaints.at(at, reason, "write the name without it");
+        diagnostics.at(at, reason, "write the name without it");
         return None;
     }
     Some(Name {
@@ -85,9 +85,9 @@ fn attribute_text<'i>(node: Node<'_, 'i>, attribute: &Attribute) -> &'i str {
     &node.document().input_text()[attribute.range_value()]
 }
 
-/// Complains about attributes that the element does not have, or that look
+/// Reports attributes that the element does not have, or that look
 /// like misspellings of those it has.
-pub(super) fn check_attributes(node: Node, complaints: &mut Complaints) {
+pub(super) fn check_attributes(node: Node, diagnostics: &mut Collector) {
     let element = node.tag_name().name();
     let known = vocabulary::attributes(element);
     for attribute in node
@@ -98,22 +98,22 @@ pub(super) fn check_attributes(node: Node, complaints: &mut Complaints) {
         if meant.is_none() && vocabulary::tolerates_attributes(element) {
             continue;
         }
-        let at = complaints.place(attribute.range().start);
+        let at = diagnostics.place(attribute.range().start);
         let reason = format!("unknown attribute `{}` in <{element}>", attribute.name());
-        complaints.at(at, reason, did_you_mean(attribute.name(), known));
+        diagnostics.at(at, reason, did_you_mean(attribute.name(), known));
     }
 }
 
 /// Joints consist of elements; text there is something lost.
-pub(super) fn refuse_text(node: Node, complaints: &mut Complaints) {
+pub(super) fn refuse_text(node: Node, diagnostics: &mut Collector) {
     let text = node
         .children()
         .find(|c| c.is_text() && c.text().is_some_and(|t| !t.trim().is_empty()));
     if let Some(text) = text {
         let content = text.text().unwrap_or("");
         let blank = content.len() - content.trim_start().len();
-        let at = complaints.place(text.range().start + blank);
+        let at = diagnostics.place(text.range().start + blank);
         let reason = format!("text in a <{}> has no meaning", node.tag_name().name());
-        complaints.at(at, reason, "write it as an attribute, or in a comment");
+        diagnostics.at(at, reason, "write it as an attribute, or in a comment");
     }
 }

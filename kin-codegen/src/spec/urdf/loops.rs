@@ -24,7 +24,7 @@ use super::checks::{attribute, check_attributes, place, required};
 use super::{elements, numbers, origin};
 use crate::spec::tree::Name;
 use crate::spec::{
-    ArmSpec, Complaints, Joint, JointType, Limits, LoopedTree, MechanismSpec, Topology,
+    ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Topology,
     did_you_mean, orientation,
 };
 use kin_runtime::Pose;
@@ -56,26 +56,26 @@ fn actuated(document: &Document) -> Vec<String> {
 pub(super) fn read(
     document: &Document,
     mut links: ArmSpec,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<MechanismSpec> {
     let at = loop_joints(document)
         .next()
-        .map(|node| place(node, complaints))?;
+        .map(|node| place(node, diagnostics))?;
     let homes = homes(&links);
     let extent = homes
         .iter()
         .map(|pose| size(pose.translation))
         .fold(0.0, f64::max);
     let loops: Vec<Option<Vec<Joint>>> = loop_joints(document)
-        .map(|node| loop_joint(node, &links, &homes, extent, complaints))
+        .map(|node| loop_joint(node, &links, &homes, extent, diagnostics))
         .collect();
     let loops: Option<Vec<Vec<Joint>>> = loops.into_iter().collect();
     let tree_joints = links.joints.len();
     for (i, joints) in loops?.into_iter().enumerate() {
         add(&mut links, joints, i);
     }
-    refuse_repeated(&links, complaints);
-    refuse_mimics(&links, complaints);
+    refuse_repeated(&links, diagnostics);
+    refuse_mimics(&links, diagnostics);
     Some(MechanismSpec {
         name: links.name.clone(),
         source: links.source.clone(),
@@ -118,43 +118,43 @@ fn loop_joint(
     spec: &ArmSpec,
     homes: &[Pose],
     extent: f64,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Vec<Joint>> {
-    check_attributes(node, complaints);
-    let name = required(node, "name", complaints);
-    let word = required(node, "type", complaints);
-    let at = place(node, complaints);
-    let child = |role: &str, complaints: &mut Complaints| {
+    check_attributes(node, diagnostics);
+    let name = required(node, "name", diagnostics);
+    let word = required(node, "type", diagnostics);
+    let at = place(node, diagnostics);
+    let child = |role: &str, diagnostics: &mut Collector| {
         let found = elements(node).find(|child| child.tag_name().name() == role);
         if found.is_none() {
             let reason = format!("the loop joint has no <{role}>, so it closes nothing");
-            complaints.at(
+            diagnostics.at(
                 at,
                 reason,
                 format!("add <{role} link=\"...\" xyz=\"0 0 0\"/>"),
             );
         }
-        found.inspect(|child| check_attributes(*child, complaints))
+        found.inspect(|child| check_attributes(*child, diagnostics))
     };
-    let (one, two) = (child("link1", complaints), child("link2", complaints));
-    let link = |node: Node, complaints: &mut Complaints| {
-        let name = required(node, "link", complaints)?;
+    let (one, two) = (child("link1", diagnostics), child("link2", diagnostics));
+    let link = |node: Node, diagnostics: &mut Collector| {
+        let name = required(node, "link", diagnostics)?;
         let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
         let found = names.iter().position(|known| *known == name.text);
         if found.is_none() {
             let reason = format!("there is no link `{}`", name.text);
-            complaints.at(name.at, reason, did_you_mean(&name.text, &names));
+            diagnostics.at(name.at, reason, did_you_mean(&name.text, &names));
         }
         found
     };
     let (one, two) = (one?, two?);
-    let (parent, other) = (link(one, complaints), link(two, complaints));
-    let frame = origin::read(one, complaints);
+    let (parent, other) = (link(one, diagnostics), link(two, diagnostics));
+    let frame = origin::read(one, diagnostics);
     let point = match two.attribute_node("xyz") {
-        Some(xyz) => numbers::read::<3>(&xyz, complaints),
+        Some(xyz) => numbers::read::<3>(&xyz, diagnostics),
         None => Some([0.0; 3]),
     };
-    let axis = axis(node, complaints);
+    let axis = axis(node, diagnostics);
     let (name, word, parent, other, frame, point, axis) =
         (name?, word?, parent?, other?, frame?, point?, axis?);
     if parent == other {
@@ -162,7 +162,7 @@ fn loop_joint(
             "the loop joint `{}` joins the link `{}` to itself",
             name.text, spec.links[parent].name
         );
-        complaints.at(
+        diagnostics.at(
             at,
             reason,
             "name two links that the tree does not join already",
@@ -180,23 +180,31 @@ fn loop_joint(
         );
         let remedy = "correct the points, or choose the zeros of the joints so that the loop is \
                       closed there";
-        complaints.at(at, reason, remedy);
+        diagnostics.at(at, reason, remedy);
         return None;
     }
     let home = there.inverse() * homes[other];
-    joints_of(&name, &word, (parent, other), frame, axis, home, complaints)
+    joints_of(
+        &name,
+        &word,
+        (parent, other),
+        frame,
+        axis,
+        home,
+        diagnostics,
+    )
 }
 
-fn axis(node: Node, complaints: &mut Complaints) -> Option<[f64; 3]> {
+fn axis(node: Node, diagnostics: &mut Collector) -> Option<[f64; 3]> {
     let Some(element) = elements(node).find(|child| child.tag_name().name() == "axis") else {
         return Some([1.0, 0.0, 0.0]);
     };
-    let xyz = attribute(element, "xyz", complaints)?;
-    let axis = orientation::unit(numbers::read(&xyz, complaints)?);
+    let xyz = attribute(element, "xyz", diagnostics)?;
+    let axis = orientation::unit(numbers::read(&xyz, diagnostics)?);
     if axis.is_none() {
-        let at = complaints.place(xyz.range_value().start);
+        let at = diagnostics.place(xyz.range_value().start);
         let reason = format!("the axis {} is no direction", xyz.value().trim());
-        complaints.at(at, reason, "write a direction, for example xyz=\"0 0 1\"");
+        diagnostics.at(at, reason, "write a direction, for example xyz=\"0 0 1\"");
     }
     axis
 }
@@ -208,7 +216,7 @@ fn joints_of(
     frame: Pose,
     axis: [f64; 3],
     home: Pose,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Vec<Joint>> {
     let at = name.at;
     let joint = |name: String, kind: JointType, axis: [f64; 3]| Joint {
@@ -240,7 +248,7 @@ fn joints_of(
         other => {
             let known = ["revolute", "prismatic", "spherical", "fixed"];
             let reason = format!("`{other}` is no type of a loop joint");
-            complaints.at(word.at, reason, did_you_mean(other, &known));
+            diagnostics.at(word.at, reason, did_you_mean(other, &known));
             return None;
         }
     };
@@ -268,26 +276,26 @@ fn add(spec: &mut ArmSpec, joints: Vec<Joint>, number: usize) {
     }
 }
 
-fn refuse_repeated(spec: &ArmSpec, complaints: &mut Complaints) {
+fn refuse_repeated(spec: &ArmSpec, diagnostics: &mut Collector) {
     for (i, joint) in spec.joints.iter().enumerate() {
         if spec.joints[..i]
             .iter()
             .any(|other| other.name == joint.name)
         {
             let reason = format!("a second joint is named `{}`", joint.name);
-            complaints.at(joint.at, reason, "give every joint a name of its own");
+            diagnostics.at(joint.at, reason, "give every joint a name of its own");
         }
     }
 }
 
-fn refuse_mimics(spec: &ArmSpec, complaints: &mut Complaints) {
+fn refuse_mimics(spec: &ArmSpec, diagnostics: &mut Collector) {
     for joint in &spec.joints {
         if let Some(mimic) = joint.mimic {
             let reason = format!(
                 "joint `{}` mimics another, and in a mechanism the loops alone couple joints",
                 joint.name
             );
-            complaints.at(mimic.at, reason, "remove <mimic>");
+            diagnostics.at(mimic.at, reason, "remove <mimic>");
         }
     }
 }

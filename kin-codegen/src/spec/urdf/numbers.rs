@@ -1,19 +1,19 @@
 //! Numbers in attributes, each with its place.
 
-use crate::spec::Complaints;
+use crate::spec::Collector;
 use roxmltree::Attribute;
 
 /// The `N` numbers of an attribute, separated by white space; `None` after
-/// complaining about whatever is no finite number.
+/// reporting whatever is no finite number.
 pub(super) fn read<const N: usize>(
     attribute: &Attribute,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<[f64; N]> {
     let name = attribute.name();
     let value = attribute.value();
     let words: Vec<&str> = value.split_ascii_whitespace().collect();
     if words.len() != N {
-        let at = complaints.place(attribute.range_value().start);
+        let at = diagnostics.place(attribute.range_value().start);
         let commas = if value.contains(',') {
             ", separated by blanks instead of commas"
         } else {
@@ -24,22 +24,22 @@ pub(super) fn read<const N: usize>(
             count(words.len()),
             if N == 1 { "s" } else { "" }
         );
-        complaints.at(at, reason, format!("write {}{commas}", count(N)));
+        diagnostics.at(at, reason, format!("write {}{commas}", count(N)));
         return None;
     }
     let mut numbers = [0.0; N];
     for (number, word) in numbers.iter_mut().zip(words) {
-        *number = finite(word, attribute, complaints)?;
+        *number = finite(word, attribute, diagnostics)?;
     }
     Some(numbers)
 }
 
-fn finite(word: &str, attribute: &Attribute, complaints: &mut Complaints) -> Option<f64> {
+fn finite(word: &str, attribute: &Attribute, diagnostics: &mut Collector) -> Option<f64> {
     // In a value with entities the word's offset differs from the file's.
     let inside = word.as_ptr() as usize - attribute.value().as_ptr() as usize;
     let literal = attribute.range_value().len() == attribute.value().len();
     let start = attribute.range_value().start + if literal { inside } else { 0 };
-    let at = complaints.place(start);
+    let at = diagnostics.place(start);
     match word.parse::<f64>() {
         Ok(number) if number.is_finite() => Some(number),
         Ok(_) => {
@@ -51,25 +51,25 @@ fn finite(word: &str, attribute: &Attribute, complaints: &mut Complaints) -> Opt
                 }
                 _ => "write the value in metres or radians",
             };
-            complaints.at(at, reason, remedy);
+            diagnostics.at(at, reason, remedy);
             None
         }
         Err(_) => {
             let reason = format!("{}: `{word}` is not a number", attribute.name());
-            complaints.at(at, reason, plainly(word));
+            diagnostics.at(at, reason, plainly(word));
             None
         }
     }
 }
 
-/// Complains about an attribute that is not read, unless it is a number or
+/// Reports an attribute that is not read, unless it is a number or
 /// empty: a file with junk in it has been damaged elsewhere too.
-pub(super) fn refuse_junk(attribute: &Attribute, complaints: &mut Complaints) {
+pub(super) fn refuse_junk(attribute: &Attribute, diagnostics: &mut Collector) {
     let word = attribute.value().trim();
     if !word.is_empty() && word.parse::<f64>().is_err() {
-        let at = complaints.place(attribute.range_value().start);
+        let at = diagnostics.place(attribute.range_value().start);
         let reason = format!("{}: `{word}` is not a number", attribute.name());
-        complaints.at(at, reason, plainly(word));
+        diagnostics.at(at, reason, plainly(word));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::checks::{check_attributes, place, refuse_unknown, required};
 use super::{elements, joint, vocabulary};
 use crate::spec::tree::{Draft, Name};
-use crate::spec::{Complaints, Source, suggest};
+use crate::spec::{Collector, Source, suggest};
 use roxmltree::{Document, Node};
 use std::path::Path;
 
@@ -11,11 +11,11 @@ use std::path::Path;
 pub(super) fn read(
     document: &Document,
     source: &Source,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<Draft> {
     let robot = document.root_element();
     if robot.tag_name().name() != "robot" {
-        refuse_root(robot, complaints);
+        refuse_root(robot, diagnostics);
         return None;
     }
     let mut draft = Draft {
@@ -25,14 +25,14 @@ pub(super) fn read(
     };
     for child in elements(robot) {
         match child.tag_name().name() {
-            "link" => draft.links.extend(link(child, complaints)),
-            "joint" => draft.joints.extend(joint::read(child, complaints)),
+            "link" => draft.links.extend(link(child, diagnostics)),
+            "joint" => draft.joints.extend(joint::read(child, diagnostics)),
             // Read when the tree stands.
             "loop_joint" => {}
             other => {
                 // Joints that hang on a misspelt link are not wrong themselves.
-                if refuse_misspelt_structure(child, other, complaints) == Some("link") {
-                    draft.links.extend(name_if_any(child, complaints));
+                if refuse_misspelt_structure(child, other, diagnostics) == Some("link") {
+                    draft.links.extend(name_if_any(child, diagnostics));
                 }
             }
         }
@@ -40,7 +40,7 @@ pub(super) fn read(
     Some(draft)
 }
 
-fn refuse_root(root: Node, complaints: &mut Complaints) {
+fn refuse_root(root: Node, diagnostics: &mut Collector) {
     let name = root.tag_name().name();
     let reason = match vocabulary::other_format(name) {
         Some(format) => format!("this is {format}: its root is <{name}>, and a URDF's is <robot>"),
@@ -50,12 +50,12 @@ fn refuse_root(root: Node, complaints: &mut Complaints) {
         Some(_) => "write <robot>",
         None => "convert the robot to URDF, or write it down in YAML",
     };
-    complaints.at(place(root, complaints), reason, remedy);
+    diagnostics.at(place(root, diagnostics), reason, remedy);
 }
 
-fn name_if_any(node: Node, complaints: &Complaints) -> Option<Name> {
+fn name_if_any(node: Node, diagnostics: &Collector) -> Option<Name> {
     let name = node.attribute_node("name")?;
-    let at = complaints.place(name.range_value().start);
+    let at = diagnostics.place(name.range_value().start);
     Some(Name {
         text: name.value().to_string(),
         at,
@@ -76,12 +76,12 @@ fn robot_name(robot: Node, source: &Source) -> String {
 fn refuse_misspelt_structure(
     node: Node,
     name: &str,
-    complaints: &mut Complaints,
+    diagnostics: &mut Collector,
 ) -> Option<&'static str> {
-    let at = place(node, complaints);
+    let at = place(node, diagnostics);
     if name == "loop" {
         let reason = format!("<{name}> closes a kinematic loop, and a URDF is read as a tree");
-        complaints.at(
+        diagnostics.at(
             at,
             reason,
             "close it with a <loop_joint>, or give its open chain",
@@ -89,14 +89,14 @@ fn refuse_misspelt_structure(
     }
     let meant = suggest::nearest(name, vocabulary::STRUCTURE)?;
     let reason = format!("unknown element <{name}>: skipping it might lose a {meant}");
-    complaints.at(at, reason, format!("did you mean <{meant}>?"));
+    diagnostics.at(at, reason, format!("did you mean <{meant}>?"));
     Some(meant)
 }
 
-fn link(node: Node, complaints: &mut Complaints) -> Option<Name> {
-    check_attributes(node, complaints);
+fn link(node: Node, diagnostics: &mut Collector) -> Option<Name> {
+    check_attributes(node, diagnostics);
     for child in elements(node) {
-        refuse_unknown(child, "link", &vocabulary::IN_LINK, complaints);
+        refuse_unknown(child, "link", &vocabulary::IN_LINK, diagnostics);
     }
-    required(node, "name", complaints)
+    required(node, "name", diagnostics)
 }

@@ -1,13 +1,13 @@
-//! Reading nodes as what they have to be, with complaints.
+//! Reading nodes as what they have to be, with diagnostics.
 
 use super::node::{self, Node, Value};
-use super::{Complaints, Name, Source, did_you_mean, expression};
+use super::{Collector, Name, Source, did_you_mean, expression};
 use crate::spec::{Location, list_names, suggest};
 
 /// The text, for places, and what was wrong with it so far.
 pub(super) struct Reader<'s> {
     text: &'s str,
-    pub complaints: Complaints<'s>,
+    pub diagnostics: Collector<'s>,
     /// Whether joints may be passive, and say so.
     pub of_mechanism: bool,
 }
@@ -33,7 +33,7 @@ impl<'n> Fields<'n> {
     }
 
     /// A value that must be there. One whose key is misspelt has been
-    /// complained about under the key it has.
+    /// reported under the key it has.
     pub(super) fn required(&self, key: &str, reader: &mut Reader) -> Option<&'n Node> {
         let found = self.get(key);
         if found.is_none() && !self.misspelt.iter().any(|meant| meant == key) {
@@ -46,7 +46,7 @@ impl<'n> Fields<'n> {
         found
     }
 
-    /// The node of a key, to complain about its being there.
+    /// The node of a key, to report its being there.
     pub(super) fn key(&self, key: &str) -> u32 {
         self.entry(key).map_or(self.id, |entry| entry.key_id)
     }
@@ -60,7 +60,7 @@ impl<'s> Reader<'s> {
     pub(super) fn new(source: &'s Source) -> Self {
         Reader {
             text: &source.text,
-            complaints: Complaints::new(source),
+            diagnostics: Collector::new(source),
             of_mechanism: false,
         }
     }
@@ -70,10 +70,10 @@ impl<'s> Reader<'s> {
         node::locate(self.text, id)
     }
 
-    /// Complains about a node.
+    /// Reports a node.
     pub(super) fn at(&mut self, id: u32, reason: impl Into<String>, remedy: impl Into<String>) {
         let at = self.place(id);
-        self.complaints.at(at, reason, remedy);
+        self.diagnostics.at(at, reason, remedy);
     }
 
     /// The text is no YAML at all.
@@ -81,7 +81,7 @@ impl<'s> Reader<'s> {
         let mut message = format!("this cannot be read: {error}");
         let mut remedy = "correct the YAML; the format is described in kin_codegen::spec::yaml";
         let Some(at) = node::place(error) else {
-            return self.complaints.whole(message, remedy);
+            return self.diagnostics.whole(message, remedy);
         };
         // Ours names the place already.
         let place = format!(" at line {} column {}", at.line, at.column);
@@ -98,7 +98,7 @@ impl<'s> Reader<'s> {
             remedy = "indent the line as its neighbours: entries of one list or mapping begin in \
                       one column";
         }
-        self.complaints.at(at, message, remedy);
+        self.diagnostics.at(at, message, remedy);
     }
 
     /// A mapping with these keys and no others.
@@ -210,7 +210,7 @@ impl<'s> Reader<'s> {
         let Name { text, at } = self.name(node)?;
         let found = known.iter().copied().find(|&word| word == text);
         if found.is_none() {
-            self.complaints.at(
+            self.diagnostics.at(
                 at,
                 format!("`{text}` is not among the words possible here"),
                 did_you_mean(&text, known),

@@ -196,7 +196,7 @@ fn chain(
         pose: tip,
     };
     frames::add(&mut draft, &base, &tip, rows, list, reader);
-    let spec = tree::build(draft, source, &mut reader.complaints)?;
+    let spec = tree::build(draft, source, &mut reader.diagnostics)?;
     Some(ChainSpec {
         name: name.text,
         at,
@@ -231,7 +231,7 @@ fn refuse_repeated_names(chains: &[ChainSpec], reader: &mut Reader) {
         if chains[..i].iter().any(|other| other.name == chain.name) {
             let reason = format!("a second chain is named `{}`", chain.name);
             let remedy = "give every chain a name of its own";
-            reader.complaints.at(chain.at, reason, remedy);
+            reader.diagnostics.at(chain.at, reason, remedy);
         }
         let platform = format!("{}_fixed", chain.spec.links.last().map_or("", |l| &l.name));
         for joint in &chain.spec.joints {
@@ -239,7 +239,7 @@ fn refuse_repeated_names(chains: &[ChainSpec], reader: &mut Reader) {
             if let Some((name, other)) = first.filter(|_| joint.name != platform) {
                 let reason = format!("a second joint is named `{name}`; the first is in `{other}`");
                 let remedy = "give every joint of the mechanism a name of its own";
-                reader.complaints.at(joint.at, reason, remedy);
+                reader.diagnostics.at(joint.at, reason, remedy);
             }
             seen.push((&joint.name, &chain.name));
         }

@@ -3,7 +3,7 @@
 //! serde tells the place of an error and of nothing else. So nodes are
 //! numbered in the order of the text, and a node's place is found by reading
 //! the text again and failing at that number. Places are asked for when there
-//! is something to complain about, and once for every joint; robot files are
+//! is something to report, and once for every joint; robot files are
 //! short.
 
 use crate::spec::Location;

@@ -2,19 +2,19 @@
 
 use super::{Diagnostic, Diagnostics, Location, Source};
 
-/// The complaints about one source so far.
-pub(crate) struct Complaints<'s> {
+/// The diagnostics about one source so far.
+pub(crate) struct Collector<'s> {
     source: &'s Source,
     /// Byte offsets at which lines start: places are asked for often.
     line_starts: Vec<usize>,
     list: Vec<Diagnostic>,
 }
 
-impl<'s> Complaints<'s> {
+impl<'s> Collector<'s> {
     pub(crate) fn new(source: &'s Source) -> Self {
         let breaks = source.text.match_indices('\n').map(|(i, _)| i + 1);
         let line_starts = std::iter::once(0).chain(breaks).collect();
-        Complaints {
+        Collector {
             source,
             line_starts,
             list: Vec::new(),
@@ -31,7 +31,7 @@ impl<'s> Complaints<'s> {
         }
     }
 
-    /// Complains about a place.
+    /// Reports a place.
     pub(crate) fn at(
         &mut self,
         at: Location,
@@ -47,12 +47,12 @@ impl<'s> Complaints<'s> {
         });
     }
 
-    /// Complains about the robot as a whole.
+    /// Reports the robot as a whole.
     pub(crate) fn whole(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
         self.list.push(Diagnostic::whole(reason, remedy));
     }
 
-    /// Whether there is a complaint about this very place.
+    /// Whether there is a diagnostic about this very place.
     pub(crate) fn mentions(&self, at: Location) -> bool {
         self.list.iter().any(|diagnostic| diagnostic.at == Some(at))
     }
@@ -61,7 +61,7 @@ impl<'s> Complaints<'s> {
         self.list.is_empty()
     }
 
-    /// The value, if there was nothing to complain about.
+    /// The value, if there was nothing to report.
     pub(crate) fn unless_any<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
         match (Diagnostics::of(&self.source.path, self.list), value) {
             (None, Some(value)) => Ok(value),
