@@ -1,7 +1,7 @@
 //! An arm: its chain, and its kinematics as expressions.
 
 use crate::closed_form::ClosedForm;
-use crate::expr::forward::{Outputs, Stance, link_frames, tip};
+use crate::expr::forward::{JointTrig, Outputs, link_frames, tip};
 use crate::expr::jacobian::{
     Columns, TipAndColumns, Which, jacobian, jacobian_dot, tip_and_jacobian,
 };
@@ -61,21 +61,21 @@ impl Forward {
         let mut g = Graph::new();
         let n = model.variables.len();
         let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
-        let stance = Stance::at(&mut g, linkage, &q);
-        let tip = tip(&mut g, linkage, &stance);
+        let trig = JointTrig::at(&mut g, linkage, &q);
+        let tip = tip(&mut g, linkage, &trig);
         let joints: Vec<usize> = (0..n)
             .map(|variable| {
                 let own = |i: &usize| model.joints[*i].is_coordinate(variable);
                 (0..model.joints.len()).find(own).unwrap_or(variable)
             })
             .collect();
-        let links = link_frames(&mut g, linkage, &stance, &joints);
-        let both = tip_and_jacobian(&mut g, linkage, &stance, Which::Spatial);
+        let links = link_frames(&mut g, linkage, &trig, &joints);
+        let both = tip_and_jacobian(&mut g, linkage, &q, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
-            .map(|which| jacobian(&mut g, linkage, &stance, which));
+            .map(|which| jacobian(&mut g, linkage, &q, which));
         let dot = model.is_coupled().then(|| {
             let rates: Vec<Expr> = (1..=n).map(|i| g.input(format!("rate{i}"))).collect();
-            jacobian_dot(&mut g, linkage, &stance, &rates)
+            jacobian_dot(&mut g, linkage, &q, &rates)
         });
         Self {
             graph: g,

@@ -76,7 +76,7 @@ const _: () = {
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
             let t1 = q[1] + q[2];
-            let ([t2, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 t1,
@@ -86,35 +86,35 @@ const _: () = {
                 0.0,
                 0.0,
             ]);
-            let t3 = c5 * s6;
-            let t4 = s5 * s6;
-            let t5 = c4 * c6 - s4 * t3;
-            let t6 = s4 * c6 + c4 * t3;
-            let t7 = s23 * t4 - c23 * t6;
-            let t8 = s23 * t6 + c23 * t4;
-            let t9 = t2 * t5 - c1 * t8;
-            let t10 = t2 * t8 + c1 * t5;
-            let t11 = c4 * s5;
-            let t12 = s4 * s5;
-            let t13 = c23 * t11 + s23 * c5;
-            let t14 = c23 * c5 - s23 * t11;
-            let t15 = c1 * t14 - t2 * t12;
-            let t16 = t2 * t14 + c1 * t12;
-            let t17 = 0.08 * s5;
-            let t18 = s4 * t17;
-            let t19 = 0.035 - c4 * t17;
-            let t20 = 0.08 * c5 + 0.42;
-            let t21 = 0.455 * c2 + (s23 * t19 + c23 * t20) + 0.025;
+            let t2 = c5 * s6;
+            let t3 = s5 * s6;
+            let t4 = c4 * c6 - s4 * t2;
+            let t5 = s4 * c6 + c4 * t2;
+            let t6 = s23 * t3 - c23 * t5;
+            let t7 = s23 * t5 + c23 * t3;
+            let t8 = s1 * t4 - c1 * t7;
+            let t9 = s1 * t7 + c1 * t4;
+            let t10 = c4 * s5;
+            let t11 = s4 * s5;
+            let t12 = c23 * t10 + s23 * c5;
+            let t13 = c23 * c5 - s23 * t10;
+            let t14 = c1 * t13 - s1 * t11;
+            let t15 = s1 * t13 + c1 * t11;
+            let t16 = 0.08 * s5;
+            let t17 = s4 * t16;
+            let t18 = 0.035 - c4 * t16;
+            let t19 = 0.08 * c5 + 0.42;
+            let t20 = 0.455 * c2 + (s23 * t18 + c23 * t19) + 0.025;
             Pose {
                 rotation: [
-                    [t7 * t16 - t10 * t13, t9, t15],
-                    [t7 * t15 + t9 * t13, t10, -t16],
-                    [-(t9 * t16 + t10 * t15), t7, -t13],
+                    [t6 * t15 - t9 * t12, t8, t14],
+                    [t6 * t14 + t8 * t12, t9, -t15],
+                    [-(t8 * t15 + t9 * t14), t6, -t12],
                 ],
                 translation: [
-                    c1 * t21 - t2 * t18,
-                    -(t2 * t21 + c1 * t18),
-                    c23 * t19 - s23 * t20 - 0.455 * s2 + 0.4,
+                    c1 * t20 - s1 * t17,
+                    -(s1 * t20 + c1 * t17),
+                    c23 * t18 - s23 * t19 - 0.455 * s2 + 0.4,
                 ],
             }
         }
@@ -124,7 +124,7 @@ const _: () = {
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
             let t1 = q[1] + q[2];
-            let ([t2, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 t1,
@@ -134,80 +134,79 @@ const _: () = {
                 0.0,
                 0.0,
             ]);
-            let s1 = -t2;
-            let t3 = 0.455 * c2;
-            let t4 = 0.455 * s2;
-            let t5 = t3 + 0.025;
-            let t6 = -s23;
-            let t7 = c1 * s23;
-            let t8 = t2 * s23;
-            let t9 = c1 * c23;
-            let t10 = t2 * c23;
-            let t11 = -t10;
-            let t12 = 0.035 * c23;
-            let t13 = 0.035 * s23;
-            let t14 = t3 + t13 + 0.025;
-            let t15 = t2 * c4 - s4 * t7;
-            let t16 = c1 * c4 + s4 * t8;
-            let t17 = c23 * s4;
-            let t18 = -t17;
-            let t19 = t2 * s4 + c4 * t7;
-            let t20 = c1 * s4;
-            let t21 = c4 * t8;
-            let t22 = t21 - t20;
-            let t23 = c23 * c4;
-            let t24 = t3 + (t13 + 0.42 * c23) + 0.025;
-            let t25 = c1 * t24;
-            let t26 = t2 * t24;
-            let t27 = t12 - 0.42 * s23 - t4 + 0.4;
-            let t28 = c5 * t19 + s5 * t9;
-            let t29 = c5 * t22 + s5 * t10;
-            let t30 = c5 * t23;
-            let t31 = s23 * s5;
-            let t32 = t31 - t30;
-            let t33 = s5 * t19;
-            let t34 = c5 * t9;
-            let t35 = s5 * t22;
-            let t36 = c5 * t10;
-            let t37 = s23 * c5 + s5 * t23;
-            let t38 = t34 - t33;
-            let t39 = t35 - t36;
-            let t40 = -t37;
+            let t2 = 0.455 * c2;
+            let t3 = 0.455 * s2;
+            let t4 = t2 + 0.025;
+            let t5 = -s23;
+            let t6 = c1 * s23;
+            let t7 = s1 * s23;
+            let t8 = c1 * c23;
+            let t9 = s1 * c23;
+            let t10 = -t9;
+            let t11 = 0.035 * c23;
+            let t12 = 0.035 * s23;
+            let t13 = t2 + t12 + 0.025;
+            let t14 = s1 * c4 - s4 * t6;
+            let t15 = c1 * c4 + s4 * t7;
+            let t16 = c23 * s4;
+            let t17 = -t16;
+            let t18 = s1 * s4 + c4 * t6;
+            let t19 = c1 * s4;
+            let t20 = c4 * t7;
+            let t21 = t20 - t19;
+            let t22 = c23 * c4;
+            let t23 = t2 + (t12 + 0.42 * c23) + 0.025;
+            let t24 = c1 * t23;
+            let t25 = s1 * t23;
+            let t26 = t11 - 0.42 * s23 - t3 + 0.4;
+            let t27 = c5 * t18 + s5 * t8;
+            let t28 = c5 * t21 + s5 * t9;
+            let t29 = c5 * t22;
+            let t30 = s23 * s5;
+            let t31 = t30 - t29;
+            let t32 = s5 * t18;
+            let t33 = c5 * t8;
+            let t34 = s5 * t21;
+            let t35 = c5 * t9;
+            let t36 = s23 * c5 + s5 * t22;
+            let t37 = t33 - t32;
+            let t38 = t34 - t35;
+            let t39 = -t36;
             [
                 Pose {
-                    rotation: [[c1, t2, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                    rotation: [[c1, s1, 0.0], [-s1, c1, 0.0], [0.0, 0.0, 1.0]],
                     translation: [0.0, 0.0, 0.4],
                 },
                 Pose {
                     rotation: [
-                        [c1 * c2, t2, c1 * s2],
-                        [-(t2 * c2), c1, -(t2 * s2)],
+                        [c1 * c2, s1, c1 * s2],
+                        [-(s1 * c2), c1, -(s1 * s2)],
                         [-s2, 0.0, c2],
                     ],
-                    translation: [0.025 * c1, -(0.025 * t2), 0.4],
+                    translation: [0.025 * c1, -(0.025 * s1), 0.4],
                 },
                 Pose {
-                    rotation: [[t9, t2, t7], [t11, c1, -t8], [t6, 0.0, c23]],
-                    translation: [c1 * t5, -(t2 * t5), 0.4 - t4],
+                    rotation: [[t8, s1, t6], [t10, c1, -t7], [t5, 0.0, c23]],
+                    translation: [c1 * t4, -(s1 * t4), 0.4 - t3],
                 },
                 Pose {
-                    rotation: [[t9, t15, t19], [t11, t16, t20 - t21], [t6, t18, t23]],
-                    translation: [c1 * t14, -(t2 * t14), t12 - t4 + 0.4],
+                    rotation: [[t8, t14, t18], [t10, t15, t19 - t20], [t5, t17, t22]],
+                    translation: [c1 * t13, -(s1 * t13), t11 - t3 + 0.4],
                 },
                 Pose {
-                    rotation: [[t38, t15, t28], [t39, t16, -t29], [t40, t18, t30 - t31]],
-                    translation: [t25, -t26, t27],
+                    rotation: [[t37, t14, t27], [t38, t15, -t28], [t39, t17, t29 - t30]],
+                    translation: [t24, -t25, t26],
                 },
                 Pose {
                     rotation: [
-                        [t38, c6 * t15 - s6 * t28, s6 * t15 + c6 * t28],
-                        [t39, c6 * t16 + s6 * t29, s6 * t16 - c6 * t29],
-                        [t40, s6 * t32 - c6 * t17, -(s6 * t17 + c6 * t32)],
+                        [t37, c6 * t14 - s6 * t27, s6 * t14 + c6 * t27],
+                        [t38, c6 * t15 + s6 * t28, s6 * t15 - c6 * t28],
+                        [t39, s6 * t31 - c6 * t16, -(s6 * t16 + c6 * t31)],
                     ],
                     translation: [
-                        t25 - 0.08 * (t33 - t34),
-                        -(t26 + 0.08 * (t36 - t35)),
-                        t27 - 0.08 * t37,
+                        t24 - 0.08 * (t32 - t33),
+                        -(t25 + 0.08 * (t35 - t34)),
+                        t26 - 0.08 * t36,
                     ],
                 },
             ]
@@ -219,7 +218,7 @@ const _: () = {
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             let t1 = q[1] + q[2];
-            let ([t2, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
+            let ([s1, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 t1,
@@ -229,43 +228,43 @@ const _: () = {
                 0.0,
                 0.0,
             ]);
-            let t3 = 0.455 * c2;
-            let t4 = 0.455 * s2;
-            let t5 = s4 * s5;
-            let t6 = c23 * s4;
-            let t7 = s23 * c5 + s5 * (c23 * c4);
+            let t2 = 0.455 * s2;
+            let t3 = s4 * s5;
+            let t4 = 0.455 * c2 + 0.025;
+            let t5 = c23 * s4;
+            let t6 = s23 * c5 + s5 * (c23 * c4);
+            let t7 = t4 + (0.035 * s23 + 0.42 * c23);
             let t8 = s23 * s4;
             let t9 = s5 * (s23 * c4) - c23 * c5;
-            let t10 = t4 - 0.4;
-            let t11 = -0.4 - (0.035 * c23 - 0.42 * s23 - t4);
-            let t12 = -0.025 - (t3 + (0.035 * s23 + 0.42 * c23));
-            let t13 = s23 * t12 + c23 * t11;
-            let t14 = c4 * t11;
-            let t15 = t8 * t11 - t6 * t12;
-            let t16 = t5 * t11;
-            let t17 = t7 * t12 - t9 * t11;
+            let t10 = t2 - 0.4;
+            let t11 = -0.4 - (0.035 * c23 - 0.42 * s23 - t2);
+            let t12 = c23 * t11 - s23 * t7;
+            let t13 = c4 * t11;
+            let t14 = t5 * t7 + t8 * t11;
+            let t15 = t3 * t11;
+            let t16 = t6 * t7 + t9 * t11;
             Jacobian {
                 rows: [
                     [
                         0.0,
                         -(0.4 * c1),
                         c1 * t10,
-                        t2 * t13,
-                        c1 * t14 + t2 * t15,
-                        c1 * t16 + t2 * t17,
+                        s1 * t12,
+                        c1 * t13 + s1 * t14,
+                        c1 * t15 - s1 * t16,
                     ],
                     [
                         0.0,
-                        0.4 * t2,
-                        -(t2 * t10),
-                        c1 * t13,
-                        c1 * t15 - t2 * t14,
-                        c1 * t17 - t2 * t16,
+                        0.4 * s1,
+                        -(s1 * t10),
+                        c1 * t12,
+                        c1 * t14 - s1 * t13,
+                        -(s1 * t15 + c1 * t16),
                     ],
-                    [0.0, 0.025, t3 + 0.025, 0.0, -(c4 * t12), -(t5 * t12)],
-                    [0.0, t2, t2, -(c1 * c23), t2 * c4 - c1 * t8, t2 * t5 + c1 * t9],
-                    [0.0, c1, c1, t2 * c23, c1 * c4 + t2 * t8, c1 * t5 - t2 * t9],
-                    [-1.0, 0.0, 0.0, s23, -t6, t7],
+                    [0.0, 0.025, t4, 0.0, c4 * t7, t3 * t7],
+                    [0.0, s1, s1, -(c1 * c23), s1 * c4 - c1 * t8, s1 * t3 + c1 * t9],
+                    [0.0, c1, c1, s1 * c23, c1 * c4 + s1 * t8, c1 * t3 - s1 * t9],
+                    [-1.0, 0.0, 0.0, s23, -t5, t6],
                 ],
             }
         }
@@ -276,79 +275,75 @@ const _: () = {
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             let t1 = q[1] + q[2];
-            let ([s2, s23, s4, s5, s6, ..], [c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
-                q[1],
+            let ([s23, s4, s5, s6, s3, ..], [c23, c4, c5, c6, c3, ..]) = lanes::sin_cos([
                 t1,
                 q[3],
                 q[4],
                 q[5],
+                q[2],
                 0.0,
                 0.0,
                 0.0,
             ]);
-            let t2 = 0.455 * c2;
-            let t3 = 0.455 * s2;
-            let t4 = c5 * s6;
-            let t5 = s5 * s6;
-            let t6 = c4 * c6 - s4 * t4;
-            let t7 = s4 * c6 + c4 * t4;
-            let t8 = c23 * t7;
-            let t9 = s23 * t5;
-            let t10 = t9 - t8;
-            let t11 = s23 * t7 + c23 * t5;
-            let t12 = c4 * s5;
-            let t13 = s4 * s5;
-            let t14 = -t13;
-            let t15 = c23 * t12 + s23 * c5;
-            let t16 = c23 * c5 - s23 * t12;
-            let t17 = c5 * c6;
-            let t18 = s5 * c6;
-            let t19 = c4 * s6 + s4 * t17;
-            let t20 = -t19;
-            let t21 = s4 * s6 - c4 * t17;
-            let t22 = c23 * t21 + s23 * t18;
-            let t23 = s23 * t21 - c23 * t18;
-            let t24 = t2 * t23 - t3 * t22;
-            let t25 = t3 * t10 + t2 * t11;
-            let t26 = t3 * t15 + t2 * t16;
-            let t27 = 0.42 * t18 - 0.035 * t21 - t24;
-            let t28 = 0.035 * t7 + 0.42 * t5 + t25;
-            let t29 = -0.08 - (0.42 * c5 - 0.035 * t12) - t26;
-            let t30 = t24 + t27;
-            let t31 = t28 - t25;
-            let t32 = t26 + t29;
-            let t33 = t27 - 0.025 * t23;
-            let t34 = t28 + 0.025 * t11;
-            let t35 = t29 - 0.025 * t16;
+            let t2 = c5 * s6;
+            let t3 = s5 * s6;
+            let t4 = c4 * c6 - s4 * t2;
+            let t5 = s4 * c6 + c4 * t2;
+            let t6 = c23 * t5;
+            let t7 = s23 * t3;
+            let t8 = t7 - t6;
+            let t9 = c4 * s5;
+            let t10 = s4 * s5;
+            let t11 = -t10;
+            let t12 = c23 * t9 + s23 * c5;
+            let t13 = 0.455 * c3;
+            let t14 = 0.455 * s3;
+            let t15 = c5 * c6;
+            let t16 = s5 * c6;
+            let t17 = c4 * s6 + s4 * t15;
+            let t18 = -t17;
+            let t19 = s4 * s6;
+            let t20 = c4 * t15;
+            let t21 = t19 - t20;
+            let t22 = 0.035 * (t20 - t19) + 0.42 * t16;
+            let t23 = 0.035 * t5 + 0.42 * t3;
+            let t24 = 0.035 * t9 - 0.42 * c5 - 0.08;
+            let t25 = t22 + (t13 * t16 - t14 * t21);
+            let t26 = t23 + (t5 * t14 + t3 * t13);
+            let t27 = t24 + (t9 * t14 - c5 * t13);
+            let t28 = c23 * t21 + s23 * t16;
+            let t29 = t26 + 0.025 * (s23 * t5 + c23 * t3);
+            let t30 = 0.025 * (s23 * t21 - c23 * t16) - t25;
+            let t31 = 0.025 * (c23 * c5 - s23 * t9) - t27;
             Jacobian {
                 rows: [
                     [
-                        t15 * t34 + t10 * t35,
-                        -(t13 * t28 + t6 * t29),
-                        -(t13 * t31 + t6 * t32),
-                        0.08 * t5,
+                        t12 * t29 - t8 * t31,
+                        -(t4 * t27 + t10 * t26),
+                        -(t4 * t24 + t10 * t23),
+                        0.08 * t3,
                         0.08 * c6,
                         0.0,
                     ],
                     [
-                        -(t22 * t35 + t15 * t33),
-                        t13 * t27 - t19 * t29,
-                        t13 * t30 - t19 * t32,
-                        -(0.08 * t18),
+                        t12 * t30 + t28 * t31,
+                        t10 * t25 - t17 * t27,
+                        t10 * t22 - t17 * t24,
+                        -(0.08 * t16),
                         0.08 * s6,
                         0.0,
                     ],
                     [
-                        t22 * t34 - t10 * t33,
-                        t6 * t27 + t19 * t28,
-                        t6 * t30 + t19 * t31,
+                        t28 * t29 + t8 * t30,
+                        t17 * t26 + t4 * t25,
+                        t17 * t23 + t4 * t22,
                         0.0,
                         0.0,
                         0.0,
                     ],
-                    [-t22, t20, t20, t18, -s6, 0.0],
-                    [t8 - t9, t6, t6, t5, c6, 0.0],
-                    [t15, t14, t14, -c5, 0.0, -1.0],
+                    [-t28, t18, t18, t16, -s6, 0.0],
+                    [t6 - t7, t4, t4, t3, c6, 0.0],
+                    [t12, t11, t11, -c5, 0.0, -1.0],
                 ],
             }
         }
@@ -359,7 +354,7 @@ const _: () = {
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             let t1 = q[1] + q[2];
-            let ([t2, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
+            let ([s1, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 t1,
@@ -369,58 +364,58 @@ const _: () = {
                 0.0,
                 0.0,
             ]);
-            let t3 = 0.455 * c2;
-            let t4 = 0.455 * s2;
-            let t5 = s4 * s5;
-            let t6 = c23 * s4;
-            let t7 = 0.035 * c23 - 0.42 * s23 - t4;
-            let t8 = t3 + (0.035 * s23 + 0.42 * c23);
-            let t9 = s23 * c5 + s5 * (c23 * c4);
-            let t10 = s23 * s4;
-            let t11 = s5 * (s23 * c4) - c23 * c5;
-            let t12 = 0.08 * t11;
-            let t13 = 0.08 * t5;
-            let t14 = t7 - 0.08 * t9;
-            let t15 = t8 - t12;
-            let t16 = t15 + 0.025;
-            let t17 = t4 + t14;
+            let t2 = 0.455 * c2;
+            let t3 = 0.455 * s2;
+            let t4 = s4 * s5;
+            let t5 = c23 * s4;
+            let t6 = 0.035 * c23 - 0.42 * s23 - t3;
+            let t7 = t2 + (0.035 * s23 + 0.42 * c23);
+            let t8 = s23 * c5 + s5 * (c23 * c4);
+            let t9 = s23 * s4;
+            let t10 = s5 * (s23 * c4) - c23 * c5;
+            let t11 = 0.08 * t10;
+            let t12 = 0.08 * t4;
+            let t13 = t6 - 0.08 * t8;
+            let t14 = t7 - t11;
+            let t15 = t14 + 0.025;
+            let t16 = t3 + t13;
+            let t17 = t13 - t6;
             let t18 = t14 - t7;
-            let t19 = t15 - t8;
-            let t20 = s23 * t13;
-            let t21 = s23 * t19 + c23 * t18;
-            let t22 = c4 * t18 - t6 * t13;
-            let t23 = t10 * t18 - t6 * t19;
-            let t24 = t5 * t18 + t9 * t13;
-            let t25 = t9 * t19 - t11 * t18;
+            let t19 = s23 * t12;
+            let t20 = s23 * t18 + c23 * t17;
+            let t21 = c4 * t17 - t5 * t12;
+            let t22 = t9 * t17 - t5 * t18;
+            let t23 = t4 * t17 + t8 * t12;
+            let t24 = t8 * t18 - t10 * t17;
             Jacobian {
                 rows: [
                     [
-                        -(c1 * t13 + t2 * t16),
-                        c1 * t14,
-                        c1 * t17,
-                        c1 * t20 + t2 * t21,
-                        c1 * t22 + t2 * t23,
-                        c1 * t24 + t2 * t25,
+                        -(c1 * t12 + s1 * t15),
+                        c1 * t13,
+                        c1 * t16,
+                        c1 * t19 + s1 * t20,
+                        c1 * t21 + s1 * t22,
+                        c1 * t23 + s1 * t24,
                     ],
                     [
-                        t2 * t13 - c1 * t16,
-                        -(t2 * t14),
-                        -(t2 * t17),
-                        c1 * t21 - t2 * t20,
-                        c1 * t23 - t2 * t22,
-                        c1 * t25 - t2 * t24,
+                        s1 * t12 - c1 * t15,
+                        -(s1 * t13),
+                        -(s1 * t16),
+                        c1 * t20 - s1 * t19,
+                        c1 * t22 - s1 * t21,
+                        c1 * t24 - s1 * t23,
                     ],
                     [
                         0.0,
-                        t12 - t8,
-                        t3 - t15,
-                        c23 * t13,
-                        t10 * t13 - c4 * t19,
-                        -(t11 * t13 + t5 * t19),
+                        t11 - t7,
+                        t2 - t14,
+                        c23 * t12,
+                        t9 * t12 - c4 * t18,
+                        -(t10 * t12 + t4 * t18),
                     ],
-                    [0.0, t2, t2, -(c1 * c23), t2 * c4 - c1 * t10, t2 * t5 + c1 * t11],
-                    [0.0, c1, c1, t2 * c23, c1 * c4 + t2 * t10, c1 * t5 - t2 * t11],
-                    [-1.0, 0.0, 0.0, s23, -t6, t9],
+                    [0.0, s1, s1, -(c1 * c23), s1 * c4 - c1 * t9, s1 * t4 + c1 * t10],
+                    [0.0, c1, c1, s1 * c23, c1 * c4 + s1 * t9, c1 * t4 - s1 * t10],
+                    [-1.0, 0.0, 0.0, s23, -t5, t8],
                 ],
             }
         }
@@ -432,7 +427,7 @@ const _: () = {
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
             let t1 = q[1] + q[2];
-            let ([t2, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 t1,
@@ -442,46 +437,46 @@ const _: () = {
                 0.0,
                 0.0,
             ]);
-            let t3 = 0.455 * c2;
-            let t4 = 0.025 * c1;
-            let t5 = 0.025 * t2;
-            let t6 = 0.4 - 0.455 * s2;
-            let t7 = c1 * s23;
-            let t8 = t2 * s23;
-            let t9 = c1 * c23;
-            let t10 = t2 * c23;
-            let t11 = t2 * c4 - s4 * t7;
-            let t12 = c1 * c4 + s4 * t8;
-            let t13 = c23 * s4;
-            let t14 = t2 * s4 + c4 * t7;
-            let t15 = c4 * t8 - c1 * s4;
-            let t16 = c23 * c4;
+            let t2 = 0.455 * c2;
+            let t3 = 0.025 * c1;
+            let t4 = 0.025 * s1;
+            let t5 = 0.4 - 0.455 * s2;
+            let t6 = c1 * s23;
+            let t7 = s1 * s23;
+            let t8 = c1 * c23;
+            let t9 = s1 * c23;
+            let t10 = s1 * c4 - s4 * t6;
+            let t11 = c1 * c4 + s4 * t7;
+            let t12 = c23 * s4;
+            let t13 = s1 * s4 + c4 * t6;
+            let t14 = c4 * t7 - c1 * s4;
+            let t15 = c23 * c4;
+            let t16 = c5 * t13 + s5 * t8;
             let t17 = c5 * t14 + s5 * t9;
-            let t18 = c5 * t15 + s5 * t10;
-            let t19 = s23 * s5 - c5 * t16;
-            let t20 = s5 * t14;
-            let t21 = c5 * t9;
-            let t22 = t20 - t21;
-            let t23 = s5 * t15;
-            let t24 = c5 * t10;
-            let t25 = t24 - t23;
-            let t26 = s23 * c5 + s5 * t16;
-            let t27 = t4 + c1 * t3;
-            let t28 = t5 + t2 * t3;
+            let t18 = s23 * s5 - c5 * t15;
+            let t19 = s5 * t13;
+            let t20 = c5 * t8;
+            let t21 = t19 - t20;
+            let t22 = s5 * t14;
+            let t23 = c5 * t9;
+            let t24 = t23 - t22;
+            let t25 = s23 * c5 + s5 * t15;
+            let t26 = t3 + c1 * t2;
+            let t27 = t4 + s1 * t2;
+            let t28 = t26 + (0.035 * t6 + 0.42 * t8);
             let t29 = t27 + (0.035 * t7 + 0.42 * t9);
-            let t30 = t28 + (0.035 * t8 + 0.42 * t10);
-            let t31 = t6 + (0.035 * c23 - 0.42 * s23);
+            let t30 = t5 + (0.035 * c23 - 0.42 * s23);
             (
                 Pose {
                     rotation: [
-                        [-(s6 * t11 + c6 * t17), c6 * t11 - s6 * t17, t21 - t20],
-                        [c6 * t18 - s6 * t12, c6 * t12 + s6 * t18, t23 - t24],
-                        [s6 * t13 + c6 * t19, s6 * t19 - c6 * t13, -t26],
+                        [-(s6 * t10 + c6 * t16), c6 * t10 - s6 * t16, t20 - t19],
+                        [c6 * t17 - s6 * t11, c6 * t11 + s6 * t17, t22 - t23],
+                        [s6 * t12 + c6 * t18, s6 * t18 - c6 * t12, -t25],
                     ],
                     translation: [
-                        t29 - 0.08 * t22,
-                        -(0.08 * t25 + t30),
-                        t31 - 0.08 * t26,
+                        t28 - 0.08 * t21,
+                        -(0.08 * t24 + t29),
+                        t30 - 0.08 * t25,
                     ],
                 },
                 Jacobian {
@@ -489,30 +484,30 @@ const _: () = {
                         [
                             0.0,
                             -(0.4 * c1),
-                            -(c1 * t6),
-                            -(s23 * t30 + t10 * t31),
-                            t13 * t30 - t12 * t31,
-                            -(t26 * t30 + t25 * t31),
+                            -(c1 * t5),
+                            -(s23 * t29 + t9 * t30),
+                            t12 * t29 - t11 * t30,
+                            -(t25 * t29 + t24 * t30),
                         ],
                         [
                             0.0,
-                            0.4 * t2,
-                            t2 * t6,
-                            -(t9 * t31 + s23 * t29),
-                            t11 * t31 + t13 * t29,
-                            t22 * t31 - t26 * t29,
+                            0.4 * s1,
+                            s1 * t5,
+                            -(t8 * t30 + s23 * t28),
+                            t10 * t30 + t12 * t28,
+                            t21 * t30 - t25 * t28,
                         ],
                         [
                             0.0,
-                            c1 * t4 + t2 * t5,
-                            c1 * t27 + t2 * t28,
-                            t10 * t29 - t9 * t30,
-                            t12 * t29 + t11 * t30,
-                            t25 * t29 + t22 * t30,
+                            c1 * t3 + s1 * t4,
+                            c1 * t26 + s1 * t27,
+                            t9 * t28 - t8 * t29,
+                            t11 * t28 + t10 * t29,
+                            t24 * t28 + t21 * t29,
                         ],
-                        [0.0, t2, t2, -t9, t11, t22],
-                        [0.0, c1, c1, t10, t12, t25],
-                        [-1.0, 0.0, 0.0, s23, -t13, t26],
+                        [0.0, s1, s1, -t8, t10, t21],
+                        [0.0, c1, c1, t9, t11, t24],
+                        [-1.0, 0.0, 0.0, s23, -t12, t25],
                     ],
                 },
             )

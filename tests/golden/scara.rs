@@ -133,24 +133,14 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            let t1 = q[0] + q[1];
-            let t2 = q[2] + t1;
-            let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([
-                q[0],
-                t1,
-                t2,
-                0.0,
-            ]);
-            let t3 = 0.4 * c1;
-            let t4 = 0.4 * s1;
-            let t5 = t4 + 0.3 * s12;
-            let t6 = t3 + 0.3 * c12;
-            let t7 = t4 - t5;
-            let t8 = t3 - t6;
+            let t1 = q[1] + q[2];
+            let ([s3, s23], [c3, c23]) = lanes::sin_cos([q[2], t1]);
+            let t2 = 0.3 * c3;
+            let t3 = 0.3 * s3;
             Jacobian {
                 rows: [
-                    [-(s123 * t5 + c123 * t6), c123 * t8 + s123 * t7, 0.0, 0.0],
-                    [s123 * t6 - c123 * t5, c123 * t7 - s123 * t8, 0.0, 0.0],
+                    [-(t2 + 0.4 * c23), -t2, 0.0, 0.0],
+                    [t3 + 0.4 * s23, t3, 0.0, 0.0],
                     [0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, 0.0, 0.0],
                     [0.0, 0.0, 0.0, 0.0],

@@ -1,6 +1,6 @@
 //! What a step of a plan means in space.
 
-use kin_codegen::geometry::{Linkage, Travel, Vec3, cross, dot, norm, numbers};
+use kin_codegen::geometry::{Linkage, Vec3, cross, dot, norm, numbers};
 use kin_codegen::plan::{self, Atom, Invariant, Kind, Relation, Subproblem};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -198,7 +198,7 @@ fn left_alone_by(invariant: &Invariant, linkage: &Linkage) -> Vec<usize> {
 }
 
 fn slides(linkage: &Linkage, joint: usize) -> bool {
-    linkage.links[joint].travel != Travel::Turn
+    !linkage.is_revolute(joint)
 }
 
 fn leaves_alone(invariant: &Invariant, linkage: &Linkage, joint: usize) -> bool {

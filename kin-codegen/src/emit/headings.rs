@@ -4,7 +4,7 @@
 use super::comment::comment;
 use super::straight::{Writer, sign_name};
 use crate::expr::inverse::{Inverse, Parts, StepPart};
-use crate::geometry::{Linkage, Travel};
+use crate::geometry::Linkage;
 use crate::plan::{Atom, Plan, Step, Subproblem};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -48,9 +48,7 @@ fn given(step: &Step, part: StepPart) -> String {
 
 /// The sum of a run of parallel joints, and its joints but for one.
 fn summands(joint: usize, linkage: &Linkage) -> String {
-    let run = &linkage.runs[linkage.run_of(joint)];
-    let turns = |j: &usize| linkage.links[*j].travel == Travel::Turn;
-    let joints: Vec<usize> = run.joints.clone().filter(turns).collect();
+    let joints = linkage.revolutes_of(linkage.run_of(joint));
     let name = |j: &usize| Atom::Joint(*j).to_string();
     let sum: Vec<String> = joints.iter().map(name).collect();
     let others = joints.iter().filter(|&&j| j != joint).map(name);

@@ -10,12 +10,13 @@
 
 use super::linear::{Motion, Trig, Vector, transpose};
 use super::{Expr, Graph};
-use crate::geometry::{Linkage, Travel, Vec3};
+use crate::geometry::{Axis, Linkage, Vec3};
+use crate::model::JointKind;
 use kin_runtime::Pose;
 
-/// What the joints of a linkage do, as expressions.
+/// Joint trigonometry: what the joints of a linkage do, as expressions.
 #[derive(Clone, Debug)]
-pub struct Stance {
+pub struct JointTrig {
     /// For every joint the sine and cosine of the sum of the angles of its
     /// run, from the run's first joint to itself.
     pub sums: Vec<Trig>,
@@ -23,34 +24,43 @@ pub struct Stance {
     pub slides: Vec<Expr>,
 }
 
-impl Stance {
-    /// The stance for given joint values.
+impl JointTrig {
+    /// For given joint values.
     pub fn at(g: &mut Graph, linkage: &Linkage, q: &[Expr]) -> Self {
         let mut sums = Vec::with_capacity(linkage.links.len());
         let mut slides = Vec::with_capacity(linkage.links.len());
         for run in &linkage.runs {
             let mut angle = g.zero();
-            let mut symbol = String::new();
+            let mut turned = Vec::new();
             for link in &linkage.links[run.joints.clone()] {
                 let moved = joint_value(g, link.gain, link.offset, q[link.variable]);
-                let slide = match link.travel {
-                    Travel::Turn => {
+                let slide = match link.kind {
+                    JointKind::Revolute => {
                         angle = g.add(angle, moved);
-                        symbol.push_str(&subscript(link.variable));
+                        turned.push(link.variable);
                         g.zero()
                     }
-                    Travel::Slide(_) => moved,
+                    JointKind::Prismatic => moved,
                 };
-                let (sin, cos) = g.sin_cos(angle);
-                sums.push(Trig {
-                    sin: g.named(sin, format!("s{symbol}")),
-                    cos: g.named(cos, format!("c{symbol}")),
-                });
+                sums.push(trig_of(g, angle, &turned));
                 slides.push(slide);
             }
         }
         Self { sums, slides }
     }
+}
+
+/// The sine and cosine of the sum of some joints' angles, or of its negative.
+fn trig_of(g: &mut Graph, angle: Expr, variables: &[usize]) -> Trig {
+    let mut variables = variables.to_vec();
+    variables.sort_unstable();
+    let symbol: String = variables.into_iter().map(subscript).collect();
+    let (sin, cos) = g.sin_cos(angle);
+    // The sine of a negative angle is that of the angle, negated.
+    let plain = g.negated(sin).unwrap_or(sin);
+    g.named(plain, format!("s{symbol}"));
+    g.named(cos, format!("c{symbol}"));
+    Trig { sin, cos }
 }
 
 /// The index of a joint as it stands behind a symbol: s1, c23, and q10
@@ -63,7 +73,7 @@ pub fn subscript(variable: usize) -> String {
     }
 }
 
-pub(super) fn joint_value(g: &mut Graph, gain: f64, offset: f64, q: Expr) -> Expr {
+fn joint_value(g: &mut Graph, gain: f64, offset: f64, q: Expr) -> Expr {
     let gain = g.constant(gain);
     let offset = g.constant(offset);
     let scaled = g.mul(gain, q);
@@ -80,22 +90,18 @@ pub(super) struct Stage {
     pub after: Pose,
     /// The translation of C in the axes behind it.
     pub advance: Vec3,
-    /// The run's joints.
-    pub members: Vec<Member>,
-}
-
-/// A joint within its run, seen from the frame before the run.
-pub(super) struct Member {
-    /// A point of the axis.
-    pub point: Vector,
-    /// Where the joint slides to; none for a revolute joint, which turns
-    /// about z.
-    pub slide: Option<Vector>,
+    /// The axes of the run's joints, in the frame before the run.
+    axes: Vec<Axis<Vector>>,
 }
 
 /// The chain from the base's constant motion to behind joint `upto − 1`, run
 /// by run.
-pub(super) fn stages(g: &mut Graph, linkage: &Linkage, stance: &Stance, upto: usize) -> Vec<Stage> {
+pub(super) fn stages(
+    g: &mut Graph,
+    linkage: &Linkage,
+    trig: &JointTrig,
+    upto: usize,
+) -> Vec<Stage> {
     let mut stages = Vec::new();
     for run in linkage.runs.iter().filter(|run| run.joints.start < upto) {
         let travel = g.vector([0.0; 3]);
@@ -104,10 +110,10 @@ pub(super) fn stages(g: &mut Graph, linkage: &Linkage, stance: &Stance, upto: us
             travel,
             after: Pose::IDENTITY,
             advance: [0.0; 3],
-            members: Vec::new(),
+            axes: Vec::new(),
         };
         for i in run.joints.clone().take_while(|&i| i < upto) {
-            stage.append(g, linkage, stance, i);
+            stage.append(g, linkage, trig, i);
         }
         stages.push(stage);
     }
@@ -115,26 +121,46 @@ pub(super) fn stages(g: &mut Graph, linkage: &Linkage, stance: &Stance, upto: us
 }
 
 impl Stage {
-    fn append(&mut self, g: &mut Graph, linkage: &Linkage, stance: &Stance, joint: usize) {
+    fn append(&mut self, g: &mut Graph, linkage: &Linkage, trig: &JointTrig, joint: usize) {
         let link = &linkage.links[joint];
         let shift = g.vector(self.after.translation);
         let shift = turned(g, self.turn, shift);
         self.travel = g.plus(self.travel, shift);
-        let point = self.travel;
-        let mut slide = None;
-        match link.travel {
-            Travel::Turn => self.turn = Some(stance.sums[joint]),
-            Travel::Slide(v) => {
-                let v = g.vector(v);
-                let v = turned(g, self.turn, v);
-                let way = g.scale(stance.slides[joint], v);
-                self.travel = g.plus(self.travel, way);
-                slide = Some(v);
+        let direction = g.vector(link.direction);
+        match link.kind {
+            JointKind::Revolute => {
+                self.axes.push(Axis::Revolute {
+                    direction,
+                    point: self.travel,
+                });
+                self.turn = Some(trig.sums[joint]);
+            }
+            JointKind::Prismatic => {
+                let direction = turned(g, self.turn, direction);
+                self.axes.push(Axis::Prismatic { direction });
+                let shift = g.scale(trig.slides[joint], direction);
+                self.travel = g.plus(self.travel, shift);
             }
         }
         self.after = link.after;
         self.advance = link.advance;
-        self.members.push(Member { point, slide });
+    }
+
+    /// The axes of the run's joints, from the frame before the run.
+    pub(super) fn axes_from(&self, g: &mut Graph, frame: Motion) -> Vec<Axis<Vector>> {
+        let axes = self.axes.iter().map(|axis| match *axis {
+            Axis::Revolute { direction, point } => {
+                let point = g.rotate(&frame.rotation, point);
+                Axis::Revolute {
+                    direction: g.rotate(&frame.rotation, direction),
+                    point: g.plus(frame.translation, point),
+                }
+            }
+            Axis::Prismatic { direction } => Axis::Prismatic {
+                direction: g.rotate(&frame.rotation, direction),
+            },
+        });
+        axes.collect()
     }
 
     /// The frame behind the turn, without the travel.
@@ -239,8 +265,8 @@ pub(super) fn turned(g: &mut Graph, turn: Option<Trig>, v: Vector) -> Vector {
 
 /// The pose of the tip (in base coordinates), by the cheapest of the ways to
 /// accumulate the position that are tried.
-pub fn tip(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
-    behind(g, linkage, stance, linkage.links.len(), None, &[])[0]
+pub fn tip(g: &mut Graph, linkage: &Linkage, trig: &JointTrig) -> Motion {
+    behind(g, linkage, trig, linkage.links.len(), None, &[])[0]
 }
 
 /// The frames of the links that some joints move, in base coordinates. What
@@ -248,13 +274,13 @@ pub fn tip(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
 pub fn link_frames(
     g: &mut Graph,
     linkage: &Linkage,
-    stance: &Stance,
+    trig: &JointTrig,
     joints: &[usize],
 ) -> Vec<Motion> {
     let mut frames = Vec::new();
     for &joint in joints {
         let body = linkage.links[joint].body;
-        frames = behind(g, linkage, stance, joint + 1, Some(body), &frames);
+        frames = behind(g, linkage, trig, joint + 1, Some(body), &frames);
     }
     frames
 }
@@ -264,12 +290,12 @@ pub fn link_frames(
 fn behind(
     g: &mut Graph,
     linkage: &Linkage,
-    stance: &Stance,
+    trig: &JointTrig,
     upto: usize,
     last: Option<Pose>,
     known: &[Motion],
 ) -> Vec<Motion> {
-    let mut stages = stages(g, linkage, stance, upto);
+    let mut stages = stages(g, linkage, trig, upto);
     if let (Some(stage), Some(pose)) = (stages.last_mut(), last) {
         stage.end_at(pose);
     }
@@ -286,8 +312,8 @@ fn behind(
 }
 
 /// The pose of the tip, its orientation from the base onwards.
-pub(super) fn tip_by_splitting(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
-    let stages = stages(g, linkage, stance, linkage.links.len());
+pub(super) fn tip_by_splitting(g: &mut Graph, linkage: &Linkage, trig: &JointTrig) -> Motion {
+    let stages = stages(g, linkage, trig, linkage.links.len());
     let base = g.motion(&linkage.base);
     cheapest(g, stages.len() + 1, |g, horner| {
         position_split(g, base, &stages, horner)
@@ -295,8 +321,8 @@ pub(super) fn tip_by_splitting(g: &mut Graph, linkage: &Linkage, stance: &Stance
 }
 
 /// The pose of the tip with every frame on the way, which Jacobians share.
-pub(super) fn tip_forwards(g: &mut Graph, linkage: &Linkage, stance: &Stance) -> Motion {
-    let stages = stages(g, linkage, stance, linkage.links.len());
+pub(super) fn tip_forwards(g: &mut Graph, linkage: &Linkage, trig: &JointTrig) -> Motion {
+    let stages = stages(g, linkage, trig, linkage.links.len());
     let base = g.motion(&linkage.base);
     position_split(g, base, &stages, 0)
 }

@@ -1,18 +1,20 @@
 //! The manipulator Jacobian as expressions (MLS section 3.4).
 //!
 //! The columns are twists of the joint axes, and their cost depends on where
-//! they are written down. They are built in a frame in the middle of the
-//! chain, looking outwards to the later joints and back to the earlier ones,
-//! and turned to the frame that is asked for. Every middle frame is tried and
-//! the cheapest kept: on a UR5 the one behind the first joint, in which axes
-//! 2 to 4 are constant.
+//! they are written down. They are built in a frame in the middle of the chain
+//! and turned to the frame that is asked for. Every frame is tried and the
+//! cheapest kept: on a UR5 the one behind the first joint, in which axes 2 to 4
+//! are constant. Angles are counted from that frame, or, on the way back to the
+//! base, by runs of parallel joints from the base, as forward kinematics does,
+//! which then has the same sines.
 
+use super::axes::{AxesInFrame, by_coordinate, frames, look_out};
 use super::forward::{
-    Outputs, Stage, Stance, cheapest, stages, tip, tip_by_splitting, tip_forwards,
+    JointTrig, Outputs, Stage, cheapest, stages, tip, tip_by_splitting, tip_forwards,
 };
 use super::linear::{Motion, Vector, transpose};
 use super::{Expr, Graph};
-use crate::geometry::Linkage;
+use crate::geometry::{Axis, Linkage};
 use kin_runtime::Pose;
 
 /// Which Jacobian.
@@ -52,9 +54,11 @@ impl Outputs for TipAndColumns {
 }
 
 /// The Jacobian alone.
-pub fn jacobian(g: &mut Graph, linkage: &Linkage, stance: &Stance, which: Which) -> Columns {
+pub fn jacobian(g: &mut Graph, linkage: &Linkage, q: &[Expr], which: Which) -> Columns {
+    let trig = JointTrig::at(g, linkage, q);
     cheapest(g, variants(linkage), |g, variant| {
-        columns(g, linkage, stance, which, variant)
+        let seen = Variant::new(g, linkage, &trig, q, variant);
+        seen.columns(g, linkage, which)
     })
 }
 
@@ -63,145 +67,130 @@ pub fn jacobian(g: &mut Graph, linkage: &Linkage, stance: &Stance, which: Which)
 pub fn tip_and_jacobian(
     g: &mut Graph,
     linkage: &Linkage,
-    stance: &Stance,
+    q: &[Expr],
     which: Which,
 ) -> TipAndColumns {
-    let tips = [tip, tip_by_splitting, tip_forwards].map(|way| way(g, linkage, stance));
+    let trig = JointTrig::at(g, linkage, q);
+    let tips = [tip, tip_by_splitting, tip_forwards].map(|build| build(g, linkage, &trig));
     let variants = variants(linkage);
-    cheapest(g, tips.len() * variants, |g, variant| TipAndColumns {
-        tip: tips[variant / variants],
-        columns: columns(g, linkage, stance, which, variant % variants),
+    cheapest(g, tips.len() * variants, |g, variant| {
+        let seen = Variant::new(g, linkage, &trig, q, variant % variants);
+        TipAndColumns {
+            tip: tips[variant / variants],
+            columns: seen.columns(g, linkage, which),
+        }
     })
 }
 
 /// The time derivative of the spatial Jacobian at the rates of q. Joints that
 /// mimic others are told apart, which the Jacobian itself no longer can.
 ///
-/// The axes are carried along as seen from the middle frame: a column changes
-/// by its bracket with the velocity of the link before it.
-pub fn jacobian_dot(g: &mut Graph, linkage: &Linkage, stance: &Stance, rates: &[Expr]) -> Columns {
+/// The axes are moved along in the middle frame: a column changes by its
+/// bracket with the velocity of the link before it.
+pub fn jacobian_dot(g: &mut Graph, linkage: &Linkage, q: &[Expr], rates: &[Expr]) -> Columns {
+    let trig = JointTrig::at(g, linkage, q);
     cheapest(g, variants(linkage), |g, variant| {
-        let (middle, shift_last) = (variant / 2, variant % 2 == 1);
-        let seen = look_around(g, linkage, stance, middle);
-        let zero = g.vector([0.0; 3]);
-        let late = g.rotate_back(&seen.base.rotation, seen.base.translation);
-        let mut carrier = [zero; 2];
-        let mut out = vec![[zero; 2]; linkage.variables()];
-        for (joint, axis) in seen.axes.iter().enumerate() {
-            let link = &linkage.links[joint];
-            let gain = g.constant(link.gain);
-            let (v, w) = match *axis {
-                Axis::Turn { direction, point } => (g.cross(point, direction), direction),
-                Axis::Slide { direction } => (direction, zero),
-            };
-            let (v, w) = (g.scale(gain, v), g.scale(gain, w));
-            let [turned, moved] = [g.cross(carrier[1], v), g.cross(carrier[0], w)];
-            let change = [g.plus(turned, moved), g.cross(carrier[1], w)];
-            let (v_rate, w_rate) = (
-                g.scale(rates[link.variable], v),
-                g.scale(rates[link.variable], w),
-            );
-            carrier = [g.plus(carrier[0], v_rate), g.plus(carrier[1], w_rate)];
-            // From the middle frame's origin to the base's, and to its axes.
-            let turned_to = &seen.base.rotation;
-            let w = g.rotate_back(turned_to, change[1]);
-            let v = if shift_last {
-                let v = g.rotate_back(turned_to, change[0]);
-                let shift = g.cross(w, late);
-                g.plus(v, shift)
-            } else {
-                let shift = g.cross(change[1], seen.base.translation);
-                let v = g.plus(change[0], shift);
-                g.rotate_back(turned_to, v)
-            };
-            let column = &mut out[link.variable];
-            *column = [g.plus(column[0], v), g.plus(column[1], w)];
-        }
-        Columns(out)
+        let seen = Variant::new(g, linkage, &trig, q, variant);
+        let changes = seen.changes(g, linkage, rates);
+        let base = seen.axes.base;
+        seen.moved(g, linkage, changes, &base.rotation, base.translation)
     })
 }
 
-/// The base, every middle frame, and two places to shift the reference point.
+/// Every middle frame, in both ways to count angles, and two places to shift
+/// the reference point.
 fn variants(linkage: &Linkage) -> usize {
-    2 * (linkage.runs.len() + 2)
+    2 * (linkage.runs.len() + 1 + frames(linkage))
 }
 
-/// An axis as seen from the middle frame.
-enum Axis {
-    Turn { direction: Vector, point: Vector },
-    Slide { direction: Vector },
+/// A frame in the middle of the chain in which columns are built.
+struct Variant {
+    axes: AxesInFrame,
+    /// Whether the reference point is shifted after the columns are turned.
+    shift_last: bool,
 }
 
-/// Everything as seen from the middle frame.
-struct Middle {
-    /// By joint.
-    axes: Vec<Axis>,
-    /// The base frame.
-    base: Motion,
-    /// The tip frame.
-    tip: Motion,
-}
-
-fn columns(
-    g: &mut Graph,
-    linkage: &Linkage,
-    stance: &Stance,
-    which: Which,
-    variant: usize,
-) -> Columns {
-    let (middle, shift_last) = (variant / 2, variant % 2 == 1);
-    let seen = look_around(g, linkage, stance, middle);
-    let reference = match which {
-        Which::Spatial => seen.base.translation,
-        Which::Body | Which::Geometric => seen.tip.translation,
-    };
-    let target = match which {
-        Which::Spatial | Which::Geometric => seen.base.rotation,
-        Which::Body => seen.tip.rotation,
-    };
-    let zero = g.vector([0.0; 3]);
-    let mut out = vec![[zero; 2]; linkage.variables()];
-    // Reference shifted after turning: v = R v₀ + R c × R ω.
-    let late = g.rotate_back(&target, reference);
-    for (joint, axis) in seen.axes.iter().enumerate() {
-        let (v, w) = match *axis {
-            Axis::Turn { direction, point } if shift_last => {
-                let v = g.cross(point, direction);
-                let v = g.rotate_back(&target, v);
-                let w = g.rotate_back(&target, direction);
-                let shift = g.cross(w, late);
-                (g.plus(v, shift), w)
-            }
-            Axis::Turn { direction, point } => {
-                let arm = g.minus(reference, point);
-                let v = g.cross(direction, arm);
-                (g.rotate_back(&target, v), g.rotate_back(&target, direction))
-            }
-            Axis::Slide { direction } => (g.rotate_back(&target, direction), zero),
-        };
-        let link = &linkage.links[joint];
-        let gain = g.constant(link.gain);
-        let (v, w) = (g.scale(gain, v), g.scale(gain, w));
-        let column = &mut out[link.variable];
-        *column = [g.plus(column[0], v), g.plus(column[1], w)];
+impl Variant {
+    /// One of [`variants`].
+    fn new(g: &mut Graph, linkage: &Linkage, trig: &JointTrig, q: &[Expr], variant: usize) -> Self {
+        let frame = variant / 2;
+        Self {
+            axes: match frame.checked_sub(linkage.runs.len() + 1) {
+                None => look_around(g, linkage, trig, frame),
+                Some(frame) => AxesInFrame::new(g, linkage, q, frame),
+            },
+            shift_last: variant % 2 == 1,
+        }
     }
-    Columns(out)
+
+    fn columns(&self, g: &mut Graph, linkage: &Linkage, which: Which) -> Columns {
+        let AxesInFrame { base, tip, .. } = &self.axes;
+        let reference = match which {
+            Which::Spatial => base.translation,
+            Which::Body | Which::Geometric => tip.translation,
+        };
+        let target = match which {
+            Which::Spatial | Which::Geometric => base.rotation,
+            Which::Body => tip.rotation,
+        };
+        if self.shift_last {
+            let twists = self.axes.twists(g);
+            return self.moved(g, linkage, twists, &target, reference);
+        }
+        let twists = self.axes.twists_about(g, reference);
+        let origin = g.vector([0.0; 3]);
+        self.moved(g, linkage, twists, &target, origin)
+    }
+
+    /// How the twists of the joints change at the rates of q.
+    fn changes(&self, g: &mut Graph, linkage: &Linkage, rates: &[Expr]) -> Vec<[Vector; 2]> {
+        let mut velocity = [g.vector([0.0; 3]); 2];
+        let mut changes = Vec::new();
+        for (link, [v, w]) in linkage.links.iter().zip(self.axes.twists(g)) {
+            let [turned, shifted] = [g.cross(velocity[1], v), g.cross(velocity[0], w)];
+            changes.push([g.plus(turned, shifted), g.cross(velocity[1], w)]);
+            let gain = g.constant(link.gain);
+            let rate = g.mul(gain, rates[link.variable]);
+            let [v, w] = [v, w].map(|x| g.scale(rate, x));
+            velocity = [g.plus(velocity[0], v), g.plus(velocity[1], w)];
+        }
+        changes
+    }
+
+    /// Columns for twists of the joints about the frame's origin, in the axes
+    /// `target` and about the point `reference`.
+    fn moved(
+        &self,
+        g: &mut Graph,
+        linkage: &Linkage,
+        twists: Vec<[Vector; 2]>,
+        target: &[Vector; 3],
+        reference: Vector,
+    ) -> Columns {
+        let late = g.rotate_back(target, reference);
+        let moved = twists.into_iter().map(|[v, w]| {
+            let turned = g.rotate_back(target, w);
+            let v = if self.shift_last {
+                let v = g.rotate_back(target, v);
+                let shift = g.cross(turned, late);
+                g.plus(v, shift)
+            } else {
+                let shift = g.cross(w, reference);
+                let v = g.plus(v, shift);
+                g.rotate_back(target, v)
+            };
+            [v, turned]
+        });
+        let moved: Vec<[Vector; 2]> = moved.collect();
+        Columns(by_coordinate(g, linkage, moved))
+    }
 }
 
-/// Looks at all axes from the frame before run number `middle`; one past the
-/// frame behind the last is the base.
-fn look_around(g: &mut Graph, linkage: &Linkage, stance: &Stance, middle: usize) -> Middle {
-    let stages = stages(g, linkage, stance, linkage.links.len());
+/// The axes in the frame before run number `middle`, with angles by runs; one
+/// past the last is the tip's frame.
+fn look_around(g: &mut Graph, linkage: &Linkage, trig: &JointTrig, middle: usize) -> AxesInFrame {
+    let stages = stages(g, linkage, trig, linkage.links.len());
     let here = g.motion(&Pose::IDENTITY);
-    if middle > stages.len() {
-        let first = g.motion(&linkage.base);
-        let (axes, tip) = look_out(g, &stages, first);
-        return Middle {
-            axes,
-            base: here,
-            tip,
-        };
-    }
     let (inner, outer) = stages.split_at(middle);
     let (mut axes, before) = look_back(g, inner, here);
     let (later, tip) = look_out(g, outer, here);
@@ -212,27 +201,13 @@ fn look_around(g: &mut Graph, linkage: &Linkage, stance: &Stance, middle: usize)
         rotation: g.product(&before.rotation, &to_base.rotation),
         translation: g.plus(before.translation, shift),
     };
-    Middle { axes, base, tip }
-}
-
-/// Outwards from `frame`: the axes of later runs, and the frame behind the
-/// last.
-fn look_out(g: &mut Graph, outer: &[Stage], mut frame: Motion) -> (Vec<Axis>, Motion) {
-    let mut axes = Vec::new();
-    for stage in outer {
-        push_axes(g, stage, frame, &mut axes);
-        let travel = g.rotate(&frame.rotation, stage.travel);
-        frame.translation = g.plus(frame.translation, travel);
-        let behind = stage.spin(g, frame);
-        frame = stage.leave(g, behind);
-    }
-    (axes, frame)
+    AxesInFrame { axes, base, tip }
 }
 
 /// Backwards from `frame`: the axes of earlier runs, and the frame before the
 /// first.
-fn look_back(g: &mut Graph, inner: &[Stage], mut frame: Motion) -> (Vec<Axis>, Motion) {
-    let mut groups = Vec::new();
+fn look_back(g: &mut Graph, inner: &[Stage], mut frame: Motion) -> (Vec<Axis<Vector>>, Motion) {
+    let mut runs = Vec::new();
     for stage in inner.iter().rev() {
         frame = stage.enter(g, frame);
         if let Some(turn) = stage.turn {
@@ -241,30 +216,7 @@ fn look_back(g: &mut Graph, inner: &[Stage], mut frame: Motion) -> (Vec<Axis>, M
         }
         let travel = g.rotate(&frame.rotation, stage.travel);
         frame.translation = g.minus(frame.translation, travel);
-        let mut group = Vec::new();
-        push_axes(g, stage, frame, &mut group);
-        groups.push(group);
+        runs.push(stage.axes_from(g, frame));
     }
-    (groups.into_iter().rev().flatten().collect(), frame)
-}
-
-fn push_axes(g: &mut Graph, stage: &Stage, frame: Motion, axes: &mut Vec<Axis>) {
-    let Motion {
-        rotation,
-        translation,
-    } = frame;
-    for member in &stage.members {
-        axes.push(match member.slide {
-            Some(slide) => Axis::Slide {
-                direction: g.rotate(&rotation, slide),
-            },
-            None => {
-                let point = g.rotate(&rotation, member.point);
-                Axis::Turn {
-                    direction: [0, 1, 2].map(|row| rotation[row][2]),
-                    point: g.plus(translation, point),
-                }
-            }
-        });
-    }
+    (runs.into_iter().rev().flatten().collect(), frame)
 }

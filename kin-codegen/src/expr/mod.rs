@@ -10,6 +10,7 @@
 //! array lanes, the [interpreter](Graph::evaluate) takes one combination of
 //! signs at a time.
 
+mod axes;
 mod count;
 pub mod determinant;
 pub mod forward;
@@ -17,7 +18,6 @@ mod interpret;
 pub mod inverse;
 pub mod jacobian;
 pub mod linear;
-mod outlook;
 
 pub use count::Operations;
 pub use interpret::Lane;

@@ -45,8 +45,10 @@ pub struct Linkage {
 /// A joint and the constant motion behind it.
 #[derive(Clone, Debug)]
 pub struct Link {
-    /// J: how the joint moves.
-    pub travel: Travel,
+    /// J: a rotation about z, or a translation along `direction`.
+    pub kind: JointKind,
+    /// The joint's axis in its frame; z of a revolute joint.
+    pub direction: Vec3,
     /// Which coordinate of q moves it.
     pub variable: usize,
     /// J is by `gain * q + offset`: radians or metres.
@@ -66,22 +68,11 @@ pub struct Link {
     pub after_home: Pose,
 }
 
-/// How a joint moves in its frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Travel {
-    /// A rotation about z.
-    Turn,
-    /// A translation along a constant unit direction.
-    Slide(Vec3),
-}
-
 /// Joints whose frames share one orientation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
     /// The joints.
     pub joints: Range<usize>,
-    /// How many of them turn.
-    pub turning: usize,
 }
 
 impl Linkage {
@@ -116,7 +107,10 @@ impl Linkage {
             };
             let after = before * about_z(turn);
             links.push(link(joint, sign, turn, before, after));
-            extend_runs(&mut runs, i, joint, continues);
+            match runs.last_mut().filter(|_| continues) {
+                Some(run) => run.joints.end = i + 1,
+                None => runs.push(Run { joints: i..i + 1 }),
+            }
             orientation = after;
         }
         let base = clean(links[0].before_home, size);
@@ -152,17 +146,15 @@ impl Linkage {
         let mut columns = [Twist::default(); N];
         for link in &self.links {
             let value = link.gain * q[link.variable] + link.offset;
-            let (twist, motion) = match link.travel {
-                Travel::Turn => {
-                    let axis = column(&pose, 2);
-                    (Twist::revolute(axis, pose.translation), about_z(value))
-                }
-                Travel::Slide(v) => {
-                    let way = Pose {
-                        translation: v.map(|x| x * value),
+            let axis = pose.rotate(link.direction);
+            let (twist, motion) = match link.kind {
+                JointKind::Revolute => (Twist::revolute(axis, pose.translation), about_z(value)),
+                JointKind::Prismatic => {
+                    let shift = Pose {
+                        translation: link.direction.map(|x| x * value),
                         ..Pose::IDENTITY
                     };
-                    (Twist::prismatic(pose.rotate(v)), way)
+                    (Twist::prismatic(axis), shift)
                 }
             };
             columns[link.variable] = columns[link.variable] + twist * link.gain;
@@ -186,30 +178,46 @@ impl Linkage {
             .unwrap_or(0)
     }
 
+    /// The joints of a run that turn.
+    pub fn revolutes_of(&self, run: usize) -> Vec<usize> {
+        let mut joints: Vec<usize> = self.runs[run].joints.clone().collect();
+        joints.retain(|&joint| self.is_revolute(joint));
+        joints
+    }
+
+    /// Whether a joint turns.
+    pub fn is_revolute(&self, joint: usize) -> bool {
+        self.links[joint].kind == JointKind::Revolute
+    }
+
+    /// The unit twist of a joint at home, in base coordinates.
+    pub fn twist(&self, joint: usize) -> Twist {
+        let Line { direction, point } = self.axis(joint);
+        match self.links[joint].kind {
+            JointKind::Revolute => Twist::revolute(direction, point),
+            JointKind::Prismatic => Twist::prismatic(direction),
+        }
+    }
+
     /// The axis of a joint at home, in base coordinates.
     pub fn axis(&self, joint: usize) -> Line {
         let link = &self.links[joint];
-        let direction = match link.travel {
-            Travel::Turn => column(&link.before_home, 2).map(|x| x * link.gain.signum()),
-            Travel::Slide(v) => link.before_home.rotate(v),
-        };
+        let along = link.before_home.rotate(link.direction);
         Line {
-            direction,
+            direction: along.map(|x| x * link.gain.signum()),
             point: link.before_home.translation,
         }
     }
 }
 
 fn link(joint: &Joint, sign: f64, turn: f64, before: Pose, after: Pose) -> Link {
-    let (travel, sign) = match joint.kind {
-        JointKind::Revolute => (Travel::Turn, sign),
-        JointKind::Prismatic => (
-            Travel::Slide(tidy(before.rotate_back(joint.axis), 1.0)),
-            1.0,
-        ),
+    let (direction, sign) = match joint.kind {
+        JointKind::Revolute => ([0.0, 0.0, 1.0], sign),
+        JointKind::Prismatic => (tidy(before.rotate_back(joint.axis), 1.0), 1.0),
     };
     Link {
-        travel,
+        kind: joint.kind,
+        direction,
         variable: joint.variable,
         gain: sign * joint.multiplier,
         offset: sign * joint.offset + turn,
@@ -218,20 +226,6 @@ fn link(joint: &Joint, sign: f64, turn: f64, before: Pose, after: Pose) -> Link 
         body: Pose::IDENTITY,
         before_home: before,
         after_home: after,
-    }
-}
-
-fn extend_runs(runs: &mut Vec<Run>, i: usize, joint: &Joint, continues: bool) {
-    let turning = usize::from(joint.kind == JointKind::Revolute);
-    match runs.last_mut() {
-        Some(run) if continues => {
-            run.joints.end = i + 1;
-            run.turning += turning;
-        }
-        _ => runs.push(Run {
-            joints: i..i + 1,
-            turning,
-        }),
     }
 }
 

@@ -9,7 +9,7 @@ mod snap;
 mod structure;
 
 pub use conditioning::{conditioning, natural_target, rank};
-pub use linkage::{Link, Linkage, Run, Travel};
+pub use linkage::{Link, Linkage, Run};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};
 pub use snap::{Moved, Snap, snap};
@@ -27,6 +27,24 @@ pub struct Line {
     pub direction: Vec3,
     /// Any point of the line.
     pub point: Vec3,
+}
+
+/// How a joint moves, as it is in some frame; the vectors are numbers or
+/// expressions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Axis<V> {
+    /// The joint turns about a line.
+    Revolute {
+        /// Unit direction.
+        direction: V,
+        /// A point of the line, metres.
+        point: V,
+    },
+    /// The joint slides.
+    Prismatic {
+        /// Unit direction.
+        direction: V,
+    },
 }
 
 /// a · b.

@@ -1,7 +1,7 @@
 //! What a row of joints leaves alone: points, directions and planes.
 
 use super::Target;
-use crate::geometry::{Line, Linkage, Travel, Vec3, concurrency, cross, dot, norm, unit};
+use crate::geometry::{Line, Linkage, Vec3, concurrency, cross, dot, norm, unit};
 use std::ops::Range;
 
 /// Relations of the snapped chain hold to rounding; this is far above it and
@@ -58,7 +58,7 @@ pub fn invariants(linkage: &Linkage, target: Target) -> Vec<Invariant> {
 }
 
 fn slides(linkage: &Linkage, joint: usize) -> bool {
-    matches!(linkage.links[joint].travel, Travel::Slide(_))
+    !linkage.is_revolute(joint)
 }
 
 fn common_point(linkage: &Linkage, axes: &[Line], joints: Range<usize>) -> Option<Invariant> {

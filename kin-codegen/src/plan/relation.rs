@@ -1,7 +1,7 @@
 //! Relations: two invariants, and the joints between them that matter.
 
 use super::{Invariant, Kind};
-use crate::geometry::{Line, Linkage, Travel, cross, dot, norm, sub};
+use crate::geometry::{Line, Linkage, cross, dot, norm, sub};
 use kin_runtime::Pose;
 use std::fmt;
 
@@ -103,31 +103,12 @@ impl Samples {
                     direction: here.rotate(axis.direction),
                     point: here.transform_point(axis.point),
                 });
-                bodies.push(here * exponential(linkage, i, q(i)));
+                bodies.push(here * Pose::exp(&linkage.twist(i), q(i)));
             }
             Sample { bodies, axes }
         };
         Self((1..=SAMPLES).map(sample).collect())
     }
-}
-
-/// e^(ξ q) of a joint, in base coordinates.
-fn exponential(linkage: &Linkage, joint: usize, q: f64) -> Pose {
-    let link = &linkage.links[joint];
-    let motion = match link.travel {
-        Travel::Slide(v) => Pose {
-            translation: v.map(|x| x * q),
-            ..Pose::IDENTITY
-        },
-        Travel::Turn => {
-            let (s, c) = (q * link.gain).sin_cos();
-            Pose {
-                rotation: [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
-                translation: [0.0; 3],
-            }
-        }
-    };
-    link.before_home * motion * link.before_home.inverse()
 }
 
 impl Sample {
@@ -216,7 +197,7 @@ fn strength(
 ) -> Strength {
     let size = linkage.size;
     let axis = sample.axes[joint];
-    let slides = matches!(linkage.links[joint].travel, Travel::Slide(_));
+    let slides = !linkage.is_revolute(joint);
     // The velocity of a point or direction under a unit rate of the joint.
     let velocity = |kind: Kind, x: &Line| match (kind, slides) {
         (Kind::Direction, true) => [0.0; 3],
@@ -313,15 +294,8 @@ impl Relation {
 /// Directions see a run of parallel joints as one rotation.
 fn atom_of(linkage: &Linkage, joint: usize, directional: bool) -> Atom {
     let run = linkage.run_of(joint);
-    if !directional || linkage.runs[run].turning < 2 {
-        return Atom::Joint(joint);
-    }
-    let turns = |&j: &usize| linkage.links[j].travel == Travel::Turn;
-    let mut turning = linkage.runs[run].joints.clone().filter(turns);
-    let first = turning.next().unwrap_or(joint);
-    Atom::Sum {
-        run,
-        first,
-        last: turning.next_back().unwrap_or(first),
+    match linkage.revolutes_of(run)[..] {
+        [first, .., last] if directional => Atom::Sum { run, first, last },
+        _ => Atom::Joint(joint),
     }
 }

@@ -3,7 +3,7 @@
 use super::invariant::invariants;
 use super::relation::{Dependence, Samples};
 use super::{Atom, Kind, Plan, Relation, Step, Subproblem, Target};
-use crate::geometry::{Linkage, Travel, cross, norm};
+use crate::geometry::{Linkage, cross, norm};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -131,13 +131,9 @@ impl Solved {
     /// the sum and all but one of them give that one.
     fn conclude(&mut self, linkage: &Linkage) -> Vec<Step> {
         let mut steps = Vec::new();
-        for (run, joints) in linkage.runs.iter().enumerate() {
-            let turning: Vec<usize> = joints
-                .joints
-                .clone()
-                .filter(|&j| linkage.links[j].travel == Travel::Turn)
-                .collect();
-            let missing: Vec<usize> = turning
+        for run in 0..linkage.runs.len() {
+            let revolute = linkage.revolutes_of(run);
+            let missing: Vec<usize> = revolute
                 .iter()
                 .copied()
                 .filter(|&j| !self.has(Atom::Joint(j)))
@@ -377,7 +373,7 @@ impl Partial {
 
 fn slides(linkage: &Linkage, atom: Atom) -> bool {
     match atom {
-        Atom::Joint(j) => matches!(linkage.links[j].travel, Travel::Slide(_)),
+        Atom::Joint(j) => !linkage.is_revolute(j),
         Atom::Sum { .. } => false,
     }
 }
@@ -412,8 +408,7 @@ fn pair(linkage: &Linkage, relation: &Relation, a: Atom, b: Atom) -> bool {
     let (Atom::Joint(i), Atom::Joint(j)) = (a, b) else {
         return false;
     };
-    let turns = |j: usize| linkage.links[j].travel == Travel::Turn;
-    if j != i + 1 || !turns(i) || !turns(j) {
+    if j != i + 1 || !linkage.is_revolute(i) || !linkage.is_revolute(j) {
         return false;
     }
     let (first, second) = (linkage.axis(i), linkage.axis(j));

@@ -4,7 +4,7 @@
 use crate::arm::{Arm, any_arm, configuration, structure};
 use crate::check::Solved;
 use crate::settings::cases;
-use kin_codegen::expr::forward::{Outputs, Stance, link_frames, tip};
+use kin_codegen::expr::forward::{JointTrig, Outputs, link_frames, tip};
 use kin_codegen::expr::jacobian::{Which, jacobian, tip_and_jacobian};
 use kin_codegen::expr::{Expr, Graph};
 use kin_codegen::geometry::Linkage;
@@ -23,10 +23,16 @@ proptest! {
     #[test]
     fn poses_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
         let chain = arm.0.chain();
-        let found = evaluated(&arm, &q, tip);
+        let found = evaluated(&arm, &q, |g, linkage, q| {
+            let trig = JointTrig::at(g, linkage, q);
+            tip(g, linkage, &trig)
+        });
         assert_close(&found, &pose_entries(&chain.fk(&q)));
         let joints: Vec<usize> = (0..q.len()).collect();
-        let found = evaluated(&arm, &q, |g, linkage, stance| link_frames(g, linkage, stance, &joints));
+        let found = evaluated(&arm, &q, |g, linkage, q| {
+            let trig = JointTrig::at(g, linkage, q);
+            link_frames(g, linkage, &trig, &joints)
+        });
         let links: Vec<f64> = chain.fk_links(&q).iter().flat_map(pose_entries).collect();
         assert_close(&found, &links);
     }
@@ -34,12 +40,12 @@ proptest! {
     #[test]
     fn jacobians_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
         let chain = arm.0.chain();
-        let columns = |which| evaluated(&arm, &q, |g, linkage, stance| jacobian(g, linkage, stance, which));
+        let columns = |which| evaluated(&arm, &q, |g, linkage, q| jacobian(g, linkage, q, which));
         assert_close(&columns(Which::Spatial), &column_entries(&chain.spatial_jacobian(&q)));
         assert_close(&columns(Which::Body), &column_entries(&chain.body_jacobian(&q)));
         assert_close(&columns(Which::Geometric), &column_entries(&chain.geometric_jacobian(&q)));
-        let together = evaluated(&arm, &q, |g, linkage, stance| {
-            tip_and_jacobian(g, linkage, stance, Which::Spatial)
+        let together = evaluated(&arm, &q, |g, linkage, q| {
+            tip_and_jacobian(g, linkage, q, Which::Spatial)
         });
         let tip = pose_entries(&chain.fk(&q));
         assert_close(&together, &[tip, column_entries(&chain.spatial_jacobian(&q))].concat());
@@ -59,13 +65,12 @@ proptest! {
 fn evaluated<T: Outputs>(
     Arm(arm): &Arm,
     q: &[f64],
-    build: impl Fn(&mut Graph, &Linkage, &Stance) -> T,
+    build: impl Fn(&mut Graph, &Linkage, &[Expr]) -> T,
 ) -> Vec<f64> {
     let linkage = Linkage::new(arm);
     let mut g = Graph::new();
     let inputs: Vec<Expr> = (0..q.len()).map(|i| g.input(format!("q{i}"))).collect();
-    let stance = Stance::at(&mut g, &linkage, &inputs);
-    let outputs = build(&mut g, &linkage, &stance).expressions();
+    let outputs = build(&mut g, &linkage, &inputs).expressions();
     let mut values = Vec::new();
     g.evaluate(q, 0, &mut values);
     outputs.iter().map(|e| values[e.index()]).collect()

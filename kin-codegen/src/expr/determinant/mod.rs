@@ -12,9 +12,9 @@
 mod matrix;
 mod product;
 
-use super::outlook::{FIRST, Outlook, columns, standpoints};
+use super::axes::{AxesInFrame, FIRST, tip_frame};
 use super::{Expr, Graph};
-use crate::geometry::{Linkage, Travel};
+use crate::geometry::Linkage;
 use crate::plan::Target;
 use matrix::{Block, Matrix, Split};
 use product::Product;
@@ -83,8 +83,9 @@ fn moves_in_subgroup(linkage: &Linkage, n: usize) -> bool {
     }
     let mut g = Graph::new();
     let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
-    let seen = Outlook::new(&mut g, linkage, &q, FIRST);
-    let columns = columns(&mut g, linkage, &seen, seen.points[0]);
+    let seen = AxesInFrame::new(&mut g, linkage, &q, FIRST);
+    let origin = g.vector([0.0; 3]);
+    let columns = seen.columns(&mut g, linkage, origin);
     let mut basis: Vec<[f64; 6]> = Vec::new();
     let mut values = Vec::new();
     for probe in PROBES {
@@ -148,7 +149,7 @@ const PROBES: [[f64; 6]; 3] = [
 ];
 
 fn views(linkage: &Linkage, n: usize, target: Target) -> Vec<View> {
-    let last = standpoints(linkage) - 1;
+    let last = tip_frame(linkage);
     let from = match target {
         Target::Pose | Target::Position | Target::Orientation => 0..=last,
         // The rows are those of the tip's own axes,
@@ -156,21 +157,21 @@ fn views(linkage: &Linkage, n: usize, target: Target) -> Vec<View> {
         // or of the first joint's.
         Target::PositionYaw | Target::Planar => FIRST..=FIRST,
     };
-    let first_turns = matches!(linkage.links[0].travel, Travel::Turn);
+    let first_turns = linkage.is_revolute(0);
     let has_rows = first_turns || !target.is_projected();
     if n > 6 || !has_rows {
         return Vec::new();
     }
-    let views = from.map(|standpoint| View::new(linkage, n, target, standpoint));
+    let views = from.map(|frame| View::new(linkage, n, target, frame));
     views.filter(|view| !view.splits.is_empty()).collect()
 }
 
 impl View {
-    fn new(linkage: &Linkage, n: usize, target: Target, standpoint: usize) -> Self {
+    fn new(linkage: &Linkage, n: usize, target: Target, frame: usize) -> Self {
         let mut g = Graph::new();
         let inputs: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
-        let seen = Outlook::new(&mut g, linkage, &inputs, standpoint);
-        let mut references = seen.points.clone();
+        let seen = AxesInFrame::new(&mut g, linkage, &inputs, frame);
+        let mut references = seen.points();
         if matches!(
             target,
             Target::Pose | Target::Orientation | Target::Direction
@@ -191,7 +192,7 @@ impl View {
         };
         let mut splits = Vec::new();
         for reference in references {
-            let columns = columns(&mut g, linkage, &seen, reference);
+            let columns = seen.columns(&mut g, linkage, reference);
             let zero = |row: usize, g: &Graph| columns.iter().all(|column| g.is(column[row], 0.0));
             let rows: Vec<usize> = (wanted.iter().copied())
                 .filter(|&row| !zero(row, &g))

@@ -7,7 +7,6 @@
 //! every branch carries its residual: the forward kinematics of what was
 //! found against the target that was asked for.
 
-mod carry;
 mod free;
 mod pair;
 mod project;
@@ -15,13 +14,15 @@ mod root;
 mod rotate;
 mod slide;
 mod solve;
+mod transport;
 
 pub use free::{FreeAngle, FreeAngles};
 
-use super::forward::{self, Stance, subscript};
+use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
 use super::{Expr, Graph};
-use crate::geometry::{Linkage, Travel};
+use crate::geometry::Linkage;
+use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use free::MayBeFree;
 use kin_runtime::Pose;
@@ -238,10 +239,6 @@ impl<'a> Writer<'a> {
         self.g.operations(&outputs).weight()
     }
 
-    fn turns(&self, joint: usize) -> bool {
-        self.linkage.links[joint].travel == Travel::Turn
-    }
-
     fn set(&mut self, atom: Atom, trig: Trig) {
         let name = self.symbol(atom);
         let sin = self.g.named(trig.sin, format!("s{name}"));
@@ -260,7 +257,7 @@ impl<'a> Writer<'a> {
     fn seeded(&mut self, atom: Atom) -> Trig {
         let joints = match atom {
             Atom::Joint(joint) => vec![joint],
-            Atom::Sum { run, .. } => self.turning(run),
+            Atom::Sum { run, .. } => self.linkage.revolutes_of(run),
         };
         let mut angle = self.g.zero();
         for joint in joints {
@@ -278,7 +275,7 @@ impl<'a> Writer<'a> {
         match atom {
             Atom::Joint(joint) => subscript(joint),
             Atom::Sum { first, last, .. } => (first..=last)
-                .filter(|&j| self.turns(j))
+                .filter(|&j| self.linkage.is_revolute(j))
                 .map(subscript)
                 .collect(),
         }
@@ -290,7 +287,7 @@ impl<'a> Writer<'a> {
         let Some(mut rest) = self.sum[run] else {
             return;
         };
-        for other in self.turning(run) {
+        for other in self.linkage.revolutes_of(run) {
             if let (true, Some(known)) = (other != joint, self.trig[other]) {
                 let back = self.g.reverse(known);
                 rest = self.g.angle_sum(rest, back);
@@ -299,18 +296,10 @@ impl<'a> Writer<'a> {
         self.trig[joint] = Some(rest);
     }
 
-    fn turning(&self, run: usize) -> Vec<usize> {
-        self.linkage.runs[run]
-            .joints
-            .clone()
-            .filter(|&j| self.turns(j))
-            .collect()
-    }
-
     /// The sum of a run's angles, if all of them are known.
     fn run_sum(&mut self, run: usize) -> Option<Trig> {
         if self.sum[run].is_none() {
-            let joints = self.turning(run);
+            let joints = self.linkage.revolutes_of(run);
             let known: Option<Vec<Trig>> = joints.iter().map(|&j| self.trig[j]).collect();
             let mut known = known?.into_iter();
             let first = known.next()?;
@@ -342,13 +331,13 @@ impl<'a> Writer<'a> {
         for run in 0..self.linkage.runs.len() {
             for joint in self.linkage.runs[run].joints.clone() {
                 let link = &self.linkage.links[joint];
-                let value = match link.travel {
-                    Travel::Slide(_) => {
+                let value = match link.kind {
+                    JointKind::Prismatic => {
                         let slide = self.slide[joint].unwrap_or(zero);
                         let offset = self.g.constant(link.offset);
                         self.g.sub(slide, offset)
                     }
-                    Travel::Turn => self.turned(joint),
+                    JointKind::Revolute => self.turned(joint),
                 };
                 let symbol = format!("q{}", link.variable + 1);
                 q[link.variable] = self.g.named(value, symbol);
@@ -378,8 +367,8 @@ impl<'a> Writer<'a> {
     /// and rotation angle times the arm's size, as the legs of a right
     /// triangle. A sum, so that a NaN anywhere is a NaN here.
     fn residual(&mut self) -> Expr {
-        let stance = self.stance();
-        let found = forward::tip(&mut self.g, self.linkage, &stance);
+        let trig = self.joint_trig();
+        let found = forward::tip(&mut self.g, self.linkage, &trig);
         let wanted = self.pose;
         let zero = self.g.zero();
         let mut squares = zero;
@@ -410,7 +399,7 @@ impl<'a> Writer<'a> {
     }
 
     /// What was solved, as forward kinematics wants it.
-    fn stance(&mut self) -> Stance {
+    fn joint_trig(&mut self) -> JointTrig {
         let rest = Trig {
             sin: self.g.zero(),
             cos: self.g.one(),
@@ -418,7 +407,7 @@ impl<'a> Writer<'a> {
         let mut sums = Vec::new();
         let mut slides = Vec::new();
         for run in 0..self.linkage.runs.len() {
-            let last = self.turning(run).last().copied();
+            let last = self.linkage.revolutes_of(run).last().copied();
             let mut sum: Option<Trig> = None;
             for joint in self.linkage.runs[run].joints.clone() {
                 let whole = Some(joint) == last && self.sum_first[run];
@@ -435,6 +424,6 @@ impl<'a> Writer<'a> {
                 slides.push(self.slide[joint].unwrap_or(zero));
             }
         }
-        Stance { sums, slides }
+        JointTrig { sums, slides }
     }
 }

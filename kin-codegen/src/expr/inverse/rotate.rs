@@ -1,18 +1,18 @@
 //! Subproblems 1 and 2: a vector turned onto another.
 
 use super::Writer;
-use super::carry::Carried;
 use super::root::{Discriminant, FREE, NOISE};
+use super::transport::Transported;
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::{Atom, Kind, Relation};
 
 impl Writer<'_> {
     /// Rz(θ) right = left.
-    pub(super) fn sp1(&mut self, unknown: Atom, left: Carried, right: Carried) -> Trig {
+    pub(super) fn sp1(&mut self, unknown: Atom, left: Transported, right: Transported) -> Trig {
         let point = left.point.is_some();
         let zero = self.g.vector([0.0; 3]);
-        let of = |x: Carried| if point { x.point } else { x.direction }.unwrap_or(zero);
+        let of = |x: Transported| if point { x.point } else { x.direction }.unwrap_or(zero);
         let (l, r) = (of(left), of(right));
         let trig = self.across(l, r);
         let lengths = [l, r].map(|v| self.length_squared(v));
@@ -61,10 +61,10 @@ impl Writer<'_> {
         let x = self.bring_before(from, from.joints.end, first_start);
         let y = self.bring_behind(from, from.joints.start, second_end);
         let zero = self.g.vector([0.0; 3]);
-        let of = |x: Carried| if point { x.point } else { x.direction }.unwrap_or(zero);
+        let of = |x: Transported| if point { x.point } else { x.direction }.unwrap_or(zero);
         // The first axis, behind the first joint and before the second.
         let z = self.g.vector([0.0, 0.0, 1.0]);
-        let axis = Carried {
+        let axis = Transported {
             point: point.then_some(zero),
             direction: Some(z),
         };

@@ -5,16 +5,12 @@ use super::root::{Discriminant, NOISE};
 use super::solve::Split;
 use crate::expr::Expr;
 use crate::expr::linear::Vector;
-use crate::geometry::Travel;
 use crate::plan::{Atom, Relation, Subproblem};
 
 impl Writer<'_> {
     /// A sliding joint.
     pub(super) fn slide_to(&mut self, subproblem: Subproblem, relation: &Relation, joint: usize) {
-        let Travel::Slide(v) = self.linkage.links[joint].travel else {
-            return;
-        };
-        let v = self.g.vector(v);
+        let v = self.g.vector(self.linkage.links[joint].direction);
         let split = self.split(relation, Atom::Joint(joint));
         let zero = self.g.vector([0.0; 3]);
         let (l, r) = (

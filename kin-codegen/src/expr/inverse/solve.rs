@@ -2,7 +2,7 @@
 //! axis is z, so every rotation is planar.
 
 use super::Writer;
-use super::carry::Carried;
+use super::transport::Transported;
 use crate::expr::Expr;
 use crate::expr::linear::Vector;
 use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
@@ -11,9 +11,9 @@ use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 /// joint, `right` in the frame behind it, and the same pair along the other,
 /// known arc.
 pub(super) struct Split {
-    pub left: Carried,
-    pub right: Carried,
-    pub other: Option<[Carried; 2]>,
+    pub left: Transported,
+    pub right: Transported,
+    pub other: Option<[Transported; 2]>,
 }
 
 fn kinds(relation: &Relation) -> (Kind, Option<Kind>) {
@@ -83,13 +83,13 @@ impl Writer<'_> {
         }
     }
 
-    pub(super) fn bring_before(&mut self, x: &Invariant, body: usize, joint: usize) -> Carried {
+    pub(super) fn bring_before(&mut self, x: &Invariant, body: usize, joint: usize) -> Transported {
         let x = self.seen_from(x, body);
         let x = self.onwards(x, body, joint);
         self.arrive_before(x, joint)
     }
 
-    pub(super) fn bring_behind(&mut self, x: &Invariant, body: usize, end: usize) -> Carried {
+    pub(super) fn bring_behind(&mut self, x: &Invariant, body: usize, end: usize) -> Transported {
         let x = self.seen_from(x, body);
         self.backwards(x, body, end)
     }
@@ -136,7 +136,7 @@ impl Writer<'_> {
     }
 
     /// What a relation measures where both invariants are in one frame.
-    fn value(&mut self, relation: &Relation, near: &Carried, far: &Carried) -> Expr {
+    fn value(&mut self, relation: &Relation, near: &Transported, far: &Transported) -> Expr {
         match kinds(relation) {
             (Kind::Direction, _) => {
                 let (a, b) = (self.direction(near), self.direction(far));
@@ -162,11 +162,11 @@ impl Writer<'_> {
         }
     }
 
-    pub(super) fn point(&mut self, x: &Carried) -> Vector {
+    pub(super) fn point(&mut self, x: &Transported) -> Vector {
         x.point.unwrap_or_else(|| self.g.vector([0.0; 3]))
     }
 
-    pub(super) fn direction(&mut self, x: &Carried) -> Vector {
+    pub(super) fn direction(&mut self, x: &Transported) -> Vector {
         x.direction.unwrap_or_else(|| self.g.vector([0.0; 3]))
     }
 }

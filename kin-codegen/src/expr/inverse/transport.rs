@@ -8,21 +8,21 @@
 
 use super::Writer;
 use crate::expr::linear::{Trig, Vector, transpose};
-use crate::geometry::Travel;
+use crate::model::JointKind;
 use crate::plan::{Invariant, Kind};
 use kin_runtime::Pose;
 
 /// A point and a direction in the frame of some link; a point object leaves
 /// its direction zero, a direction its point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Carried {
+pub(super) struct Transported {
     pub point: Option<Vector>,
     pub direction: Option<Vector>,
 }
 
 impl Writer<'_> {
     /// An invariant in the frame of link `body`, where it is constant.
-    pub(super) fn seen_from(&mut self, invariant: &Invariant, body: usize) -> Carried {
+    pub(super) fn seen_from(&mut self, invariant: &Invariant, body: usize) -> Transported {
         let home = self.home_of(body).inverse();
         let tidy =
             |v: [f64; 3], scale: f64| v.map(|x| if x.abs() < 1e-13 * scale { 0.0 } else { x });
@@ -30,7 +30,7 @@ impl Writer<'_> {
         let direction = tidy(home.rotate(invariant.direction), 1.0);
         let point = self.g.vector(point);
         let direction = self.g.vector(direction);
-        Carried {
+        Transported {
             point: (invariant.kind != Kind::Direction).then_some(point),
             direction: (invariant.kind != Kind::Point).then_some(direction),
         }
@@ -49,7 +49,7 @@ impl Writer<'_> {
 
     /// Carries onwards (base to tip, over the target, to the base again) from
     /// the frame of link `from` to that of link `to`.
-    pub(super) fn onwards(&mut self, mut x: Carried, from: usize, to: usize) -> Carried {
+    pub(super) fn onwards(&mut self, mut x: Transported, from: usize, to: usize) -> Transported {
         let n = self.linkage.links.len();
         let mut body = from;
         while body != to {
@@ -78,7 +78,7 @@ impl Writer<'_> {
     }
 
     /// Carries backwards from the frame of link `from` to that of link `to`.
-    pub(super) fn backwards(&mut self, mut x: Carried, from: usize, to: usize) -> Carried {
+    pub(super) fn backwards(&mut self, mut x: Transported, from: usize, to: usize) -> Transported {
         let n = self.linkage.links.len();
         let mut body = from;
         while body != to {
@@ -114,7 +114,7 @@ impl Writer<'_> {
     }
 
     /// From the frame of link `joint` to the frame before that joint.
-    pub(super) fn arrive_before(&mut self, x: Carried, joint: usize) -> Carried {
+    pub(super) fn arrive_before(&mut self, x: Transported, joint: usize) -> Transported {
         match joint {
             0 => x,
             j => self.uncross(x, self.linkage.links[j - 1].after),
@@ -123,7 +123,7 @@ impl Writer<'_> {
 
     /// If a direction is to cross a whole run of parallel joints whose sum is
     /// known: that sum, and where the run ends.
-    fn whole_run(&mut self, x: &Carried, joint: usize, to: usize) -> Option<(Trig, usize)> {
+    fn whole_run(&mut self, x: &Transported, joint: usize, to: usize) -> Option<(Trig, usize)> {
         let run = self.linkage.run_of(joint);
         let range = self.linkage.runs[run].joints.clone();
         let stops_inside = range.start < to && to < range.end;
@@ -133,23 +133,23 @@ impl Writer<'_> {
         self.run_sum(run).map(|sum| (sum, range.end))
     }
 
-    fn turn(&mut self, x: Carried, t: Trig) -> Carried {
-        Carried {
+    fn turn(&mut self, x: Transported, t: Trig) -> Transported {
+        Transported {
             point: x.point.map(|p| self.g.turn(t, p)),
             direction: x.direction.map(|d| self.g.turn(t, d)),
         }
     }
 
     /// J x.
-    fn cross_joint(&mut self, x: Carried, joint: usize) -> Carried {
-        match self.linkage.links[joint].travel {
-            Travel::Turn => match self.trig[joint] {
+    fn cross_joint(&mut self, x: Transported, joint: usize) -> Transported {
+        match self.linkage.links[joint].kind {
+            JointKind::Revolute => match self.trig[joint] {
                 Some(t) => self.turn(x, t),
                 None => x,
             },
-            Travel::Slide(_) => {
+            JointKind::Prismatic => {
                 let way = self.way(joint);
-                Carried {
+                Transported {
                     point: x.point.map(|p| self.g.plus(p, way)),
                     ..x
                 }
@@ -158,18 +158,18 @@ impl Writer<'_> {
     }
 
     /// J⁻¹ x.
-    fn uncross_joint(&mut self, x: Carried, joint: usize) -> Carried {
-        match self.linkage.links[joint].travel {
-            Travel::Turn => match self.trig[joint] {
+    fn uncross_joint(&mut self, x: Transported, joint: usize) -> Transported {
+        match self.linkage.links[joint].kind {
+            JointKind::Revolute => match self.trig[joint] {
                 Some(t) => {
                     let back = self.g.reverse(t);
                     self.turn(x, back)
                 }
                 None => x,
             },
-            Travel::Slide(_) => {
+            JointKind::Prismatic => {
                 let way = self.way(joint);
-                Carried {
+                Transported {
                     point: x.point.map(|p| self.g.minus(p, way)),
                     ..x
                 }
@@ -179,18 +179,15 @@ impl Writer<'_> {
 
     /// The vector by which a joint slides.
     fn way(&mut self, joint: usize) -> Vector {
-        let Travel::Slide(v) = self.linkage.links[joint].travel else {
-            return self.g.vector([0.0; 3]);
-        };
-        let v = self.g.vector(v);
+        let v = self.g.vector(self.linkage.links[joint].direction);
         let slide = self.slide[joint].unwrap_or_else(|| self.g.zero());
         self.g.scale(slide, v)
     }
 
     /// C x.
-    fn cross(&mut self, x: Carried, c: Pose) -> Carried {
+    fn cross(&mut self, x: Transported, c: Pose) -> Transported {
         let c = self.g.motion(&c);
-        Carried {
+        Transported {
             point: x.point.map(|p| {
                 let p = self.g.rotate(&c.rotation, p);
                 self.g.plus(c.translation, p)
@@ -200,9 +197,9 @@ impl Writer<'_> {
     }
 
     /// C⁻¹ x.
-    fn uncross(&mut self, x: Carried, c: Pose) -> Carried {
+    fn uncross(&mut self, x: Transported, c: Pose) -> Transported {
         let c = self.g.motion(&c);
-        Carried {
+        Transported {
             point: x.point.map(|p| {
                 let p = self.g.minus(p, c.translation);
                 self.g.rotate_back(&c.rotation, p)
@@ -212,9 +209,9 @@ impl Writer<'_> {
     }
 
     /// From the tip over the target to before the first joint: C₀⁻¹ T x.
-    fn over_target(&mut self, x: Carried) -> Carried {
+    fn over_target(&mut self, x: Transported) -> Transported {
         let pose = self.pose;
-        let x = Carried {
+        let x = Transported {
             point: x.point.map(|p| {
                 let p = self.g.rotate(&pose.rotation, p);
                 self.g.plus(pose.translation, p)
@@ -225,11 +222,11 @@ impl Writer<'_> {
     }
 
     /// From before the first joint to the tip: T⁻¹ C₀ x.
-    fn under_target(&mut self, x: Carried) -> Carried {
+    fn under_target(&mut self, x: Transported) -> Transported {
         let x = self.cross(x, self.linkage.base);
         let pose = self.pose;
         let back = transpose(&pose.rotation);
-        Carried {
+        Transported {
             point: x.point.map(|p| {
                 let p = self.g.minus(p, pose.translation);
                 self.g.rotate(&back, p)
