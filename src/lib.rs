@@ -18,7 +18,18 @@
 /// assert_eq!(Shoulder.fk(&[0.3, -1.2, 1.5]).translation, Ur5e.fk_links(&q)[2].translation);
 /// ```
 pub use kin_macros::kinematics;
-pub use kin_runtime::*;
+#[doc(hidden)]
+pub use kin_runtime::__private;
+pub use kin_runtime::{
+    Basis, Ellipsoid, Hessian, Jacobian, JointLimit, Kinematics, Manipulability,
+    ParallelKinematics, Pose, Postures, RANK_TOLERANCE, Singularity, Solution, Solutions, Target,
+    Twist, Windings, WithBase, WithTool, Wrench, centering_gradient, null_space, subproblems,
+};
+#[cfg(feature = "std")]
+pub use kin_runtime::{
+    Chain, ChainSolution, Mechanism, SearchOptions, SelfMotion, SelfMotionError, SelfMotionOptions,
+    SelfMotions, Stop, Workspace, WorkspaceMethod, scattered_rotations, self_motion, self_motions,
+};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

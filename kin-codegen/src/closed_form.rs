@@ -5,9 +5,9 @@ use crate::expr::inverse::Inverse;
 use crate::geometry::{Linkage, Snap};
 use crate::model::JointKind;
 use crate::plan::Plan;
-use kin_runtime::branches::Acceptance;
-use kin_runtime::free_angle::{SAMPLES, roomiest_turn};
-use kin_runtime::polish::{Problem, land};
+use kin_runtime::__private::Acceptance;
+use kin_runtime::__private::free_angle::{SAMPLES, roomiest_turn};
+use kin_runtime::__private::refinement::{Problem, refine_branches};
 use kin_runtime::{Pose, Solution};
 
 /// Solutions reach the target to this, relative to the arm's size.
@@ -139,7 +139,7 @@ impl ClosedForm {
             singular: branch.singular,
         };
         let starts = branches.iter().map(start);
-        land(&problem, starts, &self.acceptance(), self.refinement)
+        refine_branches(&problem, starts, &self.acceptance(), self.refinement)
             .iter()
             .map(|found| BranchSolution {
                 q: found.q.to_vec(),
@@ -160,7 +160,7 @@ impl ClosedForm {
         Acceptance {
             size,
             tolerance: TOLERANCE * size,
-            blur: if self.is_exact() {
+            near_singular: if self.is_exact() {
                 0.0
             } else {
                 NEAR_SINGULAR * (self.tip_shift / size).sqrt()

@@ -21,80 +21,52 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
-mod basis;
-pub mod branches;
+mod analysis;
+mod convert;
+mod generated;
 #[cfg(feature = "alloc")]
-mod chain;
-#[cfg(feature = "alloc")]
-mod cholesky;
-mod derivative;
-#[cfg(feature = "alloc")]
-mod descent;
-mod exponential;
-pub mod free_angle;
-#[cfg(feature = "glam")]
-mod glam;
-mod inherent;
-mod jacobian;
-mod kinematics;
-pub mod lanes;
-mod limits;
-mod manipulability;
-pub mod math;
-mod mechanism;
-#[cfg(feature = "mint")]
-mod mint;
-#[cfg(feature = "nalgebra")]
-mod nalgebra;
-mod orientation;
-mod placement;
-pub mod polish;
-mod pose;
-pub mod quartic;
-mod redundancy;
-mod resolved_rate;
-mod row_space;
-#[cfg(feature = "alloc")]
-mod search;
+mod generic;
+mod linear;
+mod parallel;
+mod robot;
+mod scalar;
 #[cfg(feature = "alloc")]
 mod self_motion;
-mod singular_values;
-mod singularity;
-mod solutions;
-mod statics;
 pub mod subproblems;
-mod target;
-mod twist;
-mod vector;
+mod types;
 #[cfg(feature = "alloc")]
 mod workspace;
-mod wrench;
 
-pub use basis::Basis;
+use scalar::math;
+
+pub use analysis::{
+    Ellipsoid, Manipulability, RANK_TOLERANCE, Singularity, centering_gradient, null_space,
+};
 #[cfg(feature = "alloc")]
-pub use chain::Chain;
-pub use derivative::Hessian;
-pub use jacobian::Jacobian;
-pub use kinematics::Kinematics;
-pub use limits::JointLimit;
-pub use manipulability::{Ellipsoid, Manipulability};
-#[cfg(feature = "alloc")]
-pub use mechanism::Mechanism;
-pub use mechanism::{ParallelKinematics, Postures, three_spheres};
-pub use placement::{WithBase, WithTool};
-pub use pose::Pose;
-pub use redundancy::{centering_gradient, null_space};
-#[cfg(feature = "alloc")]
-pub use search::{ChainSolution, SearchOptions};
+pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
+pub use parallel::{ParallelKinematics, Postures};
+pub use robot::{Kinematics, WithBase, WithTool};
 #[cfg(feature = "alloc")]
 pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
 };
-pub use singularity::Singularity;
-pub use solutions::{IntoIter, Solution, Solutions, Windings};
-pub use statics::RANK_TOLERANCE;
-pub use target::Target;
-pub use twist::Twist;
+pub use types::{
+    Basis, Hessian, IntoIter, Jacobian, JointLimit, Pose, Solution, Solutions, Target, Twist,
+    Windings, Wrench,
+};
 #[cfg(feature = "alloc")]
 pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
-pub use wrench::Wrench;
+
+/// What generated code calls, and the compiler that checks it. No part of the
+/// public interface: it changes with every minor version.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::generated::branches::{Acceptance, Branches};
+    pub use crate::generated::free_angle::{self, FreeAngle};
+    pub use crate::generated::lanes::{self, widen};
+    pub use crate::generated::refinement;
+    pub use crate::parallel::three_spheres;
+    pub use crate::scalar::math;
+    pub use crate::scalar::quartic::{self, trig_roots};
+    pub use crate::{generated_by, inherent_methods, inherent_parallel_methods};
+}

@@ -1,6 +1,7 @@
 //! Answers between the stops of the joints, held against trying all turns.
 
-use kin_runtime::{JointLimit, Solution, Solutions, math};
+use kin_runtime::__private::math;
+use kin_runtime::{JointLimit, Solution, Solutions};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const CONTINUOUS: JointLimit = JointLimit::Continuous;

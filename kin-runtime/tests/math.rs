@@ -1,8 +1,8 @@
 //! The errors that `math` states, measured against double-double references.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
-use kin_runtime::lanes;
-use kin_runtime::math::{atan2, sin_cos, sqrt, wrap};
+use kin_runtime::__private::lanes;
+use kin_runtime::__private::math::{atan2, sin_cos, sqrt, wrap};
 
 /// An unevaluated sum of two doubles: about 32 digits.
 #[derive(Clone, Copy)]

@@ -2,8 +2,8 @@
 //! coefficients of any size.
 
 use core::f64::consts::PI;
-use kin_runtime::math::wrap;
-use kin_runtime::quartic::{DOUBLE, NONE, SIMPLE, trig_roots};
+use kin_runtime::__private::math::wrap;
+use kin_runtime::__private::quartic::{DOUBLE, NONE, SIMPLE, trig_roots};
 
 /// A deterministic stream of numbers in [−1, 1).
 struct Stream(u64);

@@ -1,7 +1,7 @@
 //! The numerical search finds all solutions, each once, and nothing else.
 
 use core::f64::consts::PI;
-use kin_runtime::math::wrap;
+use kin_runtime::__private::math::wrap;
 use kin_runtime::{Chain, ChainSolution, Pose, SearchOptions, Target, Twist};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];

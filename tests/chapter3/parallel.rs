@@ -31,5 +31,5 @@ fn generic(file: &str) -> kinematics::Mechanism {
 
 /// Whether two configurations are the same, angles modulo a turn.
 fn same<const N: usize>(a: &[f64; N], b: &[f64; N], tolerance: f64) -> bool {
-    (0..N).all(|i| kinematics::math::wrap(a[i] - b[i]).abs() < tolerance)
+    (0..N).all(|i| kinematics::__private::math::wrap(a[i] - b[i]).abs() < tolerance)
 }

@@ -260,7 +260,7 @@ fn a_crossing_is_reported() {
     assert_eq!(motion.stops, Some([Stop::Singular; 2]));
     let crossing = [PI / 2.0, PI, PI];
     for end in [motion.path[0], motion.path[motion.path.len() - 1]] {
-        let apart = (0..3).map(|i| kinematics::math::wrap(end[i] - crossing[i]));
+        let apart = (0..3).map(|i| kinematics::__private::math::wrap(end[i] - crossing[i]));
         assert!(
             apart.fold(0.0, |a: f64, x| a.max(x.abs())) < 1e-6,
             "{end:?}"

@@ -16,12 +16,16 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Calibrated;
 const _: () = {
+    ::kinematics::__private::generated_by!(0.1);
     #[allow(unused_imports)]
     use ::kinematics::{
-        branches::{Acceptance, Branches},
-        free_angle::FreeAngle, lanes::{self, widen},
-        math, quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-        Singularity, Solution, Solutions, Target,
+        Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution,
+        Solutions, Target,
+    };
+
+    #[allow(unused_imports)]
+    use ::kinematics::__private::{
+        lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
     };
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -790,7 +794,7 @@ const _: () = {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.1498670199252323,
             tolerance: 1.1498670199252324e-9,
-            blur: 0.014466553735643211,
+            near_singular: 0.014466553735643211,
             prismatic: 0,
         };
 
@@ -812,7 +816,7 @@ const _: () = {
         pub fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             let branches = self.branches(pose, seed);
             branches
-                .polished(|q| self.fk_jacobian(q), pose, Target::Pose, 24, &Self::ACCEPT)
+                .refined(|q| self.fk_jacobian(q), pose, Target::Pose, 24, &Self::ACCEPT)
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1254,5 +1258,5 @@ const _: () = {
             Calibrated::ik_closest(self, pose)
         }
     }
-    ::kinematics::inherent_methods!(Calibrated, 6);
+    ::kinematics::__private::inherent_methods!(Calibrated, 6);
 };

@@ -20,19 +20,22 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Delta;
 const _: () = {
+    ::kinematics::__private::generated_by!(0.1);
+    #[allow(unused_imports)]
+    use ::kinematics::__private::three_spheres;
     #[allow(unused_imports)]
     use ::kinematics::{
-        three_spheres, Jacobian, JointLimit, ParallelKinematics, Pose, Postures,
-        Solution, Solutions, Twist,
+        Jacobian, JointLimit, ParallelKinematics, Pose, Postures, Solution, Solutions,
+        Twist,
     };
 
     /// The chains that the mechanism is made of.
     mod arms {
         #[allow(unused_imports)]
-        use ::kinematics::{
-            branches::{Acceptance, Branches},
-            free_angle::FreeAngle, lanes::{self, widen},
-            math, quartic::trig_roots, Jacobian, Pose, Solution, Solutions, Target,
+        use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
+        #[allow(unused_imports)]
+        use ::kinematics::__private::{
+            lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
         };
 
         pub struct Leg1;
@@ -220,7 +223,7 @@ const _: () = {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
-                blur: 0.0,
+                near_singular: 0.0,
                 prismatic: 0,
             };
 
@@ -450,7 +453,7 @@ const _: () = {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
-                blur: 0.0,
+                near_singular: 0.0,
                 prismatic: 0,
             };
 
@@ -788,7 +791,7 @@ const _: () = {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
-                blur: 0.0,
+                near_singular: 0.0,
                 prismatic: 0,
             };
 
@@ -1040,7 +1043,7 @@ const _: () = {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
-                blur: 0.0,
+                near_singular: 0.0,
                 prismatic: 0,
             };
 
@@ -1417,7 +1420,7 @@ const _: () = {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
-                blur: 0.0,
+                near_singular: 0.0,
                 prismatic: 0,
             };
 
@@ -1669,7 +1672,7 @@ const _: () = {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
-                blur: 0.0,
+                near_singular: 0.0,
                 prismatic: 0,
             };
 
@@ -2123,7 +2126,7 @@ const _: () = {
             )
         }
     }
-    ::kinematics::inherent_parallel_methods!(Delta, 15, 3, 3);
-    ::kinematics::inherent_parallel_methods!(ik : Delta, 15, 3, 3);
-    ::kinematics::inherent_parallel_methods!(fk : Delta, 15, 3, 3);
+    ::kinematics::__private::inherent_parallel_methods!(Delta, 15, 3, 3);
+    ::kinematics::__private::inherent_parallel_methods!(ik : Delta, 15, 3, 3);
+    ::kinematics::__private::inherent_parallel_methods!(fk : Delta, 15, 3, 3);
 };

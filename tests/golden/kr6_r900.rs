@@ -14,12 +14,16 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kr6R900;
 const _: () = {
+    ::kinematics::__private::generated_by!(0.1);
     #[allow(unused_imports)]
     use ::kinematics::{
-        branches::{Acceptance, Branches},
-        free_angle::FreeAngle, lanes::{self, widen},
-        math, quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-        Singularity, Solution, Solutions, Target,
+        Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution,
+        Solutions, Target,
+    };
+
+    #[allow(unused_imports)]
+    use ::kinematics::__private::{
+        lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
     };
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -516,7 +520,7 @@ const _: () = {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.0150000000000001,
             tolerance: 1.0150000000000001e-9,
-            blur: 0.0,
+            near_singular: 0.0,
             prismatic: 0,
         };
 
@@ -977,5 +981,5 @@ const _: () = {
             Kr6R900::ik_closest(self, pose)
         }
     }
-    ::kinematics::inherent_methods!(Kr6R900, 6);
+    ::kinematics::__private::inherent_methods!(Kr6R900, 6);
 };

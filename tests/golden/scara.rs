@@ -14,12 +14,16 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scara;
 const _: () = {
+    ::kinematics::__private::generated_by!(0.1);
     #[allow(unused_imports)]
     use ::kinematics::{
-        branches::{Acceptance, Branches},
-        free_angle::FreeAngle, lanes::{self, widen},
-        math, quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-        Singularity, Solution, Solutions, Target,
+        Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution,
+        Solutions, Target,
+    };
+
+    #[allow(unused_imports)]
+    use ::kinematics::__private::{
+        lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
     };
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -211,7 +215,7 @@ const _: () = {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.2,
             tolerance: 1.2e-9,
-            blur: 0.0,
+            near_singular: 0.0,
             prismatic: 8,
         };
 
@@ -432,5 +436,5 @@ const _: () = {
             Scara::ik_closest(self, pose)
         }
     }
-    ::kinematics::inherent_methods!(Scara, 4);
+    ::kinematics::__private::inherent_methods!(Scara, 4);
 };

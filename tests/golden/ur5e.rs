@@ -14,12 +14,16 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ur5e;
 const _: () = {
+    ::kinematics::__private::generated_by!(0.1);
     #[allow(unused_imports)]
     use ::kinematics::{
-        branches::{Acceptance, Branches},
-        free_angle::FreeAngle, lanes::{self, widen},
-        math, quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-        Singularity, Solution, Solutions, Target,
+        Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution,
+        Solutions, Target,
+    };
+
+    #[allow(unused_imports)]
+    use ::kinematics::__private::{
+        lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
     };
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -474,7 +478,7 @@ const _: () = {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.3122999999999998,
             tolerance: 1.3123e-9,
-            blur: 0.0,
+            near_singular: 0.0,
             prismatic: 0,
         };
 
@@ -930,5 +934,5 @@ const _: () = {
             Ur5e::ik_closest(self, pose)
         }
     }
-    ::kinematics::inherent_methods!(Ur5e, 6);
+    ::kinematics::__private::inherent_methods!(Ur5e, 6);
 };

@@ -31,7 +31,8 @@ fn determinant<const N: usize>(jacobian: &Jacobian<N>, rows: [usize; N]) -> f64 
 
 /// Whether one of the solutions is `q`, to `tolerance`.
 fn contains<const N: usize>(solutions: &[Solution<N>], q: &[f64; N], tolerance: f64) -> bool {
-    let apart = |a: &[f64; N]| largest((0..N).map(|i| kinematics::math::wrap(a[i] - q[i])));
+    let apart =
+        |a: &[f64; N]| largest((0..N).map(|i| kinematics::__private::math::wrap(a[i] - q[i])));
     solutions
         .iter()
         .any(|solution| apart(&solution.q) < tolerance)

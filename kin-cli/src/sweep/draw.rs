@@ -64,7 +64,7 @@ fn aligned(random: &mut Random) -> f64 {
     let quarters = random.between(-2.0, 2.0).ceil();
     let off = 10.0_f64.powf(random.between(-12.0, -1.0));
     let sign = random.between(-1.0, 1.0).signum();
-    kin_runtime::math::wrap(quarters * FRAC_PI_2 + sign * off)
+    kin_runtime::__private::math::wrap(quarters * FRAC_PI_2 + sign * off)
 }
 
 /// Numbers in a row become unrelated ones: the mixing of SplitMix64 (Steele,

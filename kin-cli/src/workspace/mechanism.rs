@@ -4,7 +4,8 @@ use super::arm::{is_within, reach};
 use super::map::{Robot, Sampling, slices};
 use crate::arguments;
 use kin_codegen::mechanism::{Aim, CompiledMechanism};
-use kin_runtime::{Pose, math};
+use kin_runtime::__private::math;
+use kin_runtime::Pose;
 use std::f64::consts::{PI, SQRT_2};
 
 /// How far a platform that can turn is turned away from home, at most.

@@ -5,7 +5,7 @@ use super::straight::literal;
 use crate::closed_form::ClosedForm;
 use crate::model::Model;
 use crate::plan::Target;
-use kin_runtime::branches::Acceptance;
+use kin_runtime::__private::Acceptance;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -145,7 +145,7 @@ fn sorted(solver: &ClosedForm) -> TokenStream {
     let target = format_ident!("{target:?}");
     let steps = Literal::usize_unsuffixed(solver.refinement);
     quote! {
-        branches.polished(|q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT)
+        branches.refined(|q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT)
     }
 }
 
@@ -153,13 +153,18 @@ fn acceptance(solver: &ClosedForm) -> TokenStream {
     let Acceptance {
         size,
         tolerance,
-        blur,
+        near_singular,
         prismatic,
     } = solver.acceptance();
-    let [size, tolerance, blur] = [size, tolerance, blur].map(literal);
+    let [size, tolerance, near_singular] = [size, tolerance, near_singular].map(literal);
     let prismatic = Literal::u32_unsuffixed(prismatic);
     quote! {
-        Acceptance { size: #size, tolerance: #tolerance, blur: #blur, prismatic: #prismatic }
+        Acceptance {
+            size: #size,
+            tolerance: #tolerance,
+            near_singular: #near_singular,
+            prismatic: #prismatic,
+        }
     }
 }
 

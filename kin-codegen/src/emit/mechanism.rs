@@ -2,7 +2,7 @@
 //! kinematics cuts out of a loop, are written as the arms that they are, out of
 //! sight of the user.
 
-use super::robot::limit;
+use super::robot::{generated_by, limit};
 use super::straight::signed;
 use super::{forward, inverse, matrix};
 use crate::arm::CompiledArm;
@@ -22,22 +22,26 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
     let chains = chains(compiled, &sizes);
     let ik = ik(compiled, &sizes);
     let fk = fk(compiled, &sizes);
-    let ik_inherent = ik
-        .is_some()
-        .then(|| quote!(::kinematics::inherent_parallel_methods!(ik: #name, #n, #m, #k);));
-    let fk_inherent = fk
-        .is_some()
-        .then(|| quote!(::kinematics::inherent_parallel_methods!(fk: #name, #n, #m, #k);));
+    let ik_inherent = ik.is_some().then(
+        || quote!(::kinematics::__private::inherent_parallel_methods!(ik: #name, #n, #m, #k);),
+    );
+    let fk_inherent = fk.is_some().then(
+        || quote!(::kinematics::__private::inherent_parallel_methods!(fk: #name, #n, #m, #k);),
+    );
+    let generated_by = generated_by();
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct #name;
 
         const _: () = {
+            #generated_by
             // Which of them an arm needs depends on its plan.
             #[allow(unused_imports)]
+            use ::kinematics::__private::three_spheres;
+            #[allow(unused_imports)]
             use ::kinematics::{
-                three_spheres, Jacobian, JointLimit, ParallelKinematics, Pose, Postures, Solution,
+                Jacobian, JointLimit, ParallelKinematics, Pose, Postures, Solution,
                 Solutions, Twist,
             };
 
@@ -45,9 +49,10 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
             mod arms {
                 // As above.
                 #[allow(unused_imports)]
-                use ::kinematics::{
-                    branches::{Acceptance, Branches}, free_angle::FreeAngle, lanes::{self, widen},
-                    math, quartic::trig_roots, Jacobian, Pose, Solution, Solutions, Target,
+                use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
+                #[allow(unused_imports)]
+                use ::kinematics::__private::{
+                    lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
                 };
                 #arms
             }
@@ -61,7 +66,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
                 #fk
             }
 
-            ::kinematics::inherent_parallel_methods!(#name, #n, #m, #k);
+            ::kinematics::__private::inherent_parallel_methods!(#name, #n, #m, #k);
             #ik_inherent
             #fk_inherent
         };

@@ -24,18 +24,23 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let singular = compiled.singular.as_ref();
     let singular = singular.map(|singular| singular::methods(singular, variables));
     let delegation = delegation(compiled, name, &n);
+    let generated_by = generated_by();
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct #name;
 
         const _: () = {
+            #generated_by
             // Which of them an arm needs depends on its plan.
             #[allow(unused_imports)]
             use ::kinematics::{
-                branches::{Acceptance, Branches}, free_angle::FreeAngle, lanes::{self, widen}, math,
-                quartic::trig_roots, Hessian, Jacobian, JointLimit, Kinematics, Pose,
-                Singularity, Solution, Solutions, Target,
+                Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution, Solutions,
+                Target,
+            };
+            #[allow(unused_imports)]
+            use ::kinematics::__private::{
+                lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
             };
 
             // Constants are written with the digits that they have.
@@ -48,9 +53,20 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
             }
 
             #delegation
-            ::kinematics::inherent_methods!(#name, #n);
+            ::kinematics::__private::inherent_methods!(#name, #n);
         };
     }
+}
+
+/// The check that the runtime goes with this version of the compiler.
+pub(super) fn generated_by() -> TokenStream {
+    let version = concat!(
+        env!("CARGO_PKG_VERSION_MAJOR"),
+        ".",
+        env!("CARGO_PKG_VERSION_MINOR")
+    );
+    let version = version.parse::<Literal>().into_iter();
+    quote!(#(::kinematics::__private::generated_by!(#version);)*)
 }
 
 /// Names that the generated items use and that a robot cannot have.

@@ -1,8 +1,8 @@
 //! The interpreter: what the emitted code will compute, one branch at a time.
 
 use super::{Expr, Graph, Node, RootField};
-use kin_runtime::quartic::{TrigRoot, trig_roots};
-use kin_runtime::{lanes, math};
+use kin_runtime::__private::quartic::{TrigRoot, trig_roots};
+use kin_runtime::__private::{lanes, math};
 
 /// One combination of signs: bit i set means that choice i is −1.
 pub type Lane = u32;

@@ -72,7 +72,7 @@ pub enum Node {
     /// `[a, b, x, y]`: x where a < b, else y (also where a or b is NaN).
     Select([Expr; 4]),
     /// One number of one root of the trigonometric quartic with these
-    /// coefficients; see [`kin_runtime::quartic::trig_roots`].
+    /// coefficients; see [`kin_runtime::__private::quartic::trig_roots`].
     TrigRoot([Expr; 5], RootPart),
 }
 
@@ -85,7 +85,7 @@ pub struct RootPart {
     pub field: RootField,
 }
 
-/// The fields of a [`kin_runtime::quartic::TrigRoot`].
+/// The fields of a [`kin_runtime::__private::quartic::TrigRoot`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RootField {
     /// sin θ.
@@ -421,7 +421,7 @@ impl Graph {
     /// a modulo 2π, into (−π, π].
     pub fn wrap(&mut self, a: Expr) -> Expr {
         match self.value(a) {
-            Some(x) => self.constant(kin_runtime::math::wrap(x)),
+            Some(x) => self.constant(kin_runtime::__private::math::wrap(x)),
             None if matches!(self.node(a), Node::Atan2(..) | Node::Wrap(_)) => a,
             None => self.intern(Node::Wrap(a)),
         }

@@ -7,7 +7,8 @@ use crate::arm::CompiledArm;
 use crate::geometry::{Vec3, norm, sub};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
-use kin_runtime::{Pose, math, three_spheres};
+use kin_runtime::__private::{math, three_spheres};
+use kin_runtime::Pose;
 
 /// How forward kinematics finds the assemblies.
 #[derive(Clone, Debug)]

@@ -158,7 +158,7 @@ impl Factored {
         if !self.model.turns(along) {
             return x;
         }
-        let x = kin_runtime::math::wrap(x);
+        let x = kin_runtime::__private::math::wrap(x);
         let right = (x / FRAC_PI_2).round() * FRAC_PI_2;
         match (x - right).abs() < 1e-12 {
             true if right <= -PI => PI,

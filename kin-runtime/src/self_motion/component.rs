@@ -1,8 +1,8 @@
 //! Components of self-motion manifolds.
 
 use super::held::Held;
+use super::options::{SelfMotionError, SelfMotionOptions, Stop};
 use super::trace::{Ending, passes, trace};
-use super::{SelfMotionError, SelfMotionOptions};
 use crate::{Kinematics, Pose};
 use alloc::vec::Vec;
 
@@ -18,21 +18,6 @@ pub struct SelfMotion<const N: usize> {
     pub stops: Option<[Stop; 2]>,
     target: Pose,
     options: SelfMotionOptions<N>,
-}
-
-/// Why a self-motion goes no further.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
-    /// A joint has come to its limit.
-    Limit {
-        /// From 0.
-        joint: usize,
-    },
-    /// The arm has come to a singularity, at which the curve crosses itself or
-    /// another.
-    Singular,
-    /// [`SelfMotionOptions::most_steps`] were taken.
-    Unfinished,
 }
 
 /// Follows the self-motion through a configuration until it closes or ends, in

@@ -1,9 +1,9 @@
 //! An arm whose tool is held at a target.
 
-use super::SelfMotionOptions;
-use crate::row_space::RowSpace;
-use crate::singular_values::inner;
-use crate::vector::{add, cross, dot, norm, scale};
+use super::options::SelfMotionOptions;
+use crate::linear::row_space::RowSpace;
+use crate::linear::singular_values::inner;
+use crate::linear::vector::{add, cross, dot, norm, scale};
 use crate::{JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
 
 /// Newton's method from a good prediction takes 3 or 4 steps.

@@ -1,9 +1,9 @@
 //! Along the curve, in one direction.
 
-use super::component::Stop;
 use super::held::{Cut, Held, along, length};
+use super::options::Stop;
 use crate::Kinematics;
-use crate::singular_values::inner;
+use crate::linear::singular_values::inner;
 use alloc::vec::Vec;
 
 /// The sharpest bend in one step: the cosine between tangents, and how far the

@@ -3,8 +3,8 @@
 use super::radial::{Radial, toward, turned};
 use super::settle::{Local, Settled, length, polish};
 use super::{Answer, ON_AXIS, SOLVED};
+use crate::linear::vector::{add, cross, dot, scale, sub};
 use crate::math;
-use crate::vector::{add, cross, dot, scale, sub};
 
 /// Rotation about two axes that need not meet (subproblem 2 extended):
 /// [t₁, t₂], radians in (−π, π], with p₀ + R(k₁, t₁) p₁ = R(k₂, t₂) p₂ for unit

@@ -4,7 +4,7 @@ use super::Answer;
 use super::radial::Radial;
 use super::settle::{Local, Settled};
 use super::torus::{Plane, meet};
-use crate::vector::dot;
+use crate::linear::vector::dot;
 
 /// Two components of the sum of two turned vectors: [t₁, t₂], radians in
 /// (−π, π], with

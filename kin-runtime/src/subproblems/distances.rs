@@ -4,8 +4,8 @@ use super::circles::{Meeting, meet};
 use super::radial::{Radial, turned};
 use super::settle::{Local, Settled, length, polish};
 use super::{Answer, DOUBLE, ON_AXIS, SOLVED, subproblem4};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
-use crate::vector::{add, cross, dot, norm, scale, sub};
 
 /// Rotation to two given distances: [t₁, t₂], radians in (−π, π], with
 /// ‖R(k₁, t₁) R(k₂, t₂) p − qᵢ‖ = dᵢ for unit vectors `k` = [k₁, k₂] whose axes

@@ -3,8 +3,8 @@
 use super::radial::{Radial, toward, turned};
 use super::screw::point_on;
 use super::{Answer, ON_AXIS, SOLVED, subproblem3};
+use crate::linear::vector::{add, dot, norm, scale, sub};
 use crate::math;
-use crate::vector::{add, dot, norm, scale, sub};
 use crate::{Pose, Twist};
 
 /// Rotation about two parallel axes: [t₁, t₂], radians in (−π, π], with

@@ -1,8 +1,8 @@
 //! Vectors seen from an axis.
 
 use super::ON_AXIS;
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
-use crate::vector::{add, cross, dot, norm, scale, sub};
 
 /// A vector split into its parts along and across an axis.
 pub(super) struct Radial {

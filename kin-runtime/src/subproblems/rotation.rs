@@ -2,8 +2,8 @@
 
 use super::radial::Radial;
 use super::{Answer, DOUBLE, ON_AXIS, SOLVED};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
-use crate::vector::{add, cross, dot, norm, scale, sub};
 
 /// Rotation of a vector onto another (Paden-Kahan 1, MLS section 3.2): t,
 /// radians in (−π, π], with R(k, t) p₁ = p₂ for the unit vector `k` and vectors

@@ -2,8 +2,8 @@
 //! for the axes and points of space for the vectors.
 
 use super::{Answer, SOLVED, subproblem1, subproblem2, subproblem3};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
-use crate::vector::{add, cross, dot, norm, scale, sub};
 use crate::{Pose, Twist};
 
 /// Paden-Kahan 1: t, radians in (−π, π], with e^(ξ̂ t) p = q for the unit twist

@@ -4,7 +4,7 @@ use super::radial::{Radial, toward, turned};
 use super::settle::{Local, Settled, length, polish};
 use super::torus::{Plane, meet};
 use super::{Answer, DOUBLE, SOLVED};
-use crate::vector::{add, cross, dot, scale, sub};
+use crate::linear::vector::{add, cross, dot, scale, sub};
 use core::f64::consts::FRAC_PI_4;
 
 /// Rotation about three axes: [t₁, t₂, t₃], radians in (−π, π], with

@@ -14,7 +14,7 @@
 
 use super::{DOUBLE, ON_AXIS, SOLVED};
 use crate::math;
-use crate::quartic::{NONE, trig_roots};
+use crate::scalar::quartic::{NONE, trig_roots};
 use core::f64::consts::{FRAC_PI_4, TAU};
 
 /// row · (cos t₁, sin t₁, cos t₂, sin t₂) = level; the terms are at most of

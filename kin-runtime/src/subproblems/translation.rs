@@ -1,8 +1,8 @@
 //! Subproblems whose unknown is a translation.
 
 use super::{Answer, DOUBLE, ON_AXIS, SOLVED};
+use crate::linear::vector::{dot, norm, scale, sub};
 use crate::math;
-use crate::vector::{dot, norm, scale, sub};
 
 /// Translation to a given distance: t, metres, with ‖p + t v − q‖ = d for the
 /// unit vector `v`, points `p` and `q` and the distance d ≥ 0, all in metres.

@@ -12,7 +12,7 @@ mod wrist;
 
 use alloc::vec::Vec;
 
-use crate::vector::{cross, dot, norm, scale, sub};
+use crate::linear::vector::{cross, dot, norm, scale, sub};
 use crate::{Chain, Kinematics, Pose, Twist};
 pub use sampled::scattered_rotations;
 

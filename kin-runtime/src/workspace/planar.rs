@@ -9,8 +9,8 @@ use alloc::vec::Vec;
 
 use super::{EXACT, Line};
 use crate::Chain;
-use crate::chain::is_prismatic;
-use crate::vector::{dot, norm, sub};
+use crate::generic::chain::is_prismatic;
+use crate::linear::vector::{dot, norm, sub};
 
 /// Rounding, relative to the arm's size.
 const ROUNDING: f64 = 1e-12;

@@ -11,7 +11,7 @@
 use core::f64::consts::{PI, TAU};
 
 use super::{EXACT, Line};
-use crate::vector::{add, cross, dot, norm, scale, sub};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::{Chain, math};
 
 /// Points of a circle between which an extremum is looked for.

@@ -1,7 +1,7 @@
 //! Two distances.
 
 use crate::sampling::*;
-use kin_runtime::math::wrap;
+use kin_runtime::__private::math::wrap;
 use kin_runtime::subproblems::*;
 
 /// One instance.

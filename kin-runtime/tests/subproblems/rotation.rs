@@ -2,7 +2,7 @@
 
 use crate::sampling::*;
 use core::f64::consts::{FRAC_PI_2, PI};
-use kin_runtime::math::wrap;
+use kin_runtime::__private::math::wrap;
 use kin_runtime::subproblems::*;
 
 #[test]

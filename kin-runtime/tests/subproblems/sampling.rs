@@ -1,8 +1,8 @@
 //! Random and structured input, and an independent search for all roots.
 
 use core::f64::consts::{PI, TAU};
+use kin_runtime::__private::math::wrap;
 use kin_runtime::Pose;
-use kin_runtime::math::wrap;
 
 pub type Vector = [f64; 3];
 

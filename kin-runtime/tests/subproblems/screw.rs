@@ -1,7 +1,7 @@
 //! The forms with twists and points.
 
 use crate::sampling::*;
-use kin_runtime::math::wrap;
+use kin_runtime::__private::math::wrap;
 use kin_runtime::subproblems::*;
 use kin_runtime::{Pose, Twist};
 

@@ -53,11 +53,11 @@ fn motors_turn_to_the_angles_of_the_formula() {
         for (k, turned) in ARMS.into_iter().enumerate() {
             let expected = arm(position, turned);
             for q in postures.of_chain(k) {
-                let near = |x: &f64| kinematics::math::wrap(x - q[0]).abs() < 1e-9;
+                let near = |x: &f64| kinematics::__private::math::wrap(x - q[0]).abs() < 1e-9;
                 assert!(expected.iter().any(near), "{position:?} {expected:?} {q:?}");
             }
             for x in &expected {
-                let near = |q: &[f64]| kinematics::math::wrap(x - q[0]).abs() < 1e-9;
+                let near = |q: &[f64]| kinematics::__private::math::wrap(x - q[0]).abs() < 1e-9;
                 assert!(postures.of_chain(k).any(near), "{position:?} {x} arm {k}");
             }
         }

@@ -1,7 +1,7 @@
 //! a = 1, b = 2.5, c = 2, d = 3: Freudenstein's equation.
 
 use super::{CLOSED, FourBar};
-use kinematics::math::wrap;
+use kinematics::__private::math::wrap;
 
 const A: f64 = 1.0;
 const B: f64 = 2.5;

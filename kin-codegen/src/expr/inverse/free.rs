@@ -43,7 +43,7 @@ impl FreeAngles {
 }
 
 /// An angle that may be free, and what the next root says of it; see
-/// [`kin_runtime::free_angle::FreeAngle`].
+/// [`kin_runtime::__private::free_angle::FreeAngle`].
 #[derive(Clone, Copy, Debug)]
 pub struct FreeAngle {
     /// The coordinate of the seed that turns it and nothing else.

@@ -1,0 +1,9 @@
+//! Conversions to and from the types of other crates, each behind a feature of
+//! that crate's name.
+
+#[cfg(feature = "glam")]
+mod glam;
+#[cfg(feature = "mint")]
+mod mint;
+#[cfg(feature = "nalgebra")]
+mod nalgebra;

@@ -1,0 +1,114 @@
+//! What generated inverse kinematics computes, before it is sorted out.
+
+use super::refinement::{Problem, refine_branches};
+use crate::{Jacobian, Pose, Solution, Solutions, Target};
+
+/// All branches of one target as array lanes: lane k is the branch whose i-th
+/// choice is + where bit i of k is clear.
+#[derive(Clone, Copy, Debug)]
+pub struct Branches<const N: usize, const L: usize> {
+    /// By joint, in (−π, π] radians or metres.
+    pub q: [[f64; L]; N],
+    /// The distance of each branch from the target, metres. Where a root is out
+    /// of domain the branch does as well as it can.
+    pub residual: [f64; L],
+    /// Positive where the branch does not exist or repeats another.
+    pub invalid: [f64; L],
+    /// Positive where a root is double or an angle is free.
+    pub singular: [f64; L],
+}
+
+/// What makes a branch an answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Acceptance {
+    /// The arm's size, metres: angles count as lengths at this distance.
+    pub size: f64,
+    /// Answers may miss the target by this, metres.
+    pub tolerance: f64,
+    /// The near-singular threshold: where the Jacobian's least pivot by its
+    /// largest is below this, the branches of the idealized arm do not tell
+    /// those of the arm as given; 0 if that is the ideal one.
+    pub near_singular: f64,
+    /// Bit i is set where joint i is prismatic.
+    pub prismatic: u32,
+}
+
+impl<const N: usize, const L: usize> Branches<N, L> {
+    #[inline(always)]
+    fn lane(&self, k: usize) -> Solution<N> {
+        Solution {
+            q: core::array::from_fn(|i| self.q[i][k]),
+            residual: self.residual[k],
+            branch: k as u32,
+            singular: self.singular[k] > 0.0,
+        }
+    }
+
+    /// The branches that reach the target.
+    #[inline(always)]
+    pub fn solutions(&self, accept: &Acceptance) -> Solutions<N> {
+        Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+            for k in 0..L {
+                let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
+                solutions.push_if(reaches, self.lane(k));
+            }
+        })
+    }
+
+    /// The branch that comes nearest to the target by its own residual; none
+    /// if the target is not a number. Of equals the first.
+    #[inline]
+    pub fn closest(&self) -> Option<Solution<N>> {
+        self.least(|lane| lane.residual)
+    }
+
+    /// The branch that comes nearest to the target by forward kinematics: out
+    /// of reach, sines and cosines are not those of any angle. None if the
+    /// target is not a number; of equals the first.
+    #[inline]
+    pub fn closest_by(
+        &self,
+        fk: impl Fn(&[f64; N]) -> Pose,
+        target: &Pose,
+        counts: Target,
+        accept: &Acceptance,
+    ) -> Option<Solution<N>> {
+        self.least(|lane| counts.distance(&fk(&lane.q), target, accept.size))
+    }
+
+    #[inline(always)]
+    fn least(&self, residual: impl Fn(&Solution<N>) -> f64) -> Option<Solution<N>> {
+        let mut best = None;
+        let mut least = f64::INFINITY;
+        for k in 0..L {
+            let lane = self.lane(k);
+            let residual = residual(&lane);
+            if residual < least {
+                least = residual;
+                best = Some(Solution { residual, ..lane });
+            }
+        }
+        best
+    }
+
+    /// The branches of an idealized arm, refined to those of the arm as given, which is given
+    /// by its pose and spatial Jacobian; see [`refine_branches`].
+    #[inline]
+    pub fn refined(
+        &self,
+        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        target: &Pose,
+        counts: Target,
+        steps: usize,
+        accept: &Acceptance,
+    ) -> Solutions<N> {
+        let problem = Problem {
+            fk_jacobian,
+            target,
+            size: accept.size,
+            counts,
+        };
+        let starts = (0..L).filter(|&k| self.invalid[k] <= 0.0);
+        refine_branches(&problem, starts.map(|k| self.lane(k)), accept, steps)
+    }
+}

@@ -1,0 +1,86 @@
+//! An angle that a singular target leaves free.
+//!
+//! Any value closes the step that asks for it, but not every value leaves the
+//! steps behind it a real root: a UR with its wrist stretched can turn its
+//! elbow out of reach of the shoulder. The branches have the seed's value.
+//! Where that leaves the next root none, the freedom is spent on it: its
+//! equation a cos θ + b sin θ = d has the more room the nearer d is to zero,
+//! and as a function of the free angle d is d₀ + d₁ cos φ + d₂ sin φ, which its
+//! values at three angles tell. They take three more runs of the plan, which
+//! regular targets do not pay.
+
+use super::branches::Branches;
+use crate::math;
+use crate::subproblems::subproblem4;
+use core::f64::consts::{FRAC_PI_2, PI};
+
+/// What the next root says of a free angle, as array lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct FreeAngle<const L: usize> {
+    /// d of the root's equation a cos θ + b sin θ = d.
+    pub level: [f64; L],
+    /// Positive where the angle is free and its value leaves no real root.
+    pub no_root: [f64; L],
+}
+
+impl<const L: usize> FreeAngle<L> {
+    /// Whether the angle's value costs some branch its root.
+    #[inline(always)]
+    pub fn leaves_no_root(&self) -> bool {
+        self.no_root.iter().fold(0.0, |a, b| math::max(a, *b)) > 0.0
+    }
+}
+
+/// The turns of the seed's angle, radians, at which [`roomiest_turn`] wants the
+/// level.
+pub const SAMPLES: [f64; 3] = [0.0, FRAC_PI_2, PI];
+
+/// The turn of a free angle, radians, that leaves the next root the most room.
+/// `levels` are its d at [`SAMPLES`].
+///
+/// ```
+/// use kin_runtime::__private::free_angle::{SAMPLES, roomiest_turn};
+/// let level = |turn: f64| 0.3 - 0.5 * turn.cos() + 0.4 * turn.sin();
+/// assert!(level(roomiest_turn(SAMPLES.map(level))).abs() < 1e-15);
+/// ```
+pub fn roomiest_turn([here, quarter, half]: [f64; 3]) -> f64 {
+    let mean = 0.5 * (here + half);
+    let swing = [0.5 * (here - half), quarter - mean, 0.0];
+    let zero = subproblem4(swing, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], -mean);
+    zero.values().first().copied().unwrap_or(0.0)
+}
+
+impl<const N: usize, const L: usize> Branches<N, L> {
+    /// The branches that `run` has for a seed, with a free angle turned where
+    /// the seed's value leaves no root. The angle follows coordinate `joint` of
+    /// the seed.
+    #[cold]
+    #[inline(never)]
+    pub fn with_free_angle(
+        seed: &[f64; N],
+        joint: usize,
+        run: impl Fn(&[f64; N]) -> (Self, FreeAngle<L>),
+    ) -> Self {
+        let turned = |turn: f64| {
+            let mut seed = *seed;
+            seed[joint] += turn;
+            run(&seed)
+        };
+        let samples = SAMPLES.map(turned);
+        let (mut branches, free) = samples[0];
+        for k in (0..L).filter(|&k| free.no_root[k] > 0.0) {
+            let levels = samples.map(|(_, free)| free.level[k]);
+            branches.set_lane(k, &turned(roomiest_turn(levels)).0);
+        }
+        branches
+    }
+
+    fn set_lane(&mut self, k: usize, other: &Self) {
+        for (q, other) in self.q.iter_mut().zip(&other.q) {
+            q[k] = other[k];
+        }
+        self.residual[k] = other.residual[k];
+        self.invalid[k] = other.invalid[k];
+        self.singular[k] = other.singular[k];
+    }
+}

@@ -1,0 +1,9 @@
+//! What only generated code calls. It is no part of the public interface:
+//! [`generated_by`](crate::generated_by) holds generated code to the version
+//! of the compiler that this is made for.
+
+pub mod branches;
+pub mod free_angle;
+pub mod lanes;
+pub mod refinement;
+mod version;

@@ -1,0 +1,77 @@
+//! A configuration as the target sees it: what is missing, and how the joints
+//! make it.
+
+use crate::{Jacobian, Pose, Target};
+
+/// A target for an arm.
+#[derive(Clone, Copy, Debug)]
+pub struct Problem<'a, F> {
+    /// Gives the pose and the spatial Jacobian of a configuration.
+    pub fk_jacobian: F,
+    /// Where the tip has to go.
+    pub target: &'a Pose,
+    /// The arm's size, metres: angles count as lengths at this distance.
+    pub size: f64,
+    /// What of the target counts.
+    pub counts: Target,
+}
+
+/// A configuration as the target sees it.
+pub(super) struct Linearization<const N: usize> {
+    pub q: [f64; N],
+    pub residual: f64,
+    /// What is missing, and the Jacobian's rows that make it, with lengths in
+    /// units of the arm's size; zero where the target does not count.
+    pub error: [f64; 6],
+    pub rows: [[f64; N]; 6],
+    /// Unit vectors along which nothing can be missing; see [`idle`].
+    pub idle: [[f64; 6]; 4],
+}
+
+impl<const N: usize> Linearization<N> {
+    pub fn new(q: [f64; N], problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>) -> Self {
+        let &Problem {
+            ref fk_jacobian,
+            target,
+            size,
+            counts,
+        } = problem;
+        let (pose, spatial) = fk_jacobian(&q);
+        let mut error = counts.missing(&pose, target).to_array();
+        let geometric = spatial.spatial_to_geometric(&pose);
+        let mut rows = counts.counting_rows(&pose, &geometric).rows;
+        for i in 0..3 {
+            error[i] /= size;
+            rows[i] = rows[i].map(|x| x / size);
+        }
+        Self {
+            q,
+            residual: counts.distance(&pose, target, size),
+            error,
+            rows,
+            idle: idle_directions(counts, &pose),
+        }
+    }
+}
+
+/// In how many of six directions nothing can be missing.
+pub(super) fn idle(counts: Target) -> usize {
+    if counts.is_free() {
+        6 - counts.coordinates()
+    } else {
+        0
+    }
+}
+
+/// These directions, from the front; a turn about the z axis leaves it in
+/// place.
+fn idle_directions(counts: Target, pose: &Pose) -> [[f64; 6]; 4] {
+    let unit = |i: usize| core::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
+    let z = [0, 1, 2].map(|i| pose.rotation[i][2]);
+    let about_z = [0.0, 0.0, 0.0, z[0], z[1], z[2]];
+    match counts {
+        Target::Position => [unit(3), unit(4), unit(5), about_z],
+        Target::PositionAxis => [about_z; 4],
+        _ => [unit(0), unit(1), unit(2), about_z],
+    }
+}

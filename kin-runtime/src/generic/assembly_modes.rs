@@ -1,0 +1,85 @@
+//! All assemblies of a small mechanism.
+
+use alloc::{vec, vec::Vec};
+use core::f64::consts::PI;
+
+use super::mechanism::Mechanism;
+use crate::math;
+
+/// The starts of the first batch.
+const FIRST_BATCH: usize = 64;
+/// How often in a row a doubling of the number of starts must find nothing new.
+const STABLE: usize = 2;
+/// The search ends after this many starts in any case.
+const MOST_STARTS: usize = 1 << 13;
+/// Configurations are the same if no joint differs by more.
+const SAME: f64 = 1e-6;
+
+impl Mechanism {
+    /// All real assemblies with the given values of the actuated joints, by
+    /// Newton's method from starts that fill the space of the passive joints
+    /// evenly, until doubling their number has found nothing new twice: complete
+    /// with high probability for mechanisms of up to six or so passive joints,
+    /// not with certainty, and always the same. In the order of their first
+    /// joint values, angles in (−π, π].
+    ///
+    /// # Panics
+    /// If there is not one value for each actuated joint.
+    pub fn assemblies(&self, actuated: &[f64]) -> Vec<Vec<f64>> {
+        let n = self.joints();
+        let passive = n - self.actuated().len();
+        // The additive recurrence of M. Roberts, "The unreasonable
+        // effectiveness of quasirandom sequences", 2018.
+        let phi = (0..64).fold(2.0, |phi: f64, _| {
+            libm::pow(1.0 + phi, 1.0 / (passive + 1) as f64)
+        });
+        let mut place = vec![0.5; n];
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
+        while quiet < STABLE && tried < MOST_STARTS {
+            let known = found.len();
+            for _ in 0..batch {
+                let mut step = 1.0;
+                for x in &mut place {
+                    step /= phi;
+                    *x += step;
+                    *x -= libm::floor(*x);
+                }
+                let start = |i: usize| self.range(i) * (2.0 * place[i] - 1.0);
+                let start: Vec<f64> = (0..n).map(start).collect();
+                if let Some(mut q) = self.fk_near(actuated, &start) {
+                    (0..n).for_each(|i| q[i] = self.reduced(i, q[i]));
+                    if !found.iter().any(|other| self.same(other, &q)) {
+                        found.push(q);
+                    }
+                }
+            }
+            tried += batch;
+            batch = tried;
+            quiet = if found.len() > known { 0 } else { quiet + 1 };
+        }
+        found.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
+        found
+    }
+
+    /// Half the width of what a joint's starts fill.
+    fn range(&self, joint: usize) -> f64 {
+        if self.is_prismatic(joint) {
+            2.0 * self.length()
+        } else {
+            PI
+        }
+    }
+
+    fn reduced(&self, joint: usize, value: f64) -> f64 {
+        if self.is_prismatic(joint) {
+            value
+        } else {
+            math::wrap(value)
+        }
+    }
+
+    fn same(&self, a: &[f64], b: &[f64]) -> bool {
+        (0..a.len()).all(|i| self.reduced(i, a[i] - b[i]).abs() <= SAME)
+    }
+}

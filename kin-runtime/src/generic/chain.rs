@@ -1,0 +1,185 @@
+//! A serial chain whose joints are known only at run time.
+
+use alloc::vec::Vec;
+
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
+use crate::{Pose, Twist};
+
+/// A serial chain of revolute, helical and prismatic joints by its product of
+/// exponentials g(q) = e^(ξ̂₁ q₁) ⋯ e^(ξ̂ₙ qₙ) g(0) (MLS section 3.2), for any
+/// number of joints.
+///
+/// This is the plain reading of the book, kept free of everything that makes
+/// generated robots fast, so that it can check them: exponentials by
+/// Rodrigues' formula, sines and cosines from `libm`. Joint values are radians,
+/// metres for prismatic joints; all poses are in the base frame.
+///
+/// ```
+/// use kin_runtime::{Chain, Pose, Twist};
+/// let z = [0.0, 0.0, 1.0];
+/// let planar = Chain::new(
+///     vec![Twist::revolute(z, [0.0; 3]), Twist::revolute(z, [0.5, 0.0, 0.0])],
+///     Pose::from_translation([0.9, 0.0, 0.0]),
+/// );
+/// let folded = planar.fk(&[0.0, core::f64::consts::PI]);
+/// assert!((folded.translation[0] - 0.1).abs() < 1e-15);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    twists: Vec<Twist>,
+    links: Vec<Pose>,
+    home: Pose,
+}
+
+impl Chain {
+    /// From the unit twists of the joints and the tool's pose, all at q = 0.
+    ///
+    /// # Panics
+    /// If a twist is not a unit twist: ω is a unit vector, or ω is zero and v
+    /// is one.
+    pub fn new(twists: Vec<Twist>, home: Pose) -> Chain {
+        for (i, twist) in twists.iter().enumerate() {
+            let unit = if is_prismatic(twist) {
+                twist.linear
+            } else {
+                twist.angular
+            };
+            assert!(
+                (norm(unit) - 1.0).abs() < 1e-9,
+                "joint {i} has no unit twist: {twist:?}"
+            );
+        }
+        let links = twists.iter().map(|_| Pose::IDENTITY).collect();
+        Chain {
+            twists,
+            links,
+            home,
+        }
+    }
+
+    /// The same chain with frames on its links: `links[i]` is the frame that
+    /// joint i moves, where it is at q = 0. Without this it is the base frame,
+    /// so that [`Chain::fk_links`] gives bare displacements.
+    ///
+    /// # Panics
+    /// If there is not one frame for each joint.
+    pub fn with_links(self, links: Vec<Pose>) -> Chain {
+        assert_eq!(links.len(), self.twists.len(), "one frame for each joint");
+        Chain { links, ..self }
+    }
+
+    /// The unit twists of the joints at q = 0.
+    pub fn twists(&self) -> &[Twist] {
+        &self.twists
+    }
+
+    /// The tool's pose at q = 0.
+    pub fn home(&self) -> &Pose {
+        &self.home
+    }
+
+    /// The tool's pose.
+    ///
+    /// # Panics
+    /// If `q` has not one value for each joint; so do all the functions below.
+    pub fn fk(&self, q: &[f64]) -> Pose {
+        self.displacements(q).last().unwrap_or_default() * self.home
+    }
+
+    /// The frame behind every joint; see [`Chain::with_links`].
+    pub fn fk_links(&self, q: &[f64]) -> Vec<Pose> {
+        self.displacements(q)
+            .zip(&self.links)
+            .map(|(moved, link)| moved * *link)
+            .collect()
+    }
+
+    /// The columns of the spatial Jacobian (MLS section 3.4): column i is ξᵢ
+    /// displaced by the joints before it, (v, ω) in base coordinates.
+    pub fn spatial_jacobian(&self, q: &[f64]) -> Vec<Twist> {
+        let before = core::iter::once(Pose::IDENTITY).chain(self.displacements(q));
+        before
+            .zip(&self.twists)
+            .map(|(moved, twist)| moved.adjoint(twist))
+            .collect()
+    }
+
+    /// The columns of the body Jacobian (MLS section 3.4), (v, ω) in tool
+    /// coordinates: the spatial ones seen from the tool.
+    pub fn body_jacobian(&self, q: &[f64]) -> Vec<Twist> {
+        let tool = self.fk(q);
+        self.spatial_jacobian(q)
+            .iter()
+            .map(|twist| tool.adjoint_inverse(twist))
+            .collect()
+    }
+
+    /// The columns of the geometric Jacobian: velocity of the tool's origin,
+    /// and angular velocity, both in base axes.
+    pub fn geometric_jacobian(&self, q: &[f64]) -> Vec<Twist> {
+        let origin = self.fk(q).translation;
+        self.spatial_jacobian(q)
+            .iter()
+            .map(|twist| at_point(twist, origin))
+            .collect()
+    }
+
+    /// e^(ξ̂₁ q₁) ⋯ e^(ξ̂ᵢ qᵢ) for every i.
+    pub(crate) fn displacements(&self, q: &[f64]) -> impl Iterator<Item = Pose> {
+        assert_eq!(q.len(), self.twists.len(), "one value for each joint");
+        self.twists
+            .iter()
+            .zip(q)
+            .scan(Pose::IDENTITY, |moved, (twist, &value)| {
+                *moved = *moved * exponential(twist, value);
+                Some(*moved)
+            })
+    }
+}
+
+/// Whether a unit twist translates without turning.
+pub(crate) fn is_prismatic(twist: &Twist) -> bool {
+    twist.angular == [0.0; 3]
+}
+
+/// A spatial velocity as the velocity of the body's point at `point`.
+pub(crate) fn at_point(twist: &Twist, point: [f64; 3]) -> Twist {
+    Twist {
+        linear: add(twist.linear, cross(twist.angular, point)),
+        ..*twist
+    }
+}
+
+/// e^(ξ̂ θ) of a unit twist. With ω: R = I + ω̂ sin θ + ω̂² (1 − cos θ) and
+/// p = (I − R)(ω × v) + ω ωᵀ v θ; without: a translation by v θ.
+fn exponential(twist: &Twist, theta: f64) -> Pose {
+    let (v, w) = (twist.linear, twist.angular);
+    if is_prismatic(twist) {
+        return Pose::from_translation(scale(theta, v));
+    }
+    let rotation = rodrigues(w, theta);
+    let lever = cross(w, v);
+    let around = sub(lever, rotation.rotate(lever));
+    let along = scale(dot(w, v) * theta, w);
+    Pose {
+        translation: add(around, along),
+        ..rotation
+    }
+}
+
+/// The rotation about the unit vector `w`.
+fn rodrigues(w: [f64; 3], theta: f64) -> Pose {
+    let (sine, cosine) = libm::sincos(theta);
+    let turned = |axis: [f64; 3]| {
+        let once = cross(w, axis);
+        add(
+            axis,
+            add(scale(sine, once), scale(1.0 - cosine, cross(w, once))),
+        )
+    };
+    let columns = Pose::IDENTITY.rotation.map(turned);
+    Pose {
+        rotation: core::array::from_fn(|i| core::array::from_fn(|j| columns[j][i])),
+        translation: [0.0; 3],
+    }
+}

@@ -1,0 +1,12 @@
+//! Chains and mechanisms that are known only at run time, and their inverse
+//! kinematics by numerical search: what generated code is checked against.
+
+mod assembly_modes;
+pub(crate) mod chain;
+mod descent;
+mod mechanism;
+mod search;
+
+pub use chain::Chain;
+pub use mechanism::Mechanism;
+pub use search::{ChainSolution, SearchOptions};

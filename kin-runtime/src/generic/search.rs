@@ -1,0 +1,254 @@
+//! Inverse kinematics of any chain, by descending from many starts.
+
+use alloc::{vec, vec::Vec};
+use core::f64::consts::PI;
+
+use super::chain::is_prismatic;
+use super::descent::{Descent, Task};
+use crate::linear::vector::{cross, norm, sub};
+use crate::{Chain, Pose, Target, Twist, math};
+
+/// How [`Chain::ik_all`] searches. The defaults suit arms of up to six
+/// joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearchOptions {
+    /// What of the target counts; [`Target::Pose`] by default.
+    pub target: Target,
+    /// How often in a row a doubling of the number of starts must find nothing
+    /// new.
+    pub stable_doublings: u32,
+    /// The search ends after this many starts in any case.
+    pub max_starts: usize,
+    /// The search ends with this many solutions in any case: a redundant arm
+    /// or a singular target has infinitely many.
+    pub max_solutions: usize,
+    /// Two configurations are the same if no joint differs by more; radians,
+    /// modulo 2π, and metres.
+    pub same: f64,
+}
+
+impl Default for SearchOptions {
+    fn default() -> SearchOptions {
+        SearchOptions {
+            target: Target::Pose,
+            stable_doublings: 3,
+            max_starts: 1 << 14,
+            max_solutions: 64,
+            same: 1e-5,
+        }
+    }
+}
+
+/// A configuration found by [`Chain::ik_all`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainSolution {
+    /// Joint values: radians in (−π, π], metres for prismatic joints.
+    pub q: Vec<f64>,
+    /// How far the tip is from the target, metres: [`Target::distance`] with
+    /// the arm's size.
+    pub residual: f64,
+    /// The least singular value of the geometric Jacobian by its Frobenius
+    /// norm, with the angular part in units of the arm's size. 0, or below
+    /// 1e-6 or so, where this is one of a family or two solutions that meet.
+    pub conditioning: f64,
+}
+
+/// The starts of the first batch.
+const FIRST_BATCH: usize = 32;
+
+impl Chain {
+    /// All isolated configurations that put the tool at `target`, in the order
+    /// of their first joint values.
+    ///
+    /// Levenberg-Marquardt descents from evenly scattered starts, until
+    /// doubling their number has found nothing new several times in a row:
+    /// complete with high probability, not with certainty. Every solution is
+    /// within 1e-12 of the target, relative to the arm's size, and the answer
+    /// does not vary from call to call. A target out of reach, also one that a
+    /// chain of fewer than six joints cannot orient itself to, yields none.
+    /// Where solutions form families, scattered members of them come back, with
+    /// a [`ChainSolution::conditioning`] near 0; isolated solutions where it is
+    /// below 1e-6 may be missed, because the descent towards them is too flat.
+    ///
+    /// A target of a six-joint arm with eight branches takes some two
+    /// milliseconds.
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Pose, SearchOptions, Target, Twist};
+    /// let z = [0.0, 0.0, 1.0];
+    /// let planar = Chain::new(
+    ///     vec![Twist::revolute(z, [0.0; 3]), Twist::revolute(z, [0.5, 0.0, 0.0])],
+    ///     Pose::from_translation([0.9, 0.0, 0.0]),
+    /// );
+    /// let target = Pose::from_translation([0.3, 0.4, 0.0]);
+    /// let options = SearchOptions { target: Target::Position, ..Default::default() };
+    /// assert_eq!(planar.ik_all(&target, &options).len(), 2);
+    /// assert!(planar.ik_all(&target, &SearchOptions::default()).is_empty());
+    /// ```
+    pub fn ik_all(&self, target: &Pose, options: &SearchOptions) -> Vec<ChainSolution> {
+        let length = self.size();
+        let mut descent = Descent::new(self.task(target, options.target));
+        let mut starts = Starts::new(self.twists(), length + norm(target.translation));
+        let mut found: Vec<ChainSolution> = Vec::new();
+        let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
+        while quiet < options.stable_doublings && tried < options.max_starts {
+            let known = found.len();
+            for _ in 0..batch.min(options.max_starts - tried) {
+                if descent.run(starts.next()) {
+                    self.insert(&mut found, &mut descent, options.same);
+                }
+                if found.len() == options.max_solutions {
+                    return in_order(found);
+                }
+            }
+            tried += batch;
+            batch = tried;
+            quiet = if found.len() > known { 0 } else { quiet + 1 };
+        }
+        in_order(found)
+    }
+
+    /// The configuration that puts the tool at `target` and that a descent from
+    /// `start` arrives at, if it arrives. As exact as those of
+    /// [`Chain::ik_all`]; of `options` only [`SearchOptions::target`] and
+    /// [`SearchOptions::same`] count.
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Pose, SearchOptions, Twist};
+    /// let turn = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
+    /// let chain = Chain::new(vec![turn], Pose::from_translation([1.0, 0.0, 0.0]));
+    /// let found = chain.ik_from(&chain.fk(&[0.5]), &SearchOptions::default(), &[0.4]).unwrap();
+    /// assert!((found.q[0] - 0.5).abs() < 1e-12);
+    /// ```
+    ///
+    /// # Panics
+    /// If `start` has not one value for each joint.
+    pub fn ik_from(
+        &self,
+        target: &Pose,
+        options: &SearchOptions,
+        start: &[f64],
+    ) -> Option<ChainSolution> {
+        let mut descent = Descent::new(self.task(target, options.target));
+        let mut found = Vec::new();
+        if descent.run(start) {
+            self.insert(&mut found, &mut descent, options.same);
+        }
+        found.pop()
+    }
+
+    fn task(&self, target: &Pose, counts: Target) -> Task<'_> {
+        let axis = self.twists().first().map_or([0.0; 3], |first| {
+            if is_prismatic(first) {
+                first.linear
+            } else {
+                first.angular
+            }
+        });
+        Task {
+            chain: self,
+            target: counts.stands_for(target, axis, self.home()),
+            counts,
+            length: self.size(),
+        }
+    }
+
+    /// A length that weighs rotations against translations: the farthest that
+    /// any axis or the tool lies from the base axis, at home. Metres.
+    fn size(&self) -> f64 {
+        let on_axis = |twist: &Twist| cross(twist.angular, twist.linear);
+        let first = self.twists().first().map_or([0.0; 3], on_axis);
+        let points = self
+            .twists()
+            .iter()
+            .filter(|twist| !is_prismatic(twist))
+            .map(on_axis);
+        let points = points.chain([self.home().translation]);
+        let size = points
+            .map(|point| norm(sub(point, first)))
+            .fold(0.0, f64::max);
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// Adds the configuration that the descent arrived at, unless it is known.
+    fn insert(&self, found: &mut Vec<ChainSolution>, descent: &mut Descent, same: f64) {
+        let revolute = |i: usize| !is_prismatic(&self.twists()[i]);
+        let reduced = |(i, &value): (usize, &f64)| {
+            if revolute(i) {
+                math::wrap(value)
+            } else {
+                value
+            }
+        };
+        let q: Vec<f64> = descent.q().iter().enumerate().map(reduced).collect();
+        let apart = |i: usize, other: f64| {
+            let difference = q[i] - other;
+            (if revolute(i) {
+                math::wrap(difference)
+            } else {
+                difference
+            })
+            .abs()
+        };
+        let known = |solution: &ChainSolution| {
+            solution
+                .q
+                .iter()
+                .enumerate()
+                .all(|(i, &other)| apart(i, other) <= same)
+        };
+        if !found.iter().any(known) {
+            let conditioning = descent.conditioning();
+            found.push(ChainSolution {
+                residual: descent.residual(),
+                conditioning,
+                q,
+            });
+        }
+    }
+}
+
+fn in_order(mut found: Vec<ChainSolution>) -> Vec<ChainSolution> {
+    found.sort_by(|a, b| a.q.partial_cmp(&b.q).unwrap_or(core::cmp::Ordering::Equal));
+    found
+}
+
+/// Starts that fill the joint space evenly, always the same: the additive
+/// recurrence whose steps are the powers of 1/φ with φⁿ⁺¹ = φ + 1
+/// (M. Roberts, "The unreasonable effectiveness of quasirandom sequences",
+/// 2018).
+struct Starts {
+    steps: Vec<f64>,
+    /// Half the width of the range of every joint.
+    ranges: Vec<f64>,
+    /// In units of the range, in [0, 1).
+    place: Vec<f64>,
+    q: Vec<f64>,
+}
+
+impl Starts {
+    /// Revolute joints start in (−π, π], prismatic ones in ± `reach`.
+    fn new(twists: &[Twist], reach: f64) -> Starts {
+        let n = twists.len();
+        let range = |twist: &Twist| if is_prismatic(twist) { reach } else { PI };
+        let phi = (0..64).fold(2.0, |phi: f64, _| {
+            libm::pow(1.0 + phi, 1.0 / (n + 1) as f64)
+        });
+        let powers = core::iter::successors(Some(1.0 / phi), |power| Some(power / phi));
+        Starts {
+            steps: powers.take(n).collect(),
+            ranges: twists.iter().map(range).collect(),
+            place: vec![0.5; n],
+            q: vec![0.0; n],
+        }
+    }
+
+    fn next(&mut self) -> &[f64] {
+        for i in 0..self.q.len() {
+            self.place[i] += self.steps[i];
+            self.place[i] -= libm::floor(self.place[i]);
+            self.q[i] = self.ranges[i] * (2.0 * self.place[i] - 1.0);
+        }
+        &self.q
+    }
+}

@@ -1,0 +1,560 @@
+//! The answer of inverse kinematics: all branches, without allocation.
+
+use core::mem::MaybeUninit;
+
+use crate::math;
+use crate::types::limits::JointLimit;
+
+/// One configuration that reaches the target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<const N: usize> {
+    /// Joint values: radians in (−π, π] for revolute joints, metres for
+    /// prismatic ones.
+    pub q: [f64; N],
+    /// How far the forward kinematics of `q` is from the target: the largest
+    /// of the translation error (metres) and the rotation error (radians
+    /// times the arm's size, metres).
+    pub residual: f64,
+    /// Which combination of the plan's choices this is; the rustdoc of the
+    /// robot names them. Stable along a path that crosses no singularity. An
+    /// arm off its design can have more solutions near a singularity than
+    /// branches; those have the number of a neighbour.
+    pub branch: u32,
+    /// The Jacobian loses rank here: `q` stands for a family of solutions, or
+    /// for two that have met.
+    pub singular: bool,
+}
+
+const CAPACITY: usize = 16;
+
+/// All solutions of one target, at most [`Solutions::CAPACITY`], in order of
+/// their branch; those that an arm off its design has more than the design come
+/// last. Behaves as a slice of [`Solution`] and lives on the stack.
+///
+/// ```
+/// use kin_runtime::{JointLimit, Solution, Solutions};
+/// let found = |q| Solution { q: [q], residual: 0.0, branch: 0, singular: false };
+/// let mut solutions = Solutions::new();
+/// solutions.push(found(-3.0));
+/// solutions.push(found(1.0));
+///
+/// let seed = [3.1];
+/// assert_eq!(solutions.nearest(&seed).unwrap().q, [-3.0]); // 0.18 rad across ±π
+/// let limits = [JointLimit::Revolute { lower: -2.0, upper: 2.0 }];
+/// assert_eq!(solutions.within(&limits).len(), 1);
+/// ```
+#[derive(Clone, Copy)]
+pub struct Solutions<const N: usize> {
+    // In front of the slots: behind them, the compiler zeroes the whole lot.
+    len: usize,
+    prismatic: u32,
+    /// The first `len` are initialized; the last is never counted, so that
+    /// `push_if` has a place to write even when full.
+    slots: [MaybeUninit<Solution<N>>; CAPACITY + 1],
+}
+
+impl<const N: usize> Solutions<N> {
+    /// No arm with a closed form has more isolated solutions than a general
+    /// six-revolute one: sixteen.
+    pub const CAPACITY: usize = CAPACITY;
+
+    /// None yet, for an arm whose joints all turn.
+    #[inline(always)]
+    pub const fn new() -> Self {
+        Self::with_prismatic(0)
+    }
+
+    /// None yet, for an arm whose joint i is prismatic where bit i of the mask
+    /// is set. Only [`Solutions::nearest`] asks: metres do not wrap.
+    #[inline(always)]
+    pub const fn with_prismatic(mask: u32) -> Self {
+        Solutions {
+            len: 0,
+            prismatic: mask,
+            slots: [MaybeUninit::uninit(); CAPACITY + 1],
+        }
+    }
+
+    /// Fills an empty answer in the place where the caller wants it. Filling a
+    /// local one and returning that costs a copy of a kilobyte, 10 ns.
+    ///
+    /// ```
+    /// use kin_runtime::{Solution, Solutions};
+    /// let halves = Solutions::build(|solutions| {
+    ///     for (branch, q) in [-0.5, 0.5].into_iter().enumerate() {
+    ///         let branch = branch as u32;
+    ///         solutions.push_if(q > 0.0, Solution { q: [q], residual: 0.0, branch, singular: false });
+    ///     }
+    /// });
+    /// assert_eq!(halves.len(), 1);
+    /// ```
+    #[inline]
+    pub fn build(fill: impl FnOnce(&mut Self)) -> Self {
+        Self::build_with_prismatic(0, fill)
+    }
+
+    /// As [`Solutions::build`], for an arm with prismatic joints; see
+    /// [`Solutions::with_prismatic`].
+    #[inline]
+    pub fn build_with_prismatic(mask: u32, fill: impl FnOnce(&mut Self)) -> Self {
+        let mut place = MaybeUninit::uninit();
+        Self::fill(&mut place, mask, fill);
+        // SAFETY: `fill` has written the place.
+        unsafe { place.assume_init() }
+    }
+
+    /// A call that is kept as one gets the caller's place to write to.
+    #[inline(never)]
+    fn fill(place: &mut MaybeUninit<Self>, mask: u32, fill: impl FnOnce(&mut Self)) {
+        fill(place.write(Self::with_prismatic(mask)));
+    }
+
+    /// Appends a solution.
+    ///
+    /// # Panics
+    /// If [`Solutions::CAPACITY`] are there already.
+    #[inline]
+    pub fn push(&mut self, solution: Solution<N>) {
+        assert!(
+            self.len < Self::CAPACITY,
+            "more than {} solutions",
+            Self::CAPACITY
+        );
+        self.push_if(true, solution);
+    }
+
+    /// Appends a solution if it is valid, without a branch: it is written in
+    /// any case and then counted or not. At capacity nothing is counted.
+    #[inline(always)]
+    pub fn push_if(&mut self, valid: bool, solution: Solution<N>) {
+        self.slots[self.len.min(CAPACITY)].write(solution);
+        self.len = (self.len + usize::from(valid)).min(CAPACITY);
+    }
+
+    /// The place of a solution, which is appended unless one is the same to
+    /// within 1e-6: branches that were polished may land together, and the
+    /// better of the two is kept. None if it is new and there is no place left.
+    pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
+        let apart = |i: usize, a: f64, b: f64| {
+            let turns = self.prismatic >> i & 1 == 0;
+            math::select(turns, math::wrap(a - b), a - b).abs()
+        };
+        let same = |other: &Solution<N>| (0..N).all(|i| apart(i, other.q[i], solution.q[i]) < 1e-6);
+        let Some(known) = self.iter().position(same) else {
+            let place = self.len;
+            self.push_if(true, solution);
+            return (place < self.len).then_some(place);
+        };
+        let branch = self[known].branch;
+        if solution.residual < self[known].residual {
+            self.slots[known].write(Solution { branch, ..solution });
+        }
+        Some(known)
+    }
+
+    /// The solutions found, in order of their branch.
+    #[inline]
+    pub fn as_slice(&self) -> &[Solution<N>] {
+        // SAFETY: `len` only grows past a slot that has just been written.
+        unsafe { core::slice::from_raw_parts(self.slots.as_ptr().cast(), self.len) }
+    }
+
+    /// Iterates over the solutions found, in order of their branch.
+    #[inline]
+    pub fn iter(&self) -> core::slice::Iter<'_, Solution<N>> {
+        self.as_slice().iter()
+    }
+
+    /// How many there are.
+    #[inline]
+    pub const fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether the target is out of reach.
+    #[inline]
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Those that respect the limits. A revolute angle outside is replaced by
+    /// the nearest of its windings q + 2πk inside, if there is one, so that
+    /// angles in the answer may leave (−π, π].
+    ///
+    /// See [`JointLimit::nearest`] for values at a stop.
+    pub fn within(&self, limits: &[JointLimit; N]) -> Self {
+        let mut inside = Self::with_prismatic(self.prismatic);
+        for solution in self {
+            let turned = turn_towards(solution, &solution.q, limits);
+            turned
+                .into_iter()
+                .for_each(|solution| inside.push(solution));
+        }
+        inside
+    }
+
+    /// Every way to wind every solution inside the limits: all q + 2πk, for
+    /// all joints. A joint that may turn without end in either direction takes
+    /// part with one value, the nearest to zero turns.
+    ///
+    /// ```
+    /// use kin_runtime::{JointLimit, Solution, Solutions};
+    /// let mut solutions = Solutions::new();
+    /// solutions.push(Solution { q: [1.0, 0.0], residual: 0.0, branch: 0, singular: false });
+    /// let limit = JointLimit::Revolute { lower: -6.3, upper: 6.3 };
+    /// // 1 and 1 − 2π, times −2π, 0 and 2π.
+    /// assert_eq!(solutions.windings(&[limit; 2]).count(), 6);
+    /// ```
+    pub fn windings<'a>(&'a self, limits: &'a [JointLimit; N]) -> Windings<'a, N> {
+        Windings {
+            solutions: self.iter(),
+            limits,
+            odometer: None,
+        }
+    }
+
+    /// The solution whose joints are nearest to `seed`: least Euclidean norm
+    /// of the differences, those of revolute joints taken on the circle.
+    /// `None` if there are no solutions.
+    ///
+    /// Joints with stops may have to take the long way round;
+    /// [`Solutions::nearest_within`] takes that into account.
+    pub fn nearest(&self, seed: &[f64; N]) -> Option<&Solution<N>> {
+        self.nearest_weighted(seed, &[1.0; N])
+    }
+
+    /// As [`Solutions::nearest`], each difference multiplied by its weight:
+    /// say, the joint's inertia, or 0 for a joint whose motion is free.
+    pub fn nearest_weighted(&self, seed: &[f64; N], weights: &[f64; N]) -> Option<&Solution<N>> {
+        let distance = |solution: &Solution<N>| -> f64 {
+            let square = |i: usize| {
+                let difference = solution.q[i] - seed[i];
+                let turns = self.prismatic >> i & 1 == 0;
+                let least = if turns {
+                    math::wrap(difference)
+                } else {
+                    difference
+                };
+                (weights[i] * least) * (weights[i] * least)
+            };
+            (0..N).map(square).sum()
+        };
+        self.iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// The solution and winding inside the limits with the least motion from
+    /// `seed`: least Euclidean norm of q − seed as the joints have to travel
+    /// it. `None` if no solution respects the limits.
+    ///
+    /// ```
+    /// use kin_runtime::{JointLimit, Solution, Solutions};
+    /// let mut solutions = Solutions::new();
+    /// solutions.push(Solution { q: [-3.0], residual: 0.0, branch: 0, singular: false });
+    /// let limits = [JointLimit::Revolute { lower: -6.3, upper: 6.3 }];
+    /// let next = solutions.nearest_within(&[3.1], &limits).unwrap();
+    /// assert!((next.q[0] - 3.283185).abs() < 1e-6);
+    /// ```
+    pub fn nearest_within(&self, seed: &[f64; N], limits: &[JointLimit; N]) -> Option<Solution<N>> {
+        let travel = |s: &Solution<N>| -> f64 {
+            s.q.iter()
+                .zip(seed)
+                .map(|(q, from)| (q - from) * (q - from))
+                .sum()
+        };
+        self.iter()
+            .filter_map(|solution| turn_towards(solution, seed, limits))
+            .min_by(|a, b| travel(a).total_cmp(&travel(b)))
+    }
+}
+
+/// The solution with every joint wound inside its limits as near to `seed` as
+/// possible.
+fn turn_towards<const N: usize>(
+    solution: &Solution<N>,
+    seed: &[f64; N],
+    limits: &[JointLimit; N],
+) -> Option<Solution<N>> {
+    let mut turned = *solution;
+    for i in 0..N {
+        turned.q[i] = limits[i].nearest(solution.q[i], seed[i])?;
+    }
+    Some(turned)
+}
+
+/// Iterator over the windings of all solutions; see [`Solutions::windings`].
+#[derive(Clone, Debug)]
+pub struct Windings<'a, const N: usize> {
+    solutions: core::slice::Iter<'a, Solution<N>>,
+    limits: &'a [JointLimit; N],
+    odometer: Option<Odometer<'a, N>>,
+}
+
+impl<const N: usize> Iterator for Windings<'_, N> {
+    type Item = Solution<N>;
+
+    fn next(&mut self) -> Option<Solution<N>> {
+        loop {
+            if let Some(winding) = self.odometer.as_mut().and_then(Odometer::next) {
+                return Some(winding);
+            }
+            self.odometer = Some(Odometer::new(self.solutions.next()?, self.limits));
+        }
+    }
+}
+
+/// Counts through the turns of all joints of one solution.
+#[derive(Clone, Debug)]
+struct Odometer<'a, const N: usize> {
+    solution: &'a Solution<N>,
+    limits: &'a [JointLimit; N],
+    /// First and last number of turns of every joint.
+    range: [(f64, f64); N],
+    turns: [f64; N],
+    done: bool,
+}
+
+impl<'a, const N: usize> Odometer<'a, N> {
+    fn new(solution: &'a Solution<N>, limits: &'a [JointLimit; N]) -> Self {
+        let range = core::array::from_fn(|i| {
+            let (first, last) = limits[i].turns(solution.q[i]);
+            if first.is_finite() && last.is_finite() {
+                return (first, last);
+            }
+            let fewest = 0.0_f64.max(first).min(last);
+            (fewest, fewest)
+        });
+        let done = range.iter().any(|(first, last)| first > last);
+        Odometer {
+            solution,
+            limits,
+            range,
+            turns: range.map(|(first, _)| first),
+            done,
+        }
+    }
+
+    fn next(&mut self) -> Option<Solution<N>> {
+        if self.done {
+            return None;
+        }
+        let q = core::array::from_fn(|i| self.limits[i].turned(self.solution.q[i], self.turns[i]));
+        self.advance();
+        Some(Solution {
+            q,
+            ..*self.solution
+        })
+    }
+
+    fn advance(&mut self) {
+        for i in (0..N).rev() {
+            if self.turns[i] < self.range[i].1 {
+                self.turns[i] += 1.0;
+                return;
+            }
+            self.turns[i] = self.range[i].0;
+        }
+        self.done = true;
+    }
+}
+
+impl<const N: usize> Default for Solutions<N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const N: usize> core::ops::Deref for Solutions<N> {
+    type Target = [Solution<N>];
+    #[inline]
+    fn deref(&self) -> &[Solution<N>] {
+        self.as_slice()
+    }
+}
+
+impl<const N: usize> core::fmt::Debug for Solutions<N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_list().entries(self).finish()
+    }
+}
+
+impl<const N: usize> PartialEq for Solutions<N> {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_slice() == other.as_slice()
+    }
+}
+
+impl<'a, const N: usize> IntoIterator for &'a Solutions<N> {
+    type Item = &'a Solution<N>;
+    type IntoIter = core::slice::Iter<'a, Solution<N>>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl<const N: usize> IntoIterator for Solutions<N> {
+    type Item = Solution<N>;
+    type IntoIter = IntoIter<N>;
+    fn into_iter(self) -> IntoIter<N> {
+        IntoIter {
+            solutions: self,
+            next: 0,
+        }
+    }
+}
+
+/// Iterator that owns the solutions, from `for solution in arm.ik(&pose)`.
+#[derive(Clone, Debug)]
+pub struct IntoIter<const N: usize> {
+    solutions: Solutions<N>,
+    next: usize,
+}
+
+impl<const N: usize> Iterator for IntoIter<N> {
+    type Item = Solution<N>;
+
+    fn next(&mut self) -> Option<Solution<N>> {
+        let solution = self.solutions.as_slice().get(self.next).copied();
+        self.next += usize::from(solution.is_some());
+        solution
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.solutions.len - self.next;
+        (left, Some(left))
+    }
+}
+
+impl<const N: usize> ExactSizeIterator for IntoIter<N> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::TAU;
+
+    fn solution<const N: usize>(q: [f64; N]) -> Solution<N> {
+        Solution {
+            q,
+            residual: 0.0,
+            branch: 0,
+            singular: false,
+        }
+    }
+
+    fn all<const N: usize>(qs: &[[f64; N]]) -> Solutions<N> {
+        let mut solutions = Solutions::new();
+        qs.iter().for_each(|&q| solutions.push(solution(q)));
+        solutions
+    }
+
+    #[test]
+    fn only_valid_solutions_are_counted() {
+        let mut solutions = Solutions::new();
+        for k in 0..40 {
+            solutions.push_if(k % 3 == 0, solution([f64::from(k)]));
+        }
+        let kept = solutions.iter().map(|s| s.q[0]);
+        assert!(kept.eq((0..14).map(|k| f64::from(3 * k))));
+    }
+
+    #[test]
+    fn beyond_the_capacity_nothing_is_overwritten() {
+        let mut solutions = Solutions::new();
+        for k in 0..40 {
+            solutions.push_if(true, solution([f64::from(k)]));
+        }
+        assert_eq!(solutions.len(), Solutions::<1>::CAPACITY);
+        assert_eq!(solutions.last().unwrap().q, [15.0]);
+    }
+
+    #[test]
+    #[should_panic(expected = "more than 16 solutions")]
+    fn pushing_beyond_the_capacity_panics() {
+        (0..17).fold(Solutions::new(), |mut solutions, k| {
+            solutions.push(solution([f64::from(k)]));
+            solutions
+        });
+    }
+
+    #[test]
+    fn owned_and_borrowed_iteration_agree() {
+        let solutions = all(&[[1.0, 2.0], [3.0, 4.0]]);
+        assert!(solutions.into_iter().eq(solutions.iter().copied()));
+        assert_eq!(solutions.into_iter().len(), 2);
+        assert_eq!(solutions, all(&[[1.0, 2.0], [3.0, 4.0]]));
+    }
+
+    #[test]
+    fn limits_keep_shift_or_drop() {
+        let limits = [JointLimit::Revolute {
+            lower: 0.0,
+            upper: 4.0,
+        }];
+        let inside = all(&[[1.0], [-3.0], [-1.0]]).within(&limits);
+        assert_eq!(inside, all(&[[1.0], [TAU - 3.0]]));
+    }
+
+    #[test]
+    fn windings_are_all_inside_and_distinct() {
+        let limits = [
+            JointLimit::Revolute {
+                lower: -TAU,
+                upper: TAU,
+            },
+            JointLimit::Continuous,
+            JointLimit::Prismatic {
+                lower: 0.0,
+                upper: 20.0,
+            },
+        ];
+        let solutions = all(&[[0.0, 1.0, 1.0], [1.0, 1.0, 19.0], [1.0, 1.0, -1.0]]);
+        let found: [Solution<3>; 5] = {
+            let mut windings = solutions.windings(&limits);
+            core::array::from_fn(|_| windings.next().unwrap())
+        };
+        assert_eq!(solutions.windings(&limits).count(), 5);
+        let expected = [
+            [-TAU, 1.0, 1.0],
+            [0.0, 1.0, 1.0],
+            [TAU, 1.0, 1.0],
+            [1.0 - TAU, 1.0, 19.0],
+            [1.0, 1.0, 19.0],
+        ];
+        assert_eq!(found.map(|s| s.q), expected);
+    }
+
+    #[test]
+    fn a_half_bounded_joint_winds_once() {
+        let limits = [JointLimit::Revolute {
+            lower: 2.0,
+            upper: f64::INFINITY,
+        }];
+        let solutions = all(&[[1.0]]);
+        assert!(solutions.windings(&limits).map(|s| s.q).eq([[1.0 + TAU]]));
+    }
+
+    #[test]
+    fn metres_count_as_they_are_in_the_distance() {
+        let mut solutions = Solutions::with_prismatic(0b10);
+        solutions.push(solution([0.0, TAU]));
+        solutions.push(solution([0.5, 1.0]));
+        assert_eq!(solutions.nearest(&[0.0, 0.0]).unwrap().q, [0.5, 1.0]);
+        assert_eq!(
+            solutions
+                .nearest_weighted(&[TAU, 0.0], &[1.0, 0.0])
+                .unwrap()
+                .q,
+            [0.0, TAU]
+        );
+    }
+
+    #[test]
+    fn nothing_is_nearest_in_an_empty_answer() {
+        assert!(Solutions::<2>::new().nearest(&[0.0; 2]).is_none());
+        assert!(
+            Solutions::<2>::new()
+                .nearest_within(&[0.0; 2], &[JointLimit::Continuous; 2])
+                .is_none()
+        );
+    }
+}
