@@ -1,6 +1,9 @@
-//! A kinematics compiler: robot files become specialized, verified Rust while
-//! your crate builds.
+#![doc = include_str!("../README.md")]
 #![no_std]
+
+// What the macro expands to names this crate.
+#[cfg(docsrs)]
+extern crate self as kinematics;
 
 /// ```
 /// kinematics::kinematics!("robots/ur5e.urdf");
@@ -31,6 +34,9 @@ pub use kin_runtime::{
     SelfMotions, Stop, Workspace, WorkspaceMethod, scattered_rotations, self_motion, self_motions,
 };
 
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+/// What `kinematics!("robots/ur5e.urdf")` leaves: a sample, in this
+/// documentation alone.
+#[cfg(docsrs)]
+pub mod sample {
+    crate::kinematics!("robots/ur5e.urdf");
+}

@@ -47,3 +47,7 @@ pub use options::{Ik, Options, Unknown, target};
 pub use plan::Target;
 pub use refusal::{Reason, Refusal};
 pub use spec::{Diagnostics, Source};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -70,3 +70,7 @@ pub mod __private {
     pub use crate::scalar::quartic::{self, trig_roots};
     pub use crate::{generated_by, inherent_methods, inherent_parallel_methods};
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
