@@ -78,7 +78,7 @@ impl ClosedForm {
     }
 
     /// The branches of the plan that exist.
-    fn branches(&self, target: &Pose) -> Vec<BranchSolution> {
+    pub(crate) fn branches(&self, target: &Pose) -> Vec<BranchSolution> {
         let branches = 0..self.plan.branches() as u32;
         branches
             .filter_map(|branch| self.branch(target, branch))
@@ -150,7 +150,7 @@ impl ClosedForm {
             .collect()
     }
 
-    /// What makes a branch an branch.
+    /// What makes a branch a solution.
     pub fn acceptance(&self) -> Acceptance {
         let slides = |variable: &usize| {
             let mut joints = self.idealized.model.joints.iter();

@@ -24,7 +24,7 @@ fn generated(robot: &str) -> kin_codegen::Generated {
 /// The function that computes the branches, line by line.
 fn branches(code: &str) -> Vec<&str> {
     let lines = code.lines().map(str::trim_start);
-    let body = lines.skip_while(|line| !line.starts_with("fn branches"));
+    let body = lines.skip_while(|line| !line.starts_with("let [["));
     body.take_while(|line| !line.starts_with("Branches {"))
         .collect()
 }

@@ -66,6 +66,13 @@ pub fn print(items: TokenStream) -> String {
     out
 }
 
+/// `text` as one line of a comment, however long.
+pub fn push_line(out: &mut String, text: &str) {
+    out.push_str("// ");
+    out.push_str(&one_line(text));
+    out.push('\n');
+}
+
 /// `text` as lines of a comment.
 pub fn push_comment(out: &mut String, indent: &str, text: &str) {
     let mut line = format!("{indent}//");

@@ -6,11 +6,30 @@ use crate::expr::jacobian::Columns;
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
-/// A block that computes outputs from `q`, and from `rates` if the graph has
-/// inputs for them, and returns `result`.
+/// A block that computes outputs from `q` and returns `result`.
 pub fn block(
+    g: &Graph,
+    outputs: &[Expr],
+    n: usize,
+    result: impl FnOnce(&Writer) -> TokenStream,
+) -> TokenStream {
+    block_of(&["q"], g, outputs, n, result)
+}
+
+/// The same from `q` and `rates`, the inputs behind it.
+pub fn block_with_rates(
+    g: &Graph,
+    outputs: &[Expr],
+    n: usize,
+    result: impl FnOnce(&Writer) -> TokenStream,
+) -> TokenStream {
+    block_of(&["q", "rates"], g, outputs, n, result)
+}
+
+fn block_of(
+    parameters: &[&str],
     g: &Graph,
     outputs: &[Expr],
     n: usize,
@@ -18,7 +37,7 @@ pub fn block(
 ) -> TokenStream {
     let inputs: Vec<TokenStream> = (0..usize::from(g.inputs()))
         .map(|i| {
-            let of = if i < n { quote!(q) } else { quote!(rates) };
+            let of = format_ident!("{}", parameters.get(i / n).unwrap_or(&"q"));
             let i = Literal::usize_unsuffixed(i % n);
             quote!(#of[#i])
         })
@@ -32,8 +51,15 @@ pub fn block(
         |_| TokenStream::new(),
         |_, name, value| (quote!(let #name = #value;), quote!(#name)),
     );
+    // A parameter that nothing depends on is taken all the same.
+    let unread = (parameters.iter().enumerate())
+        .filter(|(i, _)| !(i * n..(i + 1) * n).any(|k| writer.needs_input(k)))
+        .map(|(_, parameter)| {
+            let parameter = format_ident!("{parameter}");
+            quote!(let _ = #parameter;)
+        });
     let result = result(&writer);
-    quote!(#(#trig)* #(#statements)* #result)
+    quote!(#(#unread)* #(#trig)* #(#statements)* #result)
 }
 
 /// `Pose { .. }`.

@@ -34,6 +34,20 @@ fn sentence(step: &Step, part: StepPart, linkage: &Linkage) -> String {
     }
 }
 
+/// What a subproblem does, for those who do not know its number by heart.
+pub fn does(subproblem: Subproblem) -> &'static str {
+    match subproblem {
+        Subproblem::Sum | Subproblem::Slide => "",
+        Subproblem::Sp1 => ": turn a vector onto another",
+        Subproblem::Sp2 => ": turn a vector onto another about two axes",
+        Subproblem::Sp3 => ": turn a point to a distance",
+        Subproblem::Sp4 => ": turn a vector to a component along a direction",
+        Subproblem::Sp6 => ": two relations in two angles, a quartic",
+        Subproblem::T1 => ": slide a point to a distance",
+        Subproblem::T2 => ": slide a point to a height",
+    }
+}
+
 /// The unknowns of earlier steps that a step's relation depends on.
 fn given(step: &Step, part: StepPart) -> String {
     let relation = part.relation.and_then(|i| step.relations.get(i));

@@ -1,5 +1,6 @@
 //! Inverse kinematics as Rust functions.
 
+use super::comment::comment;
 use super::lanes::lanes;
 use super::straight::literal;
 use crate::closed_form::ClosedForm;
@@ -18,23 +19,30 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let closest = closest(model, solver);
     let what = what(solver.plan.target);
     let plan = format!(" Solved by {}.", solver.plan);
+    let assumes = assumes(solver);
     quote! {
         const ACCEPT: Acceptance = #accept;
 
         #[doc = #what]
         ///
-        #[doc = #plan]
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`]. A target out of reach has no solutions. A
-        /// singular target has a representative of each family of solutions,
-        /// with zero for an angle that is free.
+        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// of reach has no solutions, and neither has one of which an entry
+        /// that is read is not finite. A singular target has a representative
+        /// of each family of solutions, with zero for an angle that is free.
+        ///
+        #[doc = #assumes]
+        ///
+        #[doc = #plan]
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<#n> {
             self.ik_near(pose, &[0.0; #n])
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
-        /// its value in `seed`, so that answers along a path are continuous.
+        /// its value in `seed` (radians), so that solutions along a path are
+        /// continuous. The solutions of other targets do not depend on it; a
+        /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_near(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
             let branches = self.branches(pose, seed);
@@ -42,9 +50,9 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
-        /// there is one, and for a target out of reach the least-squares answer
-        /// of the subproblems, with its distance as the residual. None if
-        /// `pose` is not a number.
+        /// there is one, and for a target out of reach the least-squares
+        /// solution of the subproblems, with its distance (metres) as the
+        /// residual. None if `pose` is not a number.
         #[must_use]
         pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<#n>> {
             #closest
@@ -85,6 +93,8 @@ fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
     };
     let Some((free, said)) = solver.inverse.free_angle.zip(lanes.free_angle) else {
         return quote! {
+            /// All branches of the plan as lanes, those that do not exist
+            /// marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
                 #statements
@@ -93,10 +103,16 @@ fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
         };
     };
     let coordinate = Literal::usize_unsuffixed(free.coordinate);
+    let where_it_goes = comment(
+        "A free angle at the seed's value can leave a later step no root: it turns to where it \
+         leaves the most room",
+    );
     quote! {
+        /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
             let (mut branches, free_angle) = self.seeded(pose, seed);
+            #where_it_goes
             if free_angle.leaves_no_root() {
                 branches = Branches::with_free_angle(seed, #coordinate, |seed| {
                     self.seeded(pose, seed)
@@ -105,6 +121,8 @@ fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
             branches
         }
 
+        /// The branches, with the seed's value for an angle that is free, and
+        /// what a later step's root says of that.
         #[inline]
         fn seeded(
             &self,
@@ -191,7 +209,22 @@ fn what(target: Target) -> String {
     } else {
         " The rest of `pose` is not read."
     };
-    format!(" All joint values that {reaches} (base frame, metres).{rest}")
+    format!(" All joint values that {reaches} in the base frame, metres.{rest}")
+}
+
+/// What the rotation of a target is taken to be.
+fn assumes(solver: &ClosedForm) -> String {
+    let tolerance = solver.acceptance().tolerance;
+    match solver.plan.target {
+        Target::Position => {
+            format!(" Solutions reach the position to {tolerance:.1e} m.")
+        }
+        _ => format!(
+            " The rotation of `pose` is taken as it is: a solution's pose differs from it by at \
+             most {tolerance:.1e} m, radians counted at the distance of the arm's size, so that a \
+             matrix that is no rotation to that accuracy has no solutions."
+        ),
+    }
 }
 
 /// The names of the target's entries: r11 … r33, px, py, pz.

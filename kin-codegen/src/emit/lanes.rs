@@ -124,7 +124,7 @@ pub fn lanes(solver: &ClosedForm, inputs: &[TokenStream]) -> Lanes {
             let (level, no_root) = (array(free.level), array(free.no_root));
             quote!(FreeAngle { level: #level, no_root: #no_root })
         }),
-        inputs: used_inputs(&writer, inverse),
+        inputs: (0..inputs.len()).map(|k| writer.needs_input(k)).collect(),
         statements,
     }
 }
@@ -206,11 +206,4 @@ fn widened(
         Literal::usize_unsuffixed(to),
     );
     quote!(#comment #(let #names = widen::<#from, #to>(#names);)*)
-}
-
-fn used_inputs(writer: &Writer, inverse: &Inverse) -> Vec<bool> {
-    let g = &inverse.graph;
-    (0..g.inputs())
-        .map(|k| g.find(Node::Input(k)).is_some_and(|e| writer.needs(e)))
-        .collect()
 }

@@ -2,9 +2,10 @@
 //! kinematics cuts out of a loop, are written as the arms that they are, out of
 //! sight of the user.
 
+use super::imports::imports;
 use super::robot::{generated_by, limit};
 use super::straight::signed;
-use super::{forward, inverse, matrix};
+use super::{documentation, forward, inverse, matrix, text};
 use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Loop, Rod};
@@ -16,7 +17,8 @@ use quote::{format_ident, quote};
 pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
     let sizes = Sizes::of(compiled);
     let Sizes { n, m, k } = &sizes;
-    let doc = compiled.documentation();
+    let doc = documentation::mechanism(compiled, name);
+    let doc = doc.iter().map(|line| format!(" {line}"));
     let arms = arms(compiled);
     let constants = constants(compiled, &sizes);
     let chains = chains(compiled, &sizes);
@@ -29,6 +31,17 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
         || quote!(::kinematics::__private::inherent_parallel_methods!(fk: #name, #n, #m, #k);),
     );
     let generated_by = generated_by();
+    let items = quote! {
+        // Constants are written with the digits that they have.
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        impl ParallelKinematics<#n, #m, #k> for #name {
+            #constants
+            #chains
+            #ik
+            #fk
+        }
+    };
+    let (imports, arms_imports) = (imports(&items), imports(&arms));
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,35 +49,17 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
 
         const _: () = {
             #generated_by
-            // Which of them an arm needs depends on its plan.
-            #[allow(unused_imports)]
-            use ::kinematics::__private::three_spheres;
-            #[allow(unused_imports)]
-            use ::kinematics::{
-                Jacobian, JointLimit, ParallelKinematics, Pose, Postures, Solution,
-                Solutions, Twist,
-            };
+
+            #imports
 
             /// The chains that the mechanism is made of.
             mod arms {
-                // As above.
-                #[allow(unused_imports)]
-                use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
-                #[allow(unused_imports)]
-                use ::kinematics::__private::{
-                    lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
-                };
+                #arms_imports
+
                 #arms
             }
 
-            // Constants are written with the digits that they have.
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-            impl ParallelKinematics<#n, #m, #k> for #name {
-                #constants
-                #chains
-                #ik
-                #fk
-            }
+            #items
 
             ::kinematics::__private::inherent_parallel_methods!(#name, #n, #m, #k);
             #ik_inherent
@@ -97,7 +92,7 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
     let mechanism = &compiled.mechanism;
     let legs = &mechanism.legs;
     let names = legs.iter().flat_map(|leg| &leg.model.variables);
-    let names = names.map(|variable| &variable.name);
+    let names = names.map(|variable| text::literal(&variable.name));
     let limits = legs.iter().flat_map(|leg| {
         let variables = leg.model.variables.iter().enumerate();
         variables.map(|(i, variable)| limit(&leg.model, i, variable))
@@ -110,7 +105,10 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
         .actuated()
         .into_iter()
         .map(Literal::usize_unsuffixed);
-    let (base, platform) = (&mechanism.base, &mechanism.platform);
+    let (base, platform) = (
+        text::literal(&mechanism.base),
+        text::literal(&mechanism.platform),
+    );
     let length = signed(mechanism.generic().length());
     let mobility = Literal::usize_unsuffixed(compiled.freedom.mobility);
     let branches = (0..legs.len()).map(|leg| {
@@ -405,10 +403,7 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod], n: &Literal) -> TokenStre
             quote!(postures.keep(#joint, actuated[#a], #turns);)
         });
     let free = (0..joints.len()).map(|joint| match slides(joint) {
-        true => quote!(JointLimit::Prismatic {
-            lower: f64::NEG_INFINITY,
-            upper: f64::INFINITY
-        }),
+        true => quote!(JointLimit::prismatic(f64::NEG_INFINITY, f64::INFINITY)),
         false => quote!(JointLimit::Continuous),
     });
     let mask = prismatic(compiled);

@@ -1,18 +1,21 @@
 //! From expressions to Rust: the only room that knows the language.
 
 mod comment;
+mod documentation;
 mod forward;
+pub(crate) mod header;
 mod headings;
+mod imports;
 mod inverse;
 mod lanes;
 mod mechanism;
+mod postures;
 mod robot;
 mod singular;
 mod straight;
-mod summary;
 mod text;
 
-pub(crate) use comment::{print, push_comment, without_comments};
+pub(crate) use comment::{print, without_comments};
 pub use mechanism::mechanism;
 pub use robot::{TAKEN, robot};
 

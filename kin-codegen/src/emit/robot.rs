@@ -1,8 +1,8 @@
 //! The type of a robot, with its constants, methods and documentation.
 
+use super::imports::imports;
 use super::straight::signed;
-use super::summary::summary;
-use super::{forward, inverse, singular};
+use super::{documentation, forward, inverse, singular, text};
 use crate::arm::CompiledArm;
 use crate::expr::Operations;
 use crate::expr::forward::Outputs;
@@ -14,7 +14,8 @@ use quote::quote;
 /// The items that a robot becomes.
 pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let n = Literal::usize_unsuffixed(compiled.model.variables.len());
-    let doc = documentation(compiled);
+    let doc = documentation::arm(compiled, name);
+    let doc = doc.iter().map(|line| format!(" {line}"));
     let constants = constants(compiled, &n);
     let methods = methods(compiled, &n);
     let inverse = compiled
@@ -25,6 +26,19 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let singular = singular.map(|singular| singular::methods(singular, variables));
     let delegation = delegation(compiled, name, &n);
     let generated_by = generated_by();
+    let items = quote! {
+        // Constants are written with the digits that they have.
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        impl #name {
+            #constants
+            #methods
+            #inverse
+            #singular
+        }
+
+        #delegation
+    };
+    let imports = imports(&items);
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,27 +46,10 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
 
         const _: () = {
             #generated_by
-            // Which of them an arm needs depends on its plan.
-            #[allow(unused_imports)]
-            use ::kinematics::{
-                Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution, Solutions,
-                Target,
-            };
-            #[allow(unused_imports)]
-            use ::kinematics::__private::{
-                lanes, math, trig_roots, widen, Acceptance, Branches, FreeAngle,
-            };
 
-            // Constants are written with the digits that they have.
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-            impl #name {
-                #constants
-                #methods
-                #inverse
-                #singular
-            }
+            #imports
 
-            #delegation
+            #items
             ::kinematics::__private::inherent_methods!(#name, #n);
         };
     }
@@ -93,32 +90,27 @@ pub const TAKEN: [&str; 17] = [
 /// A spatial Jacobian of more multiplications is left to `fk_jacobian`.
 const LONGEST: usize = 80;
 
-fn documentation(compiled: &CompiledArm) -> Vec<String> {
-    let model = &compiled.model;
-    let mut lines = vec![format!(
-        " The arm `{}` from `{}` to `{}`, compiled from `{}`.",
-        model.name, model.base, model.tip, compiled.file
-    )];
-    lines.extend(summary(compiled).into_iter().map(|line| format!(" {line}")));
-    lines
-}
-
 fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let model = &compiled.model;
-    let names = model.variables.iter().map(|variable| &variable.name);
+    let names = model
+        .variables
+        .iter()
+        .map(|variable| text::literal(&variable.name));
     let limits = (0..model.variables.len()).map(|i| limit(model, i, &model.variables[i]));
-    let (base, tip) = (&model.base, &model.tip);
+    let (base, tip) = (text::literal(&model.base), text::literal(&model.tip));
     let branches = Literal::usize_unsuffixed(compiled.branches());
     quote! {
-        /// The joints' names, from base to tip.
+        /// The joints' names in the robot file, in the order of `q`: from base
+        /// to tip.
         pub const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
-        /// The joints' kinds and travel, radians and metres.
+        /// The joints' kinds and travel, in the order of `q`: radians, and
+        /// metres of prismatic joints.
         pub const LIMITS: [JointLimit; #n] = [#(#limits),*];
-        /// The link that poses are given in.
+        /// The link in whose frame poses are given.
         pub const BASE: &'static str = #base;
-        /// The link that poses are of.
+        /// The link whose frame poses are of.
         pub const TIP: &'static str = #tip;
-        /// How many branches inverse kinematics looks at.
+        /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = #branches;
     }
 }
@@ -138,8 +130,8 @@ pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream
         .unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
     let (lower, upper) = (bound(lower), bound(upper));
     match (prismatic, variable.limits) {
-        (true, _) => quote!(JointLimit::Prismatic { lower: #lower, upper: #upper }),
-        (false, Some(_)) => quote!(JointLimit::Revolute { lower: #lower, upper: #upper }),
+        (true, _) => quote!(JointLimit::prismatic(#lower, #upper)),
+        (false, Some(_)) => quote!(JointLimit::revolute(#lower, #upper)),
         (false, None) => quote!(JointLimit::Continuous),
     }
 }
@@ -184,38 +176,50 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let fk_cost = cost(f.cost(&f.tip.expressions()));
     let both_cost = cost(f.cost(&both));
     quote! {
-        /// The tip's pose in the base frame at joint values `q`, radians and
-        /// metres.
+        /// The pose of the tip in the base frame, metres, at joint values `q`:
+        /// radians, and metres of prismatic joints.
+        ///
+        /// Limits are not applied. A joint value that is not finite gives a
+        /// pose that is not a number.
         ///
         #[doc = #fk_cost]
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; #n]) -> Pose { #fk }
 
-        /// The pose, in the base frame, of the link that each joint moves.
+        /// The pose, in the base frame, of the link that each joint moves, in
+        /// the order of `q`; what is fixed behind the last joint is not in it.
+        /// Units as of [`Self::fk`].
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; #n]) -> [Pose; #n] { #fk_links }
 
-        /// The spatial Jacobian J_s (MLS section 3.4.1): rows (v, ω) in base
-        /// coordinates.
+        /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
+        /// twist (v, ω) of the tip in base coordinates, v being the velocity of
+        /// the point of the tip that passes the base's origin.
+        ///
+        /// Metres, and rows of ω without unit, per radian; per metre for
+        /// prismatic joints. A joint value that is not finite gives entries
+        /// that are not numbers; so in the other Jacobians.
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; #n]) -> Jacobian<#n> { #spatial }
 
-        /// The body Jacobian J_b (MLS section 3.4.1): rows (v, ω) in tip
-        /// coordinates.
+        /// The body Jacobian J_b (MLS section 3.4.1): times joint rates, the
+        /// velocity of the tip's origin and the angular velocity, both in tip
+        /// axes. Units as of [`Self::spatial_jacobian`].
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; #n]) -> Jacobian<#n> { #body }
 
-        /// The geometric Jacobian: the velocity of the tip's origin and the
-        /// angular velocity, both in base axes.
+        /// The geometric Jacobian, which ROS uses: times joint rates, the
+        /// velocity of the tip's origin and the angular velocity, both in base
+        /// axes. Units as of [`Self::spatial_jacobian`].
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; #n]) -> Jacobian<#n> { #geometric }
 
-        /// The tip's pose and the spatial Jacobian, computed together.
+        /// [`Self::fk`] and [`Self::spatial_jacobian`], computed together.
         ///
         #[doc = #both_cost]
         #[inline]
@@ -274,7 +278,8 @@ fn delegation(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream 
 /// cannot tell them from the Jacobian.
 fn derivatives(compiled: &CompiledArm, dot: &Columns, n: &Literal) -> TokenStream {
     let count = compiled.model.variables.len();
-    let body = forward::block(&compiled.forward.graph, &dot.expressions(), count, |w| {
+    let graph = &compiled.forward.graph;
+    let body = forward::block_with_rates(graph, &dot.expressions(), count, |w| {
         forward::jacobian(w, dot)
     });
     quote! {

@@ -22,11 +22,6 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         (by_elimination, " By elimination.".into())
     } else {
         let expanded = block(g, &[product], n, |w| w.output(product));
-        // One that is constant reads nothing.
-        let expanded = match g.value(product) {
-            Some(_) => quote!(let _ = q; #expanded),
-            None => expanded,
-        };
         (expanded, super::robot::cost(operations))
     };
     let rows = rows(singular.determinant.rows);

@@ -100,6 +100,12 @@ impl<'a> Writer<'a> {
         self.needed[e.index()]
     }
 
+    /// Whether the input of this number takes part.
+    pub fn needs_input(&self, number: usize) -> bool {
+        let input = self.graph.find(Node::Input(number as u16));
+        input.is_some_and(|input| self.needs(input))
+    }
+
     fn decide_inline(&mut self, pinned: &[bool]) {
         let mut length = vec![0; self.needed.len()];
         for (i, node) in self.graph.nodes().iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A few words for the mechanism's documentation and the header of its code.
+//! How a mechanism is solved, in words.
 
 use super::compiled::CompiledMechanism;
 use super::forward::ForwardMethod;
@@ -49,67 +49,8 @@ impl CompiledMechanism {
         })
     }
 
-    /// What the documentation of the type says, in Markdown lines.
-    pub(crate) fn documentation(&self) -> Vec<String> {
-        let mechanism = &self.mechanism;
-        let legs = mechanism
-            .legs
-            .iter()
-            .map(|leg| format!("`{}` ({})", leg.name, leg.structure()));
-        let legs: Vec<String> = legs.collect();
-        let mut lines = vec![
-            format!(
-                " The mechanism `{}` from `{}` to `{}`, compiled from `{}`.",
-                mechanism.name, mechanism.base, mechanism.platform, self.file
-            ),
-            String::new(),
-            format!(" Chains: {}.", legs.join(", ")),
-            format!(" Actuated: {}.", self.actuated().join(", ")),
-            format!(
-                " Mobility {} by rank, {} by Grübler's formula.",
-                self.freedom.mobility, self.freedom.gruebler
-            ),
-            String::new(),
-        ];
-        match self.targets() {
-            Some(targets) => {
-                lines.push(format!(" Inverse kinematics: {}.", self.plans()));
-                lines.push(format!(" Targets are {targets}."));
-            }
-            None => lines.push(" Generated without inverse kinematics (`ik = none`).".into()),
-        }
-        lines.push(String::new());
-        let method = self.forward.method();
-        lines.push(format!(" Forward kinematics by {method}."));
-        lines
-    }
-
-    /// The lines of the header, without comment marks.
-    pub(crate) fn header(&self) -> Vec<String> {
-        let mechanism = &self.mechanism;
-        let mut lines = vec![format!(
-            "{} to {}, {} chains, {} joints, {} actuated.",
-            mechanism.base,
-            mechanism.platform,
-            mechanism.legs.len(),
-            mechanism.joints(),
-            mechanism.actuated().len()
-        )];
-        if self.inverse.is_some() {
-            lines.push(format!("Inverse kinematics: {}.", self.plans()));
-        }
-        lines.push(format!("Forward kinematics: {}.", self.forward.method()));
-        lines
-    }
-
-    fn actuated(&self) -> Vec<String> {
-        let legs = self.mechanism.legs.iter();
-        let names = legs.flat_map(|leg| leg.actuated_names());
-        names.map(|name| format!("`{name}`")).collect()
-    }
-
     /// The plan of every chain.
-    fn plans(&self) -> String {
+    pub fn plans(&self) -> String {
         let plans = self.inverse.iter().flat_map(|inverse| &inverse.legs);
         let legs = self.mechanism.legs.iter().zip(plans.map(LegForm::plan));
         let plans: Vec<String> = legs

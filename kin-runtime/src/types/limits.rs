@@ -39,6 +39,16 @@ impl JointLimit {
     /// is not lost to rounding.
     pub const TOLERANCE: f64 = 1e-9;
 
+    /// A revolute joint between two stops, radians.
+    pub const fn revolute(lower: f64, upper: f64) -> Self {
+        JointLimit::Revolute { lower, upper }
+    }
+
+    /// A prismatic joint between two stops, metres.
+    pub const fn prismatic(lower: f64, upper: f64) -> Self {
+        JointLimit::Prismatic { lower, upper }
+    }
+
     /// Whether the joint turns, so that values 2π apart are one posture.
     pub const fn is_revolute(self) -> bool {
         !matches!(self, JointLimit::Prismatic { .. })

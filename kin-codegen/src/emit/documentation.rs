@@ -1,0 +1,370 @@
+//! The rustdoc of a generated type: what it is, how to use it, its joints, its
+//! plan, and what its branches are called. Lines of Markdown.
+
+use super::headings::{does, steps};
+use super::postures::Postures;
+use super::text::{code, one_line};
+use crate::arm::CompiledArm;
+use crate::closed_form::ClosedForm;
+use crate::geometry::structure;
+use crate::mechanism::{CompiledMechanism, Leg, LegForm};
+use crate::model::{Model, Variable};
+use crate::plan::Target;
+use crate::random::Random;
+use crate::solver::Certified;
+use kin_runtime::Pose;
+use proc_macro2::Ident;
+
+/// Of an arm.
+pub fn arm(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
+    let model = &compiled.model;
+    let mut lines = vec![
+        format!(
+            "The arm {} from {} to {}, compiled from {}.",
+            code(&model.name),
+            code(&model.base),
+            code(&model.tip),
+            code(&compiled.file),
+        ),
+        String::new(),
+        format!("Axes: {}.", structure(model)),
+        String::new(),
+        home(model),
+    ];
+    lines.extend(example(compiled, name));
+    lines.extend(section("Joints"));
+    lines.extend(joints(
+        model
+            .variables
+            .iter()
+            .enumerate()
+            .map(|(i, variable)| (variable, !model.turns(i), String::new())),
+    ));
+    lines.extend(section("Inverse kinematics"));
+    match &compiled.inverse {
+        None => lines.push("None: generated with `ik = none`.".into()),
+        Some(certified) => {
+            lines.extend(inverse(certified));
+            lines.extend(section("Branches"));
+            lines.extend(branches(&certified.form));
+        }
+    }
+    lines
+}
+
+/// Of a mechanism.
+pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> Vec<String> {
+    let mechanism = &compiled.mechanism;
+    let legs = &mechanism.legs;
+    let chains: Vec<String> = legs
+        .iter()
+        .map(|leg| format!("{} ({})", code(&leg.name), leg.structure()))
+        .collect();
+    let mut lines = vec![
+        format!(
+            "The mechanism {} from {} to {}, compiled from {}.",
+            code(&mechanism.name),
+            code(&mechanism.base),
+            code(&mechanism.platform),
+            code(&compiled.file),
+        ),
+        String::new(),
+        format!("Chains: {}.", chains.join(", ")),
+        format!(
+            "Mobility {} by rank, {} by Grübler's formula.",
+            compiled.freedom.mobility, compiled.freedom.gruebler
+        ),
+        String::new(),
+        placed(&mechanism.platform, &mechanism.base, &mechanism.home()),
+    ];
+    lines.extend(example_of_mechanism(compiled, name));
+    let actuated = mechanism.actuated();
+    lines.extend(section("Joints"));
+    let all = legs.iter().flat_map(|leg| {
+        let variables = leg.model.variables.iter().enumerate();
+        variables.map(move |(i, variable)| (leg, i, variable))
+    });
+    lines.extend(joints(all.enumerate().map(
+        |(joint, (leg, i, variable))| {
+            let driven = if actuated.contains(&joint) {
+                ", actuated"
+            } else {
+                ""
+            };
+            let of = format!(" of {}{driven}", code(&leg.name));
+            (variable, !leg.model.turns(i), of)
+        },
+    )));
+    lines.extend(section("Inverse kinematics"));
+    match compiled.targets() {
+        Some(targets) => {
+            lines.push(format!("Targets are {}.", one_line(&targets)));
+            lines.push(String::new());
+            let forms = compiled.inverse.iter().flat_map(|inverse| &inverse.legs);
+            let plan =
+                |(leg, form): (&Leg, &LegForm)| format!("- {}: {}", code(&leg.name), form.plan());
+            lines.extend(legs.iter().zip(forms).map(plan));
+        }
+        None => lines.push("None: generated with `ik = none`.".into()),
+    }
+    lines.extend(section("Forward kinematics"));
+    lines.push(sentence(&compiled.forward.method()));
+    lines
+}
+
+fn section(title: &str) -> [String; 3] {
+    [String::new(), format!("# {title}"), String::new()]
+}
+
+/// Text from elsewhere, as a sentence of Markdown.
+fn sentence(text: &str) -> String {
+    let mut text = one_line(text);
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text + "."
+}
+
+fn home(model: &Model) -> String {
+    placed(&model.tip, &model.base, &model.home)
+}
+
+/// Where a link is with all joints at zero.
+fn placed(link: &str, base: &str, home: &Pose) -> String {
+    let vector = |v: [f64; 3]| {
+        let entries = v.map(|x| number(x, 4));
+        format!("({})", entries.join(", "))
+    };
+    let axis = |j: usize| vector([0, 1, 2].map(|i| home.rotation[i][j]));
+    format!(
+        "Poses are of the frame of {} in that of {}. With all joints at zero its origin is at {} \
+         m, its x axis along {} and its z axis along {}.",
+        code(link),
+        code(base),
+        vector(home.translation),
+        axis(0),
+        axis(2),
+    )
+}
+
+/// With at most so many digits behind the point.
+fn number(x: f64, digits: i32) -> String {
+    let scale = 10_f64.powi(digits);
+    format!("{}", (x * scale).round() / scale + 0.0)
+}
+
+/// Radians in degrees, with at most two digits behind the point.
+pub fn degrees(radians: f64) -> String {
+    number(radians.to_degrees(), 2)
+}
+
+/// The joints in a table: each with whether it slides, and what else is to be
+/// said of it.
+fn joints<'a>(all: impl Iterator<Item = (&'a Variable, bool, String)>) -> Vec<String> {
+    let row = |(i, (variable, slides, more)): (usize, (&Variable, bool, String))| {
+        let bound = |x: f64| match (x.is_finite(), slides) {
+            (false, _) => "none".into(),
+            (_, true) => format!("{} m", number(x, 4)),
+            (_, false) => format!("{}°", degrees(x)),
+        };
+        let kind = match (slides, variable.limits) {
+            (true, _) => "prismatic",
+            (_, Some(_)) => "revolute",
+            (_, None) => "continuous",
+        };
+        let [from, to] = variable
+            .limits
+            .unwrap_or([f64::NEG_INFINITY, f64::INFINITY])
+            .map(bound);
+        let name = code(&variable.name);
+        format!("| q{} | {name}{more} | {kind} | {from} | {to} |", i + 1)
+    };
+    let head = [
+        "| | joint | kind | lower | upper |",
+        "|---|---|---|---|---|",
+    ];
+    let head = head.map(String::from).into_iter();
+    head.chain(all.enumerate().map(row)).collect()
+}
+
+fn inverse(certified: &Certified) -> Vec<String> {
+    let (solver, seen) = (&certified.form, &certified.certificate);
+    let plan = &solver.plan;
+    let mut lines = Vec::new();
+    if plan.target != Target::Pose {
+        lines.push(format!(
+            "Targets are {}: the rest of a pose is not read.",
+            plan.target.phrase()
+        ));
+        lines.push(String::new());
+    }
+    let sentences = steps(plan, &solver.linkage, &solver.inverse.parts);
+    for (i, (step, sentence)) in plan.steps.iter().zip(sentences).enumerate() {
+        lines.push(format!("{}. {sentence}{}", i + 1, does(step.subproblem)));
+    }
+    lines.push(String::new());
+    lines.push(format!(
+        "{} branches. Verified on {} configurations: all recovered, {} solutions, the worst {:.1e} \
+         m from its target.",
+        plan.branches(),
+        seen.configurations,
+        seen.solutions,
+        seen.worst_residual,
+    ));
+    if seen.unanswered > 0 {
+        lines.push(format!(
+            "Of {} singular configurations, {} got no representative.",
+            seen.singular, seen.unanswered
+        ));
+    }
+    if !solver.is_exact() {
+        lines.push(String::new());
+        lines.push(format!(
+            "The file's axes are off exact relations by up to {:.1e} rad: the closed form runs on \
+             an arm whose tip is within {:.1e} m, and every branch is refined onto the file's own.",
+            solver
+                .idealized
+                .moved
+                .iter()
+                .map(|moved| moved.angle)
+                .fold(0.0, f64::max),
+            solver.tip_shift,
+        ));
+    }
+    lines
+}
+
+/// The number of every branch, with the words for its postures.
+fn branches(solver: &ClosedForm) -> Vec<String> {
+    let postures = Postures::of(solver);
+    if postures.columns.is_empty() {
+        return vec!["There is one: a target has at most one solution.".into()];
+    }
+    let columns = &postures.columns;
+    let heads: Vec<String> = columns
+        .iter()
+        .map(|column| format!("{} ({})", column.name, column.told_by()))
+        .collect();
+    let row = |branch: u32| {
+        let words: Vec<&str> = postures.words(branch).collect();
+        format!("| {branch} | {} |", words.join(" | "))
+    };
+    let mut lines = vec![
+        "`Solution::branch` is the number of the solution's posture:".into(),
+        String::new(),
+        format!("| branch | {} |", heads.join(" | ")),
+        format!("|---|{}", "---|".repeat(columns.len())),
+    ];
+    lines.extend((0..solver.plan.branches() as u32).map(row));
+    lines.push(String::new());
+    lines.extend(
+        columns
+            .iter()
+            .map(|column| format!("- {}", sentence(&column.meaning))),
+    );
+    lines
+}
+
+/// Targets looked at for the example.
+const EXAMPLES: usize = 32;
+
+/// From joint values to a pose and back. The path of the type is the user's, so
+/// it is no test of the user's crate.
+fn example(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
+    let (q, solutions) = instance(compiled);
+    let values: Vec<String> = q.iter().map(|x| format!("{x:?}")).collect();
+    let slides = (0..q.len()).any(|i| !compiled.model.turns(i));
+    let turns = (0..q.len()).any(|i| compiled.model.turns(i));
+    let units = match (turns, slides) {
+        (true, false) => "radians",
+        (false, true) => "metres",
+        _ => "radians and metres",
+    };
+    let mut lines: Vec<String> = section("Example").into();
+    lines.push("```ignore".into());
+    lines.push(format!("let q = [{}]; // {units}", values.join(", ")));
+    lines.push(format!("let pose = {name}.fk(&q);"));
+    match solutions {
+        None => lines.push("println!(\"{:?} m\", pose.translation);".into()),
+        Some(count) => lines.extend([
+            format!("let solutions = {name}.ik(&pose);"),
+            format!("assert_eq!(solutions.len(), {count});"),
+            "let nearest = solutions.nearest(&q).unwrap();".into(),
+            format!(
+                "assert!((0..{}).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));",
+                q.len()
+            ),
+        ]),
+    }
+    lines.push("```".into());
+    lines
+}
+
+/// From a configuration to the platform's pose and back.
+fn example_of_mechanism(compiled: &CompiledMechanism, name: &Ident) -> Vec<String> {
+    let n = compiled.mechanism.joints();
+    let mut lines: Vec<String> = section("Example").into();
+    lines.push("```ignore".into());
+    lines.push(format!("let home = [0.0; {n}]; // closes the loops"));
+    if compiled.inverse.is_some() {
+        lines.push(format!("let pose = {name}.platform(&home);"));
+        lines.push(format!("let postures = {name}.ik(&pose);"));
+        lines.push(format!(
+            "let q = postures.nearest(&home, &{name}::LIMITS).unwrap();"
+        ));
+        lines.push(format!("assert!({name}.gap(&q) < 1e-9); // metres"));
+    }
+    lines.push(format!("let driven = {name}.actuated(&home);"));
+    lines.push(format!(
+        "let assembly = {name}.fk_near(&driven, &home).unwrap();"
+    ));
+    lines.push("assert!(assembly.residual < 1e-9); // metres".into());
+    lines.push("```".into());
+    lines
+}
+
+/// Joint values of two digits inside of the limits, and how many solutions
+/// their pose has, themselves among them; none without inverse kinematics, and
+/// where no values were found that are regular.
+fn instance(compiled: &CompiledArm) -> (Vec<f64>, Option<usize>) {
+    let model = &compiled.model;
+    let mut random = Random(0xbb67_ae85_84ca_a73b);
+    let mut draw = || -> Vec<f64> {
+        let variables = model.variables.iter().enumerate();
+        variables
+            .map(|(i, variable)| within(variable, model.turns(i), &mut random))
+            .collect()
+    };
+    let first = draw();
+    let Some(form) = compiled.form() else {
+        return (first, None);
+    };
+    let chain = model.chain();
+    let found = std::iter::once(first.clone())
+        .chain(std::iter::repeat_with(draw).take(EXAMPLES))
+        .find_map(|q| {
+            let solutions = form.solutions(&chain.fk(&q));
+            let near = |a: &[f64]| a.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-8);
+            let regular = solutions.iter().all(|solution| !solution.singular);
+            let back = solutions.iter().any(|solution| near(&solution.q));
+            (regular && back).then_some((q, Some(solutions.len())))
+        });
+    found.unwrap_or((first, None))
+}
+
+/// A value of two digits inside of the limits, and of a joint that turns inside
+/// of half a turn each way.
+fn within(variable: &Variable, turns: bool, random: &mut Random) -> f64 {
+    let [lower, upper] = variable.limits.unwrap_or([-1.5, 1.5]);
+    let (lower, upper) = match turns {
+        true => (lower.max(-1.5), upper.min(1.5)),
+        false => (lower.max(-1.0), upper.min(1.0)),
+    };
+    let (lower, upper) = if lower < upper {
+        (lower, upper)
+    } else {
+        (-0.5, 0.5)
+    };
+    let x = random.between(lower, upper);
+    ((100.0 * x).round() / 100.0).clamp(lower, upper) + 0.0
+}

@@ -1,0 +1,60 @@
+//! What generated code takes in: no more than it names.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use std::collections::HashSet;
+
+/// What generated code can name and users can, too.
+const PUBLIC: [&str; 12] = [
+    "Hessian",
+    "Jacobian",
+    "JointLimit",
+    "Kinematics",
+    "ParallelKinematics",
+    "Pose",
+    "Postures",
+    "Singularity",
+    "Solution",
+    "Solutions",
+    "Target",
+    "Twist",
+];
+
+/// What is there for generated code alone.
+const PRIVATE: [&str; 8] = [
+    "Acceptance",
+    "Branches",
+    "FreeAngle",
+    "lanes",
+    "math",
+    "three_spheres",
+    "trig_roots",
+    "widen",
+];
+
+/// The `use` declarations of what the items name.
+pub fn imports(items: &TokenStream) -> TokenStream {
+    let mut named = HashSet::new();
+    collect(items.clone(), &mut named);
+    let used = |all: &[&str], path: TokenStream| {
+        let used = all.iter().filter(|name| named.contains(**name));
+        let used: Vec<_> = used.map(|name| format_ident!("{name}")).collect();
+        (!used.is_empty()).then(|| quote!(use #path::{#(#used),*};))
+    };
+    let public = used(&PUBLIC, quote!(::kinematics));
+    let private = used(&PRIVATE, quote!(::kinematics::__private));
+    quote!(#public #private)
+}
+
+/// The identifiers of some tokens.
+fn collect(tokens: TokenStream, named: &mut HashSet<String>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Ident(ident) => {
+                named.insert(ident.to_string());
+            }
+            TokenTree::Group(group) => collect(group.stream(), named),
+            _ => {}
+        }
+    }
+}
