@@ -1,8 +1,8 @@
 //! The closed form of an arm: the relations that were read into its axes, the
 //! plan, its expressions, and the refinement onto the arm as given.
 
-use crate::expr::inverse::Inverse;
-use crate::geometry::{Linkage, Snap};
+use crate::expr::inverse::InverseGraph;
+use crate::geometry::{Linkage, Idealized};
 use crate::model::JointKind;
 use crate::plan::Plan;
 use kin_runtime::__private::Acceptance;
@@ -23,7 +23,7 @@ const NEAR_SINGULAR: f64 = 0.5;
 pub struct ClosedForm {
     /// The arm that the plan is for: that of the file, with its relations made
     /// exact.
-    pub idealized: Snap,
+    pub idealized: Idealized,
     /// Its frames.
     pub linkage: Linkage,
     /// The frames of the arm as given.
@@ -31,7 +31,7 @@ pub struct ClosedForm {
     /// The plan.
     pub plan: Plan,
     /// The plan as expressions.
-    pub inverse: Inverse,
+    pub inverse: InverseGraph,
     /// How far the idealized arm's tip is from the given one's, metres.
     pub tip_shift: f64,
     /// Newton steps at most that refine every branch onto the arm as given; 0

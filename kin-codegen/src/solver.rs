@@ -3,8 +3,8 @@
 
 use crate::certificate::{Certificate, Failure, Trials, certify};
 use crate::closed_form::ClosedForm;
-use crate::expr::inverse::{FreeAngles, Slack, inverse};
-use crate::geometry::{Linkage, Moved, Snap, size, snap};
+use crate::expr::inverse::{FreeAngles, DomainMargin, inverse};
+use crate::geometry::{Linkage, Moved, Idealized, idealize, size};
 use crate::model::Model;
 use crate::plan::{Plan, Target, search};
 
@@ -74,7 +74,7 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
     let mut best: Option<Certified> = None;
     let mut last: Option<Vec<Moved>> = None;
     for tolerance in TOLERANCES {
-        let idealized = snap(model, tolerance);
+        let idealized = idealize(model, tolerance);
         if last.as_ref() == Some(&idealized.moved) {
             continue;
         }
@@ -106,7 +106,7 @@ fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
 
 fn solve_idealized(
     trials: &Trials,
-    idealized: Snap,
+    idealized: Idealized,
     target: Target,
 ) -> Result<Certified, NoClosedForm> {
     let linkage = Linkage::new(&idealized.model);
@@ -128,7 +128,7 @@ fn solve_idealized(
             linkage: linkage.clone(),
             given: trials.linkage().clone(),
             plan: plan.clone(),
-            inverse: inverse(&linkage, plan, Slack(margin), free),
+            inverse: inverse(&linkage, plan, DomainMargin(margin), free),
             tip_shift,
             refinement,
         };

@@ -3,7 +3,7 @@
 
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::Operations;
-use kin_codegen::expr::inverse::Inverse;
+use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::{Compiled, Ik, Options, Source, compile};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -65,7 +65,7 @@ fn a_free_angle_costs_regular_targets_two_selections() {
         let inverse = &form.unwrap().inverse;
         let [with, without] = [true, false].map(|kept| {
             let free_angle = inverse.free_angle.filter(|_| kept);
-            let inverse = Inverse {
+            let inverse = InverseGraph {
                 free_angle,
                 ..inverse.clone()
             };

@@ -4,7 +4,7 @@ use kin_codegen::expr::Operations;
 use kin_codegen::expr::determinant::Rows;
 use kin_codegen::geometry::Condition;
 use kin_codegen::model::Model;
-use kin_codegen::singularity::{Place, Singular, Way};
+use kin_codegen::singularity::{self, Locus, Singular};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -116,9 +116,9 @@ impl Singularities {
             },
             determinant: singular.cost(),
             difference: singular.difference,
-            snapped: singular.snapped,
+            snapped: singular.idealized,
             ways: singular
-                .ways
+                .singularities
                 .iter()
                 .map(|way| Singularity::of(model, way))
                 .collect(),
@@ -127,11 +127,11 @@ impl Singularities {
 }
 
 impl Singularity {
-    fn of(model: &Model, way: &Way) -> Self {
-        let (values, example) = match &way.place {
-            Place::Values(values) => (values.clone(), None),
-            Place::Surface(example) => (Vec::new(), Some(example.clone())),
-            Place::Never => (Vec::new(), None),
+    fn of(model: &Model, way: &singularity::Singularity) -> Self {
+        let (values, example) = match &way.locus {
+            Locus::Values(values) => (values.clone(), None),
+            Locus::Surface(example) => (Vec::new(), Some(example.clone())),
+            Locus::Never => (Vec::new(), None),
         };
         let within = |value: &f64| {
             let limits = way

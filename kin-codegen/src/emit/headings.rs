@@ -3,7 +3,7 @@
 
 use super::comment::comment;
 use super::straight::{Writer, sign_name};
-use crate::expr::inverse::{Inverse, Parts, StepPart};
+use crate::expr::inverse::{InverseGraph, Parts, StepPart};
 use crate::geometry::Linkage;
 use crate::plan::{Atom, Plan, Step, Subproblem};
 use proc_macro2::TokenStream;
@@ -97,7 +97,7 @@ pub struct Headings {
 
 impl Headings {
     /// Of the steps, the residual and the joint values.
-    pub fn new(plan: &Plan, linkage: &Linkage, inverse: &Inverse) -> Self {
+    pub fn new(plan: &Plan, linkage: &Linkage, inverse: &InverseGraph) -> Self {
         let steps = steps(plan, linkage, &inverse.parts);
         let begins = inverse.parts.steps.iter().map(|part| part.begins);
         let mut opened: Vec<(usize, String, bool)> = begins

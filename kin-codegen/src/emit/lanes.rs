@@ -12,7 +12,7 @@ use super::comment::comment;
 use super::headings::{self, Headings};
 use super::straight::{Place, Writer, sign_name};
 use crate::closed_form::ClosedForm;
-use crate::expr::inverse::Inverse;
+use crate::expr::inverse::InverseGraph;
 use crate::expr::{Expr, Graph, Node};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -130,7 +130,7 @@ pub fn lanes(solver: &ClosedForm, inputs: &[TokenStream]) -> Lanes {
 }
 
 /// The last stage at which each node is read; results are read after all.
-fn last_read(writer: &Writer, inverse: &Inverse, stages: &[usize], loops: usize) -> Vec<usize> {
+fn last_read(writer: &Writer, inverse: &InverseGraph, stages: &[usize], loops: usize) -> Vec<usize> {
     let g = &inverse.graph;
     let mut last = vec![0; stages.len()];
     for (i, node) in g.nodes().iter().enumerate() {

@@ -3,7 +3,7 @@
 use super::forward::block;
 use crate::expr::determinant::Rows;
 use crate::plan::Target;
-use crate::singularity::{Place, Singular, Way};
+use crate::singularity::{Locus, Singular, Singularity};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -36,20 +36,20 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; #count]) -> f64 { #determinant }
     };
-    if singular.ways.is_empty() {
+    if singular.singularities.is_empty() {
         return determinant;
     }
     let values = singular.values();
     let ways = block(g, &values, n, |w| {
-        let names = singular.ways.iter().map(|way| &way.name);
+        let names = singular.singularities.iter().map(|singularity| &singularity.name);
         let values = values.iter().map(|&value| w.output(value));
         quote!(Singularity::by_name([#(#names),*], [#(#values),*]))
     });
-    let of_which = match singular.snapped {
+    let of_which = match singular.idealized {
         Some(_) => " How far from singular the arm is that the file was read as, way by way:",
         None => " How far from singular the arm is, way by way:",
     };
-    let lines = singular.ways.iter().map(line);
+    let lines = singular.singularities.iter().map(line);
     let number = Literal::usize_unsuffixed(values.len());
     quote! {
         #determinant
@@ -84,7 +84,7 @@ fn rows(rows: Rows) -> String {
     }
 }
 
-fn line(way: &Way) -> String {
+fn line(way: &Singularity) -> String {
     format!(
         " - `{}`: {}; its value: {}.",
         way.name,
@@ -94,15 +94,15 @@ fn line(way: &Way) -> String {
 }
 
 /// Where a way of being singular is met.
-fn place(way: &Way) -> String {
+fn place(way: &Singularity) -> String {
     let coordinate = |i: &usize| format!("q{}", i + 1);
     let names: Vec<String> = way.coordinates.iter().map(coordinate).collect();
-    match &way.place {
-        Place::Values(values) => {
+    match &way.locus {
+        Locus::Values(values) => {
             let values: Vec<String> = values.iter().map(|x| format!("{x:.4}")).collect();
             format!("at {} = {}", names.concat(), values.join(" or "))
         }
-        Place::Surface(_) => format!("on a surface of {}", names.join(", ")),
-        Place::Never => "not seen to be reached".into(),
+        Locus::Surface(_) => format!("on a surface of {}", names.join(", ")),
+        Locus::Never => "not seen to be reached".into(),
     }
 }

@@ -1,18 +1,18 @@
 //! Geometry of the chain: lines and how they lie, the frames in which
-//! constants vanish, and the snapping of noisy files onto exact relations.
+//! constants vanish, and the idealization of noisy files.
 
 mod conditioning;
 mod linkage;
 mod relation;
 mod singular;
-mod snap;
+mod idealize;
 mod structure;
 
 pub use conditioning::{conditioning, natural_target, rank};
 pub use linkage::{Link, Linkage, Run};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};
-pub use snap::{Moved, Snap, snap};
+pub use idealize::{Idealized, Moved, idealize};
 pub use structure::{Axes, Neighbours, PairRelation, Row, RowRelation, numbers, structure};
 
 use crate::model::{JointKind, Model};

@@ -4,7 +4,7 @@ use super::Target;
 use crate::geometry::{Line, Linkage, Vec3, concurrency, cross, dot, norm, unit};
 use std::ops::Range;
 
-/// Relations of the snapped chain hold to rounding; this is far above it and
+/// Relations of the idealized chain hold to rounding; this is far above it and
 /// far below any dimension. Radians, and multiples of the arm's size.
 const EXACT: f64 = 1e-11;
 

@@ -38,7 +38,7 @@ impl fmt::Display for Atom {
 ///
 /// With two invariants: their distance (point and point), height (point and
 /// plane) or angle (two directions) is the same along both arcs of the loop.
-/// With one: carried around the loop, it comes back to itself.
+/// With one: transported around the loop, it comes back to itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
     /// The first in the order of the joints.
@@ -85,7 +85,7 @@ struct Sample {
     axes: Vec<Line>,
 }
 
-/// Below this a dependence is rounding; no looser than what snapping leaves.
+/// Below this a dependence is rounding; no looser than what idealization leaves.
 const NOTHING: f64 = 1e-11;
 
 impl Samples {

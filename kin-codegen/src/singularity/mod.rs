@@ -1,26 +1,26 @@
-//! The ways in which an arm can be singular: found in the factors of its
-//! determinant, named as the field does, and seen to be so.
+//! The singularities of an arm: found in the factors of its determinant, named
+//! as the field does, and seen to be so.
 //!
 //! Where a factor vanishes is computed; that the arm loses rank there, and
 //! which of the classical conditions its axes then satisfy, is looked up on
 //! the generic product of exponentials, with all joints that do not take part
-//! anywhere. A noisy file has one factor where the arm that was meant has
-//! three, so the ways are those of the snapped arm; the determinant is always
+//! anywhere. A noisy file has one factor where the idealized arm has three, so
+//! the singularities are those of the idealized arm; the determinant is always
 //! the file's.
 
 mod name;
-mod place;
+mod locus;
 
-pub use place::Place;
+pub use locus::Locus;
 
 use crate::expr::determinant::{Determinant, Factor, Rows, determinant};
 use crate::expr::{Expr, Graph, Operations};
-use crate::geometry::{Condition, Linkage, conditioning, conditions, size, snap};
+use crate::geometry::{Condition, Linkage, conditioning, conditions, size, idealize};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::Jacobian;
-use place::Factored;
+use locus::Factored;
 use std::f64::consts::PI;
 
 /// What there is to say about the singular configurations of an arm whose
@@ -31,22 +31,23 @@ pub struct Singular {
     pub graph: Graph,
     /// Of the arm as the file has it.
     pub determinant: Determinant,
-    /// The ways of being singular, from the base outwards.
-    pub ways: Vec<Way>,
+    /// From the base outwards.
+    pub singularities: Vec<Singularity>,
     /// By how much axes were turned, radians, and, relative to the arm's size,
-    /// shifted, if the ways are those of a snapped arm.
-    pub snapped: Option<f64>,
+    /// shifted, if the singularities are those of an idealized arm.
+    pub idealized: Option<f64>,
     /// The largest difference to the determinant of the generic Jacobian that
     /// was seen, relative to its largest value; none if that is not square.
     pub difference: Option<f64>,
 }
 
-/// One way of being singular.
+/// A set of configurations in which the Jacobian loses rank: where one factor of
+/// its determinant vanishes.
 #[derive(Clone, Debug)]
-pub struct Way {
+pub struct Singularity {
     /// Shoulder, elbow, wrist, or the joints.
     pub name: String,
-    /// 0 where the arm is singular in this way.
+    /// The factor: 0 in the singularity.
     pub expression: Expr,
     /// How often it is a factor of the determinant.
     pub power: usize,
@@ -56,14 +57,14 @@ pub struct Way {
     /// The coordinates that it depends on, from 0.
     pub coordinates: Vec<usize>,
     /// Where it vanishes.
-    pub place: Place,
+    pub locus: Locus,
     /// What the axes satisfy there.
     pub conditions: Vec<Condition>,
 }
 
 /// Readings of a noisy file that are tried if it has a single factor.
 const TOLERANCES: [f64; 4] = [1e-8, 1e-6, 5e-5, 1e-3];
-/// Below this the Jacobian has lost rank; see [`independence`].
+/// Below this the Jacobian has lost rank; see [`conditioning`].
 const LOST: f64 = 1e-6;
 /// The generic determinant and the product agree to this.
 const AGREES: f64 = 1e-9;
@@ -71,47 +72,47 @@ const AGREES: f64 = 1e-9;
 const COMPARED: usize = 12;
 
 impl Singular {
-    /// The analysis of an arm, of which `meant` is the snapped one if there is a
-    /// closed form for it. None if its Jacobian has not as many rows that count
+    /// The analysis of an arm, of which `idealized` is the one that has a closed
+    /// form, if there is one. None if its Jacobian has not as many rows that count
     /// as columns.
-    pub fn new(model: &Model, meant: Option<&Model>, target: Target) -> Option<Self> {
+    pub fn new(model: &Model, idealized: Option<&Model>, target: Target) -> Option<Self> {
         let n = model.variables.len();
         if n > 6 || model.is_coupled() {
             return None;
         }
         let mut graph = Graph::new();
         let q: Vec<Expr> = (1..=n).map(|i| graph.input(format!("q{i}"))).collect();
-        let literal = determinant(&mut graph, &Linkage::new(model), &q, target)?;
-        let difference = difference(model, &graph, &literal);
+        let given = determinant(&mut graph, &Linkage::new(model), &q, target)?;
+        let difference = difference(model, &graph, &given);
         if difference.is_some_and(|difference| difference > AGREES) {
             return None;
         }
-        let (factors, meant) = match meant {
-            Some(meant) => {
-                let linkage = Linkage::new(meant);
-                let snapped = determinant(&mut graph, &linkage, &q, target)?;
-                (snapped.factors, Some(meant.clone()))
+        let (factors, idealized) = match idealized {
+            Some(idealized) => {
+                let linkage = Linkage::new(idealized);
+                let found = determinant(&mut graph, &linkage, &q, target)?;
+                (found.factors, Some(idealized.clone()))
             }
-            None if literal.factors.len() > 1 || n < 4 => (literal.factors.clone(), None),
-            None => read_as_meant(&mut graph, model, &q, target, &literal),
+            None if given.factors.len() > 1 || n < 4 => (given.factors.clone(), None),
+            None => read_idealized(&mut graph, model, &q, target, &given),
         };
-        let arm = meant.as_ref().unwrap_or(model);
-        let counts = match literal.rows {
+        let arm = idealized.as_ref().unwrap_or(model);
+        let counts = match given.rows {
             Rows::All | Rows::Moving => Target::Pose,
             Rows::Counting(target) => target,
         };
-        let mut ways = factors
+        let mut singularities = factors
             .iter()
-            .map(|factor| Way::new(&graph, arm, factor, counts))
-            .collect::<Option<Vec<Way>>>()
+            .map(|factor| Singularity::new(&graph, arm, factor, counts))
+            .collect::<Option<Vec<Singularity>>>()
             .unwrap_or_default();
-        ways.sort_by_key(|way| way.coordinates.clone());
-        name::distinct(&mut ways);
+        singularities.sort_by_key(|singularity| singularity.coordinates.clone());
+        name::distinct(&mut singularities);
         Some(Self {
-            snapped: meant.map(|meant| moved(model, &meant)),
+            idealized: idealized.map(|idealized| moved(model, &idealized)),
             graph,
-            determinant: literal,
-            ways,
+            determinant: given,
+            singularities,
             difference,
         })
     }
@@ -121,13 +122,13 @@ impl Singular {
         self.graph.operations(&[self.determinant.product])
     }
 
-    /// The ways' values.
+    /// The singularities' values.
     pub fn values(&self) -> Vec<Expr> {
-        self.ways.iter().map(|way| way.expression).collect()
+        self.singularities.iter().map(|singularity| singularity.expression).collect()
     }
 }
 
-impl Way {
+impl Singularity {
     /// What the field says of it.
     pub fn phrase(&self) -> &'static str {
         match &self.name[..] {
@@ -142,7 +143,7 @@ impl Way {
     /// is none of the determinant's.
     fn new(g: &Graph, model: &Model, factor: &Factor, counts: Target) -> Option<Self> {
         let factored = Factored::new(g, model, factor.expression);
-        let (place, samples) = factored.place();
+        let (locus, samples) = factored.locus();
         let (chain, size) = (model.chain(), size(model));
         let full = |q: &Vec<f64>| conditioning(&chain, q, size, counts) > LOST;
         if samples.iter().flatten().any(full) {
@@ -169,7 +170,7 @@ impl Way {
             power: factor.power,
             metres: factor.metres,
             coordinates,
-            place,
+            locus,
             conditions,
         })
     }
@@ -187,35 +188,35 @@ impl Way {
 
 /// Without a closed form nobody has said yet what a noisy file means: the
 /// strictest reading under which the determinant falls apart.
-fn read_as_meant(
+fn read_idealized(
     g: &mut Graph,
     model: &Model,
     q: &[Expr],
     target: Target,
-    literal: &Determinant,
+    given: &Determinant,
 ) -> (Vec<Factor>, Option<Model>) {
     for tolerance in TOLERANCES {
-        let snap = snap(model, tolerance);
-        if snap.moved.is_empty() {
+        let idealized = idealize(model, tolerance);
+        if idealized.moved.is_empty() {
             continue;
         }
-        let found = determinant(g, &Linkage::new(&snap.model), q, target);
+        let found = determinant(g, &Linkage::new(&idealized.model), q, target);
         if let Some(found) = found.filter(|found| found.factors.len() > 1) {
-            return (found.factors, Some(snap.model));
+            return (found.factors, Some(idealized.model));
         }
     }
-    (literal.factors.clone(), None)
+    (given.factors.clone(), None)
 }
 
 /// How far the axes of two readings of one arm are apart, at most.
-fn moved(literal: &Model, meant: &Model) -> f64 {
+fn moved(given: &Model, idealized: &Model) -> f64 {
     use crate::geometry::{axes, cross, norm};
-    let size = size(literal);
+    let size = size(given);
     let apart = |(a, b): (crate::geometry::Line, crate::geometry::Line)| {
         let angle = norm(cross(a.direction, b.direction));
         angle.max(norm(a.offset_of(b.point)) / size)
     };
-    (axes(literal).into_iter().zip(axes(meant)))
+    (axes(given).into_iter().zip(axes(idealized)))
         .map(apart)
         .fold(0.0, f64::max)
 }

@@ -1,6 +1,6 @@
-//! What the field calls the ways of being singular.
+//! What the field calls singularities.
 
-use super::Way;
+use super::Singularity;
 use crate::expr::determinant::Factor;
 use crate::geometry::cross;
 use crate::geometry::norm;
@@ -52,12 +52,12 @@ fn by_joints(coordinates: &[usize]) -> String {
 }
 
 /// Tells equal names apart.
-pub(super) fn distinct(ways: &mut [Way]) {
-    for i in 0..ways.len() {
-        let repeated = ways[..i].iter().any(|way| way.name == ways[i].name);
+pub(super) fn distinct(singularities: &mut [Singularity]) {
+    for i in 0..singularities.len() {
+        let repeated = singularities[..i].iter().any(|singularity| singularity.name == singularities[i].name);
         if repeated {
-            let joints = by_joints(&ways[i].coordinates);
-            ways[i].name = format!("{} ({joints})", ways[i].name);
+            let joints = by_joints(&singularities[i].coordinates);
+            singularities[i].name = format!("{} ({joints})", singularities[i].name);
         }
     }
 }

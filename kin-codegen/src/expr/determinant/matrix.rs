@@ -5,7 +5,7 @@ use crate::expr::{Expr, Graph};
 use std::collections::HashMap;
 
 /// A determinant as a product of smaller ones.
-pub(super) struct Split {
+pub(super) struct BlockProduct {
     pub blocks: Vec<Block>,
     /// Whether the product has the opposite sign.
     pub odd: bool,
@@ -18,7 +18,7 @@ pub(super) struct Block {
     pub metres: usize,
 }
 
-impl Split {
+impl BlockProduct {
     /// The blocks that have exactly these columns.
     pub fn blocks_of(&self, columns: &[usize]) -> Option<Vec<Expr>> {
         let within = |block: &&Block| block.columns.iter().all(|c| columns.contains(c));
@@ -55,7 +55,7 @@ impl Matrix {
     }
 
     /// None if the zeros make it singular everywhere.
-    pub fn split(&self, g: &mut Graph) -> Option<Split> {
+    pub fn block_product(&self, g: &mut Graph) -> Option<BlockProduct> {
         let n = self.size();
         let (mut rows, mut columns): (Set, Set) = ((1 << n) - 1, (1 << n) - 1);
         let mut order: [Vec<usize>; 2] = [Vec::new(), Vec::new()];
@@ -74,7 +74,7 @@ impl Matrix {
             });
         }
         let odd = is_odd(&order[0]) != is_odd(&order[1]);
-        Some(Split { blocks, odd })
+        Some(BlockProduct { blocks, odd })
     }
 
     /// The fewest columns whose entries lie in as many rows, or the other way

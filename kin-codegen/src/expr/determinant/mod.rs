@@ -6,8 +6,8 @@
 //! every point on an axis is tried. In each the zeros are used twice: a matrix
 //! that is block-triangular after permuting rows and columns is a product of
 //! smaller determinants, and these are expanded along the row or column that
-//! has the most zeros, every minor once. What is left as a factor names a way
-//! of being singular.
+//! has the most zeros, every minor once. What is left as a factor is a
+//! singularity.
 
 mod matrix;
 mod product;
@@ -16,7 +16,7 @@ use super::axes::{AxesInFrame, FIRST, tip_frame};
 use super::{Expr, Graph};
 use crate::geometry::Linkage;
 use crate::plan::Target;
-use matrix::{Block, Matrix, Split};
+use matrix::{Block, BlockProduct, Matrix};
 use product::Product;
 
 /// A determinant: `coefficient` times the product of the factors.
@@ -136,7 +136,7 @@ fn by_rows(g: &mut Graph, linkage: &Linkage, q: &[Expr], target: Target) -> Opti
 struct View {
     graph: Graph,
     inputs: Vec<Expr>,
-    splits: Vec<Split>,
+    products: Vec<BlockProduct>,
     /// The values of all nodes at some configurations.
     values: Vec<Vec<f64>>,
 }
@@ -163,7 +163,7 @@ fn views(linkage: &Linkage, n: usize, target: Target) -> Vec<View> {
         return Vec::new();
     }
     let views = from.map(|frame| View::new(linkage, n, target, frame));
-    views.filter(|view| !view.splits.is_empty()).collect()
+    views.filter(|view| !view.products.is_empty()).collect()
 }
 
 impl View {
@@ -190,7 +190,7 @@ impl View {
             Target::Direction => &[3, 4],
             Target::PositionYaw | Target::Planar => &[0, 1, 2, 5],
         };
-        let mut splits = Vec::new();
+        let mut products = Vec::new();
         for reference in references {
             let columns = seen.columns(&mut g, linkage, reference);
             let zero = |row: usize, g: &Graph| columns.iter().all(|column| g.is(column[row], 0.0));
@@ -198,13 +198,13 @@ impl View {
                 .filter(|&row| !zero(row, &g))
                 .collect();
             if rows.len() == n {
-                splits.extend(Matrix::new(columns, rows).split(&mut g));
+                products.extend(Matrix::new(columns, rows).block_product(&mut g));
             }
         }
         let mut view = Self {
             graph: g,
             inputs,
-            splits,
+            products,
             values: Vec::new(),
         };
         for probe in PROBES {
@@ -217,20 +217,20 @@ impl View {
 
     /// The largest number of blocks.
     fn best_split(&self) -> usize {
-        let blocks = self.splits.iter().map(|split| split.blocks.len());
+        let blocks = self.products.iter().map(|product| product.blocks.len());
         blocks.max().unwrap_or(0)
     }
 
-    /// The cheapest of the splits into so many blocks.
-    fn cheapest(&self, blocks: usize) -> Option<(usize, &View, &Split)> {
-        (self.splits.iter())
-            .filter(|split| split.blocks.len() == blocks)
-            .map(|split| (self.cost(split), self, split))
+    /// The cheapest of the products into so many blocks.
+    fn cheapest(&self, blocks: usize) -> Option<(usize, &View, &BlockProduct)> {
+        (self.products.iter())
+            .filter(|product| product.blocks.len() == blocks)
+            .map(|product| (self.cost(product), self, product))
             .min_by_key(|(cost, ..)| *cost)
     }
 
-    fn cost(&self, split: &Split) -> usize {
-        let outputs: Vec<Expr> = split.blocks.iter().map(|block| block.expression).collect();
+    fn cost(&self, product: &BlockProduct) -> usize {
+        let outputs: Vec<Expr> = product.blocks.iter().map(|block| block.expression).collect();
         self.graph.operations(&outputs).weight()
     }
 
@@ -252,8 +252,8 @@ fn cheapest_equal<'v>(
     let start = vec![block.expression];
     let mut best = (cost(own, &start), own, start, false);
     for view in views {
-        for split in &view.splits {
-            let Some(parts) = split.blocks_of(&block.columns) else {
+        for product in &view.products {
+            let Some(parts) = product.blocks_of(&block.columns) else {
                 continue;
             };
             let cost = cost(view, &parts);

@@ -4,7 +4,7 @@
 //! signs of a square root are one [choice](crate::expr::Choice). Angles are
 //! taken once, at the end. An out-of-domain root marks its branches invalid
 //! instead of producing NaN, a double root keeps one of its two branches, and
-//! every branch carries its residual: the forward kinematics of what was
+//! every branch has its residual: the forward kinematics of what was
 //! found against the target that was asked for.
 
 mod free;
@@ -29,12 +29,12 @@ use kin_runtime::Pose;
 
 /// How exact the arm is that the plan is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slack(pub f64);
+pub struct DomainMargin(pub f64);
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
 /// rotation by rows, then the translation) and the seed, by coordinate of q.
 #[derive(Clone, Debug)]
-pub struct Inverse {
+pub struct InverseGraph {
     /// Holds everything below.
     pub graph: Graph,
     /// One per coordinate of q.
@@ -51,7 +51,7 @@ pub struct Inverse {
     pub parts: Parts,
 }
 
-/// The parts of an [`Inverse`], in the order of its graph: each begins behind
+/// The parts of an [`InverseGraph`], in the order of its graph: each begins behind
 /// this many nodes and ends where the next begins. In front of the first step
 /// stand the inputs, and what is made of them before the plan.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -73,7 +73,7 @@ pub struct StepPart {
     pub relation: Option<usize>,
 }
 
-impl Inverse {
+impl InverseGraph {
     /// Everything that the emitted function returns.
     pub fn outputs(&self) -> Vec<Expr> {
         let mut all = self.q.clone();
@@ -89,11 +89,11 @@ impl Inverse {
 
 /// Writes the plan for a linkage whose tip is at `tip` at home.
 ///
-/// `slack` is 0 when the linkage is exact. On a snapped linkage it is the
+/// `margin` is 0 when the linkage is exact. On an idealized linkage it is the
 /// tolerance of the snapping: roots out of domain by less stay alive, because
-/// the polish on the literal arm may still land them.
-pub fn inverse(linkage: &Linkage, plan: &Plan, slack: Slack, free: FreeAngles) -> Inverse {
-    let mut writer = Writer::new(linkage, plan.target, slack);
+/// refinement on the given arm may still reach them.
+pub fn inverse(linkage: &Linkage, plan: &Plan, margin: DomainMargin, free: FreeAngles) -> InverseGraph {
+    let mut writer = Writer::new(linkage, plan.target, margin);
     let mut turned: Option<MayBeFree> = None;
     let mut free_angle = None;
     for (i, step) in plan.steps.iter().enumerate() {
@@ -123,8 +123,8 @@ struct Writer<'a> {
     pose: Motion,
     /// What a free angle keeps, by coordinate of q.
     seed: Vec<Expr>,
-    /// On a snapped arm.
-    blur: Option<Blur>,
+    /// On an idealized arm.
+    deviation: Option<Deviation>,
     /// By joint: the sine and cosine of its motion.
     trig: Vec<Option<Trig>>,
     /// By joint: how far it slides.
@@ -158,9 +158,9 @@ struct Level {
     discriminant: Expr,
 }
 
-/// How far a snapped arm is from the literal one.
+/// How far an idealized arm is from the given one.
 #[derive(Clone, Copy)]
-struct Blur {
+struct Deviation {
     /// Of the values known so far, relative to the arm's size or in radians.
     shift: Expr,
     /// The same before anything was solved.
@@ -168,7 +168,7 @@ struct Blur {
 }
 
 impl<'a> Writer<'a> {
-    fn new(linkage: &'a Linkage, target: Target, slack: Slack) -> Self {
+    fn new(linkage: &'a Linkage, target: Target, margin: DomainMargin) -> Self {
         let mut g = Graph::new();
         let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
         let translation = ["px", "py", "pz"].map(|name| g.input(name));
@@ -180,9 +180,9 @@ impl<'a> Writer<'a> {
         let seed = (1..=linkage.variables())
             .map(|i| g.input(format!("seed{i}")))
             .collect();
-        let blur = (slack.0 > 0.0).then(|| Blur {
-            shift: g.constant(slack.0),
-            least: slack.0,
+        let deviation = (margin.0 > 0.0).then(|| Deviation {
+            shift: g.constant(margin.0),
+            least: margin.0,
         });
         let zero = g.zero();
         let n = linkage.links.len();
@@ -193,7 +193,7 @@ impl<'a> Writer<'a> {
             target,
             pose,
             seed,
-            blur,
+            deviation,
             trig: vec![None; n],
             slide: vec![None; n],
             sum: vec![None; linkage.runs.len()],
@@ -308,12 +308,12 @@ impl<'a> Writer<'a> {
         self.sum[run]
     }
 
-    fn finish(mut self, free_angle: Option<FreeAngle>) -> Inverse {
+    fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
         self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
         let q = self.angles();
-        Inverse {
+        InverseGraph {
             parts: self.parts,
             q,
             residual: self.g.named(residual, "residual"),

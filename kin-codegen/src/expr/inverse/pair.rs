@@ -95,7 +95,7 @@ impl Writer<'_> {
         self.singular = self.g.max(self.singular, is_double);
         let present = self.g.select_less(double, state, zero, one);
         let absent = self.g.select_less(some, state, present, zero);
-        if self.blur.is_none() {
+        if self.deviation.is_none() {
             self.refuse(absent);
         }
         Trig { sin, cos }
@@ -113,8 +113,8 @@ impl Writer<'_> {
     /// a cos θ + b sin θ + rest.
     fn side(&mut self, relation: &Relation, unknown: Atom) -> Side {
         let zero = self.g.zero();
-        let split = self.split(relation, unknown);
-        let (u, w, offset) = self.measure(relation, &split);
+        let sides = self.sides(relation, unknown);
+        let (u, w, offset) = self.measure(relation, &sides);
         let (cos, sin, negative) = self.cosine_sine(u, w, zero);
         let turning_rest = self.g.neg(negative);
         let rest = self.g.add(turning_rest, offset);

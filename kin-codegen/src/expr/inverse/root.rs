@@ -1,7 +1,7 @@
 //! Square roots and angles: what is out of domain, double, free, or rounding.
 
 use super::free::MayBeFree;
-use super::{Blur, Level, Writer};
+use super::{Deviation, Level, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::Atom;
@@ -13,8 +13,8 @@ pub(super) const NOISE: f64 = 1e-13;
 /// amplitude: where an earlier step is nearly singular, it amplifies rounding.
 /// Whether the target is in reach then shows in the residual.
 const OUTSIDE: f64 = 1e-8;
-/// On a snapped arm a root may be out of domain by this many times what the
-/// arms differ and still have a solution on the literal one.
+/// On an idealized arm a root may be out of domain by this many times what the
+/// arms differ and still have a solution on the given one.
 const BEYOND: f64 = 10.0;
 /// A root this small (angle 3e-7) is reported singular.
 const SINGULAR: f64 = 1e-13;
@@ -110,8 +110,8 @@ impl Writer<'_> {
     /// invalid, a double root is singular and keeps its first branch only.
     pub(super) fn root(&mut self, sign: Expr, discriminant: Discriminant, amplitude: Expr) -> Expr {
         let Discriminant { value, noise } = discriminant;
-        if let Some(blur) = self.blur {
-            return self.blurred_root(sign, value, amplitude, blur);
+        if let Some(deviation) = self.deviation {
+            return self.idealized_root(sign, value, amplitude, deviation);
         }
         let zero = self.g.zero();
         let one = self.g.one();
@@ -130,18 +130,18 @@ impl Writer<'_> {
         self.g.mul(sign, root)
     }
 
-    /// The root on a snapped arm. Two roots that have met there may be apart on
-    /// the literal arm, so both start, a little apart, and the polish decides.
-    fn blurred_root(
+    /// The root on an idealized arm. Two roots that have met there may be apart on
+    /// the given arm, so both start, a little apart, and refinement decides.
+    fn idealized_root(
         &mut self,
         sign: Expr,
         discriminant: Expr,
         amplitude: Expr,
-        blur: Blur,
+        deviation: Deviation,
     ) -> Expr {
         let [zero, one] = [self.g.zero(), self.g.one()];
-        let apart = self.scaled(blur.least, amplitude);
-        let off = self.g.mul(blur.shift, amplitude);
+        let apart = self.scaled(deviation.least, amplitude);
+        let off = self.g.mul(deviation.shift, amplitude);
         let least = self.scaled(-BEYOND, off);
         let invalid = self.g.select_less(discriminant, least, one, zero);
         self.refuse(invalid);
@@ -149,7 +149,7 @@ impl Writer<'_> {
         // The angle's error: shift / ρ, and √shift at a double root.
         let share = self.g.div(kept, amplitude);
         let share = self.g.sqrt(share);
-        self.amplify(blur, share);
+        self.amplify(deviation, share);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
     }
@@ -159,12 +159,12 @@ impl Writer<'_> {
         self.g.mul(k, x)
     }
 
-    /// From here on the snapped arm's values are off by 1 + 1/`share` times as
+    /// From here on the idealized arm's values are off by 1 + 1/`share` times as
     /// much as before.
-    fn amplify(&mut self, blur: Blur, share: Expr) {
-        let more = self.g.div(blur.shift, share);
-        let shift = self.g.add(blur.shift, more);
-        self.blur = Some(Blur { shift, ..blur });
+    fn amplify(&mut self, deviation: Deviation, share: Expr) {
+        let more = self.g.div(deviation.shift, share);
+        let shift = self.g.add(deviation.shift, more);
+        self.deviation = Some(Deviation { shift, ..deviation });
     }
 
     /// Drops the branches in which a value is positive.
@@ -233,11 +233,11 @@ impl Writer<'_> {
     pub(super) fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
         let nothing = self.scaled(FREE, scale);
         self.watch(factor, nothing);
-        if let Some(blur) = self.blur {
+        if let Some(deviation) = self.deviation {
             let share = self.g.max(factor, nothing);
             let share = self.g.div(share, scale);
             let share = self.g.sqrt(share);
-            self.amplify(blur, share);
+            self.amplify(deviation, share);
         }
         nothing
     }

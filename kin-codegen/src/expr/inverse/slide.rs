@@ -2,7 +2,7 @@
 
 use super::Writer;
 use super::root::{Discriminant, NOISE};
-use super::solve::Split;
+use super::solve::Sides;
 use crate::expr::Expr;
 use crate::expr::linear::Vector;
 use crate::plan::{Atom, Relation, Subproblem};
@@ -11,16 +11,16 @@ impl Writer<'_> {
     /// A sliding joint.
     pub(super) fn slide_to(&mut self, subproblem: Subproblem, relation: &Relation, joint: usize) {
         let v = self.g.vector(self.linkage.links[joint].direction);
-        let split = self.split(relation, Atom::Joint(joint));
+        let sides = self.sides(relation, Atom::Joint(joint));
         let zero = self.g.vector([0.0; 3]);
         let (l, r) = (
-            split.left.point.unwrap_or(zero),
-            split.right.point.unwrap_or(zero),
+            sides.left.point.unwrap_or(zero),
+            sides.right.point.unwrap_or(zero),
         );
         let gap = self.g.minus(l, r);
         let value = match subproblem {
-            Subproblem::T1 => self.t1(v, gap, &split),
-            Subproblem::T2 => self.t2(joint, v, gap, &split),
+            Subproblem::T1 => self.t1(v, gap, &sides),
+            Subproblem::T2 => self.t2(joint, v, gap, &sides),
             _ => self.g.dot(v, gap),
         };
         let name = format!("d{}", joint + 1);
@@ -28,9 +28,9 @@ impl Writer<'_> {
     }
 
     /// |right + t v − left| = d: two values of t about the foot.
-    fn t1(&mut self, v: Vector, gap: Vector, split: &Split) -> Expr {
+    fn t1(&mut self, v: Vector, gap: Vector, sides: &Sides) -> Expr {
         let zero = self.g.vector([0.0; 3]);
-        let [near, far] = split.other.unwrap_or([split.left, split.right]);
+        let [near, far] = sides.other.unwrap_or([sides.left, sides.right]);
         let other = self
             .g
             .minus(near.point.unwrap_or(zero), far.point.unwrap_or(zero));
@@ -51,11 +51,11 @@ impl Writer<'_> {
     }
 
     /// The height over a plane: linear.
-    fn t2(&mut self, joint: usize, v: Vector, gap: Vector, split: &Split) -> Expr {
+    fn t2(&mut self, joint: usize, v: Vector, gap: Vector, sides: &Sides) -> Expr {
         let zero = self.g.vector([0.0; 3]);
-        let [near, far] = split.other.unwrap_or([split.left, split.right]);
-        let plane_left = split.left.direction.is_some();
-        let here = if plane_left { split.left } else { split.right };
+        let [near, far] = sides.other.unwrap_or([sides.left, sides.right]);
+        let plane_left = sides.left.direction.is_some();
+        let here = if plane_left { sides.left } else { sides.right };
         let (plane, x) = if plane_left { (near, far) } else { (far, near) };
         let normal = here.direction.unwrap_or(zero);
         let between = self

@@ -10,7 +10,7 @@ use crate::plan::{Atom, Invariant, Kind, Relation, Step, Subproblem};
 /// The two sides of a relation at the unknown: `left` in the frame before the
 /// joint, `right` in the frame behind it, and the same pair along the other,
 /// known arc.
-pub(super) struct Split {
+pub(super) struct Sides {
     pub left: Transported,
     pub right: Transported,
     pub other: Option<[Transported; 2]>,
@@ -27,13 +27,13 @@ impl Writer<'_> {
             (Subproblem::Sp2, &[first, second]) => self.sp2(relation, first, second),
             (Subproblem::Sp6, &[outer, inner]) => self.sp6(relation, outer, inner),
             (Subproblem::Sp1, &[unknown]) => {
-                let split = self.split(relation, unknown);
-                let trig = self.sp1(unknown, split.left, split.right);
+                let sides = self.sides(relation, unknown);
+                let trig = self.sp1(unknown, sides.left, sides.right);
                 self.set(unknown, trig);
             }
             (Subproblem::Sp3 | Subproblem::Sp4, &[unknown]) => {
-                let split = self.split(relation, unknown);
-                let (u, w, d) = self.bilinear(relation, &split);
+                let sides = self.sides(relation, unknown);
+                let (u, w, d) = self.bilinear(relation, &sides);
                 let (a, b, d) = self.cosine_sine(u, w, d);
                 let trig = self.angle_with(unknown, a, b, d, None);
                 self.set(unknown, trig);
@@ -54,15 +54,15 @@ impl Writer<'_> {
         }
     }
 
-    /// Carries both invariants to the unknown, and one to the other along the
+    /// Transports both invariants to the unknown, and one to the other along the
     /// arc that holds no unknown.
-    pub(super) fn split(&mut self, relation: &Relation, unknown: Atom) -> Split {
+    pub(super) fn sides(&mut self, relation: &Relation, unknown: Atom) -> Sides {
         let (start, end) = self.extent(unknown);
         let from = &relation.from;
         let Some(to) = &relation.to else {
             let left = self.bring_before(from, from.joints.end, start);
             let right = self.bring_behind(from, from.joints.start, end);
-            return Split {
+            return Sides {
                 left,
                 right,
                 other: None,
@@ -76,7 +76,7 @@ impl Writer<'_> {
         let far_there = self.seen_from(far, far.joints.end);
         let far_there = self.onwards(far_there, far.joints.end, near.joints.start);
         let near_there = self.seen_from(near, near.joints.start);
-        Split {
+        Sides {
             left,
             right,
             other: Some([near_there, far_there]),
@@ -98,19 +98,19 @@ impl Writer<'_> {
     pub(super) fn bilinear(
         &mut self,
         relation: &Relation,
-        split: &Split,
+        sides: &Sides,
     ) -> (Vector, Vector, Expr) {
-        let (u, w, offset) = self.measure(relation, split);
-        let [near, far] = split.other.unwrap_or([split.left, split.right]);
+        let (u, w, offset) = self.measure(relation, sides);
+        let [near, far] = sides.other.unwrap_or([sides.left, sides.right]);
         let other = self.value(relation, &near, &far);
         (u, w, self.g.sub(other, offset))
     }
 
     /// What a relation measures at its unknown: u · J w + offset. Of two
     /// points it is minus half the square of their distance.
-    pub(super) fn measure(&mut self, relation: &Relation, split: &Split) -> (Vector, Vector, Expr) {
+    pub(super) fn measure(&mut self, relation: &Relation, sides: &Sides) -> (Vector, Vector, Expr) {
         let zero = self.g.zero();
-        let (left, right) = (&split.left, &split.right);
+        let (left, right) = (&sides.left, &sides.right);
         match kinds(relation) {
             (Kind::Direction, _) => (self.direction(left), self.direction(right), zero),
             (Kind::Point, Some(Kind::Point)) => {

@@ -1,8 +1,8 @@
-//! Carrying points and directions around the loop.
+//! Transporting points and directions around the loop.
 //!
 //! Behind every joint is a link with its frame, behind the last one the tip,
 //! and the target closes the loop to the base. An object that is constant in
-//! one link is carried through known joints into the frame of another. An
+//! one link is transported through known joints into the frame of another. An
 //! unknown joint on the way is one that the relation does not depend on; it
 //! is crossed as if it stood at zero.
 
@@ -47,7 +47,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Carries onwards (base to tip, over the target, to the base again) from
+    /// Transports onwards (base to tip, over the target, to the base again) from
     /// the frame of link `from` to that of link `to`.
     pub(super) fn onwards(&mut self, mut x: Transported, from: usize, to: usize) -> Transported {
         let n = self.linkage.links.len();
@@ -77,7 +77,7 @@ impl Writer<'_> {
         x
     }
 
-    /// Carries backwards from the frame of link `from` to that of link `to`.
+    /// Transports backwards from the frame of link `from` to that of link `to`.
     pub(super) fn backwards(&mut self, mut x: Transported, from: usize, to: usize) -> Transported {
         let n = self.linkage.links.len();
         let mut body = from;
@@ -148,9 +148,9 @@ impl Writer<'_> {
                 None => x,
             },
             JointKind::Prismatic => {
-                let way = self.way(joint);
+                let shift = self.shift(joint);
                 Transported {
-                    point: x.point.map(|p| self.g.plus(p, way)),
+                    point: x.point.map(|p| self.g.plus(p, shift)),
                     ..x
                 }
             }
@@ -168,9 +168,9 @@ impl Writer<'_> {
                 None => x,
             },
             JointKind::Prismatic => {
-                let way = self.way(joint);
+                let shift = self.shift(joint);
                 Transported {
-                    point: x.point.map(|p| self.g.minus(p, way)),
+                    point: x.point.map(|p| self.g.minus(p, shift)),
                     ..x
                 }
             }
@@ -178,7 +178,7 @@ impl Writer<'_> {
     }
 
     /// The vector by which a joint slides.
-    fn way(&mut self, joint: usize) -> Vector {
+    fn shift(&mut self, joint: usize) -> Vector {
         let v = self.g.vector(self.linkage.links[joint].direction);
         let slide = self.slide[joint].unwrap_or_else(|| self.g.zero());
         self.g.scale(slide, v)

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a factor vanishes.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Place {
+pub enum Locus {
     /// At these values of the only coordinate that it depends on: radians in
     /// (−π, π], or metres.
     Values(Vec<f64>),
@@ -74,7 +74,7 @@ impl Factored {
 
     /// Where it vanishes, and for every value, or for the surface, some
     /// configurations there with all other coordinates anywhere.
-    pub fn place(&self) -> (Place, Vec<Vec<Vec<f64>>>) {
+    pub fn locus(&self) -> (Locus, Vec<Vec<Vec<f64>>>) {
         let mut random = Random(0x9e37_79b9_7f4a_7c15);
         if let [only] = self.coordinates[..] {
             let zeros = self.zeros(&self.anywhere(&mut random), only);
@@ -88,8 +88,8 @@ impl Factored {
                 .map(|&zero| (0..SAMPLES).map(|_| at(zero)).collect());
             let samples = samples.collect();
             return match zeros.is_empty() {
-                true => (Place::Never, samples),
-                false => (Place::Values(zeros), samples),
+                true => (Locus::Never, samples),
+                false => (Locus::Values(zeros), samples),
             };
         }
         let mut samples: Vec<Vec<f64>> = Vec::new();
@@ -105,8 +105,8 @@ impl Factored {
             }
         }
         match samples.first() {
-            Some(first) => (Place::Surface(first.clone()), vec![samples]),
-            None => (Place::Never, Vec::new()),
+            Some(first) => (Locus::Surface(first.clone()), vec![samples]),
+            None => (Locus::Never, Vec::new()),
         }
     }
 

@@ -1,18 +1,18 @@
-//! Reading a noisy file as the arm that was meant.
+//! Idealization: a noisy file read as the arm of exact relations that it stands for.
 //!
 //! A file that says rpy="1.5708 0 0" means a right angle; an individually
 //! calibrated arm has axes a milliradian off their design. Closed forms need
 //! exact relations, so the axes are moved onto the relations that they nearly
-//! satisfy. The literal arm is kept: forward kinematics and the last step of
+//! satisfy. The arm as given is kept: forward kinematics and the last step of
 //! inverse kinematics are always its own.
 
 use super::{Line, Vec3, along, axes, cross, dot, norm, size, sub, unit};
 use crate::model::{JointKind, Model};
 use kin_runtime::Pose;
 
-/// A snapped model and what it took.
+/// An idealized model and what it took.
 #[derive(Clone, Debug)]
-pub struct Snap {
+pub struct Idealized {
     /// The arm with exact relations.
     pub model: Model,
     /// The axes that moved.
@@ -36,14 +36,14 @@ pub struct Moved {
 /// Moves every axis onto the relations that it satisfies to within
 /// `tolerance`: radians for directions, multiples of the arm's size for
 /// distances.
-pub fn snap(model: &Model, tolerance: f64) -> Snap {
-    let literal = axes(model);
-    let directions = snap_directions(&literal, tolerance);
-    let lines = snap_points(model, &literal, &directions, tolerance * size(model));
-    let mut snapped = model.clone();
+pub fn idealize(model: &Model, tolerance: f64) -> Idealized {
+    let given = axes(model);
+    let directions = idealize_directions(&given, tolerance);
+    let lines = idealize_points(model, &given, &directions, tolerance * size(model));
+    let mut idealized = model.clone();
     let mut moved = Vec::new();
-    for (i, (line, was)) in lines.iter().zip(&literal).enumerate() {
-        let joint = &mut snapped.joints[i];
+    for (i, (line, was)) in lines.iter().zip(&given).enumerate() {
+        let joint = &mut idealized.joints[i];
         joint.axis = line.direction;
         joint.point = line.point;
         let angle = norm(cross(line.direction, was.direction));
@@ -59,16 +59,16 @@ pub fn snap(model: &Model, tolerance: f64) -> Snap {
             });
         }
     }
-    snapped.home = snap_tip(&snapped, tolerance);
-    Snap {
-        model: snapped,
+    idealized.home = idealize_tip(&idealized, tolerance);
+    Idealized {
+        model: idealized,
         moved,
         tolerance,
     }
 }
 
 /// Nearly equal directions become equal, nearly right angles right.
-fn snap_directions(axes: &[Line], tolerance: f64) -> Vec<Vec3> {
+fn idealize_directions(axes: &[Line], tolerance: f64) -> Vec<Vec3> {
     let base = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let mut known: Vec<Vec3> = Vec::new();
     let mut out = Vec::with_capacity(axes.len());
@@ -80,12 +80,12 @@ fn snap_directions(axes: &[Line], tolerance: f64) -> Vec<Vec3> {
             .chain(&base)
             .find(|k| norm(cross(**k, d)) < tolerance)
             .map(|k| k.map(|x| x * dot(*k, d).signum()));
-        let snapped = equal.unwrap_or_else(|| square_up(d, &known, tolerance));
-        if !known.iter().any(|k| norm(cross(*k, snapped)) < tolerance) {
-            known.push(snapped);
+        let idealized = equal.unwrap_or_else(|| square_up(d, &known, tolerance));
+        if !known.iter().any(|k| norm(cross(*k, idealized)) < tolerance) {
+            known.push(idealized);
         }
         // −0 would read as a sign of its own.
-        out.push(snapped.map(|x| x + 0.0));
+        out.push(idealized.map(|x| x + 0.0));
     }
     out
 }
@@ -96,19 +96,19 @@ fn square_up(d: Vec3, known: &[Vec3], tolerance: f64) -> Vec3 {
     let mut right = known.iter().filter(|k| dot(**k, d).abs() < tolerance);
     let Some(&first) = right.next() else { return d };
     let second = right.find(|k| norm(cross(first, **k)) > 0.1);
-    let snapped = match second {
+    let idealized = match second {
         Some(&second) => cross(first, second),
         None => along(d, -dot(d, first), first),
     };
-    unit(snapped.map(|x| x * dot(snapped, d).signum()))
+    unit(idealized.map(|x| x * dot(idealized, d).signum()))
 }
 
 /// Axes that nearly meet the one before, or a point where earlier ones meet,
 /// are shifted to meet it.
-fn snap_points(model: &Model, literal: &[Line], directions: &[Vec3], tolerance: f64) -> Vec<Line> {
-    let mut lines: Vec<Line> = Vec::with_capacity(literal.len());
+fn idealize_points(model: &Model, given: &[Line], directions: &[Vec3], tolerance: f64) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::with_capacity(given.len());
     let mut centres: Vec<Vec3> = Vec::new();
-    for (i, (line, &direction)) in literal.iter().zip(directions).enumerate() {
+    for (i, (line, &direction)) in given.iter().zip(directions).enumerate() {
         let mut line = Line {
             direction,
             point: line.point,
@@ -145,7 +145,7 @@ fn meet(other: &Line, line: &mut Line, tolerance: f64) {
 }
 
 /// The tip's orientation, square to the last axis where it nearly is.
-fn snap_tip(model: &Model, tolerance: f64) -> Pose {
+fn idealize_tip(model: &Model, tolerance: f64) -> Pose {
     let mut home = model.home;
     let mut known: Vec<Vec3> = model.joints.iter().rev().map(|joint| joint.axis).collect();
     known.extend([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
