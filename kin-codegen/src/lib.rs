@@ -36,7 +36,7 @@ macro_rules! rooms {
     ($($room:ident)*) => { $(#[doc(hidden)] pub mod $room;)* };
 }
 rooms! {
-    random model geometry singularity plan expr closed_form certificate solver arm mechanism emit
+    random vector model geometry singularity plan expr closed_form certificate solver arm mechanism emit
 }
 
 pub use compile::compile;

@@ -7,6 +7,7 @@ mod limits;
 mod mimic;
 
 use crate::spec::{self, ArmSpec, Collector, Diagnostics, JointType};
+use crate::vector::norm;
 use kin_runtime::{Chain, Pose, Twist};
 
 pub(crate) use configurations::configurations;
@@ -219,10 +220,6 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector)
             "write metres in a URDF, or state the unit in YAML: `units: {length: mm}`",
         );
     }
-}
-
-fn norm(v: [f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// Places every moving joint in base coordinates; fixed ones fold into the

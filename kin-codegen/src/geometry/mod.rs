@@ -2,23 +2,22 @@
 //! constants vanish, and the idealization of noisy files.
 
 mod conditioning;
+mod idealize;
 mod linkage;
 mod relation;
 mod singular;
-mod idealize;
 mod structure;
 
+pub use crate::vector::{Vec3, cross, dot, norm};
+pub(crate) use crate::vector::{along, sub, unit};
 pub use conditioning::{conditioning, natural_target, rank};
+pub use idealize::{Idealized, Moved, idealize};
 pub use linkage::{Link, Linkage, Run};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};
-pub use idealize::{Idealized, Moved, idealize};
 pub use structure::{Axes, Neighbours, PairRelation, Row, RowRelation, numbers, structure};
 
 use crate::model::{JointKind, Model};
-
-/// A vector or point in base coordinates.
-pub type Vec3 = [f64; 3];
 
 /// A directed line: a unit direction through a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,38 +44,6 @@ pub enum Axis<V> {
         /// Unit direction.
         direction: V,
     },
-}
-
-/// a · b.
-pub fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// a × b.
-pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-pub(crate) fn sub(a: Vec3, b: Vec3) -> Vec3 {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(crate) fn along(p: Vec3, t: f64, v: Vec3) -> Vec3 {
-    [p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]]
-}
-
-/// |a|.
-pub fn norm(a: Vec3) -> f64 {
-    dot(a, a).sqrt()
-}
-
-pub(crate) fn unit(a: Vec3) -> Vec3 {
-    let n = norm(a);
-    a.map(|x| x / n)
 }
 
 impl Line {

@@ -1,7 +1,7 @@
 //! Conditions under which the twists of joints depend on each other whatever
 //! the rest of the arm is like (MLS section 3.4.3 and its exercises).
 
-use super::{Line, Vec3, along, cross, dot, norm, sub};
+use super::{Axis, Line, Vec3, along, cross, dot, norm, sub};
 use kin_runtime::Twist;
 use std::fmt;
 
@@ -34,7 +34,7 @@ pub enum Condition {
 /// Which conditions hold for axes where they are, given as their twists in one
 /// frame. `size` is the arm's, metres; lengths are judged relative to it.
 pub fn conditions(twists: &[Twist], size: f64) -> Vec<Condition> {
-    let axes: Vec<Axis> = twists.iter().map(Axis::of).collect();
+    let axes: Vec<Axis<Vec3>> = twists.iter().map(axis_of).collect();
     let arm = Arm {
         axes: &axes,
         length: NEAR * size,
@@ -91,45 +91,38 @@ fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
 }
 
-/// The line of a revolute joint, or the direction of a prismatic one.
-enum Axis {
-    Turn(Line),
-    Slide(Vec3),
-}
-
-impl Axis {
-    fn of(twist: &Twist) -> Self {
-        let turns = norm(twist.angular) > 0.5;
-        if turns {
-            Axis::Turn(Line {
-                direction: twist.angular,
-                point: cross(twist.angular, twist.linear),
-            })
-        } else {
-            Axis::Slide(twist.linear)
+fn axis_of(twist: &Twist) -> Axis<Vec3> {
+    if norm(twist.angular) > 0.5 {
+        Axis::Revolute {
+            direction: twist.angular,
+            point: cross(twist.angular, twist.linear),
+        }
+    } else {
+        Axis::Prismatic {
+            direction: twist.linear,
         }
     }
 }
 
 struct Arm<'a> {
-    axes: &'a [Axis],
+    axes: &'a [Axis<Vec3>],
     length: f64,
 }
 
 impl Arm<'_> {
-    fn line(&self, i: usize) -> Option<&Line> {
-        match &self.axes[i] {
-            Axis::Turn(line) => Some(line),
-            Axis::Slide(_) => None,
+    fn line(&self, i: usize) -> Option<Line> {
+        match self.axes[i] {
+            Axis::Revolute { direction, point } => Some(Line { direction, point }),
+            Axis::Prismatic { .. } => None,
         }
     }
 
-    fn lines<const N: usize>(&self, joints: [usize; N]) -> Option<[&Line; N]> {
+    fn lines<const N: usize>(&self, joints: [usize; N]) -> Option<[Line; N]> {
         self.all_lines(&joints)?.try_into().ok()
     }
 
     /// None if one of the joints slides.
-    fn all_lines(&self, joints: &[usize]) -> Option<Vec<&Line>> {
+    fn all_lines(&self, joints: &[usize]) -> Option<Vec<Line>> {
         joints.iter().map(|&i| self.line(i)).collect()
     }
 
@@ -147,12 +140,12 @@ impl Arm<'_> {
 
     fn collinear(&self, i: usize, j: usize) -> bool {
         let lines = self.lines([i, j]);
-        lines.is_some_and(|[a, b]| is_parallel(a, b) && norm(a.offset_of(b.point)) < self.length)
+        lines.is_some_and(|[a, b]| is_parallel(&a, &b) && norm(a.offset_of(b.point)) < self.length)
     }
 
     fn parallel_coplanar(&self, joints: [usize; 3]) -> bool {
         self.lines(joints).is_some_and(|[a, b, c]| {
-            is_parallel(a, b) && is_parallel(a, c) && self.in_one_plane(&[a, b, c])
+            is_parallel(&a, &b) && is_parallel(&a, &c) && self.in_one_plane(&[a, b, c])
         })
     }
 
@@ -164,10 +157,8 @@ impl Arm<'_> {
     }
 
     fn concurrent(&self, joints: &[usize]) -> bool {
-        self.all_lines(joints).is_some_and(|lines| {
-            let lines: Vec<Line> = lines.into_iter().copied().collect();
-            super::concurrency(&lines, 1e-3, self.length).is_some()
-        })
+        self.all_lines(joints)
+            .is_some_and(|lines| super::concurrency(&lines, 1e-3, self.length).is_some())
     }
 
     fn coplanar(&self, joints: &[usize]) -> bool {
@@ -176,7 +167,7 @@ impl Arm<'_> {
     }
 
     /// Whether lines lie in one plane.
-    fn in_one_plane(&self, lines: &[&Line]) -> bool {
+    fn in_one_plane(&self, lines: &[Line]) -> bool {
         let Some((first, rest)) = lines.split_first() else {
             return true;
         };
@@ -201,14 +192,14 @@ impl Arm<'_> {
 
     /// Parallel revolutes on different lines and a slide normal to their plane.
     fn slides_across(&self, i: usize, j: usize, slide: usize) -> bool {
-        let (Some([a, b]), Axis::Slide(direction)) = (self.lines([i, j]), &self.axes[slide]) else {
+        let (Some([a, b]), Axis::Prismatic { direction }) = (self.lines([i, j]), self.axes[slide]) else {
             return false;
         };
         let between = a.offset_of(b.point);
-        is_parallel(a, b)
+        is_parallel(&a, &b)
             && norm(between) > self.length
-            && dot(*direction, a.direction).abs() < NEAR
-            && dot(*direction, between).abs() < self.length
+            && dot(direction, a.direction).abs() < NEAR
+            && dot(direction, between).abs() < self.length
     }
 }
 

@@ -1,5 +1,6 @@
 //! Rotations as robot files write them.
 
+use crate::vector::dot;
 use kin_runtime::Pose;
 
 /// Rotation entries below this are what cos(pi/2) leaves in double precision.
@@ -106,10 +107,6 @@ pub(super) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     let v = v.map(|x| x / largest);
     let length = dot(v, v).sqrt();
     Some(v.map(|x| x / length))
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn sin_cos(angle: f64) -> (f64, f64) {

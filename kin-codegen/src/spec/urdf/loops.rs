@@ -27,6 +27,7 @@ use crate::spec::{
     ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Topology,
     did_you_mean, orientation,
 };
+use crate::vector::norm;
 use kin_runtime::Pose;
 use roxmltree::{Document, Node};
 
@@ -64,7 +65,7 @@ pub(super) fn read(
     let homes = homes(&links);
     let extent = homes
         .iter()
-        .map(|pose| size(pose.translation))
+        .map(|pose| norm(pose.translation))
         .fold(0.0, f64::max);
     let loops: Vec<Option<Vec<Joint>>> = loop_joints(document)
         .map(|node| loop_joint(node, &links, &homes, extent, diagnostics))
@@ -86,10 +87,6 @@ pub(super) fn read(
             actuated: actuated(document),
         }),
     })
-}
-
-fn size(v: [f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// Where the tree puts its links with all joint values 0.
