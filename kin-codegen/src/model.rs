@@ -18,9 +18,9 @@ pub(crate) use configurations::configurations;
 pub struct Model {
     /// The robot's name, from the file.
     pub name: String,
-    /// Base link.
+    /// The link that the chain begins at, in whose frame everything here is given.
     pub base: String,
-    /// Tip link.
+    /// The link that the chain ends at.
     pub tip: String,
     /// The moving joints from base to tip. Fixed joints are folded.
     pub joints: Vec<Joint>,

@@ -1,4 +1,4 @@
-//! What a user may ask of the compiler; the same behind every door.
+//! What a user may ask of the compiler; the same through every interface.
 
 use crate::plan::Target;
 use crate::spec::{did_you_mean, list_names};

@@ -1,4 +1,4 @@
-//! Collector as data: a place, a reason and a remedy.
+//! Diagnostics as data: a place, a reason and a remedy.
 
 use super::Source;
 use std::fmt;
@@ -6,13 +6,13 @@ use std::fmt;
 /// A place in a robot file, both counted from 1; columns count characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Location {
-    /// Line.
+    /// The line, from 1.
     pub line: u32,
-    /// Column.
+    /// The character in the line, from 1; a tab is one.
     pub column: u32,
 }
 
-/// One diagnostic.
+/// One thing that is wrong: where, why, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Where; `None` when it is about the robot as a whole.

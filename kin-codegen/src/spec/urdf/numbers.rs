@@ -37,8 +37,8 @@ pub(super) fn read<const N: usize>(
 fn finite(word: &str, attribute: &Attribute, diagnostics: &mut Collector) -> Option<f64> {
     // In a value with entities the word's offset differs from the file's.
     let inside = word.as_ptr() as usize - attribute.value().as_ptr() as usize;
-    let literal = attribute.range_value().len() == attribute.value().len();
-    let start = attribute.range_value().start + if literal { inside } else { 0 };
+    let verbatim = attribute.range_value().len() == attribute.value().len();
+    let start = attribute.range_value().start + if verbatim { inside } else { 0 };
     let at = diagnostics.place(start);
     match word.parse::<f64>() {
         Ok(number) if number.is_finite() => Some(number),
