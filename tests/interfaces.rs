@@ -99,6 +99,14 @@ fn forward_alone_of_part_of_the_arm() {
     let options = "--name Shoulder --base shoulder_link --tip forearm_link --ik none";
     let options: Vec<&str> = options.split(' ').collect();
     assert_eq!(command_line(ROBOT, &options), code);
+    // The header's own command.
+    let mut commands = code
+        .lines()
+        .filter_map(|line| line.split_once(" by: kin generate "));
+    let (_, command) = commands.next().unwrap();
+    let words: Vec<&str> = command.split(' ').collect();
+    assert!(ROBOT.ends_with(words[0]), "{command}");
+    assert_eq!(command_line(ROBOT, &words[1..]), code);
     assert_eq!(macros::Shoulder::BRANCHES, 0);
 }
 

@@ -43,6 +43,26 @@ fn checked_in_code_is_stale_once_it_differs() {
 }
 
 #[test]
+fn checked_in_code_is_stale_once_its_robot_file_differs() {
+    let (robot, file) = (temporary("stale.yaml"), temporary("stale_robot.rs"));
+    let scara = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots/scara.yaml");
+    let text = std::fs::read_to_string(scara).unwrap();
+    std::fs::write(&robot, &text).unwrap();
+    let command = [
+        "generate",
+        robot.to_str().unwrap(),
+        "--output",
+        file.to_str().unwrap(),
+    ];
+    let check = [&command[..], &["--check"]].concat();
+    assert_eq!(kin(&command).status.code(), Some(0));
+    assert_eq!(kin(&check).status.code(), Some(0));
+    // The same arm, but the header names the hash of the file.
+    std::fs::write(&robot, text + "# measured again\n").unwrap();
+    assert_eq!(kin(&check).status.code(), Some(4));
+}
+
+#[test]
 fn check_without_output_is_a_wrong_command_line() {
     let refused = kin(&["generate", "robots/scara.yaml", "--check"]);
     assert_eq!(refused.status.code(), Some(2));

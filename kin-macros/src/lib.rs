@@ -19,7 +19,7 @@ use proc_macro::TokenStream;
 /// line, column and a remedy.
 ///
 /// The macro leaves a zero-sized `pub struct`. Its own documentation tells the
-/// plan, the number of branches and the operation counts; its methods are
+/// plan step by step and what its branches are called; its methods are
 /// those of the trait `Kinematics`, and need no import.
 ///
 /// # Options

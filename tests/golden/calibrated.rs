@@ -1253,6 +1253,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
+            // Angles about parallel axes add up
             let t1 = q[1] + 1.5707023922013317;
             let t2 = q[2] + 0.00044313587806694065;
             let t3 = t1 + t2;

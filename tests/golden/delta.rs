@@ -74,11 +74,15 @@ const _: () = {
     mod arms {
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
         use ::kinematics::__private::{Acceptance, Branches, lanes, math};
+        /// The chain `arm1`.
         pub struct Leg1;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Leg1 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 5]) -> Pose {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
@@ -113,8 +117,10 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 5]) -> (Pose, Jacobian<5>) {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
@@ -177,11 +183,15 @@ const _: () = {
             }
         }
 
+        /// The chain `arm1` up to the point where its last axes meet.
         pub struct Head1;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Head1 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
                     q[0],
@@ -213,8 +223,10 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
                     q[0],
@@ -426,9 +438,12 @@ const _: () = {
             }
         }
 
+        /// What of the chain `arm1` turns about that point.
         pub struct Tail1;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Tail1 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 2]) -> Pose {
                 let t1 = q[1] + 0.43068765102503376;
@@ -453,6 +468,7 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 2]) -> (Pose, Jacobian<2>) {
                 let t1 = q[1] + 0.43068765102503376;
@@ -584,11 +600,15 @@ const _: () = {
             }
         }
 
+        /// The chain `arm2`.
         pub struct Leg2;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Leg2 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 5]) -> Pose {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
@@ -636,8 +656,10 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 5]) -> (Pose, Jacobian<5>) {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
@@ -730,11 +752,15 @@ const _: () = {
             }
         }
 
+        /// The chain `arm2` up to the point where its last axes meet.
         pub struct Head2;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Head2 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
                     q[0],
@@ -770,8 +796,10 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
                     q[0],
@@ -1013,9 +1041,12 @@ const _: () = {
             }
         }
 
+        /// What of the chain `arm2` turns about that point.
         pub struct Tail2;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Tail2 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 2]) -> Pose {
                 let t1 = q[1] + 0.4306876510250337;
@@ -1045,6 +1076,7 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 2]) -> (Pose, Jacobian<2>) {
                 let t1 = q[1] + 0.4306876510250337;
@@ -1230,11 +1262,15 @@ const _: () = {
             }
         }
 
+        /// The chain `arm3`.
         pub struct Leg3;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Leg3 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 5]) -> Pose {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
@@ -1282,8 +1318,10 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 5]) -> (Pose, Jacobian<5>) {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
@@ -1375,11 +1413,15 @@ const _: () = {
             }
         }
 
+        /// The chain `arm3` up to the point where its last axes meet.
         pub struct Head3;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Head3 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
                     q[0],
@@ -1415,8 +1457,10 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
+                // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
                     q[0],
@@ -1658,9 +1702,12 @@ const _: () = {
             }
         }
 
+        /// What of the chain `arm3` turns about that point.
         pub struct Tail3;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Tail3 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 2]) -> Pose {
                 let t1 = q[1] + 0.4306876510250337;
@@ -1690,6 +1737,7 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 2]) -> (Pose, Jacobian<2>) {
                 let t1 = q[1] + 0.4306876510250337;
@@ -1873,9 +1921,12 @@ const _: () = {
             }
         }
 
+        /// Where the actuated joints put an end of a rod.
         pub struct Rod1;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Rod1 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 1]) -> Pose {
                 let (s1, c1) = math::sin_cos(q[0]);
@@ -1885,6 +1936,7 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
                 let (s1, c1) = math::sin_cos(q[0]);
@@ -1900,9 +1952,12 @@ const _: () = {
             }
         }
 
+        /// Where the actuated joints put an end of a rod.
         pub struct Rod2;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Rod2 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 1]) -> Pose {
                 let (s1, c1) = math::sin_cos(q[0]);
@@ -1923,6 +1978,7 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
                 let (s1, c1) = math::sin_cos(q[0]);
@@ -1956,9 +2012,12 @@ const _: () = {
             }
         }
 
+        /// Where the actuated joints put an end of a rod.
         pub struct Rod3;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl Rod3 {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 1]) -> Pose {
                 let (s1, c1) = math::sin_cos(q[0]);
@@ -1979,6 +2038,7 @@ const _: () = {
                 }
             }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
                 let (s1, c1) = math::sin_cos(q[0]);
@@ -2091,10 +2151,12 @@ const _: () = {
 
         fn ik_near(&self, target: &Pose, seed: &[f64; 15]) -> Postures<15, 3> {
             let mut postures = Postures::new(Self::CHAINS);
+            // The platform does not turn: its rotation is that at home
             let target = &Pose {
                 rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
                 ..*target
             };
+            // arm1: SP3(q1) SP2(q2,q3), then SP1(q1) SP1(q2)
             let point = Pose::from_translation(
                 target.transform_point([0.0331976404784035, 0.0, 0.0]),
             );
@@ -2105,6 +2167,7 @@ const _: () = {
                     postures.push(0, 0, &q);
                 }
             }
+            // arm2: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, 0.028750000000000442, 0.0]),
@@ -2116,6 +2179,7 @@ const _: () = {
                     postures.push(1, 0, &q);
                 }
             }
+            // arm3: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, -0.028750000000000442, 0.0]),
@@ -2148,6 +2212,8 @@ const _: () = {
                 JointLimit::Continuous,
                 JointLimit::Continuous,
             ];
+            // The platform's origin is as far as each rod is long from a point that an
+            // actuator places
             let points = three_spheres(
                 [
                     {
@@ -2178,6 +2244,7 @@ const _: () = {
                 [0.23199999999999957, 0.2319999999999996, 0.2319999999999996],
             );
             let singular = points.exact().len() == 1;
+            // There each chain holds the platform as its actuated joint is set
             Solutions::build_with_prismatic(
                 0,
                 |solutions| {

@@ -115,6 +115,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
                 q[0],
@@ -165,6 +166,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
                 q[0],
@@ -264,6 +266,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s1, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
                 q[0],
@@ -322,6 +325,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s23, s4, s5, s6, s3, ..], [c23, c4, c5, c6, c3, ..]) = lanes::sin_cos([
                 t1,
@@ -402,6 +406,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s1, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
                 q[0],
@@ -475,6 +480,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
                 q[0],
@@ -945,6 +951,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([_, t2, t3, t4], [t5, t6, t7, _]) = lanes::sin_cos([
                 q[1],
@@ -967,6 +974,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([_, t2, t3, t4], [t5, t6, t7, _]) = lanes::sin_cos([
                 q[1],

@@ -100,6 +100,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 4]) -> Pose {
+            // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let t2 = q[2] + t1;
             let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([
@@ -120,6 +121,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 4]) -> [Pose; 4] {
+            // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let t2 = q[2] + t1;
             let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([
@@ -163,6 +165,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
+            // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let ([s1, s12], [c1, c12]) = lanes::sin_cos([q[0], t1]);
             let t2 = 0.4 * c1;
@@ -185,6 +188,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([s3, s23], [c3, c23]) = lanes::sin_cos([q[2], t1]);
             let t2 = 0.3 * c3;
@@ -207,6 +211,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
+            // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let ([s1, s12], [c1, c12]) = lanes::sin_cos([q[0], t1]);
             let t2 = 0.4 * c1;
@@ -231,6 +236,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 4]) -> (Pose, Jacobian<4>) {
+            // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let t2 = q[2] + t1;
             let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([

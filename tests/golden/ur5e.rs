@@ -116,6 +116,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
             let ([s1, s2, s23, s234, s5, s6, ..], [c1, c2, c23, c234, c5, c6, ..]) = lanes::sin_cos([
@@ -158,6 +159,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
             let ([s1, s2, s23, s234, s5, s6, ..], [c1, c2, c23, c234, c5, c6, ..]) = lanes::sin_cos([
@@ -243,6 +245,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
             let ([s1, s2, s23, s234, s5, ..], [c1, c2, c23, c234, c5, ..]) = lanes::sin_cos([
@@ -302,6 +305,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
+            // Angles about parallel axes add up
             let t1 = q[2] + q[3];
             let t2 = q[1] + t1;
             let ([s5, s6, s4, s34, s234, ..], [c5, c6, c4, c34, c234, ..]) = lanes::sin_cos([
@@ -374,6 +378,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
             let ([s1, s2, s23, s234, s5, ..], [c1, c2, c23, c234, c5, ..]) = lanes::sin_cos([
@@ -439,6 +444,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
             let ([s1, s2, s23, s234, s5, s6, ..], [c1, c2, c23, c234, c5, c6, ..]) = lanes::sin_cos([
@@ -897,6 +903,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([_, _, t2, t3, t4, ..], [t5, t6, _, _, _, ..]) = lanes::sin_cos([
                 q[1],
@@ -921,6 +928,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
+            // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let ([_, _, t2, t3, t4, ..], [t5, t6, _, _, _, ..]) = lanes::sin_cos([
                 q[1],

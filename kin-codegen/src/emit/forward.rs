@@ -1,5 +1,6 @@
 //! Forward kinematics and Jacobians as Rust functions.
 
+use super::comment::comment;
 use super::matrix;
 use super::straight::{Place, Writer};
 use crate::expr::jacobian::Columns;
@@ -58,8 +59,11 @@ fn block_of(
             let parameter = format_ident!("{parameter}");
             quote!(let _ = #parameter;)
         });
+    let heading = writer
+        .adds_angles()
+        .then(|| comment("Angles about parallel axes add up"));
     let result = result(&writer);
-    quote!(#(#unread)* #(#trig)* #(#statements)* #result)
+    quote!(#(#unread)* #heading #(#trig)* #(#statements)* #result)
 }
 
 /// `Pose { .. }`.

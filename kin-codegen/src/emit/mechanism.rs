@@ -2,6 +2,7 @@
 //! kinematics cuts out of a loop, are written as the arms that they are, out of
 //! sight of the user.
 
+use super::comment::comment;
 use super::imports::imports;
 use super::robot::{generated_by, limit};
 use super::straight::signed;
@@ -151,21 +152,28 @@ fn rod_name(rod: usize) -> Ident {
 fn arms(compiled: &CompiledMechanism) -> TokenStream {
     let mut all = TokenStream::new();
     for (i, leg) in compiled.legs.iter().enumerate() {
-        all.extend(arm(&leg_name(i), leg));
+        let name = text::code(&compiled.mechanism.legs[i].name);
+        all.extend(arm(&leg_name(i), &format!("The chain {name}."), leg));
         let form = compiled.inverse.as_ref().map(|inverse| &inverse.legs[i]);
         if let Some(LegForm::Split(split)) = form {
-            all.extend(arm(&head_name(i), &split.head));
-            all.extend(arm(&tail_name(i), &split.tail));
+            let head = format!("The chain {name} up to the point where its last axes meet.");
+            let tail = format!("What of the chain {name} turns about that point.");
+            all.extend(arm(&head_name(i), &head, &split.head));
+            all.extend(arm(&tail_name(i), &tail, &split.tail));
         }
     }
     match &compiled.forward {
         ForwardMethod::Loop(found) => {
-            all.extend(arm(&format_ident!("Drive"), &found.drive));
-            all.extend(arm(&format_ident!("Passive"), &found.passive));
+            let drive = "Where the actuated joints put one end of the passive ones, seen from the \
+                         other.";
+            let passive = "The passive joints around the loop.";
+            all.extend(arm(&format_ident!("Drive"), drive, &found.drive));
+            all.extend(arm(&format_ident!("Passive"), passive, &found.passive));
         }
         ForwardMethod::Spheres(rods) => {
             for (i, rod) in rods.iter().enumerate() {
-                all.extend(arm(&rod_name(i), &rod.drive));
+                let drive = "Where the actuated joints put an end of a rod.";
+                all.extend(arm(&rod_name(i), drive, &rod.drive));
             }
         }
         ForwardMethod::Newton => {}
@@ -174,7 +182,8 @@ fn arms(compiled: &CompiledMechanism) -> TokenStream {
 }
 
 /// A serial chain with as much of its kinematics as a mechanism may call.
-fn arm(name: &Ident, compiled: &CompiledArm) -> TokenStream {
+fn arm(name: &Ident, what: &str, compiled: &CompiledArm) -> TokenStream {
+    let what = format!(" {what}");
     let count = compiled.model.variables.len();
     let n = Literal::usize_unsuffixed(count);
     let f = &compiled.forward;
@@ -189,15 +198,19 @@ fn arm(name: &Ident, compiled: &CompiledArm) -> TokenStream {
         .form()
         .map(|form| inverse::methods(&compiled.model, form));
     quote! {
+        #[doc = #what]
         pub struct #name;
 
         // Constants are written with the digits that they have, and a mechanism
         // does not ask all of its chains for all that an arm can do.
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl #name {
+            /// Where the chain ends, in the frame that it begins in, metres; `q`
+            /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; #n]) -> Pose { #fk }
 
+            /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { #fk_jacobian }
 
@@ -254,7 +267,8 @@ fn ik(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> Option<TokenS
             let all: TokenStream = legs.map(|leg| pushes(compiled, leg, &place)).collect();
             let upright = (inverse.aim == Aim::Translation).then(|| {
                 let rotation = rotation(&compiled.mechanism.home());
-                quote!(let target = &Pose { rotation: #rotation, ..*target };)
+                let comment = comment("The platform does not turn: its rotation is that at home");
+                quote!(#comment let target = &Pose { rotation: #rotation, ..*target };)
             });
             quote!(#upright #all)
         }
@@ -266,8 +280,13 @@ fn ik(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> Option<TokenS
                 .collect();
             let [first, end] = compiled.mechanism.ranges()[lead];
             let (name, seed) = (leg_name(lead), entries("seed", first..end));
+            let comment = comment(&format!(
+                "{} first: the position fixes it, and it tells the others the pose",
+                compiled.mechanism.legs[lead].name
+            ));
             let lead = Literal::usize_unsuffixed(lead);
             quote! {
+                #comment
                 for (place, lead) in arms::#name.ik_near(target, &#seed).iter().enumerate() {
                     postures.push(#lead, #place, &lead.q);
                     let target = &arms::#name.fk(&lead.q);
@@ -292,10 +311,14 @@ fn pushes(compiled: &CompiledMechanism, leg: usize, place: &TokenStream) -> Toke
     };
     let [first, end] = compiled.mechanism.ranges()[leg];
     let number = Literal::usize_unsuffixed(leg);
+    let chain = &compiled.mechanism.legs[leg].name;
+    let plan = inverse.legs[leg].plan();
+    let comment = comment(&format!("{chain}: {plan}"));
     match &inverse.legs[leg] {
         LegForm::Whole(_) => {
             let (name, seed) = (leg_name(leg), entries("seed", first..end));
             quote! {
+                #comment
                 for found in &arms::#name.ik_near(target, &#seed) {
                     postures.push(#number, #place, &found.q);
                 }
@@ -309,6 +332,7 @@ fn pushes(compiled: &CompiledMechanism, leg: usize, place: &TokenStream) -> Toke
             let places = |count: usize| (0..count).map(Literal::usize_unsuffixed);
             let (of_head, of_tail) = (places(at - first), places(end - at));
             quote! {
+                #comment
                 let point = Pose::from_translation(target.transform_point([#(#point),*]));
                 for head in &arms::#head.ik_near(&point, &#seed_head) {
                     let rest = arms::#head.fk(&head.q).inverse() * *target;
@@ -360,8 +384,12 @@ fn around(compiled: &CompiledMechanism, found: &Loop, n: &Literal) -> TokenStrea
         quote!(q[#joint] = found.q[#i];)
     });
     let mask = prismatic(compiled);
+    let placing = comment("Where the actuated joints put the ends of the passive ones");
+    let closing = comment("Every way in which the passive joints close the loop");
     quote! {
+        #placing
         let placed = arms::Drive.fk(&#driven);
+        #closing
         Solutions::build_with_prismatic(#mask, |solutions| {
             for found in &arms::Passive.ik(&placed) {
                 let mut q = [0.0; #n];
@@ -407,10 +435,16 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod], n: &Literal) -> TokenStre
         false => quote!(JointLimit::Continuous),
     });
     let mask = prismatic(compiled);
+    let meeting = comment(
+        "The platform's origin is as far as each rod is long from a point that an actuator places",
+    );
+    let holding = comment("There each chain holds the platform as its actuated joint is set");
     quote! {
         const FREE: [JointLimit; #n] = [#(#free),*];
+        #meeting
         let points = three_spheres([#(#centres),*], [#(#lengths),*]);
         let singular = points.exact().len() == 1;
+        #holding
         Solutions::build_with_prismatic(#mask, |solutions| {
             for (branch, point) in points.exact().iter().enumerate() {
                 let branch = branch as u32;

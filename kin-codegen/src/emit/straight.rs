@@ -233,6 +233,16 @@ impl<'a> Writer<'a> {
         angles
     }
 
+    /// Whether a sine or cosine is that of a sum of inputs.
+    pub fn adds_angles(&self) -> bool {
+        let is_sum = |&angle: &Expr| {
+            let reached = self.graph.reachable(&[angle]);
+            let nodes = self.graph.nodes().iter().zip(reached);
+            nodes.filter(|(node, reached)| *reached && matches!(node, Node::Input(_))).count() > 1
+        };
+        self.angles().iter().any(is_sum)
+    }
+
     /// The name under which a node is bound by a pattern; `_` if it is not
     /// needed.
     fn bound(&mut self, node: Node) -> TokenStream {
