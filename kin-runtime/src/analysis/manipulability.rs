@@ -1,6 +1,7 @@
 //! How well an arm moves its tool: measures, ellipsoids and gradients.
 
-use crate::linear::singular_values::{SingularValues, inner};
+use crate::linear::singular_values::SingularValues;
+use crate::linear::vector::dot;
 use crate::{Hessian, Jacobian};
 
 /// How far an arm is from a singularity: the three measures of MLS section
@@ -65,7 +66,7 @@ fn gradient<const R: usize, const N: usize>(
     let right: [[f64; N]; R] = core::array::from_fn(|i| found.right(i));
     core::array::from_fn(|k| {
         let slice = derivatives(k);
-        let term = |i: usize| inner(&weighted[i], &slice.map(|row| inner(&row, &right[i])));
+        let term = |i: usize| dot(weighted[i], slice.map(|row| dot(row, right[i])));
         (0..count).map(term).sum()
     })
 }

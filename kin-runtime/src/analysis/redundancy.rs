@@ -1,7 +1,7 @@
 //! Motions of the joints that leave the tool where it is.
 
-use crate::linear::row_space::RowSpace;
-use crate::linear::singular_values::inner;
+use crate::linear::span::Span;
+use crate::linear::vector::dot;
 use crate::{Basis, Jacobian, JointLimit, RANK_TOLERANCE};
 
 /// An orthonormal basis of the vectors x with A x = 0, for some rows of a
@@ -18,8 +18,12 @@ use crate::{Basis, Jacobian, JointLimit, RANK_TOLERANCE};
 /// assert_eq!(basis[..], [[0.0, 0.0, 1.0]]);
 /// ```
 pub fn null_space<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Basis<[f64; N], N> {
-    let space = RowSpace::new(rows, RANK_TOLERANCE);
-    let mut vectors = space.null_space();
+    let space = Span::of(R, |i| rows[i], RANK_TOLERANCE);
+    let mut vectors = [[0.0; N]; N];
+    vectors
+        .iter_mut()
+        .zip(space.complement())
+        .for_each(|(vector, found)| *vector = found);
     if space.rank == R && N == R + 1 {
         let sign = space.orientation();
         vectors[0] = vectors[0].map(|x| 0.0 + sign * x);
@@ -41,7 +45,7 @@ impl<const N: usize> Jacobian<N> {
     pub fn null_space_projection(&self, rates: &[f64; N]) -> [f64; N] {
         let mut projected = [0.0; N];
         for motion in &self.internal_motions() {
-            let along = inner(motion, rates);
+            let along = dot(*motion, *rates);
             for (x, m) in projected.iter_mut().zip(motion) {
                 *x += along * m;
             }

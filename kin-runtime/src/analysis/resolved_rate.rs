@@ -1,6 +1,7 @@
 //! Resolved-rate control: joint rates for a velocity of the tool.
 
 use crate::linear::singular_values::SingularValues;
+use crate::linear::vector::dot;
 use crate::{Jacobian, RANK_TOLERANCE, Twist};
 
 impl<const N: usize> Jacobian<N> {
@@ -47,7 +48,7 @@ impl<const N: usize> SingularValues<6, N> {
             .enumerate()
             .filter(|(_, value)| **value > 0.0)
         {
-            let along = crate::linear::singular_values::inner(&self.left[i], &velocity.to_array());
+            let along = dot(self.left[i], velocity.to_array());
             for (rate, v) in rates.iter_mut().zip(self.right(i)) {
                 *rate += gain(value) * along * v;
             }

@@ -110,7 +110,7 @@ impl<'a> Descent<'a> {
         let n = self.step.len();
         let trace: f64 = (0..n).map(|i| self.gram[i * n + i]).sum();
         self.damped.copy_from_slice(&self.gram);
-        if !cholesky::factor(&mut self.damped, n) {
+        if !cholesky::factor(&mut self.damped, n, 0.0) {
             return 0.0;
         }
         self.step.fill(1.0);
@@ -134,9 +134,9 @@ impl<'a> Descent<'a> {
         let State { columns, error, .. } = &self.current;
         let n = columns.len();
         for i in 0..n {
-            self.slope[i] = product(&columns[i], error);
+            self.slope[i] = dot(columns[i].to_array(), error.to_array());
             for j in 0..=i {
-                let entry = product(&columns[i], &columns[j]);
+                let entry = dot(columns[i].to_array(), columns[j].to_array());
                 self.gram[i * n + j] = entry;
                 self.gram[j * n + i] = entry;
             }
@@ -171,7 +171,7 @@ impl<'a> Descent<'a> {
         for i in 0..n {
             self.damped[i * n + i] += damping * (self.gram[i * n + i] + 1e-6 * largest);
         }
-        if !cholesky::factor(&mut self.damped, n) {
+        if !cholesky::factor(&mut self.damped, n, 0.0) {
             return false;
         }
         self.step.copy_from_slice(&self.slope);
@@ -220,9 +220,4 @@ impl Task<'_> {
             ..twist
         }
     }
-}
-
-/// The inner product in six dimensions.
-fn product(a: &Twist, b: &Twist) -> f64 {
-    dot(a.linear, b.linear) + dot(a.angular, b.angular)
 }

@@ -2,10 +2,10 @@
 
 use alloc::{vec, vec::Vec};
 
-use crate::linear::span::{Span, Vector6};
-use crate::linear::vector::{add, cross};
+use crate::linear::span::Span;
+use crate::linear::vector::norm;
 use crate::parallel::newton::{Task, close};
-use crate::parallel::posture::{self, Posture};
+use crate::parallel::posture::{self, Posture, Vector6};
 use crate::{Chain, Pose, Twist};
 
 /// Several chains from one base to one platform (MLS section 3.5). The
@@ -142,11 +142,12 @@ impl Mechanism {
             while let Some(twist) = waiting.pop() {
                 let known: Vec<Vector6> = basis.iter().map(|b| posture.scaled(b)).collect();
                 let vector = posture.scaled(&twist);
-                let rest = size(&Span::of(known.len(), |j| known[j]).reject(vector));
+                let span = Span::of(known.len(), |j| known[j], posture::DEPENDENT);
+                let rest = norm(span.reject(vector));
                 // Brackets of unit twists below this are rounding.
                 if rest > 1e-7 * self.length {
-                    let unit = twist * (self.length / size(&vector));
-                    waiting.extend(basis.iter().map(|other| bracket(other, &unit)));
+                    let unit = twist * (self.length / norm(vector));
+                    waiting.extend(basis.iter().map(|other| other.bracket(&unit)));
                     basis.push(unit);
                 }
             }
@@ -323,17 +324,5 @@ impl Mechanism {
             actuated,
             length: self.length,
         })
-    }
-}
-
-fn size(v: &Vector6) -> f64 {
-    libm::sqrt(v.iter().map(|x| x * x).sum())
-}
-
-/// The Lie bracket of two twists: (ω₁ × v₂ − ω₂ × v₁, ω₁ × ω₂).
-fn bracket(a: &Twist, b: &Twist) -> Twist {
-    Twist {
-        linear: add(cross(a.angular, b.linear), cross(a.linear, b.angular)),
-        angular: cross(a.angular, b.angular),
     }
 }

@@ -1,34 +1,46 @@
-//! Symmetric positive definite systems of a size known at run time.
+//! Symmetric positive definite systems, as n×n row-major slices.
 
-/// Overwrites the lower triangle of the n×n row-major matrix by its Cholesky
-/// factor; `false` if it is not positive definite.
-pub(crate) fn factor(matrix: &mut [f64], n: usize) -> bool {
-    for j in 0..n {
-        for i in j..n {
-            let known: f64 = (0..j).map(|k| matrix[i * n + k] * matrix[j * n + k]).sum();
-            let rest = matrix[i * n + j] - known;
-            if i > j {
-                matrix[i * n + j] = rest / matrix[j * n + j];
-            } else if rest > 0.0 {
-                matrix[j * n + j] = libm::sqrt(rest);
-            } else {
-                return false;
+use crate::math;
+
+/// Overwrites the lower triangle of a matrix by its Cholesky factor L, with the
+/// reciprocals of L's diagonal on the diagonal. A square of a pivot that is not
+/// above `least` is taken for `least`; `false` if there is one, and the factor
+/// is of use only if `least` is above 0.
+#[inline(always)]
+pub(crate) fn factor(matrix: &mut [f64], n: usize, least: f64) -> bool {
+    let mut definite = true;
+    for i in 0..n {
+        for j in 0..i {
+            let mut rest = matrix[i * n + j];
+            for k in 0..j {
+                rest -= matrix[i * n + k] * matrix[j * n + k];
             }
+            let entry = rest * matrix[j * n + j];
+            matrix[i * n + j] = entry;
+            matrix[i * n + i] -= entry * entry;
         }
+        let square = matrix[i * n + i];
+        definite &= square > least;
+        matrix[i * n + i] = 1.0 / math::sqrt(square.max(least));
     }
-    true
+    definite
 }
 
-/// Solves L Lᵀ x = b in place.
+/// Solves L Lᵀ x = b in place, by what [`factor`] leaves.
+#[inline(always)]
 pub(crate) fn solve(factor: &[f64], x: &mut [f64]) {
     let n = x.len();
     for i in 0..n {
-        let known: f64 = (0..i).map(|k| factor[i * n + k] * x[k]).sum();
-        x[i] = (x[i] - known) / factor[i * n + i];
+        for k in 0..i {
+            x[i] -= factor[i * n + k] * x[k];
+        }
+        x[i] *= factor[i * n + i];
     }
     for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|k| factor[k * n + i] * x[k]).sum();
-        x[i] = (x[i] - known) / factor[i * n + i];
+        for k in i + 1..n {
+            x[i] -= factor[k * n + i] * x[k];
+        }
+        x[i] *= factor[i * n + i];
     }
 }
 
@@ -39,10 +51,11 @@ mod tests {
     #[test]
     fn solves_a_definite_system_and_refuses_an_indefinite_one() {
         let mut matrix = [4.0, 2.0, 2.0, 3.0];
-        assert!(factor(&mut matrix, 2));
+        assert!(factor(&mut matrix, 2, 0.0));
         let mut x = [2.0, -1.0];
         solve(&matrix, &mut x);
         assert!((x[0] - 1.0).abs() < 1e-15 && (x[1] + 1.0).abs() < 1e-15);
-        assert!(!factor(&mut [1.0, 2.0, 2.0, 1.0], 2));
+        assert!(!factor(&mut [1.0, 2.0, 2.0, 1.0], 2, 0.0));
+        assert!(!factor(&mut [1.0, f64::NAN, f64::NAN, 1.0], 2, 0.0));
     }
 }

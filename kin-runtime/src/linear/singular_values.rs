@@ -5,6 +5,7 @@
 //! orthogonal. Nothing is squared, so that small singular values keep their
 //! digits, and a matrix of fewer columns than rows needs no special case.
 
+use super::vector::norm;
 use crate::math::sqrt;
 
 /// Jacobians take 4 to 6 sweeps; this bounds those that hold no numbers.
@@ -34,23 +35,10 @@ impl<const R: usize, const N: usize> SingularValues<R, N> {
         for i in 0..R {
             left[i][i] = 1.0;
         }
-        let rounding = 4.0 * f64::EPSILON * sqrt(rows.iter().map(|row| inner(row, row)).sum());
-        let mut turned = true;
-        for _ in 0..SWEEPS {
-            if !core::mem::take(&mut turned) {
-                break;
-            }
-            for i in 0..R {
-                for j in i + 1..R {
-                    if let Some((cosine, sine)) = rotation(&rows[i], &rows[j], rounding) {
-                        rotate(&mut rows, i, j, cosine, sine);
-                        rotate(&mut left, i, j, cosine, sine);
-                        turned = true;
-                    }
-                }
-            }
-        }
-        let values = rows.map(|row| sqrt(inner(&row, &row)));
+        let rounding = orthogonalize(rows.as_flattened_mut(), N, |i, j, cosine, sine| {
+            rotate(left.as_flattened_mut(), R, i, j, cosine, sine);
+        });
+        let values = rows.map(norm);
         let order = descending(&values);
         SingularValues {
             values: order.map(|i| {
@@ -78,10 +66,51 @@ impl<const R: usize, const N: usize> SingularValues<R, N> {
     }
 }
 
+/// The singular values of an n×n matrix, largest first, into `values`.
+/// Overwrites the matrix.
+pub(crate) fn singular_values(square: &mut [f64], values: &mut [f64]) {
+    let n = values.len();
+    orthogonalize(square, n, |_, _, _, _| {});
+    for (i, value) in values.iter_mut().enumerate() {
+        let row = &square[i * n..][..n];
+        *value = sqrt(inner(row, row));
+    }
+    values.sort_unstable_by(|a, b| b.total_cmp(a));
+}
+
+/// Rotates pairs of rows of the given width until all are orthogonal, tells
+/// every rotation, and returns the length of a row that is rounding.
+#[inline(always)]
+fn orthogonalize(
+    rows: &mut [f64],
+    width: usize,
+    mut rotated: impl FnMut(usize, usize, f64, f64),
+) -> f64 {
+    let count = rows.len().checked_div(width).unwrap_or(0);
+    let rounding = 4.0 * f64::EPSILON * sqrt(inner(rows, rows));
+    let mut turned = true;
+    for _ in 0..SWEEPS {
+        if !core::mem::take(&mut turned) {
+            break;
+        }
+        for i in 0..count {
+            for j in i + 1..count {
+                let (a, b) = (&rows[i * width..][..width], &rows[j * width..][..width]);
+                if let Some((cosine, sine)) = rotation(a, b, rounding) {
+                    rotate(rows, width, i, j, cosine, sine);
+                    rotated(i, j, cosine, sine);
+                    turned = true;
+                }
+            }
+        }
+    }
+    rounding
+}
+
 /// The rotation that makes two rows orthogonal; none if they are, or if one of
 /// them is zero to rounding.
-#[inline]
-fn rotation<const N: usize>(a: &[f64; N], b: &[f64; N], rounding: f64) -> Option<(f64, f64)> {
+#[inline(always)]
+fn rotation(a: &[f64], b: &[f64], rounding: f64) -> Option<(f64, f64)> {
     let (aa, bb, ab) = (inner(a, a), inner(b, b), inner(a, b));
     let zero = rounding * rounding;
     if ab.abs() <= ORTHOGONAL * sqrt(aa * bb) || aa <= zero || bb <= zero {
@@ -93,12 +122,13 @@ fn rotation<const N: usize>(a: &[f64; N], b: &[f64; N], rounding: f64) -> Option
     Some((cosine, cosine * tangent))
 }
 
-#[inline]
-fn rotate<const D: usize>(rows: &mut [[f64; D]], i: usize, j: usize, cosine: f64, sine: f64) {
-    for k in 0..D {
-        let (a, b) = (rows[i][k], rows[j][k]);
-        rows[i][k] = cosine * a - sine * b;
-        rows[j][k] = sine * a + cosine * b;
+/// Rotates rows i < j.
+#[inline(always)]
+fn rotate(rows: &mut [f64], width: usize, i: usize, j: usize, cosine: f64, sine: f64) {
+    let (before, after) = rows.split_at_mut(j * width);
+    let pairs = before[i * width..][..width].iter_mut().zip(after);
+    for (x, y) in pairs {
+        (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
     }
 }
 
@@ -108,8 +138,8 @@ fn descending<const R: usize>(values: &[f64; R]) -> [usize; R] {
     order
 }
 
-#[inline]
-pub(crate) fn inner<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+#[inline(always)]
+fn inner(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
@@ -154,5 +184,24 @@ mod tests {
     #[test]
     fn what_is_no_number_ends() {
         assert!(SingularValues::new(&[[f64::NAN, 1.0], [1.0, 2.0]]).values[0].is_nan());
+    }
+
+    #[test]
+    fn singular_values_of_a_known_matrix() {
+        // [[3, 0], [4, 5]] has √45 and √5.
+        let mut values = [0.0; 2];
+        singular_values(&mut [3.0, 0.0, 4.0, 5.0], &mut values);
+        assert!((values[0] - 45_f64.sqrt()).abs() < 1e-14);
+        assert!((values[1] - 5_f64.sqrt()).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_lost_rank_is_a_zero() {
+        let mut values = [0.0; 3];
+        singular_values(
+            &mut [1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 0.0, 1.0],
+            &mut values,
+        );
+        assert!(values[2] < 1e-15, "{values:?}");
     }
 }

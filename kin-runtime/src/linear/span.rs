@@ -1,143 +1,242 @@
-//! What the joints of a chain can do together, and what they cannot.
+//! The space that some vectors span, what of a vector is in it, and what is
+//! beside it: a Householder factorization that takes the longest remainder
+//! first, which reveals the rank.
 
-use crate::math;
+use super::vector::dot;
+use crate::math::sqrt;
 
-/// A twist or a wrench with its angular part in metres; see
-/// [`Posture`](crate::parallel::posture::Posture).
-pub(crate) type Vector6 = [f64; 6];
-
-/// A column that the others leave no more than this of, relative to the
-/// longest, is one of their combinations: the rounding of a long chain.
-const DEPENDENT: f64 = 1e-10;
-
-pub(crate) fn dot(a: &Vector6, b: &Vector6) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+/// V Π = Q R: the vectors, in another order, are upper triangular in an
+/// orthonormal basis, whose further vectors span what is at right angles to all
+/// of them.
+pub(crate) struct Span<const D: usize> {
+    /// How many of the vectors are independent.
+    pub rank: usize,
+    /// Which these are, in the order in which they were taken.
+    taken: [usize; D],
+    /// Rᵀ: row k is the k-th vector taken in the basis, zero behind entry k.
+    lower: [[f64; D]; D],
+    /// The reflections 1 − 2 w wᵀ whose product is Q, as unit vectors.
+    reflections: [[f64; D]; D],
 }
 
-/// An orthonormal basis of the columns' span, and how the columns come of it:
-/// QR with the longest remainder first, which reveals the rank.
-pub(crate) struct Span {
-    basis: [Vector6; 6],
-    /// Entry (i, j), i ≤ j: basis vector i in the j-th column chosen.
-    triangle: [[f64; 6]; 6],
-    columns: [usize; 6],
-    rank: usize,
-}
-
-impl Span {
-    pub(crate) fn of(count: usize, column: impl Fn(usize) -> Vector6) -> Self {
+impl<const D: usize> Span<D> {
+    /// Of so many vectors. They count as dependent when what the others leave
+    /// of them is below `tolerance` times the longest.
+    #[inline]
+    pub fn of(count: usize, vector: impl Fn(usize) -> [f64; D], tolerance: f64) -> Self {
         let mut span = Span {
-            basis: [[0.0; 6]; 6],
-            triangle: [[0.0; 6]; 6],
-            columns: [0; 6],
             rank: 0,
+            taken: [0; D],
+            lower: [[0.0; D]; D],
+            reflections: [[0.0; D]; D],
         };
         let mut longest = 0.0;
-        while span.rank < 6.min(count) {
+        while span.rank < D.min(count) {
             let rest = |j: usize| {
-                let rest = span.reject(column(j));
-                (j, dot(&rest, &rest))
+                let inside = span.inside(vector(j));
+                let square: f64 = inside[span.rank..].iter().map(|x| x * x).sum();
+                (j, inside, sqrt(square))
             };
-            let next = (0..count).map(rest).max_by(|a, b| a.1.total_cmp(&b.1));
-            let Some((j, square)) = next else { break };
-            let length = math::sqrt(square);
+            let longer = |a: (usize, [f64; D], f64), b| if rest(b).2 > a.2 { rest(b) } else { a };
+            let (j, inside, length) = (1..count).fold(rest(0), longer);
             if span.rank == 0 {
                 longest = length;
             }
-            if length.is_nan() || length <= DEPENDENT * longest {
+            // Not a number is no pivot either.
+            if length.is_nan() || length <= tolerance * longest {
                 break;
             }
-            span.take(j, column(j));
+            span.take(j, inside, length);
         }
         span
     }
 
-    fn take(&mut self, j: usize, column: Vector6) {
-        let rest = self.reject(column);
-        let length = math::sqrt(dot(&rest, &rest));
-        let n = self.rank;
-        self.basis[n] = rest.map(|x| x / length);
-        self.columns[n] = j;
+    /// Turns the rest of a vector, given in the basis, into one entry.
+    fn take(&mut self, j: usize, mut inside: [f64; D], length: f64) {
+        let k = self.rank;
+        let target = -length.copysign(inside[k]);
+        // |x − t e|² = 2 t (t − x), without cancellation by the choice of sign.
+        let size = sqrt(2.0 * target * (target - inside[k]));
+        let mut normal = [0.0; D];
+        normal[k..].copy_from_slice(&inside[k..]);
+        normal[k] -= target;
+        self.reflections[k] = normal.map(|x| x / size);
+        inside[k] = target;
+        inside[k + 1..].fill(0.0);
+        self.lower[k] = inside;
+        self.taken[k] = j;
         self.rank += 1;
-        for i in 0..self.rank {
-            self.triangle[i][n] = dot(&self.basis[i], &column);
+    }
+
+    /// Qᵀ x: a vector in the basis.
+    fn inside(&self, mut x: [f64; D]) -> [f64; D] {
+        for normal in &self.reflections[..self.rank] {
+            mirror(normal, &mut x);
+        }
+        x
+    }
+
+    /// Q x: a vector given in the basis.
+    fn outside(&self, mut x: [f64; D]) -> [f64; D] {
+        for normal in self.reflections[..self.rank].iter().rev() {
+            mirror(normal, &mut x);
+        }
+        x
+    }
+
+    /// Orthonormal vectors at right angles to all of the vectors: D − rank.
+    pub fn complement(&self) -> impl Iterator<Item = [f64; D]> {
+        (self.rank..D).map(|i| self.outside(core::array::from_fn(|j| f64::from(u8::from(i == j)))))
+    }
+
+    /// What the span leaves of a vector.
+    pub fn reject(&self, vector: [f64; D]) -> [f64; D] {
+        let mut inside = self.inside(vector);
+        inside[..self.rank].fill(0.0);
+        self.outside(inside)
+    }
+
+    /// The combination of the vectors that comes nearest to another: tells the
+    /// coefficient of each vector taken; those of the others are 0.
+    pub fn coordinates(&self, vector: [f64; D], mut tell: impl FnMut(usize, f64)) {
+        let mut x = self.inside(vector);
+        for k in (0..self.rank).rev() {
+            let known: f64 = (k + 1..self.rank).map(|j| self.lower[j][k] * x[j]).sum();
+            x[k] = (x[k] - known) / self.lower[k][k];
+            tell(self.taken[k], x[k]);
         }
     }
 
-    #[cfg(test)]
-    pub(crate) fn rank(&self) -> usize {
-        self.rank
-    }
-
-    pub(crate) fn basis(&self) -> &[Vector6] {
-        &self.basis[..self.rank]
-    }
-
-    /// What the span leaves of a vector. Twice, since the first remainder of a
-    /// vector near the span is mostly rounding.
-    pub(crate) fn reject(&self, vector: Vector6) -> Vector6 {
-        let mut rest = vector;
-        for _ in 0..2 {
-            for b in self.basis() {
-                let along = dot(b, &rest);
-                rest.iter_mut().zip(b).for_each(|(x, y)| *x -= along * y);
-            }
+    /// The shortest x whose inner product with each vector taken is the given
+    /// one.
+    #[cfg(any(feature = "alloc", test))]
+    pub fn least_norm(&self, products: impl Fn(usize) -> f64) -> [f64; D] {
+        let mut x = [0.0; D];
+        for k in 0..self.rank {
+            let row = &self.lower[k];
+            let known: f64 = (0..k).map(|i| row[i] * x[i]).sum();
+            x[k] = (products(self.taken[k]) - known) / row[k];
         }
-        rest
+        self.outside(x)
     }
 
-    /// The vectors at right angles to the span: the reciprocal wrenches, if
-    /// its columns are twists.
-    pub(crate) fn complement(&self) -> Span {
-        // Unit vectors leave remainders of at least 1/6 of their length, or
-        // rounding.
-        let unit = |j: usize| core::array::from_fn(|i| f64::from(i == j));
-        let mut rest = Span::of(6, |j| self.reject(unit(j)));
-        rest.rank = rest.rank.min(6 - self.rank);
-        rest
-    }
-
-    /// The combination of the columns that comes nearest to a vector: tells
-    /// the coefficient of each column that is not one of the others'
-    /// combinations; theirs is 0.
-    pub(crate) fn coordinates(&self, vector: &Vector6, mut tell: impl FnMut(usize, f64)) {
-        let mut x = [0.0; 6];
-        for i in (0..self.rank).rev() {
-            let known: f64 = (i + 1..self.rank).map(|j| self.triangle[i][j] * x[j]).sum();
-            x[i] = (dot(&self.basis[i], vector) - known) / self.triangle[i][i];
-            tell(self.columns[i], x[i]);
+    /// The sign of the determinant of D − 1 independent vectors as rows, with
+    /// the vector of their complement as a last row.
+    pub fn orientation(&self) -> f64 {
+        let taken = &self.taken[..self.rank];
+        let behind = |k: usize| taken[k + 1..].iter().filter(|&&j| j < taken[k]).count();
+        let exchanges: usize = (0..self.rank).map(behind).sum();
+        let negative = (0..self.rank).filter(|&k| self.lower[k][k] < 0.0).count();
+        // Every reflection changes the sign as well.
+        if (exchanges + negative + self.rank).is_multiple_of(2) {
+            1.0
+        } else {
+            -1.0
         }
+    }
+
+    /// How far the independent vectors are from being dependent: their least
+    /// singular value but for a small factor.
+    #[cfg(feature = "alloc")]
+    pub fn least_pivot(&self) -> f64 {
+        let last = self.rank.checked_sub(1);
+        last.map_or(0.0, |k| self.lower[k][k].abs())
+    }
+}
+
+/// x − 2 w (w · x).
+#[inline(always)]
+fn mirror<const D: usize>(normal: &[f64; D], x: &mut [f64; D]) {
+    let twice = 2.0 * dot(*normal, *x);
+    for (x, w) in x.iter_mut().zip(normal) {
+        *x -= twice * w;
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::vector::norm;
     use super::*;
 
-    const COLUMNS: [Vector6; 4] = [
-        [1.0, 2.0, 0.0, 0.0, 0.0, 1.0],
-        [0.0, 1.0, 1.0, 0.0, 3.0, 0.0],
-        [1.0, 3.0, 1.0, 0.0, 3.0, 1.0], // the sum of the first two
-        [0.0, 0.0, 0.0, 2.0, 0.0, 0.5],
+    const ROWS: [[f64; 4]; 3] = [
+        [1.0, 2.0, 0.0, -1.0],
+        [0.5, 0.0, 3.0, 1.0],
+        [0.0, -1.0, 1.0, 2.0],
     ];
 
-    #[test]
-    fn the_rank_is_revealed_and_coordinates_come_back() {
-        let span = Span::of(4, |j| COLUMNS[j]);
-        assert_eq!((span.rank(), span.complement().rank()), (3, 3));
-        let vector: Vector6 = core::array::from_fn(|i| 2.0 * COLUMNS[1][i] - COLUMNS[3][i]);
-        let mut found = [0.0; 6];
-        span.coordinates(&vector, |j, x| {
-            (0..6).for_each(|i| found[i] += x * COLUMNS[j][i]);
-        });
-        assert!((0..6).all(|i| (found[i] - vector[i]).abs() < 1e-14));
+    fn span<const R: usize, const D: usize>(rows: [[f64; D]; R]) -> Span<D> {
+        Span::of(R, |i| rows[i], 1e-9)
     }
 
     #[test]
-    fn the_complement_is_at_right_angles_to_every_column() {
-        let span = Span::of(4, |j| COLUMNS[j]);
-        for wrench in span.complement().basis() {
-            assert!(COLUMNS.iter().all(|c| dot(c, wrench).abs() < 1e-14));
+    fn the_complement_is_at_right_angles_to_every_vector() {
+        let found = span(ROWS);
+        assert_eq!((found.rank, found.complement().count()), (3, 1));
+        for vector in found.complement() {
+            assert!(ROWS.iter().all(|row| dot(*row, vector).abs() < 1e-15));
+            assert!((norm(vector) - 1.0).abs() < 1e-15);
         }
+    }
+
+    /// The signed minors, by hand: the vector is orthogonal to all rows and
+    /// completes them to a matrix of positive determinant.
+    #[test]
+    fn the_orientation_is_that_of_the_signed_minors() {
+        for order in [[0, 1, 2], [1, 0, 2], [2, 0, 1], [2, 1, 0]] {
+            let rows = order.map(|i| ROWS[i]);
+            let minor = |skip: usize| {
+                let c: [usize; 3] = core::array::from_fn(|i| if i < skip { i } else { i + 1 });
+                let m = |i: usize, j: usize| rows[i][c[j]];
+                m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1))
+                    - m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0))
+                    + m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0))
+            };
+            let minors = [-minor(0), minor(1), -minor(2), minor(3)];
+            let found = span(rows);
+            let vector = found.complement().next().unwrap();
+            for i in 0..4 {
+                let expected = minors[i] / norm(minors);
+                assert!((found.orientation() * vector[i] - expected).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn dependent_vectors_are_left_out() {
+        let rows = [ROWS[0], ROWS[0].map(|x| -2.0 * x), [0.0; 4], ROWS[1]];
+        let found = span(rows);
+        assert_eq!(found.rank, 2);
+        let products = [3.0, -6.0, 0.0, 1.0];
+        let x = found.least_norm(|i| products[i]);
+        for (row, product) in rows.iter().zip(products) {
+            assert!((dot(*row, x) - product).abs() < 1e-14);
+        }
+        for vector in found.complement() {
+            assert!(rows.iter().all(|row| dot(*row, vector).abs() < 1e-15));
+        }
+    }
+
+    #[test]
+    fn coordinates_come_back_and_what_is_beside_is_rejected() {
+        let found = span(ROWS);
+        let beside = found.complement().next().unwrap();
+        let inside: [f64; 4] = core::array::from_fn(|i| 2.0 * ROWS[1][i] - ROWS[2][i]);
+        let vector: [f64; 4] = core::array::from_fn(|i| inside[i] + 0.3 * beside[i]);
+        let mut back = [0.0; 4];
+        found.coordinates(vector, |j, x| {
+            (0..4).for_each(|i| back[i] += x * ROWS[j][i])
+        });
+        let rest = found.reject(vector);
+        for i in 0..4 {
+            assert!((back[i] - inside[i]).abs() < 1e-14);
+            assert!((rest[i] - 0.3 * beside[i]).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn zeros_and_what_is_no_number_have_no_rank() {
+        assert_eq!(span([[0.0; 3]; 6]).rank, 0);
+        assert_eq!(span([[f64::NAN; 3]; 6]).rank, 0);
+        assert_eq!(Span::<6>::of(0, |_| [1.0; 6], 1e-9).rank, 0);
     }
 }

@@ -1,4 +1,4 @@
-//! Vectors of three, as plain arrays.
+//! Vectors as plain arrays.
 
 use crate::math;
 
@@ -18,8 +18,8 @@ pub(crate) fn scale(k: f64, a: [f64; 3]) -> [f64; 3] {
 }
 
 #[inline(always)]
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+pub(crate) fn dot<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
+    a.iter().zip(&b).map(|(x, y)| x * y).sum()
 }
 
 #[inline(always)]
@@ -32,6 +32,6 @@ pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 #[inline(always)]
-pub(crate) fn norm(a: [f64; 3]) -> f64 {
+pub(crate) fn norm<const D: usize>(a: [f64; D]) -> f64 {
     math::sqrt(dot(a, a))
 }

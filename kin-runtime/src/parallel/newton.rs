@@ -1,8 +1,8 @@
 //! Newton's method on the structure equation, from a seed.
 
-use super::posture::{Posture, back_substitute};
+use super::posture::{Posture, Vector6, back_substitute};
 use crate::linear::givens;
-use crate::linear::span::{Vector6, dot};
+use crate::linear::vector::dot;
 use crate::{Pose, Twist};
 
 /// Near the solution every step doubles the digits; far from it, or towards a
@@ -80,7 +80,7 @@ fn step(posture: &Posture, platform: Pose, gap: f64, q: &mut [f64]) -> Pose {
         let pose = &posture.poses[chain];
         posture.scaled(&(platform * pose.inverse()).log())
     };
-    let (mut r, mut tails) = posture.wrenches(|chain, wrench| [-dot(wrench, &missing(chain))]);
+    let (mut r, mut tails) = posture.wrenches(|chain, wrench| [-dot(*wrench, missing(chain))]);
     let damping = (gap / posture.length).min(0.1);
     for i in 0..6 {
         let mut row: Vector6 = core::array::from_fn(|j| if i == j { damping } else { 0.0 });
@@ -115,7 +115,7 @@ fn follow(
     for (chain, [first, _]) in posture.chains.iter().enumerate() {
         let rest = missing(chain);
         let wanted = core::array::from_fn(|i| motion[i] + rest[i]);
-        posture.passive(chain).coordinates(&wanted, |j, change| {
+        posture.passive(chain).coordinates(wanted, |j, change| {
             let turns = posture.twists[first + j].angular != [0.0; 3];
             let unit = if turns { 1.0 } else { posture.length };
             longest = longest.max(change.abs() / unit);

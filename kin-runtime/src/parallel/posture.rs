@@ -2,9 +2,17 @@
 //! of each other.
 
 use crate::linear::givens;
-use crate::linear::span::{Span, Vector6, dot};
-use crate::linear::vector::{add, cross, scale, sub};
+use crate::linear::singular_values::singular_values;
+use crate::linear::span::Span;
+use crate::linear::vector::{add, cross, dot, scale, sub};
 use crate::{Pose, Twist};
+
+/// A twist or a wrench with its angular part in metres; see [`Posture`].
+pub(crate) type Vector6 = [f64; 6];
+
+/// A joint whose motion the others of its chain leave no more than this of,
+/// relative to the longest, moves as they do: the rounding of a long chain.
+pub(crate) const DEPENDENT: f64 = 1e-10;
 
 /// A configuration as its chains see it. Twists are compared at the platform's
 /// origin, with angles times `length`, so that all six coordinates are metres.
@@ -55,18 +63,19 @@ impl Posture<'_> {
     }
 
     /// The motions that a chain's passive joints can give the platform.
-    pub(crate) fn passive(&self, chain: usize) -> Span {
+    pub(crate) fn passive(&self, chain: usize) -> Span<6> {
         self.span(chain, |joint| !self.is_actuated(joint))
     }
 
     /// The span of those joints of a chain that `keep` picks; its columns are
     /// numbered as the joints are, from the chain's first.
-    pub(crate) fn span(&self, chain: usize, keep: impl Fn(usize) -> bool) -> Span {
+    pub(crate) fn span(&self, chain: usize, keep: impl Fn(usize) -> bool) -> Span<6> {
         let [first, end] = self.chains[chain];
-        Span::of(end - first, |j| match keep(first + j) {
+        let column = |j: usize| match keep(first + j) {
             true => self.column(first + j),
             false => [0.0; 6],
-        })
+        };
+        Span::of(end - first, column, DEPENDENT)
     }
 
     /// How far the chains' ends are apart: the larger of the translation and
@@ -112,7 +121,7 @@ impl Posture<'_> {
             self.constraint(i, row);
             givens::absorb(square, &mut [], row, &mut []);
         }
-        givens::singular_values(square, values);
+        singular_values(square, values);
     }
 
     /// How well the chains hold the platform while the actuated joints are
@@ -121,7 +130,7 @@ impl Posture<'_> {
     pub(crate) fn held(&self) -> [f64; 6] {
         let (mut r, _) = self.wrenches::<0>(|_, _| []);
         let mut values = [0.0; 6];
-        givens::singular_values(r.as_flattened_mut(), &mut values);
+        singular_values(r.as_flattened_mut(), &mut values);
         values
     }
 
@@ -133,8 +142,8 @@ impl Posture<'_> {
     ) -> ([[f64; 6]; 6], [[f64; M]; 6]) {
         let (mut r, mut tails) = ([[0.0; 6]; 6], [[0.0; M]; 6]);
         for chain in 0..self.chains.len() {
-            for wrench in self.passive(chain).complement().basis() {
-                let (mut row, mut tail) = (*wrench, tail(chain, wrench));
+            for wrench in self.passive(chain).complement() {
+                let (mut row, mut tail) = (wrench, tail(chain, &wrench));
                 let (r, tails) = (r.as_flattened_mut(), tails.as_flattened_mut());
                 givens::absorb(r, tails, &mut row, &mut tail);
             }
@@ -153,7 +162,7 @@ impl Posture<'_> {
             core::array::from_fn(|a| {
                 let joint = self.actuated[a];
                 match (first..end).contains(&joint) {
-                    true => dot(wrench, &self.column(joint)),
+                    true => dot(*wrench, self.column(joint)),
                     false => 0.0,
                 }
             })
@@ -171,7 +180,7 @@ impl Posture<'_> {
         rates.fill(0.0);
         for (chain, [first, _]) in self.chains.iter().enumerate() {
             let span = self.span(chain, |_| true);
-            span.coordinates(&velocity, |j, rate| rates[first + j] = rate);
+            span.coordinates(velocity, |j, rate| rates[first + j] = rate);
         }
     }
 
@@ -185,8 +194,8 @@ impl Posture<'_> {
         let others = self.span(chain, |other| other != joint);
         let own = self.column(joint);
         let rest = others.reject(own);
-        let square = dot(&rest, &own);
-        if square <= FREE * FREE * dot(&own, &own) {
+        let square = dot(rest, own);
+        if square <= FREE * FREE * dot(own, own) {
             return None;
         }
         let row = rest.map(|x| x / square);

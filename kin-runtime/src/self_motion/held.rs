@@ -1,8 +1,7 @@
 //! An arm whose tool is held at a target.
 
 use super::options::SelfMotionOptions;
-use crate::linear::row_space::RowSpace;
-use crate::linear::singular_values::inner;
+use crate::linear::span::Span;
 use crate::linear::vector::{add, cross, dot, norm, scale};
 use crate::{JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
 
@@ -48,10 +47,10 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
 
     /// The independent internal motions at a configuration.
     pub fn internal(&self, q: &[f64; N]) -> Internal<N> {
-        let space = RowSpace::new(&self.task(q).0, RANK_TOLERANCE);
-        let tangent = space.null_space().first().copied().unwrap_or([0.0; N]);
+        let space = span(&self.task(q).0);
+        let tangent = space.complement().next().unwrap_or([0.0; N]);
         let change = self.task_dot(q, &tangent);
-        let rate = math::sqrt(change.iter().map(|row| inner(row, row)).sum());
+        let rate = math::sqrt(change.iter().map(|row| dot(*row, *row)).sum());
         Internal {
             dimension: N - space.rank,
             tangent,
@@ -86,7 +85,7 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
         for _ in 0..NEWTON_STEPS {
             let (task, rest) = self.task(&q);
             let beyond = core::array::from_fn(|i| q[i] - cut.point[i]);
-            let off = -inner(&cut.normal, &beyond);
+            let off = -dot(cut.normal, beyond);
             let error = [rest[0], rest[1], rest[2], rest[3], rest[4], rest[5], off];
             let largest = error.iter().fold(0.0, |a: f64, x| math::max(a, x.abs()));
             if largest <= MET * size {
@@ -94,8 +93,8 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
             }
             let rows: [[f64; N]; 7] =
                 core::array::from_fn(|i| if i < 6 { task[i] } else { cut.normal });
-            let space = RowSpace::new(&rows, RANK_TOLERANCE);
-            let change = space.least_norm(&error);
+            let space = span(&rows);
+            let change = space.least_norm(|i| error[i]);
             q = core::array::from_fn(|i| q[i] + change[i]);
         }
         None
@@ -129,8 +128,9 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
     }
 }
 
-pub(super) fn length<const N: usize>(x: &[f64; N]) -> f64 {
-    math::sqrt(inner(x, x))
+/// Of the rows that are to rest, or more.
+fn span<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Span<N> {
+    Span::of(R, |i| rows[i], RANK_TOLERANCE)
 }
 
 /// q + t d.

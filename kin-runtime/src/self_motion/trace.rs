@@ -1,9 +1,9 @@
 //! Along the curve, in one direction.
 
-use super::held::{Cut, Held, along, length};
+use super::held::{Cut, Held, along};
 use super::options::Stop;
 use crate::Kinematics;
-use crate::linear::singular_values::inner;
+use crate::linear::vector::{dot, norm};
 use alloc::vec::Vec;
 
 /// The sharpest bend in one step: the cosine between tangents, and how far the
@@ -47,7 +47,7 @@ pub(super) fn trace<K: Kinematics<N>, const N: usize>(
             path.extend(at);
             return (path, Ending::Stopped(stop));
         }
-        let arrives = inner(&next.tangent, direction) > 0.0 && !path.is_empty();
+        let arrives = dot(next.tangent, *direction) > 0.0 && !path.is_empty();
         if let Some(end) = arrives
             .then(|| passes(held, &here.q, &next.q, start))
             .flatten()
@@ -85,9 +85,9 @@ fn advance<K: Kinematics<N>, const N: usize>(
             point,
         };
         if let Some(q) = held.meet(&cut, point) {
-            let correction = length(&along(&q, &point, -1.0)) / *step;
+            let correction = norm(along(&q, &point, -1.0)) / *step;
             let internal = held.internal(&q);
-            let cosine = inner(&internal.tangent, &here.tangent);
+            let cosine = dot(internal.tangent, here.tangent);
             let bends_little = cosine.abs() > BEND && correction < CORRECTION;
             if internal.dimension == 1 && bends_little {
                 *step = (1.5 * *step).min(held.options.step);
@@ -115,9 +115,9 @@ pub(super) fn passes<K: Kinematics<N>, const N: usize>(
     const SAME: f64 = 1e-7;
     let chord = along(to, from, -1.0);
     let way = held.way(from, posture);
-    let chord_length = length(&chord);
-    let share = inner(&way, &chord) / (chord_length * chord_length);
-    let aside = length(&along(&way, &chord, -share)) / chord_length;
+    let chord_length = norm(chord);
+    let share = dot(way, chord) / (chord_length * chord_length);
+    let aside = norm(along(&way, &chord, -share)) / chord_length;
     let ends = SAME / chord_length;
     if !(-ends..=1.0 + ends).contains(&share) || aside > CORRECTION {
         return None;
@@ -128,7 +128,7 @@ pub(super) fn passes<K: Kinematics<N>, const N: usize>(
         point: here,
     };
     let met = held.meet(&cut, along(from, &chord, share))?;
-    (length(&along(&met, &here, -1.0)) <= SAME).then_some(here)
+    (norm(along(&met, &here, -1.0)) <= SAME).then_some(here)
 }
 
 /// Where the first joint comes to a limit on the way from `from` to `to`.

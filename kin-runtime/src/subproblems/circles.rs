@@ -1,9 +1,9 @@
 //! Subproblem 2E: two circles in space.
 
 use super::radial::{Radial, toward, turned};
-use super::settle::{Local, Settled, length, polish};
+use super::refine::{Local, Refined, refine};
 use super::{Answer, ON_AXIS, SOLVED};
-use crate::linear::vector::{add, cross, dot, scale, sub};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
 
 /// Rotation about two axes that need not meet (subproblem 2 extended):
@@ -57,14 +57,14 @@ pub fn subproblem2e(
     };
     match meet(k1, k2, p0, p1, p2) {
         Meeting::Free(value) => {
-            let value = polish(value, &equations);
-            let residual = length(&equations(&value).off);
+            let value = refine(value, &equations);
+            let residual = norm(equations(&value).off);
             Answer::whatever(value, unit * residual, unit * SOLVED)
         }
         Meeting::Places(places) => {
-            let mut settled = Settled::new();
-            places.iter().for_each(|t| settled.add(*t, equations));
-            settled.answer()
+            let mut refined = Refined::new();
+            places.iter().for_each(|t| refined.add(*t, equations));
+            refined.answer()
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Answer;
 use super::radial::Radial;
-use super::settle::{Local, Settled};
+use super::refine::{Local, Refined};
 use super::torus::{Plane, meet};
 use crate::linear::vector::dot;
 
@@ -62,10 +62,10 @@ pub fn subproblem6(
             slopes: [[a1, b1], [a2, b2]],
         }
     };
-    let mut settled = Settled::new();
-    match meet(planes, |t| settled.add(t, equations)) {
+    let mut refined = Refined::new();
+    match meet(planes, |t| refined.add(t, equations)) {
         Some(member) => Answer::Any(member),
-        None => settled.answer(),
+        None => refined.answer(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::circles::{Meeting, meet};
 use super::radial::{Radial, turned};
-use super::settle::{Local, Settled, length, polish};
+use super::refine::{Local, Refined, refine};
 use super::{Answer, DOUBLE, ON_AXIS, SOLVED, subproblem4};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
@@ -50,29 +50,29 @@ pub fn two_distances(
         return Answer::None;
     }
     let equations = |t: &[f64; 2]| misses(&k, p, &q, &d, t);
-    let solved = |t: &[f64; 2]| length(&equations(t).off) <= SOLVED;
+    let solved = |t: &[f64; 2]| norm(equations(t).off) <= SOLVED;
     match trilaterate(norm(p), q, d) {
         Place::Nowhere => Answer::None,
         Place::Points(points) => {
-            let mut settled = Settled::new();
+            let mut refined = Refined::new();
             let mut free = None;
             for x in points {
                 // R(k₁, −t₁) x = R(k₂, t₂) p.
                 match meet(k[0], k[1], [0.0; 3], x, p) {
                     Meeting::Free([back, t2]) => {
-                        let member = polish([-back, t2], &equations);
+                        let member = refine([-back, t2], &equations);
                         free = free.or(Some(member).filter(solved));
                     }
                     Meeting::Places(places) => {
                         places
                             .iter()
-                            .for_each(|[back, t2]| settled.add([-back, *t2], equations));
+                            .for_each(|[back, t2]| refined.add([-back, *t2], equations));
                     }
                 }
             }
             match free {
                 Some(member) => Answer::Any(member),
-                None => settled.answer(),
+                None => refined.answer(),
             }
         }
         Place::Circle { normal, level } => {
@@ -80,9 +80,9 @@ pub fn two_distances(
             match on_circle {
                 Answer::Any(t) if solved(&t) => on_circle,
                 Answer::Exact(roots) => {
-                    let mut settled = Settled::new();
-                    settled.add(roots[0], equations);
-                    settled.answer()
+                    let mut refined = Refined::new();
+                    refined.add(roots[0], equations);
+                    refined.answer()
                 }
                 _ => Answer::None,
             }

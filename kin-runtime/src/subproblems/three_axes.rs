@@ -1,10 +1,10 @@
 //! Subproblem 5: a point that three axes carry.
 
 use super::radial::{Radial, toward, turned};
-use super::settle::{Local, Settled, length, polish};
+use super::refine::{Local, Refined, refine};
 use super::torus::{Plane, meet};
 use super::{Answer, DOUBLE, SOLVED};
-use crate::linear::vector::{add, cross, dot, scale, sub};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use core::f64::consts::FRAC_PI_4;
 
 /// Rotation about three axes: [t₁, t₂, t₃], radians in (−π, π], with
@@ -27,7 +27,7 @@ use core::f64::consts::FRAC_PI_4;
 /// two equations as in [`subproblem6`](super::subproblem6), and they are solved
 /// like those: on a circle, with no division that parallel or perpendicular
 /// axes, equal lengths or a biquadratic could turn into one by zero. Then t₂
-/// follows by [`subproblem1`](super::subproblem1), and the three angles are polished on the
+/// follows by [`subproblem1`](super::subproblem1), and the three angles are refined on the
 /// equation itself, because lengths squared do not determine t₂ well near k₂.
 ///
 /// The equation is met to a few units of rounding of the largest vector, and to
@@ -52,13 +52,13 @@ pub fn subproblem5(k: [[f64; 3]; 3], p: [[f64; 3]; 4]) -> Answer<[f64; 3]> {
         k,
         p: p.map(|p| p.map(|x| x / unit)),
     };
-    let mut settled = Settled::new();
+    let mut refined = Refined::new();
     let mut free = None;
     let family = meet(arm.heights_and_lengths(), |pair| {
         for start in arm.starts(pair) {
             match arm.land(start) {
                 Some((t, true)) => free = Some(t),
-                Some((t, false)) => settled.add(t, |t| arm.equations(t)),
+                Some((t, false)) => refined.add(t, |t| arm.equations(t)),
                 None => {}
             }
         }
@@ -66,7 +66,7 @@ pub fn subproblem5(k: [[f64; 3]; 3], p: [[f64; 3]; 4]) -> Answer<[f64; 3]> {
     let member = family.and_then(|pair| arm.starts(pair).find_map(|start| arm.land(start)));
     match member.map(|(t, _)| t).or(free) {
         Some(member) => Answer::Any(member),
-        None => settled.answer(),
+        None => refined.answer(),
     }
 }
 
@@ -108,11 +108,11 @@ impl Arm {
 
     /// The solution near a start, and whether any t₂ would do there.
     fn land(&self, start: [f64; 3]) -> Option<([f64; 3], bool)> {
-        let t = polish(start, &|t: &[f64; 3]| self.equations(t));
+        let t = refine(start, &|t: &[f64; 3]| self.equations(t));
         let off_axis = self.off_axis(t[0], t[2]);
         // Near the axis no t₂ is much off, and only the best are solutions.
         let tolerance = (SOLVED * off_axis).max(DOUBLE);
-        let solved = length(&self.equations(&t).off) <= tolerance;
+        let solved = norm(self.equations(&t).off) <= tolerance;
         solved.then_some((t, off_axis <= 0.5 * SOLVED))
     }
 

@@ -13,6 +13,7 @@
 //! a case of their own: dependent equations.
 
 use super::{DOUBLE, ON_AXIS, SOLVED};
+use crate::linear::vector::{dot, norm};
 use crate::math;
 use crate::scalar::quartic::{NONE, trig_roots};
 use core::f64::consts::{FRAC_PI_4, TAU};
@@ -291,14 +292,6 @@ impl Marks {
 
 fn pair(z: [f64; 4]) -> [f64; 2] {
     [math::atan2(z[1], z[0]), math::atan2(z[3], z[2])]
-}
-
-fn dot(a: [f64; 4], b: [f64; 4]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
-}
-
-fn norm(a: [f64; 4]) -> f64 {
-    math::sqrt(dot(a, a))
 }
 
 /// The same plane, with a row of unit length.

@@ -11,9 +11,11 @@ pub struct Solution<const N: usize> {
     /// Joint values: radians in (−π, π] for revolute joints, metres for
     /// prismatic ones.
     pub q: [f64; N],
-    /// How far the forward kinematics of `q` is from the target: the largest
-    /// of the translation error (metres) and the rotation error (radians
-    /// times the arm's size, metres).
+    /// How far the forward kinematics of `q` is from the target, metres, as far
+    /// as the target counts: the root of the squares of the translation error
+    /// and of the rotation error (radians) times the arm's size; see
+    /// [`Target::distance`](crate::Target::distance). For solutions it is
+    /// rounding, some 1e-15 of the arm's size.
     pub residual: f64,
     /// Which combination of the plan's choices this is; the rustdoc of the
     /// robot names them. Stable along a path that crosses no singularity. An

@@ -15,6 +15,7 @@
 //! parameterized continuation process", ACM TOMS 9, 1983).
 
 use super::linearization::{Linearization, Problem, idle};
+use crate::linear::vector::{dot, norm};
 use crate::{Jacobian, Pose, math};
 
 /// Steps along the curve, radians or metres in joint space.
@@ -261,11 +262,11 @@ impl<const N: usize> Split<N> {
         };
         for j in (0..N).filter(|&j| j != held) {
             let mut column: [f64; 6] = core::array::from_fn(|i| place.rows[i][j]);
-            let whole = length(&column);
+            let whole = norm(column);
             for k in (0..j).filter(|&k| k != held) {
                 split.upper[j][k] = remove(&mut column, &split.basis[k]);
             }
-            let own = length(&column);
+            let own = norm(column);
             if own.is_nan() || own < WEAK * whole {
                 return None;
             }
@@ -293,16 +294,16 @@ impl<const N: usize> Split<N> {
         let candidates = (0..6).map(|i| cleared(unit(i)));
         let like = like.map(|like| cleared(*like));
         let best = like
-            .filter(|x| length(x) > 0.5)
-            .or_else(|| candidates.max_by(|a, b| length(a).total_cmp(&length(b))))?;
-        let whole = length(&best);
+            .filter(|x| norm(*x) > 0.5)
+            .or_else(|| candidates.max_by(|a, b| norm(*a).total_cmp(&norm(*b))))?;
+        let whole = norm(best);
         (whole > WEAK).then(|| best.map(|x| x / whole))
     }
 
     /// How the other joints make what is missing, except along the normal, and
     /// how much that is.
     fn solve(&self, error: &[f64; 6]) -> ([f64; N], f64) {
-        let mut x: [f64; N] = core::array::from_fn(|j| product(&self.basis[j], error));
+        let mut x: [f64; N] = core::array::from_fn(|j| dot(self.basis[j], *error));
         let off = math::sqrt(x.iter().map(|x| x * x).sum());
         for j in (0..N).rev().filter(|&j| j != self.held) {
             x[j] /= self.upper[j][j];
@@ -327,8 +328,8 @@ impl<const N: usize> Split<N> {
         };
         Point {
             q: place.q,
-            miss: product(&self.normal, &place.error),
-            slope: share * product(&self.normal, &column),
+            miss: dot(self.normal, place.error),
+            slope: share * dot(self.normal, column),
             tangent: tangent.map(|x| share * x),
             normal: self.normal,
             second: self.second,
@@ -336,17 +337,9 @@ impl<const N: usize> Split<N> {
     }
 }
 
-fn product(a: &[f64; 6], b: &[f64; 6]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-fn length(a: &[f64; 6]) -> f64 {
-    math::sqrt(product(a, a))
-}
-
 /// Takes the part of x along a unit vector away, and returns how much it was.
 fn remove(x: &mut [f64; 6], unit: &[f64; 6]) -> f64 {
-    let along = product(x, unit);
+    let along = dot(*x, *unit);
     x.iter_mut().zip(unit).for_each(|(x, u)| *x -= along * u);
     along
 }

@@ -2,7 +2,8 @@
 
 use super::linearization::{Linearization, Problem};
 use super::newton::{ROUNDING, Refined};
-use super::normal_equations::{Factor, norm};
+use super::normal_equations::Factor;
+use crate::linear::vector::norm;
 use crate::{Jacobian, Pose};
 
 /// Evaluations.
@@ -20,7 +21,7 @@ pub(super) fn levenberg<const N: usize>(
     q: [f64; N],
 ) -> Refined<N> {
     let mut here = Linearization::new(q, problem);
-    let mut miss = norm(&here.error);
+    let mut miss = norm(here.error);
     let mut weight = 1.0;
     for _ in 0..STEPS {
         if here.residual < ROUNDING * problem.size || weight > 1e12 {
@@ -28,7 +29,7 @@ pub(super) fn levenberg<const N: usize>(
         }
         let step = Factor::new(&here.rows, weight * miss * miss).solve(&here.error);
         let there = Linearization::new(core::array::from_fn(|i| here.q[i] + step[i]), problem);
-        let next = norm(&there.error);
+        let next = norm(there.error);
         if next < miss {
             weight *= if next < 0.5 * miss { 0.1 } else { 1.0 };
             (here, miss) = (there, next);

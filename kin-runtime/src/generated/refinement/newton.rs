@@ -1,7 +1,8 @@
 //! Newton's method from a configuration that nearly reaches the target.
 
 use super::linearization::{Linearization, Problem};
-use super::normal_equations::{Factor, norm};
+use super::normal_equations::Factor;
+use crate::linear::vector::norm;
 use crate::{Jacobian, Pose};
 
 /// Relative to the arm's size, a residual below this is rounding.
@@ -88,14 +89,14 @@ pub fn newton<const N: usize>(
         if here.residual < ROUNDING * size {
             break;
         }
-        let length = norm(&step);
+        let length = norm(step);
         share = share.min(STRIDE / length.max(STRIDE));
         let there = look(core::array::from_fn(|i| here.q[i] + share * step[i]));
         // The correction that the same Jacobian would make next.
         let next = factor.solve(&there.error);
         let unforeseen: [f64; N] = core::array::from_fn(|i| next[i] - (1.0 - share) * step[i]);
-        let bend = 2.0 * norm(&unforeseen) / (share * share * length).max(f64::MIN_POSITIVE);
-        if norm(&next) <= (1.0 - 0.25 * share) * length || there.residual < ROUNDING * size {
+        let bend = 2.0 * norm(unforeseen) / (share * share * length).max(f64::MIN_POSITIVE);
+        if norm(next) <= (1.0 - 0.25 * share) * length || there.residual < ROUNDING * size {
             here = there;
             factor = Factor::new(&here.rows, 0.0);
             step = factor.solve(&here.error);

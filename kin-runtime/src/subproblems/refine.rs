@@ -1,7 +1,9 @@
-//! From candidates to answers: polished, checked, each once.
+//! From candidates to answers: refined, checked, each once.
 
 use super::answer::Roots;
 use super::{Answer, DOUBLE, SOLVED};
+use crate::linear::cholesky;
+use crate::linear::vector::{dot, norm};
 use crate::math;
 
 /// M equations in N angles at some place: what they are off by, relative to
@@ -15,7 +17,7 @@ pub(super) struct Local<const N: usize, const M: usize> {
 /// they are nearer than this; radians.
 const NEIGHBOURS: f64 = 1e-2;
 
-/// The most steps of a polish. Simple roots need two or three; where the slopes
+/// The most steps of a refinement. Simple roots need two or three; where the slopes
 /// are dependent, each step only halves the distance.
 const STEPS: usize = 30;
 
@@ -29,20 +31,20 @@ const NEARLY: f64 = 1e-4;
 const ROUNDING: f64 = 1e-16;
 
 /// The answers found so far.
-pub(super) struct Settled<const N: usize> {
+pub(super) struct Refined<const N: usize> {
     answers: [[f64; N]; 4],
     count: usize,
 }
 
-impl<const N: usize> Settled<N> {
+impl<const N: usize> Refined<N> {
     pub fn new() -> Self {
-        Settled {
+        Refined {
             answers: [[0.0; N]; 4],
             count: 0,
         }
     }
 
-    /// Takes the candidate in if it solves the equations once polished. Two
+    /// Takes the candidate in if it solves the equations once refined. Two
     /// that the equations cannot tell apart are a double root: half way
     /// between them the equations hold as well.
     pub fn add<const M: usize>(
@@ -50,8 +52,8 @@ impl<const N: usize> Settled<N> {
         candidate: [f64; N],
         equations: impl Fn(&[f64; N]) -> Local<N, M>,
     ) {
-        let root = polish(candidate, &equations);
-        let residual = length(&equations(&root).off);
+        let root = refine(candidate, &equations);
+        let residual = norm(equations(&root).off);
         if residual > SOLVED || residual.is_nan() {
             return;
         }
@@ -59,7 +61,7 @@ impl<const N: usize> Settled<N> {
             let apart: [f64; N] = core::array::from_fn(|i| math::wrap(root[i] - known[i]));
             let middle = core::array::from_fn(|i| math::wrap(known[i] + 0.5 * apart[i]));
             let near = apart.iter().all(|a| a.abs() < NEIGHBOURS);
-            if near && length(&equations(&middle).off) <= DOUBLE {
+            if near && norm(equations(&middle).off) <= DOUBLE {
                 *known = middle;
                 return;
             }
@@ -87,7 +89,7 @@ impl<const N: usize> Settled<N> {
 /// Every angle is measured by what it moves. So an angle about an axis that
 /// the point nearly lies on, which moves next to nothing, is as well
 /// determined as the others; one that moves nothing stays.
-pub(super) fn polish<const N: usize, const M: usize>(
+pub(super) fn refine<const N: usize, const M: usize>(
     start: [f64; N],
     equations: &impl Fn(&[f64; N]) -> Local<N, M>,
 ) -> [f64; N] {
@@ -95,7 +97,7 @@ pub(super) fn polish<const N: usize, const M: usize>(
     let mut here = equations(&best);
     let mut damping = UNDAMPED;
     for _ in 0..STEPS {
-        let off = length(&here.off);
+        let off = norm(here.off);
         if !(ROUNDING..NEARLY).contains(&off) || damping > 1.0 {
             break;
         }
@@ -104,7 +106,7 @@ pub(super) fn polish<const N: usize, const M: usize>(
         };
         let trial = core::array::from_fn(|i| math::wrap(best[i] + step[i]));
         let there = equations(&trial);
-        if length(&there.off) < length(&here.off) {
+        if norm(there.off) < norm(here.off) {
             (best, here) = (trial, there);
             damping = (damping * 1e-4).max(UNDAMPED);
         } else {
@@ -117,48 +119,23 @@ pub(super) fn polish<const N: usize, const M: usize>(
 /// The damped normal equations with columns of unit length.
 fn step<const N: usize, const M: usize>(local: &Local<N, M>, damping: f64) -> Option<[f64; N]> {
     let weights = local.slopes.map(|slope| {
-        let length = length(&slope);
+        let length = norm(slope);
         if length > 1e-14 { 1.0 / length } else { 0.0 }
     });
-    let inner = |a: &[f64; M], b: &[f64; M]| (0..M).map(|i| a[i] * b[i]).sum::<f64>();
     let mut matrix = [[0.0; N]; N];
     let mut right = [0.0; N];
     for i in 0..N {
         for j in 0..N {
-            matrix[i][j] = weights[i] * weights[j] * inner(&local.slopes[i], &local.slopes[j]);
+            matrix[i][j] = weights[i] * weights[j] * dot(local.slopes[i], local.slopes[j]);
         }
         matrix[i][i] += if weights[i] > 0.0 { damping } else { 1.0 };
-        right[i] = -weights[i] * inner(&local.slopes[i], &local.off);
+        right[i] = -weights[i] * dot(local.slopes[i], local.off);
     }
-    let solution = solve(matrix, right)?;
+    if !cholesky::factor(matrix.as_flattened_mut(), N, 0.0) {
+        return None;
+    }
+    cholesky::solve(matrix.as_flattened(), &mut right);
     Some(core::array::from_fn(|i| {
-        (weights[i] * solution[i]).clamp(-0.5, 0.5)
+        (weights[i] * right[i]).clamp(-0.5, 0.5)
     }))
-}
-
-/// Elimination without pivots, which a positive definite matrix has no need of.
-fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Option<[f64; N]> {
-    for i in 0..N {
-        if a[i][i] <= 0.0 {
-            return None;
-        }
-        for j in i + 1..N {
-            let factor = a[j][i] / a[i][i];
-            for k in i..N {
-                a[j][k] -= factor * a[i][k];
-            }
-            b[j] -= factor * b[i];
-        }
-    }
-    for i in (0..N).rev() {
-        for k in i + 1..N {
-            b[i] -= a[i][k] * b[k];
-        }
-        b[i] /= a[i][i];
-    }
-    Some(b)
-}
-
-pub(super) fn length<const M: usize>(v: &[f64; M]) -> f64 {
-    math::sqrt(v.iter().map(|x| x * x).sum())
 }
