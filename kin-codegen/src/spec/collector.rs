@@ -1,34 +1,31 @@
 //! Collects diagnostics while a file is read, so that one run tells all.
 
+use super::places::Places;
 use super::{Diagnostic, Diagnostics, Location, Source};
+use std::collections::HashSet;
 
 /// The diagnostics about one source so far.
 pub(crate) struct Collector<'s> {
     source: &'s Source,
-    /// Byte offsets at which lines start: places are asked for often.
-    line_starts: Vec<usize>,
+    places: Places<'s>,
     list: Vec<Diagnostic>,
+    /// The places that were ever reported.
+    reported: HashSet<Location>,
 }
 
 impl<'s> Collector<'s> {
     pub(crate) fn new(source: &'s Source) -> Self {
-        let breaks = source.text.match_indices('\n').map(|(i, _)| i + 1);
-        let line_starts = std::iter::once(0).chain(breaks).collect();
         Collector {
             source,
-            line_starts,
+            places: Places::of(&source.text),
             list: Vec::new(),
+            reported: HashSet::new(),
         }
     }
 
     /// The place of a byte offset of the source.
     pub(crate) fn place(&self, offset: usize) -> Location {
-        let line = self.line_starts.partition_point(|&start| start <= offset);
-        let before = self.source.text.get(self.line_starts[line - 1]..offset);
-        Location {
-            line: line as u32,
-            column: before.unwrap_or("").chars().count() as u32 + 1,
-        }
+        self.places.at(offset)
     }
 
     /// Reports a place.
@@ -38,13 +35,9 @@ impl<'s> Collector<'s> {
         reason: impl Into<String>,
         remedy: impl Into<String>,
     ) {
-        let line = self.line(at.line).to_string();
-        self.list.push(Diagnostic {
-            at: Some(at),
-            line,
-            reason: reason.into(),
-            remedy: remedy.into(),
-        });
+        let diagnostic = Diagnostic::whole(reason, remedy).in_text(at, &self.places);
+        self.reported.insert(at);
+        self.list.push(diagnostic);
     }
 
     /// Reports the robot as a whole.
@@ -54,7 +47,7 @@ impl<'s> Collector<'s> {
 
     /// Whether there is a diagnostic about this very place.
     pub(crate) fn mentions(&self, at: Location) -> bool {
-        self.list.iter().any(|diagnostic| diagnostic.at == Some(at))
+        self.reported.contains(&at)
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -76,17 +69,5 @@ impl<'s> Collector<'s> {
                 ),
             )),
         }
-    }
-
-    fn line(&self, number: u32) -> &str {
-        let number = number as usize;
-        let start = self.line_starts.get(number.wrapping_sub(1));
-        let end = self
-            .line_starts
-            .get(number)
-            .copied()
-            .unwrap_or(self.source.text.len());
-        let line = start.and_then(|&start| self.source.text.get(start..end));
-        line.unwrap_or("").trim_end_matches(['\n', '\r'])
     }
 }

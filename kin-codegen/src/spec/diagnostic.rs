@@ -1,10 +1,11 @@
 //! Diagnostics as data: a place, a reason and a remedy.
 
-use super::Source;
+use super::places::Places;
+use super::{Source, bounds};
 use std::fmt;
 
 /// A place in a robot file, both counted from 1; columns count characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Location {
     /// The line, from 1.
     pub line: u32,
@@ -17,8 +18,11 @@ pub struct Location {
 pub struct Diagnostic {
     /// Where; `None` when it is about the robot as a whole.
     pub at: Option<Location>,
-    /// The offending line, without its line break; empty without a place.
+    /// The offending line, without its line break; empty without a place. Of a
+    /// long line, the part around the place.
     pub line: String,
+    /// How many characters of a long line are left out before that part.
+    pub cut: u32,
     /// What was found and why it matters.
     pub reason: String,
     /// What to do.
@@ -44,9 +48,6 @@ pub struct Diagnostics {
 
 /// More than this is noise: the first diagnostics usually explain the rest.
 const SHOWN: usize = 20;
-
-/// Longer lines (generated XML without line breaks) are cut around the caret.
-const LINE_WIDTH: usize = 160;
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -120,8 +121,9 @@ impl Diagnostic {
         Self {
             at: None,
             line: String::new(),
-            reason: reason.into(),
-            remedy: remedy.into(),
+            cut: 0,
+            reason: brief(reason.into()),
+            remedy: brief(remedy.into()),
         }
     }
 
@@ -132,12 +134,17 @@ impl Diagnostic {
         reason: impl Into<String>,
         remedy: impl Into<String>,
     ) -> Self {
-        let line = source.text.lines().nth(at.line as usize - 1);
+        Self::whole(reason, remedy).in_text(at, &Places::of(&source.text))
+    }
+
+    /// The same about a place in a text.
+    pub(super) fn in_text(self, at: Location, places: &Places) -> Self {
+        let (line, cut) = places.excerpt(at);
         Self {
             at: Some(at),
-            line: line.unwrap_or("").to_owned(),
-            reason: reason.into(),
-            remedy: remedy.into(),
+            line: line.to_owned(),
+            cut,
+            ..self
         }
     }
 
@@ -146,30 +153,47 @@ impl Diagnostic {
             None => writeln!(f, "{path}: {}", self.reason)?,
             Some(Location { line, column }) => {
                 writeln!(f, "{path}:{line}:{column}: {}", self.reason)?;
-                let (shown, caret) = excerpt(&self.line, column as usize);
-                writeln!(f, "{shown}\n{caret}^")?;
+                let before = column.saturating_sub(1 + self.cut) as usize;
+                writeln!(f, "{}\n{}^", self.line, blank(&self.line, before))?;
             }
         }
         write!(f, "help: {}", self.remedy)
     }
 }
 
-/// The part of a line around a column, and the blanks that put a caret below
-/// it. Tabs stay tabs, so that the caret lands right at any tab width.
-fn excerpt(line: &str, column: usize) -> (String, String) {
-    let start = (column - 1).saturating_sub(LINE_WIDTH / 2);
-    let start = if line.chars().count() > LINE_WIDTH {
-        start
-    } else {
-        0
-    };
-    let shown: String = line.chars().skip(start).take(LINE_WIDTH).collect();
+/// As many blanks as a line has characters before a place. Tabs stay tabs, so
+/// that a caret behind them lands right at any tab width.
+fn blank(line: &str, before: usize) -> String {
+    let beyond = std::iter::repeat(' ');
     let blank = |c| if c == '\t' { '\t' } else { ' ' };
-    let caret = shown
-        .chars()
-        .chain(std::iter::repeat(' '))
-        .take(column - 1 - start);
-    (shown.clone(), caret.map(blank).collect())
+    line.chars().chain(beyond).take(before).map(blank).collect()
+}
+
+/// A message without the megabytes that a file may hold: whatever stands
+/// between quotes is cut, and the whole too, should it have many of them.
+fn brief(message: String) -> String {
+    if message.len() <= bounds::QUOTED {
+        return message;
+    }
+    let mut short = String::new();
+    for part in message.split_inclusive(['`', '"']) {
+        cut(part, bounds::QUOTED, &mut short);
+        if short.len() > 12 * bounds::QUOTED {
+            short.push_str(" ...");
+            break;
+        }
+    }
+    short
+}
+
+/// Adds the first characters of a text, and the quote at its end.
+fn cut(text: &str, most: usize, to: &mut String) {
+    let Some((end, _)) = text.char_indices().nth(most) else {
+        return to.push_str(text);
+    };
+    to.push_str(&text[..end]);
+    to.push_str("...");
+    to.extend(text.chars().next_back().filter(|c| matches!(c, '`' | '"')));
 }
 
 #[cfg(test)]
@@ -178,11 +202,10 @@ mod tests {
 
     fn diagnostic(at: Option<(u32, u32)>, line: &str) -> Diagnostics {
         let at = at.map(|(line, column)| Location { line, column });
-        let list = vec![Diagnostic {
-            at,
-            line: line.into(),
-            reason: "reason".into(),
-            remedy: "remedy".into(),
+        let diagnostic = Diagnostic::whole("reason", "remedy");
+        let list = vec![match at {
+            Some(at) => diagnostic.in_text(at, &Places::of(line)),
+            None => diagnostic,
         }];
         Diagnostics {
             path: "arm.urdf".into(),
@@ -192,10 +215,10 @@ mod tests {
 
     #[test]
     fn a_place_shows_its_line_and_a_caret() {
-        let shown = diagnostic(Some((42, 4)), "\t <axis/>").to_string();
+        let shown = diagnostic(Some((1, 4)), "\t <axis/>").to_string();
         assert_eq!(
             shown,
-            "arm.urdf:42:4: reason\n\t <axis/>\n\t  ^\nhelp: remedy"
+            "arm.urdf:1:4: reason\n\t <axis/>\n\t  ^\nhelp: remedy"
         );
     }
 
@@ -212,8 +235,21 @@ mod tests {
         let line = format!("{}X{}", "a".repeat(1000), "b".repeat(1000));
         let shown = diagnostic(Some((1, 1001)), &line).to_string();
         let rows: Vec<_> = shown.lines().collect();
-        assert_eq!(rows[1].len(), LINE_WIDTH);
+        assert_eq!(rows[1].len(), 160);
         assert_eq!(rows[1].find('X'), rows[2].find('^'));
+    }
+
+    #[test]
+    fn what_a_message_quotes_is_cut() {
+        let name = "é".repeat(1_000_000);
+        let about = Diagnostic::whole(format!("`{name}` is no link; see \"{name}\""), "");
+        let shown = "é".repeat(bounds::QUOTED);
+        assert_eq!(
+            about.reason,
+            format!("`{shown}...` is no link; see \"{shown}...\"")
+        );
+        let quotes = Diagnostic::whole("`".repeat(1_000_000), "");
+        assert!(quotes.reason.len() < 20 * bounds::QUOTED);
     }
 
     #[test]

@@ -7,11 +7,13 @@
 //! remedy. Which joints make up the arm is not decided here; see
 //! [`Model`](crate::model::Model) and
 //! [`Mechanism`](crate::mechanism::Mechanism).
+pub mod bounds;
 mod collector;
 mod diagnostic;
 mod format;
 mod mechanism;
 mod orientation;
+mod places;
 mod source;
 mod suggest;
 mod tree;

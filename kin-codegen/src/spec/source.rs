@@ -1,5 +1,6 @@
 //! A robot file in memory.
 
+use super::places::Places;
 use super::{Diagnostic, Diagnostics, Location};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -63,14 +64,16 @@ fn text(bytes: Vec<u8>) -> Result<String, Diagnostic> {
             .rposition(|b| *b == b'\n')
             .map_or(0, |i| i + 1);
         let line = bytes[start..].split(|b| matches!(b, b'\n' | b'\r')).next();
+        let line = String::from_utf8_lossy(line.unwrap_or_default());
+        let place = Location {
+            line: bytes[..end].iter().filter(|b| **b == b'\n').count() as u32 + 1,
+            column: String::from_utf8_lossy(&bytes[start..end]).chars().count() as u32 + 1,
+        };
+        let reason = format!("the byte {:#04x} is not UTF-8", bytes[end]);
+        let alone = Location { line: 1, ..place };
         Diagnostic {
-            at: Some(Location {
-                line: bytes[..end].iter().filter(|b| **b == b'\n').count() as u32 + 1,
-                column: String::from_utf8_lossy(&bytes[start..end]).chars().count() as u32 + 1,
-            }),
-            line: String::from_utf8_lossy(line.unwrap_or_default()).into_owned(),
-            reason: format!("the byte {:#04x} is not UTF-8", bytes[end]),
-            remedy: "save the file in UTF-8".into(),
+            at: Some(place),
+            ..Diagnostic::whole(reason, "save the file in UTF-8").in_text(alone, &Places::of(&line))
         }
     })
 }
