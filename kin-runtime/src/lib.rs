@@ -37,10 +37,12 @@ mod types;
 #[cfg(feature = "alloc")]
 mod workspace;
 
+use robot::define_kinematics;
 use scalar::math;
 
 pub use analysis::{
-    Ellipsoid, Manipulability, RANK_TOLERANCE, Singularity, centering_gradient, null_space,
+    Ellipsoid, Manipulability, RANK_TOLERANCE, Singularities, Singularity, centering_gradient,
+    null_space,
 };
 #[cfg(feature = "alloc")]
 pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
@@ -68,7 +70,7 @@ pub mod __private {
     pub use crate::parallel::three_spheres;
     pub use crate::scalar::math;
     pub use crate::scalar::quartic::{self, trig_roots};
-    pub use crate::{generated_by, inherent_methods, inherent_parallel_methods};
+    pub use crate::{generated_by, implement_kinematics, inherent_parallel_methods};
 }
 
 #[cfg(doctest)]

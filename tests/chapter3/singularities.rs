@@ -1,12 +1,14 @@
 //! Singular configurations: the determinant, its factors, and the conditions
 //! on the twists.
 
-use super::arms::{self, Elbow, InverseElbow, L1, L2, Planar2r, Planar3r, Scara, Stanford, Ur5e};
+use super::arms::{
+    self, Elbow, InverseElbow, L1, L2, Planar2r, Planar3r, Scara, Seven, Stanford, Ur5e,
+};
 use super::random::Random;
 use kin_cli::explain::{ArmExplanation, ConditionKind, explain};
 use kin_codegen::geometry::{Condition, conditions};
 use kin_codegen::{Ik, Options, Source};
-use kinematics::{Jacobian, Singularity, Twist};
+use kinematics::{Jacobian, Kinematics, Pose, Singularity, Twist, WithBase, WithTool};
 use nalgebra::{DMatrix, SMatrix};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
@@ -417,4 +419,56 @@ home: {xyz: [0.7, 0, 0.3]}
         told.contains("joints `roll` and `twist` turn about one line"),
         "{told}"
     );
+}
+
+/// What a robot knows of its singularities is asked of any arm, and of one with
+/// a tool or on another base: by the determinant of the Jacobian that it has.
+#[test]
+fn any_arm_tells_its_singularities() {
+    fn check<K: Kinematics<6> + Copy>(arm: K, names: &[&str]) {
+        let placed = Pose::from_rpy([0.3, -0.5, 0.7], [0.2, 0.1, -0.4]);
+        let mut random = Random::new(5);
+        for _ in 0..20 {
+            let q = std::array::from_fn(|_| random.angle());
+            let expected = arm.singularities(&q);
+            let found: Vec<_> = expected.iter().map(|found| found.name).collect();
+            assert_eq!(found, names);
+            let with_tool = WithTool {
+                robot: arm,
+                tool: placed,
+            };
+            let on_base = WithBase {
+                robot: arm,
+                base: placed,
+            };
+            assert_eq!(with_tool.singularities(&q), expected);
+            assert_eq!(on_base.singularities(&q), expected);
+            for (jacobian, determinant) in [
+                (
+                    with_tool.geometric_jacobian(&q),
+                    with_tool.jacobian_determinant(&q),
+                ),
+                (
+                    on_base.geometric_jacobian(&q),
+                    on_base.jacobian_determinant(&q),
+                ),
+            ] {
+                let off = determinant.unwrap() - by_nalgebra(&jacobian);
+                assert!(off.abs() < 1e-14, "{q:?}: {off:e}");
+            }
+        }
+    }
+    check(Elbow, &["shoulder", "elbow", "wrist"]);
+    check(Ur5e, &["shoulder", "elbow", "wrist"]);
+    // The rows that count for positions are those of the tip that they are of.
+    let tool = Pose::from_translation([0.1, 0.0, 0.0]);
+    let longer = WithTool {
+        robot: Planar2r,
+        tool,
+    };
+    assert_eq!(Kinematics::jacobian_determinant(&longer, &[0.1, 0.2]), None);
+    assert!(longer.singularities(&[0.1, 0.2]).is_empty());
+    assert!(Kinematics::jacobian_determinant(&Planar2r, &[0.1, 0.2]).is_some());
+    // Seven columns have no determinant.
+    assert_eq!(Kinematics::jacobian_determinant(&Seven, &[0.1; 7]), None);
 }

@@ -74,7 +74,7 @@ pub struct Calibrated;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::{
-        Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution, Solutions, Target,
+        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
@@ -1237,7 +1237,6 @@ const _: () = {
         /// 0 where the arm is singular.
         ///
         /// By elimination.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
@@ -1249,7 +1248,6 @@ const _: () = {
         /// - `shoulder`: on a surface of q2, q3, q4; its value: metres.
         /// - `elbow`: at q3 = -0.0004 or 3.1411; its value: the sine of the angle to it.
         /// - `wrist`: at q5 = 0.0000 or 3.1416; its value: the sine of the angle to it.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
@@ -1278,58 +1276,8 @@ const _: () = {
             )
         }
     }
-
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-    impl Kinematics<6> for Calibrated {
-        const JOINT_NAMES: [&'static str; 6] = Calibrated::JOINT_NAMES;
-        const LIMITS: [JointLimit; 6] = Calibrated::LIMITS;
-        const BASE: &'static str = Calibrated::BASE;
-        const TIP: &'static str = Calibrated::TIP;
-        const BRANCHES: usize = Calibrated::BRANCHES;
-        #[inline]
-        fn fk(&self, q: &[f64; 6]) -> Pose {
-            Calibrated::fk(self, q)
-        }
-
-        #[inline]
-        fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
-            Calibrated::fk_links(self, q)
-        }
-
-        #[inline]
-        fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Calibrated::spatial_jacobian(self, q)
-        }
-
-        #[inline]
-        fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Calibrated::body_jacobian(self, q)
-        }
-
-        #[inline]
-        fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Calibrated::geometric_jacobian(self, q)
-        }
-
-        #[inline]
-        fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            Calibrated::fk_jacobian(self, q)
-        }
-
-        #[inline]
-        fn ik(&self, pose: &Pose) -> Solutions<6> {
-            Calibrated::ik(self, pose)
-        }
-
-        #[inline]
-        fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            Calibrated::ik_near(self, pose, seed)
-        }
-
-        #[inline]
-        fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
-            Calibrated::ik_closest(self, pose)
-        }
+    ::kinematics::__private::implement_kinematics! {
+        Calibrated, 6, inverse : own, derivatives : provided, determinant : own,
+        singularities : own
     }
-    ::kinematics::__private::inherent_methods!(Calibrated, 6);
 };

@@ -71,7 +71,7 @@ pub struct Kr6R900;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::{
-        Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution, Solutions, Target,
+        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
@@ -947,7 +947,6 @@ const _: () = {
         /// 0 where the arm is singular.
         ///
         /// 8 multiplications, 5 additions, 4 sines with cosines.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
@@ -970,7 +969,6 @@ const _: () = {
         /// - `shoulder`: on a surface of q2, q3; its value: metres.
         /// - `elbow`: at q3 = -3.0585 or 0.0831; its value: the sine of the angle to it.
         /// - `wrist`: at q5 = 0.0000 or 3.1416; its value: the sine of the angle to it.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
@@ -989,58 +987,8 @@ const _: () = {
             )
         }
     }
-
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-    impl Kinematics<6> for Kr6R900 {
-        const JOINT_NAMES: [&'static str; 6] = Kr6R900::JOINT_NAMES;
-        const LIMITS: [JointLimit; 6] = Kr6R900::LIMITS;
-        const BASE: &'static str = Kr6R900::BASE;
-        const TIP: &'static str = Kr6R900::TIP;
-        const BRANCHES: usize = Kr6R900::BRANCHES;
-        #[inline]
-        fn fk(&self, q: &[f64; 6]) -> Pose {
-            Kr6R900::fk(self, q)
-        }
-
-        #[inline]
-        fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
-            Kr6R900::fk_links(self, q)
-        }
-
-        #[inline]
-        fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Kr6R900::spatial_jacobian(self, q)
-        }
-
-        #[inline]
-        fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Kr6R900::body_jacobian(self, q)
-        }
-
-        #[inline]
-        fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Kr6R900::geometric_jacobian(self, q)
-        }
-
-        #[inline]
-        fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            Kr6R900::fk_jacobian(self, q)
-        }
-
-        #[inline]
-        fn ik(&self, pose: &Pose) -> Solutions<6> {
-            Kr6R900::ik(self, pose)
-        }
-
-        #[inline]
-        fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            Kr6R900::ik_near(self, pose, seed)
-        }
-
-        #[inline]
-        fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
-            Kr6R900::ik_closest(self, pose)
-        }
+    ::kinematics::__private::implement_kinematics! {
+        Kr6R900, 6, inverse : own, derivatives : provided, determinant : own,
+        singularities : own
     }
-    ::kinematics::__private::inherent_methods!(Kr6R900, 6);
 };

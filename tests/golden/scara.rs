@@ -60,7 +60,7 @@ pub struct Scara;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::{
-        Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution, Solutions, Target,
+        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, lanes, math};
@@ -427,7 +427,6 @@ const _: () = {
         /// 0 where the arm is singular.
         ///
         /// 1 multiplications, 0 additions, 1 sines with cosines.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 4]) -> f64 {
@@ -438,7 +437,6 @@ const _: () = {
         /// How far from singular the arm is, way by way:
         ///
         /// - `elbow`: at q2 = 0.0000 or 3.1416; its value: the sine of the angle to it.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 4]) -> [Singularity; 1] {
@@ -446,58 +444,8 @@ const _: () = {
             Singularity::by_name(["elbow"], [t1])
         }
     }
-
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-    impl Kinematics<4> for Scara {
-        const JOINT_NAMES: [&'static str; 4] = Scara::JOINT_NAMES;
-        const LIMITS: [JointLimit; 4] = Scara::LIMITS;
-        const BASE: &'static str = Scara::BASE;
-        const TIP: &'static str = Scara::TIP;
-        const BRANCHES: usize = Scara::BRANCHES;
-        #[inline]
-        fn fk(&self, q: &[f64; 4]) -> Pose {
-            Scara::fk(self, q)
-        }
-
-        #[inline]
-        fn fk_links(&self, q: &[f64; 4]) -> [Pose; 4] {
-            Scara::fk_links(self, q)
-        }
-
-        #[inline]
-        fn spatial_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            Scara::spatial_jacobian(self, q)
-        }
-
-        #[inline]
-        fn body_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            Scara::body_jacobian(self, q)
-        }
-
-        #[inline]
-        fn geometric_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            Scara::geometric_jacobian(self, q)
-        }
-
-        #[inline]
-        fn fk_jacobian(&self, q: &[f64; 4]) -> (Pose, Jacobian<4>) {
-            Scara::fk_jacobian(self, q)
-        }
-
-        #[inline]
-        fn ik(&self, pose: &Pose) -> Solutions<4> {
-            Scara::ik(self, pose)
-        }
-
-        #[inline]
-        fn ik_near(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
-            Scara::ik_near(self, pose, seed)
-        }
-
-        #[inline]
-        fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<4>> {
-            Scara::ik_closest(self, pose)
-        }
+    ::kinematics::__private::implement_kinematics! {
+        Scara, 4, inverse : own, derivatives : provided, determinant : own, singularities
+        : own
     }
-    ::kinematics::__private::inherent_methods!(Scara, 4);
 };

@@ -72,7 +72,7 @@ pub struct Ur5e;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::{
-        Jacobian, JointLimit, Kinematics, Pose, Singularity, Solution, Solutions, Target,
+        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, FreeAngle, lanes, math, widen};
@@ -899,7 +899,6 @@ const _: () = {
         /// 0 where the arm is singular.
         ///
         /// 6 multiplications, 4 additions, 5 sines with cosines.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
@@ -924,7 +923,6 @@ const _: () = {
         /// - `shoulder`: on a surface of q2, q3, q4; its value: metres.
         /// - `elbow`: at q3 = 0.0000 or 3.1416; its value: the sine of the angle to it.
         /// - `wrist`: at q5 = 0.0000 or 3.1416; its value: the sine of the angle to it.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
@@ -946,58 +944,8 @@ const _: () = {
             )
         }
     }
-
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-    impl Kinematics<6> for Ur5e {
-        const JOINT_NAMES: [&'static str; 6] = Ur5e::JOINT_NAMES;
-        const LIMITS: [JointLimit; 6] = Ur5e::LIMITS;
-        const BASE: &'static str = Ur5e::BASE;
-        const TIP: &'static str = Ur5e::TIP;
-        const BRANCHES: usize = Ur5e::BRANCHES;
-        #[inline]
-        fn fk(&self, q: &[f64; 6]) -> Pose {
-            Ur5e::fk(self, q)
-        }
-
-        #[inline]
-        fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
-            Ur5e::fk_links(self, q)
-        }
-
-        #[inline]
-        fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Ur5e::spatial_jacobian(self, q)
-        }
-
-        #[inline]
-        fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Ur5e::body_jacobian(self, q)
-        }
-
-        #[inline]
-        fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            Ur5e::geometric_jacobian(self, q)
-        }
-
-        #[inline]
-        fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            Ur5e::fk_jacobian(self, q)
-        }
-
-        #[inline]
-        fn ik(&self, pose: &Pose) -> Solutions<6> {
-            Ur5e::ik(self, pose)
-        }
-
-        #[inline]
-        fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            Ur5e::ik_near(self, pose, seed)
-        }
-
-        #[inline]
-        fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
-            Ur5e::ik_closest(self, pose)
-        }
+    ::kinematics::__private::implement_kinematics! {
+        Ur5e, 6, inverse : own, derivatives : provided, determinant : own, singularities
+        : own
     }
-    ::kinematics::__private::inherent_methods!(Ur5e, 6);
 };

@@ -24,7 +24,9 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let variables = compiled.model.variables.len();
     let singular = compiled.singular.as_ref();
     let singular = singular.map(|singular| singular::methods(singular, variables));
-    let delegation = delegation(compiled, name, &n);
+    let derivatives = compiled.forward.dot.as_ref();
+    let derivatives = derivatives.map(|dot| self::derivatives(compiled, dot, &n));
+    let kinematics = kinematics(compiled, name, &n);
     let generated_by = generated_by();
     let items = quote! {
         // Constants are written with the digits that they have.
@@ -34,9 +36,8 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
             #methods
             #inverse
             #singular
+            #derivatives
         }
-
-        #delegation
     };
     let imports = imports(&items);
     quote! {
@@ -50,7 +51,7 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
             #imports
 
             #items
-            ::kinematics::__private::inherent_methods!(#name, #n);
+            #kinematics
         };
     }
 }
@@ -228,48 +229,22 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     }
 }
 
-/// The trait, by the inherent methods.
-fn delegation(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream {
-    let method = |function: &str, parameters: TokenStream, of: TokenStream, result: TokenStream| {
-        let function = Ident::new(function, proc_macro2::Span::call_site());
-        quote! {
-            #[inline]
-            fn #function(&self, #parameters) -> #result { #name::#function(self, #of) }
-        }
-    };
-    let of_q = |function: &str, result: TokenStream| {
-        method(function, quote!(q: &[f64; #n]), quote!(q), result)
-    };
-    let jacobian = quote!(Jacobian<#n>);
-    let mut methods = vec![
-        of_q("fk", quote!(Pose)),
-        of_q("fk_links", quote!([Pose; #n])),
-        of_q("spatial_jacobian", jacobian.clone()),
-        of_q("body_jacobian", jacobian.clone()),
-        of_q("geometric_jacobian", jacobian.clone()),
-        of_q("fk_jacobian", quote!((Pose, #jacobian))),
+/// The trait, by the inherent methods, and what it provides.
+fn kinematics(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream {
+    let own = |is_own: bool, other: &'static str| if is_own { "own" } else { other };
+    let singular = compiled.singular.as_ref();
+    let groups = [
+        own(compiled.form().is_some(), "none"),
+        own(compiled.forward.dot.is_some(), "provided"),
+        own(singular.is_some(), "none"),
+        own(singular.is_some_and(|singular| !singular.singularities.is_empty()), "none"),
     ];
-    if compiled.inverse.is_some() {
-        let (pose, solutions) = (quote!(pose: &Pose), quote!(Solutions<#n>));
-        let near = quote!(pose: &Pose, seed: &[f64; #n]);
-        let closest = quote!(::core::option::Option<Solution<#n>>);
-        methods.push(method("ik", pose.clone(), quote!(pose), solutions.clone()));
-        methods.push(method("ik_near", near, quote!(pose, seed), solutions));
-        methods.push(method("ik_closest", pose, quote!(pose), closest));
-    }
-    if let Some(dot) = &compiled.forward.dot {
-        methods.push(derivatives(compiled, dot, n));
-    }
+    let [inverse, derivatives, determinant, singularities] =
+        groups.map(|word| Ident::new(word, proc_macro2::Span::call_site()));
     quote! {
-        // A user's lints are not for code that only passes on.
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-        impl Kinematics<#n> for #name {
-            const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;
-            const LIMITS: [JointLimit; #n] = #name::LIMITS;
-            const BASE: &'static str = #name::BASE;
-            const TIP: &'static str = #name::TIP;
-            const BRANCHES: usize = #name::BRANCHES;
-            #(#methods)*
+        ::kinematics::__private::implement_kinematics! {
+            #name, #n, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
+            singularities: #singularities
         }
     }
 }
@@ -283,11 +258,16 @@ fn derivatives(compiled: &CompiledArm, dot: &Columns, n: &Literal) -> TokenStrea
         forward::jacobian(w, dot)
     });
     quote! {
-        fn jacobian_dot(&self, q: &[f64; #n], rates: &[f64; #n]) -> Jacobian<#n> { #body }
+        /// The time derivative of the spatial Jacobian at joint values `q`,
+        /// radians and metres, and at the joint rates, rad/s and m/s.
+        #[must_use]
+        pub fn jacobian_dot(&self, q: &[f64; #n], rates: &[f64; #n]) -> Jacobian<#n> { #body }
 
-        fn hessian(&self, q: &[f64; #n]) -> Hessian<#n> {
+        /// The derivatives of the spatial Jacobian by every joint.
+        #[must_use]
+        pub fn hessian(&self, q: &[f64; #n]) -> Hessian<#n> {
             let unit = |k| ::core::array::from_fn(|j| if j == k { 1.0 } else { 0.0 });
-            let derivative = |k| Kinematics::jacobian_dot(self, q, &unit(k));
+            let derivative = |k| self.jacobian_dot(q, &unit(k));
             Hessian { derivatives: ::core::array::from_fn(derivative) }
         }
     }

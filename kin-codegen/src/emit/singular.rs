@@ -30,8 +30,6 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         /// 0 where the arm is singular.
         ///
         #[doc = #cost]
-        // No method of the trait calls it, and a user's type may be private.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; #count]) -> f64 { #determinant }
@@ -57,8 +55,6 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         #[doc = #of_which]
         ///
         #(#[doc = #lines])*
-        // No method of the trait calls it, and a user's type may be private.
-        #[allow(dead_code)]
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; #count]) -> [Singularity; #number] { #ways }

@@ -9,5 +9,5 @@ mod statics;
 
 pub use manipulability::{Ellipsoid, Manipulability};
 pub use redundancy::{centering_gradient, null_space};
-pub use singularity::Singularity;
+pub use singularity::{Singularities, Singularity};
 pub use statics::RANK_TOLERANCE;

@@ -1,9 +1,8 @@
-//! Ways of being singular, and the determinant that tells them all.
+//! Singularities, and the determinant that tells them all.
 
 use crate::Jacobian;
 
-/// One way in which an arm can be singular, and how far from it a configuration
-/// is. Generated robots with a square Jacobian return an array of these from
+/// A singularity of an arm, and how far from it a configuration is. Generated robots with a square Jacobian return an array of these from
 /// `singularities(&q)`: the factors of its determinant, by name.
 ///
 /// ```
@@ -15,24 +14,78 @@ use crate::Jacobian;
 /// let nearest = seen.iter().min_by(|a, b| a.value.abs().total_cmp(&b.value.abs()));
 /// assert_eq!(nearest.unwrap().name, "wrist");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Singularity {
     /// Shoulder, elbow, wrist, or the joints that bring it about.
     pub name: &'static str,
-    /// 0 where the arm is singular in this way; the sign changes across it.
+    /// 0 where the arm is at this singularity; the sign changes across it.
     /// The sine of the angle to it where one joint decides, otherwise a length
     /// in metres, or as the documentation of the robot's method says.
     pub value: f64,
 }
 
 impl Singularity {
-    /// The ways of an arm.
+    /// Those of an arm, by name.
     #[inline]
     pub fn by_name<const N: usize>(names: [&'static str; N], values: [f64; N]) -> [Self; N] {
         core::array::from_fn(|i| Singularity {
             name: names[i],
             value: values[i],
         })
+    }
+}
+
+/// The singularities of any arm, at most [`Singularities::CAPACITY`]; a slice of
+/// [`Singularity`] without allocation.
+///
+/// ```
+/// use kin_runtime::{Singularities, Singularity};
+/// let of_two = Singularities::from([
+///     Singularity { name: "elbow", value: -0.3 },
+///     Singularity { name: "wrist", value: 0.02 },
+/// ]);
+/// assert_eq!(of_two.len(), 2);
+/// assert!(of_two.iter().any(|singularity| singularity.value.abs() < 0.1));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Singularities {
+    list: [Singularity; Self::CAPACITY],
+    len: usize,
+}
+
+impl Singularities {
+    /// No arm of six joints has more: the factors of the determinant of its
+    /// Jacobian.
+    pub const CAPACITY: usize = 12;
+}
+
+impl<const K: usize> From<[Singularity; K]> for Singularities {
+    fn from(found: [Singularity; K]) -> Self {
+        const {
+            assert!(
+                K <= Self::CAPACITY,
+                "more singularities than there is room for"
+            )
+        }
+        let mut singularities = Singularities::default();
+        singularities.list[..K].copy_from_slice(&found);
+        singularities.len = K;
+        singularities
+    }
+}
+
+impl core::ops::Deref for Singularities {
+    type Target = [Singularity];
+    fn deref(&self) -> &[Singularity] {
+        &self.list[..self.len]
+    }
+}
+
+impl<const N: usize> Jacobian<N> {
+    /// The same Jacobian where there are six joints.
+    pub(crate) fn square(&self) -> Option<Jacobian<6>> {
+        let column = |j: usize| self.column(j);
+        (N == 6).then(|| Jacobian::from_columns(core::array::from_fn(column)))
     }
 }
 

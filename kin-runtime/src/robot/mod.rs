@@ -2,7 +2,9 @@
 
 mod inherent;
 mod kinematics;
+mod methods;
 mod placement;
 
 pub use kinematics::Kinematics;
+pub(crate) use kinematics::define_kinematics;
 pub use placement::{WithBase, WithTool};

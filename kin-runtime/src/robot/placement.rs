@@ -1,6 +1,6 @@
 //! Robots with a tool or a base that is known only at run time.
 
-use crate::{Hessian, Jacobian, JointLimit, Kinematics, Pose, Solution, Solutions};
+use crate::{Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularities, Solution, Solutions};
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
 /// at `tool` in the robot's own tip frame.
@@ -68,6 +68,25 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
 
     fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
         self.robot.ik_closest(&self.at_tip(target))
+    }
+
+    /// Of six joints that of the robot, since the spatial Jacobian does not
+    /// change; of fewer, the rows that count are those of another tip.
+    fn jacobian_determinant(&self, q: &[f64; N]) -> Option<f64> {
+        if N == 6 {
+            self.robot.jacobian_determinant(q)
+        } else {
+            None
+        }
+    }
+
+    /// Those of the robot, as far as [`Kinematics::jacobian_determinant`] is.
+    fn singularities(&self, q: &[f64; N]) -> Singularities {
+        if N == 6 {
+            self.robot.singularities(q)
+        } else {
+            Singularities::default()
+        }
     }
 }
 
@@ -144,5 +163,14 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
 
     fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
         self.robot.ik_closest(&self.seen_from_base(target))
+    }
+
+    /// The robot's: the rows that count are those in its own base frame.
+    fn jacobian_determinant(&self, q: &[f64; N]) -> Option<f64> {
+        self.robot.jacobian_determinant(q)
+    }
+
+    fn singularities(&self, q: &[f64; N]) -> Singularities {
+        self.robot.singularities(q)
     }
 }

@@ -1,0 +1,289 @@
+//! The methods of [`Kinematics`](crate::Kinematics), once: the trait and the
+//! methods of generated robots are made of this list.
+
+/// Hands the list to the macro `$then`, behind `$n`, the number of joints as it
+/// is to be written, and what else `$then` takes.
+///
+/// Robots bring those of `required` and `jacobians`, and may bring those of
+/// `inverse`, `derivatives`, `determinant` and `singularities`; all others are
+/// provided. The documentation is read in users' crates as well: it links to
+/// `Self` alone, and its examples are those of the trait.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! kinematics_methods {
+    ($then:ident, $n:tt $($of:tt)*) => {
+        $crate::$then! { [$n $($of)*]
+            required {
+                /// The tip's pose in the base frame at joint values `q`, radians
+                /// and metres.
+                fn fk(&self, q: &[f64; $n]) -> $crate::Pose;
+
+                /// The pose, in the base frame, of the link behind every joint:
+                /// the frame that moves with joint i, for all i. What is fixed
+                /// behind the last joint is not included.
+                fn fk_links(&self, q: &[f64; $n]) -> [$crate::Pose; $n];
+
+                /// The tip's pose and the spatial Jacobian, which share most of
+                /// the work.
+                fn fk_jacobian(&self, q: &[f64; $n]) -> ($crate::Pose, $crate::Jacobian<$n>);
+            }
+
+            jacobians {
+                /// The spatial Jacobian (MLS section 3.4): times the joint rates,
+                /// it gives the spatial velocity (v, ω) of the tip, in base axes,
+                /// v being that of the point of the tip that passes through the
+                /// base's origin.
+                fn spatial_jacobian(&self, q: &[f64; $n]) -> $crate::Jacobian<$n> {
+                    self.fk_jacobian(q).1
+                }
+
+                /// The body Jacobian (MLS section 3.4): the velocity of the tip's
+                /// origin and the angular velocity, both in tip axes.
+                fn body_jacobian(&self, q: &[f64; $n]) -> $crate::Jacobian<$n> {
+                    let (pose, spatial) = self.fk_jacobian(q);
+                    spatial.spatial_to_body(&pose)
+                }
+
+                /// The geometric Jacobian, also called hybrid or local world
+                /// aligned: the velocity of the tip's origin and the angular
+                /// velocity, both in base axes. What ROS users expect.
+                fn geometric_jacobian(&self, q: &[f64; $n]) -> $crate::Jacobian<$n> {
+                    let (pose, spatial) = self.fk_jacobian(q);
+                    spatial.spatial_to_geometric(&pose)
+                }
+            }
+
+            inverse {
+                /// All configurations that put the tip at `target` (in the base
+                /// frame), as far as the target counts: every isolated one once,
+                /// a representative, flagged singular, of each family, and none
+                /// if the target is out of reach.
+                ///
+                /// For an arm without closed form ([`Kinematics::BRANCHES`] is
+                /// 0), a call does not compile:
+                ///
+                /// ```compile_fail
+                /// # use kin_runtime::*;
+                /// # struct Turntable;
+                /// # impl Kinematics<1> for Turntable {
+                /// #     const JOINT_NAMES: [&'static str; 1] = ["yaw"];
+                /// #     const LIMITS: [JointLimit; 1] = [JointLimit::Continuous];
+                /// #     const BASE: &'static str = "floor";
+                /// #     const TIP: &'static str = "table";
+                /// #     const BRANCHES: usize = 0;
+                /// #     fn fk(&self, q: &[f64; 1]) -> Pose { Pose::IDENTITY }
+                /// #     fn fk_links(&self, q: &[f64; 1]) -> [Pose; 1] { [Pose::IDENTITY] }
+                /// #     fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
+                /// #         (Pose::IDENTITY, Jacobian::from_columns([Twist::default()]))
+                /// #     }
+                /// # }
+                /// let solutions = Turntable.ik(&Pose::IDENTITY);
+                /// ```
+                fn ik(&self, target: &$crate::Pose) -> $crate::Solutions<$n> {
+                    const { has_inverse(Self::BRANCHES) }
+                    let _ = target;
+                    Solutions::new()
+                }
+
+                /// As [`Self::ik`]; an angle that a singular target leaves free
+                /// keeps its value in `seed`, so that solutions along a path are
+                /// continuous.
+                fn ik_near(&self, target: &$crate::Pose, seed: &[f64; $n])
+                    -> $crate::Solutions<$n>
+                {
+                    let _ = seed;
+                    self.ik(target)
+                }
+
+                /// A solution if there is one, and for a target out of reach what
+                /// comes nearest, with its distance as the residual; none if the
+                /// target is not a number. Generated robots give the
+                /// least-squares solution of their subproblems.
+                fn ik_closest(&self, target: &$crate::Pose)
+                    -> ::core::option::Option<$crate::Solution<$n>>
+                {
+                    self.ik(target).iter().next().copied()
+                }
+            }
+
+            reachable {
+                /// Whether the target is in the complete workspace: whether
+                /// [`Self::ik`] has a solution. Positions alone are asked of a
+                /// `Workspace`.
+                fn is_reachable_pose(&self, target: &$crate::Pose) -> bool {
+                    !self.ik(target).is_empty()
+                }
+            }
+
+            derivatives {
+                /// J̇_s: the time derivative of the spatial Jacobian at the joint
+                /// rates, rad/s and m/s. The tip's spatial acceleration is
+                /// V̇_s = J_s q̈ + J̇_s q̇.
+                ///
+                /// Robots with joints that mimic others have to implement it,
+                /// because the Jacobian does not tell those joints apart.
+                fn jacobian_dot(&self, q: &[f64; $n], rates: &[f64; $n]) -> $crate::Jacobian<$n> {
+                    self.spatial_jacobian(q).spatial_dot(rates)
+                }
+
+                /// The Hessian of forward kinematics: the derivatives of the
+                /// spatial Jacobian by every joint.
+                ///
+                /// As [`Self::jacobian_dot`], to be implemented where joints
+                /// mimic others.
+                fn hessian(&self, q: &[f64; $n]) -> $crate::Hessian<$n> {
+                    self.spatial_jacobian(q).spatial_hessian()
+                }
+            }
+
+            determinant {
+                /// The determinant of the Jacobian, 0 where the arm is singular;
+                /// of fewer joints than six, that of the rows that count for
+                /// its targets. None where these are not square. m³ for six
+                /// revolute joints.
+                fn jacobian_determinant(&self, q: &[f64; $n]) -> ::core::option::Option<f64> {
+                    self.spatial_jacobian(q).square().map(|square| square.determinant())
+                }
+            }
+
+            singularities {
+                /// How far from each of its singularities the arm is: the factors
+                /// of [`Self::jacobian_determinant`], by name. Empty for an arm
+                /// of which they are not known.
+                fn singularities(&self, q: &[f64; $n]) -> $crate::Singularities {
+                    let _ = q;
+                    Singularities::default()
+                }
+            }
+
+            provided {
+                /// V_s = J_s q̇: the tip's spatial velocity (MLS section 3.4) at
+                /// the joint rates, rad/s and m/s; in base axes, v being that of
+                /// the point that passes through the base's origin.
+                fn spatial_velocity(&self, q: &[f64; $n], rates: &[f64; $n]) -> $crate::Twist {
+                    self.spatial_jacobian(q).velocity(rates)
+                }
+
+                /// V_b = J_b q̇: the velocity of the tip's origin and the angular
+                /// velocity, both in tip axes.
+                fn body_velocity(&self, q: &[f64; $n], rates: &[f64; $n]) -> $crate::Twist {
+                    self.body_jacobian(q).velocity(rates)
+                }
+
+                /// The velocity of the tip's origin and the angular velocity,
+                /// both in base axes.
+                fn geometric_velocity(&self, q: &[f64; $n], rates: &[f64; $n]) -> $crate::Twist {
+                    self.geometric_jacobian(q).velocity(rates)
+                }
+
+                /// τ = J_sᵀ F_s (MLS section 3.4.2): the joint torques and forces,
+                /// N m and N, that balance a wrench on the tip given in base
+                /// coordinates, with the moment about the base's origin.
+                fn spatial_torques(&self, q: &[f64; $n], wrench: &$crate::Wrench) -> [f64; $n] {
+                    self.spatial_jacobian(q).torques(wrench)
+                }
+
+                /// τ = J_bᵀ F_t: as [`Self::spatial_torques`], with the wrench in
+                /// tip coordinates, as a sensor at the tip reads it.
+                fn body_torques(&self, q: &[f64; $n], wrench: &$crate::Wrench) -> [f64; $n] {
+                    self.body_jacobian(q).torques(wrench)
+                }
+
+                /// As [`Self::spatial_torques`], with force and moment in base
+                /// axes and the moment about the tip's origin.
+                fn geometric_torques(&self, q: &[f64; $n], wrench: &$crate::Wrench) -> [f64; $n] {
+                    self.geometric_jacobian(q).torques(wrench)
+                }
+
+                /// J̇_b: the time derivative of the body Jacobian at the joint
+                /// rates, rad/s and m/s.
+                fn body_jacobian_dot(&self, q: &[f64; $n], rates: &[f64; $n])
+                    -> $crate::Jacobian<$n>
+                {
+                    changing(self, q, rates, |change| change.of_body())
+                }
+
+                /// The time derivative of the geometric Jacobian at the joint
+                /// rates, rad/s and m/s. The tip's origin accelerates by the
+                /// linear part of J q̈ + J̇ q̇.
+                fn geometric_jacobian_dot(&self, q: &[f64; $n], rates: &[f64; $n])
+                    -> $crate::Jacobian<$n>
+                {
+                    changing(self, q, rates, |change| change.of_geometric())
+                }
+
+                /// The derivatives of the body Jacobian by every joint.
+                fn body_hessian(&self, q: &[f64; $n]) -> $crate::Hessian<$n> {
+                    let (pose, spatial) = self.fk_jacobian(q);
+                    self.hessian(q).seen(&pose, &spatial, |change| change.of_body())
+                }
+
+                /// The derivatives of the geometric Jacobian by every joint.
+                fn geometric_hessian(&self, q: &[f64; $n]) -> $crate::Hessian<$n> {
+                    let (pose, spatial) = self.fk_jacobian(q);
+                    self.hessian(q).seen(&pose, &spatial, |change| change.of_geometric())
+                }
+
+                /// The wrenches that the structure bears without joint torques:
+                /// an orthonormal basis, in base coordinates with the moment
+                /// about the base's origin, N and N m. At least 6 − N, and more
+                /// where the arm is singular.
+                fn structural_wrenches(&self, q: &[f64; $n]) -> $crate::Basis<$crate::Wrench, 6> {
+                    self.spatial_jacobian(q).structural_wrenches()
+                }
+
+                /// How far the arm is from a singularity: the measures of the
+                /// geometric Jacobian (and of the body Jacobian, which has the
+                /// same), metres and radians alike.
+                fn manipulability(&self, q: &[f64; $n]) -> $crate::Manipulability {
+                    self.geometric_jacobian(q).manipulability()
+                }
+
+                /// As [`Self::manipulability`], for the velocity of the tip's
+                /// origin alone.
+                fn translational_manipulability(&self, q: &[f64; $n]) -> $crate::Manipulability {
+                    self.geometric_jacobian(q).translational_manipulability()
+                }
+
+                /// As [`Self::manipulability`], for the angular velocity alone.
+                fn rotational_manipulability(&self, q: &[f64; $n]) -> $crate::Manipulability {
+                    self.geometric_jacobian(q).rotational_manipulability()
+                }
+
+                /// How the volume of [`Self::manipulability`] changes with every
+                /// joint; 0 at a singularity, where it has a kink.
+                fn manipulability_gradient(&self, q: &[f64; $n]) -> [f64; $n] {
+                    let jacobian = self.geometric_jacobian(q);
+                    jacobian.manipulability_gradient(&self.geometric_hessian(q))
+                }
+
+                /// As [`Self::manipulability_gradient`], for the velocity of the
+                /// tip's origin alone.
+                fn translational_manipulability_gradient(&self, q: &[f64; $n]) -> [f64; $n] {
+                    let jacobian = self.geometric_jacobian(q);
+                    jacobian.translational_manipulability_gradient(&self.geometric_hessian(q))
+                }
+
+                /// As [`Self::manipulability_gradient`], for the angular velocity
+                /// alone.
+                fn rotational_manipulability_gradient(&self, q: &[f64; $n]) -> [f64; $n] {
+                    let jacobian = self.geometric_jacobian(q);
+                    jacobian.rotational_manipulability_gradient(&self.geometric_hessian(q))
+                }
+
+                /// The joint rates that leave the tip at rest: an orthonormal
+                /// basis, rad/s and m/s. One vector for an arm of seven joints
+                /// that is not singular.
+                fn internal_motions(&self, q: &[f64; $n]) -> $crate::Basis<[f64; $n], $n> {
+                    self.geometric_jacobian(q).internal_motions()
+                }
+
+                /// The internal motion nearest to some joint rates, rad/s and
+                /// m/s: a secondary task that does not disturb the tip.
+                fn null_space_projection(&self, q: &[f64; $n], rates: &[f64; $n]) -> [f64; $n] {
+                    self.geometric_jacobian(q).null_space_projection(rates)
+                }
+            }
+        }
+    };
+}
