@@ -1,14 +1,23 @@
 //! "Did you mean": the known word nearest to a misspelt one.
 
+use super::bounds::SUGGESTED;
+
 /// The candidate that `word` is most likely a misspelling of: at most a third
-/// of its letters wrong, letter case aside.
+/// of its letters wrong, letter case aside. Of many candidates that are about
+/// as long as the word, the first [`SUGGESTED`] are looked at.
 pub(crate) fn nearest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
 ) -> Option<&'c str> {
-    let distance = |candidate: &'c str| (edit_distance(word, candidate), candidate);
-    let (distance, candidate) = candidates.into_iter().map(distance).min_by_key(|d| d.0)?;
-    let tolerated = candidate.chars().count() / 3;
+    let word = letters(word);
+    let as_long = |candidate: &&str| {
+        let length = candidate.chars().take(LONGEST).count();
+        length.abs_diff(word.len()) <= length / 3
+    };
+    let candidates = candidates.into_iter().filter(as_long).take(SUGGESTED);
+    let distance = |candidate: &'c str| (edit_distance(&word, &letters(candidate)), candidate);
+    let (distance, candidate) = candidates.map(distance).min_by_key(|d| d.0)?;
+    let tolerated = candidate.chars().take(LONGEST).count() / 3;
     (distance <= tolerated).then_some(candidate)
 }
 
@@ -37,28 +46,36 @@ pub(crate) fn list(names: &[&str]) -> String {
     shown.join(", ") + more
 }
 
+/// Words longer than this are no misspellings of a name we know.
+const LONGEST: usize = 64;
+
+fn letters(word: &str) -> Vec<char> {
+    word.chars()
+        .flat_map(char::to_lowercase)
+        .take(LONGEST)
+        .collect()
+}
+
 /// Edits that count one: a letter too many, too few, another one, or two
 /// neighbours swapped (optimal string alignment).
-fn edit_distance(a: &str, b: &str) -> usize {
-    // Words longer than this are no misspellings of a name we know.
-    let letters = |s: &str| s.to_lowercase().chars().take(64).collect::<Vec<_>>();
-    let (a, b) = (letters(a), letters(b));
-    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+fn edit_distance(a: &[char], b: &[char]) -> usize {
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=b.len()).collect();
     for i in 1..=a.len() {
         let mut row = vec![i];
         for j in 1..=b.len() {
             let differ = usize::from(a[i - 1] != b[j - 1]);
-            let mut best = (rows[i - 1][j] + 1)
+            let mut best = (above[j] + 1)
                 .min(row[j - 1] + 1)
-                .min(rows[i - 1][j - 1] + differ);
+                .min(above[j - 1] + differ);
             if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 1);
+                best = best.min(before[j - 2] + 1);
             }
             row.push(best);
         }
-        rows.push(row);
+        (before, above) = (above, row);
     }
-    rows[a.len()][b.len()]
+    above[b.len()]
 }
 
 #[cfg(test)]

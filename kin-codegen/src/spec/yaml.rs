@@ -75,6 +75,12 @@
 //!
 //! A number may be an expression of numbers and `pi` with `+ - * /` and
 //! parentheses: `pi/2`, `-3*pi/4`. Angles in degrees may not contain `pi`.
+//!
+//! # What of YAML is read
+//!
+//! Words, numbers, texts in quotes, lists, mappings, anchors (`&name`) and
+//! aliases (`*name`). Blocks of text (`|`, `>`), keys marked by `?` and tags
+//! (`!word`) are refused, and so is a file beyond the [bounds](super::bounds).
 mod denavit_hartenberg;
 mod expression;
 mod fields;
@@ -85,6 +91,7 @@ mod node;
 mod pose;
 mod row;
 mod screws;
+mod tokens;
 mod units;
 
 use super::tree::{self, Draft, DraftJoint, Name};
@@ -110,8 +117,8 @@ pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
             Some(_) => mechanism::read(source, &document, &mut reader).map(Spec::Mechanism),
             None => read(source, &document, &mut reader).map(Spec::Arm),
         },
-        Err(error) => {
-            reader.explain_syntax(&error);
+        Err(broken) => {
+            reader.explain(broken);
             None
         }
     };
@@ -153,7 +160,7 @@ fn way<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n 
     let mut given = WAYS.iter().filter_map(|&way| Some((way, file.get(way)?)));
     let Some(first) = given.next() else {
         reader.at(
-            file.id,
+            file.at,
             "the robot has no joints",
             "list them under one of `screws`, `dh`, `mdh`, `joints`",
         );
@@ -200,7 +207,7 @@ fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<
         (None, "screws") => {
             let reason = "`screws` say how the tip moves, not where it is: `home` is missing";
             reader.at(
-                file.id,
+                file.at,
                 reason,
                 "add `home`, the pose of the tip with all joint values 0",
             );
@@ -256,7 +263,7 @@ impl End {
     fn link(&self, default: &str, list: &Node, reader: &Reader) -> Name {
         self.name.clone().unwrap_or_else(|| Name {
             text: default.into(),
-            at: reader.place(list.id),
+            at: reader.place(list.at),
         })
     }
 

@@ -1,6 +1,7 @@
 //! Reading nodes as what they have to be, with diagnostics.
 
-use super::node::{self, Node, Value};
+use super::node::{self, Broken, Node, Value};
+use super::tokens::Unsupported;
 use super::{Collector, Name, Source, did_you_mean, expression};
 use crate::spec::{Location, list_names, suggest};
 
@@ -14,8 +15,8 @@ pub(super) struct Reader<'s> {
 
 /// A mapping whose keys are all known.
 pub(super) struct Fields<'n> {
-    /// The mapping's own node.
-    pub id: u32,
+    /// Where the mapping stands.
+    pub at: usize,
     entries: Vec<Entry<'n>>,
     /// Keys that unknown ones were most likely meant to be.
     misspelt: Vec<String>,
@@ -23,7 +24,7 @@ pub(super) struct Fields<'n> {
 
 struct Entry<'n> {
     key: &'n str,
-    key_id: u32,
+    key_at: usize,
     value: &'n Node,
 }
 
@@ -38,7 +39,7 @@ impl<'n> Fields<'n> {
         let found = self.get(key);
         if found.is_none() && !self.misspelt.iter().any(|meant| meant == key) {
             reader.at(
-                self.id,
+                self.at,
                 format!("`{key}` is missing"),
                 format!("add `{key}: {}`", example(key)),
             );
@@ -46,9 +47,9 @@ impl<'n> Fields<'n> {
         found
     }
 
-    /// The node of a key, to report its being there.
-    pub(super) fn key(&self, key: &str) -> u32 {
-        self.entry(key).map_or(self.id, |entry| entry.key_id)
+    /// Where a key stands, to report its being there.
+    pub(super) fn key(&self, key: &str) -> usize {
+        self.entry(key).map_or(self.at, |entry| entry.key_at)
     }
 
     fn entry(&self, key: &str) -> Option<&Entry<'n>> {
@@ -65,19 +66,36 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Where a node stands.
-    pub(super) fn place(&self, id: u32) -> Location {
-        node::locate(self.text, id)
+    /// The place of a byte offset.
+    pub(super) fn place(&self, offset: usize) -> Location {
+        self.diagnostics.place(offset)
     }
 
-    /// Reports a node.
-    pub(super) fn at(&mut self, id: u32, reason: impl Into<String>, remedy: impl Into<String>) {
-        let at = self.place(id);
+    /// Reports what stands at a byte offset.
+    pub(super) fn at(
+        &mut self,
+        offset: usize,
+        reason: impl Into<String>,
+        remedy: impl Into<String>,
+    ) {
+        let at = self.place(offset);
         self.diagnostics.at(at, reason, remedy);
     }
 
+    /// The text is not read.
+    pub(super) fn explain(&mut self, broken: Broken) {
+        match broken {
+            Broken::Syntax(error) => self.explain_syntax(&error),
+            Broken::Unsupported(Unsupported {
+                offset,
+                reason,
+                remedy,
+            }) => self.at(offset, reason, remedy),
+        }
+    }
+
     /// The text is no YAML at all.
-    pub(super) fn explain_syntax(&mut self, error: &serde_yaml::Error) {
+    fn explain_syntax(&mut self, error: &serde_yaml::Error) {
         let mut message = format!("this cannot be read: {error}");
         let mut remedy = "correct the YAML; the format is described in kin_codegen::spec::yaml";
         let Some(at) = node::place(error) else {
@@ -119,11 +137,11 @@ impl<'s> Reader<'s> {
                 }
                 _ => format!("write {{key: value, ...}} with {}", list_names(known)),
             };
-            self.at(node.id, reason, remedy);
+            self.at(node.at, reason, remedy);
             return None;
         };
         let mut fields = Fields {
-            id: node.id,
+            at: node.at,
             entries: Vec::new(),
             misspelt: Vec::new(),
         };
@@ -148,7 +166,7 @@ impl<'s> Reader<'s> {
                 _ => "",
             };
             let remedy = format!("{point}use one of {}", list_names(known));
-            return self.at(key.id, reason, remedy);
+            return self.at(key.at, reason, remedy);
         };
         if !known.contains(&name.as_str()) {
             let meant = suggest::nearest(name, known.iter().copied());
@@ -160,14 +178,14 @@ impl<'s> Reader<'s> {
                 }
                 _ => did_you_mean(name, known),
             };
-            self.at(key.id, reason, remedy);
+            self.at(key.at, reason, remedy);
         } else if fields.get(name).is_some() {
             let reason = format!("the key `{name}` stands here twice");
-            self.at(key.id, reason, "remove one of the two");
+            self.at(key.at, reason, "remove one of the two");
         } else {
             fields.entries.push(Entry {
                 key: name,
-                key_id: key.id,
+                key_at: key.at,
                 value,
             });
         }
@@ -176,7 +194,7 @@ impl<'s> Reader<'s> {
     pub(super) fn list<'n>(&mut self, node: &'n Node) -> Option<&'n [Node]> {
         let Value::List(nodes) = &node.value else {
             self.at(
-                node.id,
+                node.at,
                 format!("this should be a list, and is {}", kind(&node.value)),
                 "write [..., ...], or one line with `- ` per entry",
             );
@@ -189,19 +207,19 @@ impl<'s> Reader<'s> {
     pub(super) fn name(&mut self, node: &Node) -> Option<Name> {
         let Value::Text(text) = &node.value else {
             self.at(
-                node.id,
+                node.at,
                 format!("this should be a name, and is {}", kind(&node.value)),
                 "write a word; in quotes, if it looks like a number",
             );
             return None;
         };
         if text.trim().is_empty() {
-            self.at(node.id, "this name is empty", "write a word");
+            self.at(node.at, "this name is empty", "write a word");
             return None;
         }
         Some(Name {
             text: text.clone(),
-            at: self.place(node.id),
+            at: self.place(node.at),
         })
     }
 
@@ -225,7 +243,7 @@ impl<'s> Reader<'s> {
             return Some(truth);
         }
         let reason = format!("this should be true or false, and is {}", kind(&node.value));
-        self.at(node.id, reason, "write `true` or `false`");
+        self.at(node.at, reason, "write `true` or `false`");
         None
     }
 
@@ -242,7 +260,7 @@ impl<'s> Reader<'s> {
             (None, Value::Text(text)) => format!("`{text}` is not a number"),
             (None, value) => format!("this should be a number, and is {}", kind(value)),
         };
-        self.at(node.id, reason, plainly(&node.value));
+        self.at(node.at, reason, plainly(&node.value));
         None
     }
 
@@ -256,7 +274,7 @@ impl<'s> Reader<'s> {
         if nodes.len() != N {
             let entries = if nodes.len() == 1 { "entry" } else { "entries" };
             let reason = format!("this list has {} {entries} where {N} belong", nodes.len());
-            self.at(node.id, reason, format!("write {N} entries"));
+            self.at(node.at, reason, format!("write {N} entries"));
             return None;
         }
         let read: Vec<Option<T>> = nodes.iter().map(|node| one(self, node)).collect();

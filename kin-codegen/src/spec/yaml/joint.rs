@@ -7,6 +7,7 @@ use super::units::Units;
 use super::{denavit_hartenberg, frames, pose, screws};
 use crate::spec::tree::{DraftMimic, Name};
 use crate::spec::{JointType, Limits};
+use std::collections::HashMap;
 
 /// The keys that all joints have.
 const COMMON: [&str; 5] = ["name", "type", "limits", "link", "mimic"];
@@ -16,7 +17,7 @@ pub(super) fn rows(list: &Node, way: &str, units: &Units, reader: &mut Reader) -
     let nodes = reader.list(list)?;
     if nodes.is_empty() {
         reader.at(
-            list.id,
+            list.at,
             "the list of joints is empty",
             "list at least one joint",
         );
@@ -116,7 +117,7 @@ fn limits(fields: &Fields, kind: JointType, units: &Units, reader: &mut Reader) 
     };
     if !matches!(node.value, Value::List(_)) {
         reader.at(
-            node.id,
+            node.at,
             "`limits` are a list of two numbers",
             "write [lower, upper], or leave `limits` out if the joint has no stops",
         );
@@ -127,7 +128,7 @@ fn limits(fields: &Fields, kind: JointType, units: &Units, reader: &mut Reader) 
     Some(Limits::Range {
         lower,
         upper,
-        at: reader.place(node.id),
+        at: reader.place(node.at),
     })
 }
 
@@ -161,16 +162,18 @@ fn mimic(
 
 /// Multipliers between revolute and prismatic joints have the file's units.
 fn convert_multipliers(rows: &mut [Row], units: &Units) {
-    let kinds: Vec<_> = rows
+    // Of joints with one name, which are refused later, the first.
+    let named = rows
         .iter()
-        .map(|row| (row.name.text.clone(), row.kind))
-        .collect();
+        .rev()
+        .map(|row| (row.name.text.clone(), row.kind));
+    let kinds: HashMap<String, JointType> = named.collect();
     for row in rows {
         let Some(mimic) = &mut row.mimic else {
             continue;
         };
-        let leader = kinds.iter().find(|(name, _)| *name == mimic.joint.text);
-        if let Some(&(_, leader)) = leader.filter(|(_, leader)| *leader != row.kind) {
+        let leader = kinds.get(&mimic.joint.text).copied();
+        if let Some(leader) = leader.filter(|leader| *leader != row.kind) {
             mimic.multiplier *= units.of_joint(row.kind) / units.of_joint(leader);
         }
     }

@@ -42,20 +42,21 @@ use super::node::{Node, Value};
 use super::units::{self, Units};
 use super::{End, WAYS, frames, joint, pose};
 use crate::spec::tree::{self, Draft, Name};
-use crate::spec::{ChainSpec, MechanismSpec, Source, Topology};
+use crate::spec::{ChainSpec, MechanismSpec, Source, Topology, bounds};
 use kin_runtime::Pose;
+use std::collections::{HashMap, HashSet};
 
 /// All keys at the top of such a file.
 const KEYS: [&str; 4] = ["robot", "units", "base", "mechanism"];
 
 /// The key that makes a document one about a mechanism.
-pub(super) fn key(document: &Node) -> Option<u32> {
+pub(super) fn key(document: &Node) -> Option<usize> {
     let Value::Map(entries) = &document.value else {
         return None;
     };
     let is_key = |key: &&Node| matches!(&key.value, Value::Text(key) if key == "mechanism");
     let mut keys = entries.iter().map(|(key, _)| key);
-    keys.find(is_key).map(|key| key.id)
+    keys.find(is_key).map(|key| key.at)
 }
 
 /// Reads a mechanism in this format.
@@ -79,7 +80,7 @@ pub(super) fn read(source: &Source, document: &Node, reader: &mut Reader) -> Opt
         Some(node) => reader.name(node),
         None => Some(Name {
             text: "platform".into(),
-            at: reader.place(node.id),
+            at: reader.place(node.at),
         }),
     };
     let list = fields.required("chains", reader)?;
@@ -133,7 +134,16 @@ fn chains(
         };
         let remedy = "list two chains or more that end at the platform; a single arm has its \
                       joints at the top of the file, without `mechanism`";
-        reader.at(list.id, reason, remedy);
+        reader.at(list.at, reason, remedy);
+        return None;
+    }
+    if nodes.len() > bounds::CHAINS {
+        let reason = format!(
+            "the mechanism has {} chains, and at most {} are read",
+            nodes.len(),
+            bounds::CHAINS
+        );
+        reader.at(list.at, reason, "remove chains");
         return None;
     }
     let chains: Vec<_> = nodes
@@ -165,7 +175,7 @@ fn chain(
             let reason = "`screws` say how the platform moves, not where it is: `home` is missing";
             let remedy = "add `home` to `mechanism`, the pose of the platform with all joint \
                           values 0";
-            reader.at(list.id, reason, remedy);
+            reader.at(list.at, reason, remedy);
         }
         tip = ends.home;
     }
@@ -177,7 +187,7 @@ fn chain(
         .collect();
     let base_name = Name {
         text: ends.base.clone(),
-        at: reader.place(list.id),
+        at: reader.place(list.at),
     };
     let mut draft = Draft {
         name: name.text.clone(),
@@ -226,22 +236,26 @@ fn end(
 }
 
 fn refuse_repeated_names(chains: &[ChainSpec], reader: &mut Reader) {
-    let mut seen: Vec<(&str, &str)> = Vec::new();
-    for (i, chain) in chains.iter().enumerate() {
-        if chains[..i].iter().any(|other| other.name == chain.name) {
+    let mut names: HashSet<&str> = HashSet::new();
+    let mut joints: HashMap<&str, &str> = HashMap::new();
+    for chain in chains {
+        if !names.insert(&chain.name) {
             let reason = format!("a second chain is named `{}`", chain.name);
             let remedy = "give every chain a name of its own";
             reader.diagnostics.at(chain.at, reason, remedy);
         }
         let platform = format!("{}_fixed", chain.spec.links.last().map_or("", |l| &l.name));
         for joint in &chain.spec.joints {
-            let first = seen.iter().find(|(name, _)| *name == joint.name);
-            if let Some((name, other)) = first.filter(|_| joint.name != platform) {
+            let Some(other) = joints.get(joint.name.as_str()) else {
+                joints.insert(&joint.name, &chain.name);
+                continue;
+            };
+            if joint.name != platform {
+                let name = &joint.name;
                 let reason = format!("a second joint is named `{name}`; the first is in `{other}`");
                 let remedy = "give every joint of the mechanism a name of its own";
                 reader.diagnostics.at(joint.at, reason, remedy);
             }
-            seen.push((&joint.name, &chain.name));
         }
     }
 }

@@ -48,7 +48,7 @@ fn quaternion(node: &Node, reader: &mut Reader) -> Option<Rotation> {
     let quaternion = reader.exactly(node, plain)?;
     if let Err(length) = orientation::check_quaternion(quaternion) {
         let reason = format!("the quaternion has the length {length}, and a rotation's has 1");
-        reader.at(node.id, reason, "normalise it; the order is x, y, z, w");
+        reader.at(node.at, reason, "normalise it; the order is x, y, z, w");
         return None;
     }
     Some(orientation::from_quaternion(quaternion))
@@ -60,7 +60,7 @@ fn matrix(node: &Node, reader: &mut Reader) -> Option<Rotation> {
     if rotation.is_none() {
         let reason = "this matrix is no rotation: its rows must have length 1, be at right angles, and right-handed";
         reader.at(
-            node.id,
+            node.at,
             reason,
             "write the rotation matrix with at least 5 digits",
         );

@@ -34,7 +34,7 @@ pub(super) fn axis(fields: &Fields, reader: &mut Reader) -> Option<[f64; 3]> {
     let axis = orientation::unit(reader.exactly(node, pose::plain)?);
     if axis.is_none() {
         reader.at(
-            node.id,
+            node.at,
             "this axis is zero, which is no direction",
             "write the direction of the joint's axis, such as [0, 0, 1]",
         );

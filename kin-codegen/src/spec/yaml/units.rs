@@ -42,7 +42,7 @@ impl Units {
         let (angle, pi) = reader.number(node)?;
         if self.degrees && pi {
             reader.at(
-                node.id,
+                node.at,
                 "this angle is in degrees and contains pi, which would be 3.14 degrees",
                 "write degrees, or state `angle: rad`",
             );
@@ -66,7 +66,7 @@ impl Units {
             };
             let reason = format!("this angle turns more than once around{degrees}");
             reader.at(
-                node.id,
+                node.at,
                 reason,
                 "write an angle within one turn, in the unit that `units` states",
             );
