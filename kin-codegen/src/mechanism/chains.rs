@@ -10,6 +10,7 @@ use crate::spec::{
     ArmSpec, ChainSpec, Collector, Diagnostic, Diagnostics, Joint, Location, LoopedTree,
     MechanismSpec, Topology, did_you_mean, list_names,
 };
+use std::collections::HashSet;
 
 /// Two or more chains from one base to one platform.
 pub(super) struct Chains {
@@ -79,8 +80,8 @@ fn cut(
         Some(name) => find(links, "base", name, diagnostics)?,
         None => {
             let tree = &links.joints[..looped.tree_joints];
-            let hangs = |link: usize| tree.iter().any(|joint| joint.child == link);
-            (0..links.links.len()).find(|link| !hangs(*link))?
+            let hanging: HashSet<usize> = tree.iter().map(|joint| joint.child).collect();
+            (0..links.links.len()).find(|link| !hanging.contains(link))?
         }
     };
     let platform = match platform {
@@ -119,25 +120,34 @@ type Passed = (usize, bool);
 impl<'s> Graph<'s> {
     fn of(looped: &'s LoopedTree) -> Self {
         let spec = &looped.links;
-        let at = (0..spec.links.len())
-            .map(|link| {
-                let here =
-                    |j: &usize| spec.joints[*j].parent == link || spec.joints[*j].child == link;
-                (0..spec.joints.len()).filter(here).collect()
-            })
-            .collect();
+        let mut at = vec![Vec::new(); spec.links.len()];
+        for (j, joint) in spec.joints.iter().enumerate() {
+            at[joint.parent].push(j);
+            at[joint.child].push(j);
+        }
         Graph { looped, spec, at }
     }
 
     /// Without leaves but those to keep.
     fn pruned(&self, keep: &[usize]) -> Vec<Vec<usize>> {
-        let mut at = self.at.clone();
-        while let Some(leaf) = (0..at.len()).find(|l| at[*l].len() == 1 && !keep.contains(l)) {
-            let joint = at[leaf][0];
-            at.iter_mut()
-                .for_each(|joints| joints.retain(|j| *j != joint));
+        let mut left: Vec<usize> = self.at.iter().map(Vec::len).collect();
+        let mut cut = vec![false; self.spec.joints.len()];
+        let mut leaves: Vec<usize> = (0..left.len()).collect();
+        while let Some(link) = leaves.pop() {
+            if left[link] != 1 || keep.contains(&link) {
+                continue;
+            }
+            let joint = self.at[link].iter().copied().find(|&j| !cut[j]);
+            let Some(joint) = joint else { continue };
+            cut[joint] = true;
+            let Joint { parent, child, .. } = self.spec.joints[joint];
+            for end in [parent, child] {
+                left[end] -= 1;
+                leaves.push(end);
+            }
         }
-        at
+        let kept = |joints: &Vec<usize>| joints.iter().copied().filter(|&j| !cut[j]).collect();
+        self.at.iter().map(kept).collect()
     }
 
     /// The only link but the base at which three chains meet; or where there is
@@ -147,13 +157,12 @@ impl<'s> Graph<'s> {
         let meeting: Vec<usize> = (0..pruned.len())
             .filter(|l| *l != base && pruned[*l].len() > 2)
             .collect();
+        let joints = &self.spec.joints;
+        let children: HashSet<usize> = joints.iter().map(|joint| joint.child).collect();
+        let tree = &joints[..self.looped.tree_joints];
+        let parents: HashSet<usize> = tree.iter().map(|joint| joint.parent).collect();
         let leaf = |l: &usize| {
-            *l != base
-                && pruned[*l].len() == 2
-                && self.spec.joints.iter().any(|j| j.child == *l)
-                && !self.looped.links.joints[..self.looped.tree_joints]
-                    .iter()
-                    .any(|j| j.parent == *l)
+            *l != base && pruned[*l].len() == 2 && children.contains(l) && !parents.contains(l)
         };
         let leaves: Vec<usize> = (0..pruned.len()).filter(leaf).collect();
         match (&meeting[..], &leaves[..]) {
@@ -270,9 +279,8 @@ fn chain(looped: &LoopedTree, path: &[Passed]) -> ChainSpec {
         });
     }
     let names = joints.iter().map(|joint| joint.name.clone());
-    let actuated = names
-        .filter(|name| looped.actuated.contains(name))
-        .collect();
+    let driven: HashSet<&String> = looped.actuated.iter().collect();
+    let actuated = names.filter(|name| driven.contains(name)).collect();
     ChainSpec {
         name: joints[0].name.clone(),
         at: joints[0].at,

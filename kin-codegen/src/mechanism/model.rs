@@ -5,6 +5,7 @@ use crate::geometry::{Vec3, axes, concurrency, size};
 use crate::model::{JointKind, Model};
 use crate::spec::{ChainSpec, Collector, Diagnostics, Location, MechanismSpec};
 use kin_runtime::{Chain, Pose};
+use std::collections::HashSet;
 
 /// Chains that end further apart at home, relative to the mechanism's length,
 /// are not meant to be one mechanism; those that end nearer are joined by the
@@ -220,6 +221,7 @@ pub(super) fn meeting_point(model: &Model, joints: std::ops::Range<usize>) -> Op
 }
 
 fn numbers(model: &Model, names: &[String]) -> Vec<usize> {
+    let names: HashSet<&String> = names.iter().collect();
     let actuated = |j: &usize| names.contains(&model.joints[*j].name);
     (0..model.joints.len()).filter(actuated).collect()
 }

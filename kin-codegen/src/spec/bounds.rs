@@ -12,11 +12,12 @@ pub const YAML_DEPTH: usize = 64;
 /// Values that the aliases (`*name`) of a YAML file repeat.
 pub const YAML_ALIASED: usize = 100_000;
 
-/// Elements of XML, one inside another.
-pub const XML_DEPTH: usize = 256;
-
 /// Attributes of one XML element.
 pub const XML_ATTRIBUTES: usize = 256;
+
+/// Prefixes (`xmlns:prefix`) that XML elements declare, those around them
+/// included.
+pub const XML_PREFIXES: usize = 64;
 
 /// Characters of a name: of a robot, a link, a joint or a chain.
 pub const NAME: usize = 256;
@@ -28,6 +29,5 @@ pub const CHAINS: usize = 64;
 /// that is shown.
 pub const QUOTED: usize = 300;
 
-/// Names among which the one nearest to a misspelt one is looked for, and
-/// diagnostics that come with one.
+/// Names among which the one nearest to a misspelt one is looked for.
 pub const SUGGESTED: usize = 1000;

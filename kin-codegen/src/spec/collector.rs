@@ -1,8 +1,11 @@
 //! Collects diagnostics while a file is read, so that one run tells all.
 
 use super::places::Places;
-use super::{Diagnostic, Diagnostics, Location, Source};
+use super::{Diagnostic, Diagnostics, Location, Source, did_you_mean, list_names};
 use std::collections::HashSet;
+
+/// Diagnostics of one file that look for the name that was meant.
+const SUGGESTIONS: usize = 100;
 
 /// The diagnostics about one source so far.
 pub(crate) struct Collector<'s> {
@@ -43,6 +46,15 @@ impl<'s> Collector<'s> {
     /// Reports the robot as a whole.
     pub(crate) fn whole(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
         self.list.push(Diagnostic::whole(reason, remedy));
+    }
+
+    /// A remedy that names the nearest of the robot's names. The mistakes of a
+    /// file that has hundreds of them have one cause: they do without.
+    pub(crate) fn nearest_of(&self, word: &str, names: &[&str]) -> String {
+        match self.reported.len() < SUGGESTIONS {
+            true => did_you_mean(word, names),
+            false => format!("use one of {}", list_names(names)),
+        }
     }
 
     /// Whether there is a diagnostic about this very place.

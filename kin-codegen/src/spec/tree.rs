@@ -1,7 +1,7 @@
 //! From joints that name links to a tree of them.
 
 use super::{ArmSpec, Collector, Joint, JointType, Limits, Link, Location, Mimic, Source};
-use super::{did_you_mean, list_names};
+use super::{bounds, list_names};
 use kin_runtime::Pose;
 use std::collections::HashMap;
 
@@ -49,6 +49,13 @@ pub(super) struct DraftMimic {
 pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) -> Option<ArmSpec> {
     let joints = index("joint", draft.joints.iter().map(|j| &j.name), diagnostics);
     let links = index("link", draft.links.iter(), diagnostics);
+    if draft.name.chars().count() > bounds::NAME {
+        let reason = format!(
+            "the name of the robot has more than {} characters",
+            bounds::NAME
+        );
+        diagnostics.whole(reason, "give it a shorter name");
+    }
     let mut resolved = Vec::new();
     for joint in &draft.joints {
         resolved.extend(resolve(joint, &links, &joints, diagnostics));
@@ -94,6 +101,7 @@ fn index<'d>(
         let first = *first.entry(&name.text).or_insert(name.at);
         index.by_name.entry(&name.text).or_insert(index.names.len());
         index.names.push(&name.text);
+        refuse_long(what, name, diagnostics);
         // A link named after its joint is no second mistake.
         if first != name.at && !diagnostics.mentions(name.at) {
             let reason = format!(
@@ -110,6 +118,17 @@ fn index<'d>(
     index
 }
 
+fn refuse_long(what: &str, name: &Name, diagnostics: &mut Collector) {
+    let length = name.text.chars().count();
+    if length > bounds::NAME && !diagnostics.mentions(name.at) {
+        let reason = format!(
+            "the name of this {what} has {length} characters, and at most {} are read",
+            bounds::NAME
+        );
+        diagnostics.at(name.at, reason, "give it a shorter name");
+    }
+}
+
 fn resolve(
     joint: &DraftJoint,
     links: &Index,
@@ -123,7 +142,11 @@ fn resolve(
                 "the {role} of joint `{}` is `{}`, and there is no such link",
                 joint.name.text, name.text
             );
-            diagnostics.at(name.at, reason, did_you_mean(&name.text, &links.names));
+            diagnostics.at(
+                name.at,
+                reason,
+                diagnostics.nearest_of(&name.text, &links.names),
+            );
         }
         found
     };
@@ -159,7 +182,7 @@ fn resolve_mimic(
     } = mimic;
     let Some(&found) = joints.by_name.get(text.as_str()) else {
         let reason = format!("joint `{joint}` mimics `{text}`, and there is no such joint");
-        diagnostics.at(*at, reason, did_you_mean(text, &joints.names));
+        diagnostics.at(*at, reason, diagnostics.nearest_of(text, &joints.names));
         return None;
     };
     Some(Mimic {
@@ -223,38 +246,73 @@ fn check_root(spec: &ArmSpec, above: &[Option<usize>], diagnostics: &mut Collect
 
 /// The first joint whose child is an ancestor of itself.
 fn first_in_cycle(spec: &ArmSpec, above: &[Option<usize>]) -> Option<usize> {
-    // Walking up, a path longer than the robot has joints goes in circles.
-    let circles = |start: usize| {
-        let mut link = start;
-        for _ in 0..spec.joints.len() {
-            match above[link] {
-                None => return false,
-                Some(joint) => link = spec.joints[joint].parent,
-            }
-            if link == start {
-                return true;
-            }
-        }
-        false
-    };
-    (0..spec.joints.len()).find(|&j| circles(spec.joints[j].child))
+    let parent = |joint: &Option<usize>| joint.map(|joint| spec.joints[joint].parent);
+    let parents: Vec<Option<usize>> = above.iter().map(parent).collect();
+    let circles = on_cycles(&parents);
+    (0..spec.joints.len()).find(|&j| circles[spec.joints[j].child])
 }
 
 fn check_mimics(spec: &ArmSpec, diagnostics: &mut Collector) {
-    for joint in &spec.joints {
+    let leader = |joint: &Joint| joint.mimic.map(|mimic| mimic.joint);
+    let leaders: Vec<Option<usize>> = spec.joints.iter().map(leader).collect();
+    let circles = on_cycles(&leaders);
+    for (joint, _) in spec
+        .joints
+        .iter()
+        .zip(circles)
+        .filter(|(_, circles)| *circles)
+    {
         let Some(mimic) = joint.mimic else { continue };
-        let mut next = Some(mimic);
-        let steps = std::iter::from_fn(|| {
-            let joint = &spec.joints[next?.joint];
-            next = joint.mimic;
-            Some(joint.name.as_str())
-        });
-        if steps.take(spec.joints.len()).any(|name| name == joint.name) {
-            let reason = format!(
-                "joint `{}` mimics itself, directly or through others: nothing sets its value",
-                joint.name
-            );
-            diagnostics.at(mimic.at, reason, "remove the mimic of the joint that leads");
+        let reason = format!(
+            "joint `{}` mimics itself, directly or through others: nothing sets its value",
+            joint.name
+        );
+        diagnostics.at(mimic.at, reason, "remove the mimic of the joint that leads");
+    }
+}
+
+/// Which of several things lead back to themselves, where each leads to one
+/// other at most. Looks at each of them twice.
+fn on_cycles(next: &[Option<usize>]) -> Vec<bool> {
+    let mut circles = vec![false; next.len()];
+    // The walk that came by first, by the thing at which it began.
+    let mut walk: Vec<Option<usize>> = vec![None; next.len()];
+    for start in 0..next.len() {
+        let mut at = Some(start);
+        while let Some(new) = at.filter(|&i| walk[i].is_none()) {
+            walk[new] = Some(start);
+            at = next[new];
         }
+        // A walk that meets itself has gone round once.
+        while let Some(i) = at.filter(|&i| walk[i] == Some(start) && !circles[i]) {
+            circles[i] = true;
+            at = next[i];
+        }
+    }
+    circles
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_leads_into_a_circle_is_not_on_it() {
+        // 0 -> 1 -> 2 -> 1, 3 -> 3, 4 -> 0, 5 -> nothing, 6 -> 5
+        let next = [Some(1), Some(2), Some(1), Some(3), Some(0), None, Some(5)];
+        let circles = [false, true, true, true, false, false, false];
+        assert_eq!(on_cycles(&next), circles);
+    }
+
+    #[test]
+    fn a_long_line_is_walked_once() {
+        // Each step from every start would be 10^12 of them.
+        let line = |i: usize| (i < 999_999).then_some(i + 1);
+        let forth: Vec<_> = (0..1_000_000).map(line).collect();
+        assert!(!on_cycles(&forth).contains(&true));
+        let back: Vec<_> = (0..1_000_000_usize).map(|i| i.checked_sub(1)).collect();
+        assert!(!on_cycles(&back).contains(&true));
+        let round: Vec<_> = (0..1_000_000).map(|i| Some((i + 1) % 1_000_000)).collect();
+        assert!(!on_cycles(&round).contains(&false));
     }
 }

@@ -7,6 +7,7 @@
 mod checks;
 mod joint;
 mod loops;
+mod markup;
 mod numbers;
 mod origin;
 mod strict;
@@ -24,6 +25,14 @@ pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
 }
 
 fn read(source: &Source, diagnostics: &mut Collector) -> Option<Spec> {
+    if let Some(markup::Excess { offset, reason }) = markup::excess(&source.text) {
+        diagnostics.at(
+            diagnostics.place(offset),
+            reason,
+            "keep what the robot needs",
+        );
+        return None;
+    }
     let document = match roxmltree::Document::parse(&source.text) {
         Ok(document) => document,
         Err(error) => {
@@ -43,11 +52,10 @@ fn read(source: &Source, diagnostics: &mut Collector) -> Option<Spec> {
     }
 }
 
-/// Elements in the namespace of the root, usually none: other namespaces are
-/// extensions, which say nothing about kinematics.
+/// Children in the namespace of an element that is in the root's, usually
+/// none: other namespaces are extensions, which say nothing about kinematics.
 fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
-    let root = node.document().root_element();
-    let namespace = root.tag_name().namespace();
+    let namespace = node.tag_name().namespace();
     node.children()
         .filter(move |child| child.is_element() && child.tag_name().namespace() == namespace)
 }

@@ -24,12 +24,13 @@ use super::checks::{attribute, check_attributes, place, required};
 use super::{elements, numbers, origin};
 use crate::spec::tree::Name;
 use crate::spec::{
-    ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Topology,
+    ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Topology, bounds,
     did_you_mean, orientation,
 };
 use crate::vector::norm;
 use kin_runtime::Pose;
 use roxmltree::{Document, Node};
+use std::collections::HashSet;
 
 /// Points of two links that are to be one, relative to the robot's extent.
 const TOGETHER: f64 = 1e-6;
@@ -62,6 +63,15 @@ pub(super) fn read(
     let at = loop_joints(document)
         .next()
         .map(|node| place(node, diagnostics))?;
+    let count = loop_joints(document).count();
+    if count > bounds::CHAINS {
+        let reason = format!(
+            "the robot has {count} loop joints, and at most {} are read",
+            bounds::CHAINS
+        );
+        diagnostics.at(at, reason, "remove some of them");
+        return None;
+    }
     let homes = homes(&links);
     let extent = homes
         .iter()
@@ -91,21 +101,21 @@ pub(super) fn read(
 
 /// Where the tree puts its links with all joint values 0.
 fn homes(spec: &ArmSpec) -> Vec<Pose> {
-    let mut homes: Vec<Option<Pose>> = vec![None; spec.links.len()];
-    for link in 0..spec.links.len() {
-        if spec.joints.iter().all(|joint| joint.child != link) {
-            homes[link] = Some(Pose::IDENTITY);
+    let mut below: Vec<Vec<&Joint>> = vec![Vec::new(); spec.links.len()];
+    let mut roots = vec![true; spec.links.len()];
+    for joint in &spec.joints {
+        below[joint.parent].push(joint);
+        roots[joint.child] = false;
+    }
+    let mut homes = vec![Pose::IDENTITY; spec.links.len()];
+    let mut reached: Vec<usize> = (0..roots.len()).filter(|&link| roots[link]).collect();
+    while let Some(link) = reached.pop() {
+        for joint in &below[link] {
+            homes[joint.child] = homes[link] * joint.origin * joint.mount;
+            reached.push(joint.child);
         }
     }
-    // A tree is as deep as it has joints at most.
-    for _ in &spec.joints {
-        for joint in &spec.joints {
-            if let Some(parent) = homes[joint.parent] {
-                homes[joint.child] = Some(parent * joint.origin * joint.mount);
-            }
-        }
-    }
-    homes.into_iter().map(Option::unwrap_or_default).collect()
+    homes
 }
 
 /// The joints in a row that a loop joint stands for; those in between connect
@@ -274,11 +284,9 @@ fn add(spec: &mut ArmSpec, joints: Vec<Joint>, number: usize) {
 }
 
 fn refuse_repeated(spec: &ArmSpec, diagnostics: &mut Collector) {
-    for (i, joint) in spec.joints.iter().enumerate() {
-        if spec.joints[..i]
-            .iter()
-            .any(|other| other.name == joint.name)
-        {
+    let mut names = HashSet::new();
+    for joint in &spec.joints {
+        if !names.insert(&joint.name) {
             let reason = format!("a second joint is named `{}`", joint.name);
             diagnostics.at(joint.at, reason, "give every joint a name of its own");
         }

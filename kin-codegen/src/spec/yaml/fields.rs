@@ -3,7 +3,7 @@
 use super::node::{self, Broken, Node, Value};
 use super::tokens::Unsupported;
 use super::{Collector, Name, Source, did_you_mean, expression};
-use crate::spec::{Location, list_names, suggest};
+use crate::spec::{Location, bounds, list_names, suggest};
 
 /// The text, for places, and what was wrong with it so far.
 pub(super) struct Reader<'s> {
@@ -203,7 +203,7 @@ impl<'s> Reader<'s> {
         Some(nodes)
     }
 
-    /// A name: any text but the empty one.
+    /// A name: any text but the empty one, and not too long.
     pub(super) fn name(&mut self, node: &Node) -> Option<Name> {
         let Value::Text(text) = &node.value else {
             self.at(
@@ -215,6 +215,15 @@ impl<'s> Reader<'s> {
         };
         if text.trim().is_empty() {
             self.at(node.at, "this name is empty", "write a word");
+            return None;
+        }
+        let length = text.chars().count();
+        if length > bounds::NAME {
+            let reason = format!(
+                "this name has {length} characters, and at most {} are read",
+                bounds::NAME
+            );
+            self.at(node.at, reason, "write a shorter one");
             return None;
         }
         Some(Name {
