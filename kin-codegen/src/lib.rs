@@ -29,15 +29,34 @@ mod options;
 mod refusal;
 pub mod spec;
 
-/// The rooms of the compiler, in the order in which data walks through them.
-/// Open to the programs and tests of the project; no part of what versions
-/// promise.
-macro_rules! rooms {
-    ($($room:ident)*) => { $(#[doc(hidden)] pub mod $room;)* };
-}
-rooms! {
-    random vector model geometry singularity plan expr closed_form certificate solver arm mechanism emit
-}
+// The rooms of the compiler, which ARCHITECTURE.md shows in the order of the data: open
+// to the programs and tests of the project; no part of what versions promise.
+#[doc(hidden)]
+pub mod arm;
+#[doc(hidden)]
+pub mod certificate;
+#[doc(hidden)]
+pub mod closed_form;
+#[doc(hidden)]
+pub mod emit;
+#[doc(hidden)]
+pub mod expr;
+#[doc(hidden)]
+pub mod geometry;
+#[doc(hidden)]
+pub mod mechanism;
+#[doc(hidden)]
+pub mod model;
+#[doc(hidden)]
+pub mod plan;
+#[doc(hidden)]
+pub mod random;
+#[doc(hidden)]
+pub mod singularity;
+#[doc(hidden)]
+pub mod solver;
+#[doc(hidden)]
+pub mod vector;
 
 pub use compile::compile;
 pub use compiled::Compiled;
