@@ -20,7 +20,8 @@ Exit codes:
   3  the arm has no closed form
   4  generate --check: the checked-in code is stale
   5  check --deep, --targets or --at: the closed form lost solutions, or gave
-     wrong ones";
+     wrong ones
+  6  the file has several robots: name base and tip";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
@@ -137,7 +138,8 @@ pub struct RobotOptions {
     /// The link that the chain begins at [default: the root]
     #[arg(long, value_name = "LINK")]
     pub base: Option<String>,
-    /// The link that the chain ends at [default: the only leaf]
+    /// The link that the chain ends at [default: the end of the joints that
+    /// move, fingers left out; see the documentation of kin_codegen::spec]
     #[arg(long, value_name = "LINK")]
     pub tip: Option<String>,
     /// Inverse kinematics: closed_form or none
@@ -151,6 +153,9 @@ pub struct RobotOptions {
     /// joints of an arm of up to three, otherwise pose]
     #[arg(long, value_parser = kin_codegen::target)]
     pub target: Option<Target>,
+    /// Warnings about the file are errors
+    #[arg(long)]
+    pub strict: bool,
 }
 
 impl RobotOptions {
@@ -162,6 +167,7 @@ impl RobotOptions {
             tip: self.tip.clone(),
             ik: if self.no_ik { Ik::None } else { self.ik },
             target: self.target,
+            strict: self.strict,
         }
     }
 }

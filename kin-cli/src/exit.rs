@@ -20,6 +20,8 @@ pub enum Exit {
     Stale = 4,
     /// A closed form has lost solutions, or given wrong ones.
     Incomplete = 5,
+    /// A robot file has several robots, and the options do not choose one.
+    Ambiguous = 6,
 }
 
 impl From<Exit> for ExitCode {
@@ -32,6 +34,7 @@ impl From<&Error> for Exit {
     fn from(error: &Error) -> Self {
         match error {
             Error::Broken(_) => Exit::Broken,
+            Error::Ambiguous(_) => Exit::Ambiguous,
             Error::Refused(_) => Exit::Refused,
         }
     }

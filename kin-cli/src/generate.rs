@@ -2,7 +2,7 @@
 
 use crate::arguments::{Generate, read};
 use crate::{Done, Exit};
-use kin_codegen::{Options, generate};
+use kin_codegen::{Diagnostics, Options, generate};
 use std::fs;
 use std::path::Path;
 
@@ -15,15 +15,21 @@ pub fn run(arguments: &Generate) -> Done {
         Ok(source) => source,
         Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
     };
-    let code = match generate(&source, &options) {
-        Ok(generated) => generated.code(),
+    let generated = match generate(&source, &options) {
+        Ok(generated) => generated,
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
-    match &arguments.output {
+    let code = generated.code();
+    let mut done = match &arguments.output {
         None => Done::printing(code),
         Some(output) if arguments.check => check(output, &code),
         Some(output) => write(output, &code),
+    };
+    let warnings = generated.robot.warnings().to_vec();
+    if let Some(warnings) = Diagnostics::of(&source.path, warnings) {
+        done.stderr.insert_str(0, &format!("{warnings}\n"));
     }
+    done
 }
 
 fn check(output: &Path, code: &str) -> Done {

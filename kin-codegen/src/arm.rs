@@ -7,13 +7,13 @@ use crate::expr::jacobian::{
 };
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
-use crate::geometry::{AxisRelation, Linkage, axes, natural_target, rank, relate};
+use crate::geometry::{Linkage, natural_target};
 use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
 use crate::singularity::Singular;
 use crate::solver::{Certified, NoClosedForm, solve};
-use crate::spec::{ArmSpec, Diagnostic, Diagnostics, Source};
+use crate::spec::{ArmSpec, Diagnostics};
 
 /// A serial arm, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
@@ -66,7 +66,13 @@ impl Forward {
         let joints: Vec<usize> = (0..n)
             .map(|variable| {
                 let own = |i: &usize| model.joints[*i].is_coordinate(variable);
-                (0..model.joints.len()).find(own).unwrap_or(variable)
+                let moved = |i: &usize| model.joints[*i].variable == variable;
+                let all = 0..model.joints.len();
+                // A leader off the chain has no link here: a follower's stands for it.
+                all.clone()
+                    .find(own)
+                    .or(all.clone().find(moved))
+                    .unwrap_or(0)
             })
             .collect();
         let links = link_frames(&mut g, linkage, &trig, &joints);
@@ -116,7 +122,6 @@ pub(crate) fn compile(
     options: &Options,
 ) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
     let model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
-    refuse_singular(&spec.source, &model)?;
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let linkage = Linkage::new(&model);
     let (inverse, refused) = match options.ik {
@@ -135,40 +140,6 @@ pub(crate) fn compile(
         ..CompiledArm::new(file, model, linkage, inverse)
     };
     Ok((arm, refused))
-}
-
-/// Refuses a chain whose joints are never independent.
-fn refuse_singular(source: &Source, model: &Model) -> Result<(), Diagnostics> {
-    let n = model.variables.len();
-    if n > 6 || model.is_coupled() {
-        return Ok(());
-    }
-    let rank = rank(model);
-    if rank == n {
-        return Ok(());
-    }
-    let reason = format!(
-        "the {n} joints from `{}` to `{}` move the tip in {rank} independent ways at most: the \
-         chain is singular in every configuration{}",
-        model.base,
-        model.tip,
-        coaxial(model).map_or_else(String::new, |[a, b]| format!(
-            "; joints `{a}` and `{b}` turn about one line"
-        )),
-    );
-    let remedy = "check axes and origins; a joint that repeats another must be fixed, or left \
-                  out of the chain by another base or tip";
-    let diagnostic = Diagnostic::whole(reason, remedy);
-    Err(Diagnostics::one(&source.path, diagnostic))
-}
-
-/// Two neighbours on one axis.
-fn coaxial(model: &Model) -> Option<[&str; 2]> {
-    let axes = axes(model);
-    let coincide =
-        |i: &usize| relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9) == AxisRelation::Coincident;
-    let i = (0..axes.len().saturating_sub(1)).find(coincide)?;
-    Some([&model.joints[i].name, &model.joints[i + 1].name])
 }
 
 impl CompiledArm {

@@ -72,6 +72,13 @@ impl Config {
         self
     }
 
+    /// Whether warnings about the robot file are errors; by default they are
+    /// shown as warnings of the build script.
+    pub fn strict(mut self, strict: bool) -> Self {
+        self.options.strict = strict;
+        self
+    }
+
     /// The file to write; by default `$OUT_DIR/<stem of the robot file>.rs`. A
     /// relative path is relative to `$OUT_DIR`; an absolute one does without.
     pub fn file(mut self, file: impl Into<PathBuf>) -> Self {
@@ -93,6 +100,10 @@ impl Config {
         println!("cargo::rerun-if-changed={}", robot.display());
         let source = Source::read(&self.path, &root).map_err(Error::new)?;
         let generated = crate::generate(&source, &self.options).map_err(Error::new)?;
+        for warning in generated.robot.warnings() {
+            // Cargo takes one line for each.
+            println!("cargo::warning={}: {}", self.path, warning.reason);
+        }
         let file = self.output()?;
         write(&file, &generated.code())?;
         Ok(file)

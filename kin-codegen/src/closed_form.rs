@@ -2,7 +2,7 @@
 //! plan, its expressions, and the refinement onto the arm as given.
 
 use crate::expr::inverse::InverseGraph;
-use crate::geometry::{Linkage, Idealized};
+use crate::geometry::{Idealized, Linkage};
 use crate::model::JointKind;
 use crate::plan::Plan;
 use kin_runtime::__private::Acceptance;

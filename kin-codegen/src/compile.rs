@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::mechanism;
 use crate::options::Options;
 use crate::refusal::{Reason, Refusal};
-use crate::spec::{Source, Spec};
+use crate::spec::{Diagnostics, Source, Spec};
 
 /// Reads a robot file and compiles it.
 ///
@@ -34,6 +34,11 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
             (robot, refused.map(Reason::Chain))
         }
     };
+    if options.strict
+        && let Some(warnings) = Diagnostics::of(&source.path, robot.warnings().to_vec())
+    {
+        return Err(Error::Broken(warnings.into_errors()));
+    }
     match reason {
         None => Ok(robot),
         Some(reason) => Err(Error::Refused(Box::new(Refusal {

@@ -2,6 +2,7 @@
 
 use crate::arm::CompiledArm;
 use crate::mechanism::CompiledMechanism;
+use crate::spec::Diagnostic;
 
 /// A robot, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
@@ -13,6 +14,14 @@ pub enum Compiled {
 }
 
 impl Compiled {
+    /// What the file has that is odd, and changes nothing of the robot.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        match self {
+            Compiled::Arm(arm) => &arm.model.warnings,
+            Compiled::Mechanism(compiled) => &compiled.warnings,
+        }
+    }
+
     /// The arm, if it is one.
     pub fn arm(&self) -> Option<&CompiledArm> {
         match self {

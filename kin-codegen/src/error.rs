@@ -10,6 +10,8 @@ use std::fmt;
 pub enum Error {
     /// Something is wrong with the file or the options.
     Broken(Diagnostics),
+    /// The file is sound, and has several robots: the options have to choose.
+    Ambiguous(Diagnostics),
     /// The file is sound, and its robot has no closed-form inverse kinematics.
     Refused(Box<Refusal>),
 }
@@ -17,7 +19,7 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Error::Broken(diagnostics) => diagnostics.fmt(f),
+            Error::Broken(diagnostics) | Error::Ambiguous(diagnostics) => diagnostics.fmt(f),
             Error::Refused(refusal) => refusal.fmt(f),
         }
     }
@@ -27,6 +29,9 @@ impl std::error::Error for Error {}
 
 impl From<Diagnostics> for Error {
     fn from(diagnostics: Diagnostics) -> Self {
-        Error::Broken(diagnostics)
+        match diagnostics.is_ambiguous() {
+            true => Error::Ambiguous(diagnostics),
+            false => Error::Broken(diagnostics),
+        }
     }
 }

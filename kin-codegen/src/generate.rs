@@ -92,6 +92,7 @@ impl Generated {
             tip,
             ik: asked.ik,
             target,
+            strict: asked.strict,
         };
         let hash = self.hash;
         header::Provenance {

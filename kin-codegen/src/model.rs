@@ -5,8 +5,9 @@ mod chain;
 mod configurations;
 mod limits;
 mod mimic;
+mod tip;
 
-use crate::spec::{self, ArmSpec, Collector, Diagnostics, JointType};
+use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Rating};
 use crate::vector::norm;
 use kin_runtime::{Chain, Pose, Twist};
 
@@ -29,6 +30,8 @@ pub struct Model {
     pub variables: Vec<Variable>,
     /// g_st(0).
     pub home: Pose,
+    /// What the file has that is odd, and changes nothing that is here.
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// A moving joint.
@@ -71,6 +74,8 @@ pub struct Variable {
     /// Lower and upper bound in radians or metres; `None` for a continuous
     /// joint.
     pub limits: Option<[f64; 2]>,
+    /// How fast and how strong its drive may be, as far as the file says.
+    pub rating: Rating,
 }
 
 impl Joint {
@@ -115,8 +120,10 @@ impl Model {
     }
 
     /// The chain from `base` to `tip`, by the names of links. Without a base
-    /// it starts at the root of the tree, without a tip it ends at the only
-    /// leaf.
+    /// it starts at the root of the tree. Without a tip it ends with the last
+    /// joint that moves, fingers left out, at the link that the field calls the
+    /// tip (`tool0`, `tcp`, `flange`, `ee_link` and so on), the only leaf there,
+    /// or the link that the joint moves.
     ///
     /// ```
     /// use kin_codegen::model::Model;
@@ -148,7 +155,10 @@ impl Model {
         tip: Option<&str>,
     ) -> Result<Model, Diagnostics> {
         let mut diagnostics = Collector::new(&spec.source);
-        let model = build(spec, base, tip, &mut diagnostics);
+        let mut model = build(spec, base, tip, &mut diagnostics);
+        if let Some(model) = &mut model {
+            model.warnings = [&spec.warnings[..], &diagnostics.take_warnings()].concat();
+        }
         diagnostics.unless_any(model)
     }
 }
@@ -160,6 +170,17 @@ fn build(
     diagnostics: &mut Collector,
 ) -> Option<Model> {
     let chain = chain::choose(spec, base, tip, diagnostics)?;
+    let mut used = vec![false; spec.joints.len()];
+    chain.joints.iter().for_each(|&j| used[j] = true);
+    for (joint, used) in spec.joints.iter().zip(used) {
+        match used {
+            true => diagnostics.put(joint.faults.iter().cloned()),
+            false => diagnostics.put_warnings(&joint.faults),
+        }
+    }
+    if !diagnostics.is_empty() {
+        return None;
+    }
     check_motions(spec, &chain, diagnostics);
     check_size(spec, &chain, diagnostics);
     limits::check(spec, &chain, diagnostics);
@@ -173,6 +194,7 @@ fn build(
         joints,
         variables,
         home,
+        warnings: Vec::new(),
     })
 }
 

@@ -21,12 +21,15 @@ pub struct Options {
     pub name: Option<String>,
     /// The link that the chain begins at; by default the root.
     pub base: Option<String>,
-    /// The link that the chain ends at; by default the only leaf.
+    /// The link that the chain ends at; by default see
+    /// [`Spec`](crate::spec::Spec#the-tip).
     pub tip: Option<String>,
     /// Inverse kinematics.
     pub ik: Ik,
     /// What of a target counts; by default what the arm can choose.
     pub target: Option<Target>,
+    /// Whether warnings about the file are errors.
+    pub strict: bool,
 }
 
 /// Which inverse kinematics to generate.
@@ -59,6 +62,7 @@ impl fmt::Display for Options {
             ("tip", quoted(&self.tip)),
             ("ik", ik),
             ("target", target),
+            ("strict", self.strict.then(|| "true".to_owned())),
         ];
         let written: Vec<String> = settings
             .into_iter()
@@ -196,10 +200,11 @@ mod tests {
             tip: Some("tool0".into()),
             ik: Ik::None,
             target: Some(Target::Position),
+            strict: true,
         };
         assert_eq!(
             all.to_string(),
-            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position"#
+            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, strict = true"#
         );
     }
 

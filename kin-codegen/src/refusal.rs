@@ -32,7 +32,14 @@ pub enum Reason {
 impl Refusal {
     /// As a compiler's message.
     pub fn diagnostic(&self) -> Diagnostic {
-        let remedy = "`ik = none` generates forward kinematics and Jacobians alone";
+        let remedy = match &self.reason {
+            Reason::Arm(NoClosedForm::Singular { .. }) => {
+                "check axes and origins; a joint that repeats another must be fixed, or left out \
+                 of the chain by another base or tip. `ik = none` generates forward kinematics \
+                 and Jacobians alone"
+            }
+            _ => "`ik = none` generates forward kinematics and Jacobians alone",
+        };
         match (&self.robot, &self.reason) {
             (Compiled::Mechanism(compiled), _) => {
                 let at = compiled.mechanism.at;
@@ -71,6 +78,15 @@ fn no_closed_form(model: &Model, reason: &NoClosedForm) -> String {
     let n = model.joints.len();
     let why = match reason {
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
+        NoClosedForm::Singular { rank, coaxial } => {
+            let coaxial = coaxial.as_ref().map_or_else(String::new, |[a, b]| {
+                format!("; joints `{a}` and `{b}` turn about one line")
+            });
+            format!(
+                "they move the tip in {rank} independent ways at most, so that the chain is \
+                 singular in every configuration{coaxial}"
+            )
+        }
         NoClosedForm::Redundant(target) => format!(
             "{n} joints reach {} in infinitely many ways, and no joint was chosen to stay free",
             target.phrase()

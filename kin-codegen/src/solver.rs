@@ -3,8 +3,10 @@
 
 use crate::certificate::{Certificate, Failure, Trials, certify};
 use crate::closed_form::ClosedForm;
-use crate::expr::inverse::{FreeAngles, DomainMargin, inverse};
-use crate::geometry::{Linkage, Moved, Idealized, idealize, size};
+use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::geometry::{
+    AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate, size,
+};
 use crate::model::Model;
 use crate::plan::{Plan, Target, search};
 
@@ -41,6 +43,14 @@ pub struct Certified {
 pub enum NoClosedForm {
     /// Joints that mimic others couple the chain.
     Mimic,
+    /// The joints are never independent: the chain is singular in every
+    /// configuration.
+    Singular {
+        /// In how many independent ways they move the tip at most.
+        rank: usize,
+        /// Two neighbours that turn about one line, by name.
+        coaxial: Option<[String; 2]>,
+    },
     /// More joints than the target has coordinates.
     Redundant(Target),
     /// The search found no sequence of subproblems for targets of this kind.
@@ -65,6 +75,11 @@ pub enum NoClosedForm {
 pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certified, NoClosedForm> {
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
+    }
+    let rank = rank(model);
+    if rank < model.joints.len().min(6) {
+        let coaxial = coaxial(model);
+        return Err(NoClosedForm::Singular { rank, coaxial });
     }
     if model.joints.len() > target.coordinates() {
         return Err(NoClosedForm::Redundant(target));
@@ -94,6 +109,15 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         }
     }
     best.ok_or(refusal)
+}
+
+/// Two neighbours on one axis.
+fn coaxial(model: &Model) -> Option<[String; 2]> {
+    let axes = axes(model);
+    let coincide =
+        |i: &usize| relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9) == AxisRelation::Coincident;
+    let i = (0..axes.len().saturating_sub(1)).find(coincide)?;
+    Some([i, i + 1].map(|j| model.joints[j].name.clone()))
 }
 
 fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {

@@ -95,13 +95,11 @@ fn a_rounded_right_angle_is_not_snapped() {
 }
 
 #[test]
-fn quaternion_origins_are_read_in_any_version() {
+fn quaternion_origins_are_read_in_version_1_1() {
     let rest =
         r#"<origin quat_xyzw="0.7071067811865476 0 0 0.7071067811865476"/><axis xyz="0 0 1"/>"#;
-    let model = accept(&urdf(
-        "base tool",
-        &joint("j", "continuous", "base", "tool", rest),
-    ));
+    let text = urdf("base tool", &joint("j", "continuous", "base", "tool", rest));
+    let model = accept(&text.replace("<robot ", "<robot version=\"1.1\" "));
     assert_eq!(model.joints[0].axis, [0.0, -1.0, 0.0]);
     assert!(
         FRAC_PI_2.cos() != 0.0,
@@ -395,11 +393,104 @@ fn mimics_between_kinds_have_the_units_of_the_file() {
 #[test]
 fn yaml_joints_can_branch() {
     let text = "robot: arm\nunits: {angle: rad, length: m}\njoints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, axis: [0, 1, 0]}\n  - {name: camera, type: fixed, parent: a_link, xyz: [0, 0, 1]}\n";
-    let error = model("arm.yaml", text, None, None).unwrap_err().to_string();
-    assert!(
-        error.contains("`b_link` (2 moving joints), `camera_link` (1 moving joint)"),
-        "{error}"
+    // The camera hangs on the way.
+    let arm = model("arm.yaml", text, None, None).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((arm.tip.as_str(), arm.joints.len()), ("b_link", 2));
+    let camera = model("arm.yaml", text, None, Some("camera_link"));
+    let camera = camera.unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(camera.joints.len(), 1);
+}
+
+/// A gripper's coordinate may be a joint on another branch; its limits hold.
+#[test]
+fn a_joint_off_the_chain_can_lead() {
+    let text = urdf(
+        "base a left right",
+        &[
+            joint("turn", "continuous", "base", "a", ""),
+            joint("left", "prismatic", "a", "left", r#"<limit lower="0" upper="0.04"/>"#),
+            joint(
+                "right",
+                "prismatic",
+                "a",
+                "right",
+                r#"<limit lower="-1" upper="1"/><mimic joint="left" multiplier="-2" offset="0.01"/>"#,
+            ),
+        ]
+        .concat(),
     );
-    let arm = model("arm.yaml", text, None, Some("b_link")).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(arm.joints.len(), 2);
+    let model = model("arm.urdf", &text, None, Some("right")).unwrap();
+    let names: Vec<&str> = model.variables.iter().map(|v| v.name.as_str()).collect();
+    assert_eq!(names, ["turn", "left"]);
+    assert_eq!(model.variables[1].limits, Some([0.0, 0.04]));
+    let right = &model.joints[1];
+    assert_eq!(
+        (right.variable, right.multiplier, right.offset),
+        (1, -2.0, 0.01)
+    );
+    assert!(model.is_coupled());
+}
+
+/// Struts and pistons beside an arm, whose joints mimic those of the arm, are
+/// no second arm.
+#[test]
+fn a_strut_is_no_arm() {
+    let text = urdf(
+        "base a b tool0 strut",
+        &[
+            joint("j1", "continuous", "base", "a", ""),
+            joint("j2", "continuous", "a", "b", ""),
+            joint("j3", "continuous", "b", "tool0", ""),
+            joint(
+                "s",
+                "continuous",
+                "a",
+                "strut",
+                r#"<mimic joint="j2" multiplier="-0.5"/>"#,
+            ),
+        ]
+        .concat(),
+    );
+    let model = accept(&text);
+    assert_eq!((model.tip.as_str(), model.joints.len()), ("tool0", 3));
+    assert!(model.warnings.is_empty());
+}
+
+/// Of links that the same joint moves, the field's names in their order.
+#[test]
+fn the_tip_has_a_name() {
+    let hung = |names: &[&str]| {
+        let links = ["base", "a", "b", "flange_of_arm"].iter().chain(names);
+        let links: Vec<&str> = links.copied().collect();
+        let mut joints = [
+            joint("j1", "continuous", "base", "a", ""),
+            joint("j2", "continuous", "a", "b", ""),
+            joint("j3", "continuous", "b", "flange_of_arm", ""),
+        ]
+        .concat();
+        for name in names {
+            joints += &joint(&format!("to_{name}"), "fixed", "flange_of_arm", name, "");
+        }
+        accept(&urdf(&links.join(" "), &joints))
+    };
+    for (names, tip, warnings) in [
+        (
+            &["camera", "robot_flange", "robot_tool0"][..],
+            "robot_tool0",
+            0,
+        ),
+        (&["ee_link", "robot-tcp"], "robot-tcp", 0),
+        (&["camera", "l_end_effector"], "l_end_effector", 0),
+        (&["whatever"], "whatever", 0),
+        // Not behind a prefix, but inside of a word.
+        (&["wheel", "steel"], "flange_of_arm", 1),
+        (&[], "flange_of_arm", 0),
+    ] {
+        let model = hung(names);
+        assert_eq!(
+            (model.tip.as_str(), model.warnings.len()),
+            (tip, warnings),
+            "{names:?}"
+        );
+    }
 }

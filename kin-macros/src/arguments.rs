@@ -8,7 +8,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, LitBool, LitStr, Result, Token};
 
 /// The options, as they are written.
-const OPTIONS: [&str; 6] = ["name", "base", "tip", "ik", "target", "debug"];
+const OPTIONS: [&str; 7] = ["name", "base", "tip", "ik", "target", "strict", "debug"];
 
 /// `"arm.urdf", name = Arm, base = "base_link", ..`
 pub struct Arguments {
@@ -55,6 +55,7 @@ impl Arguments {
             "tip" => options.tip = Some(value.link()?),
             "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
             "target" => options.target = Some(value.word(&Target::WORDS, target)?),
+            "strict" => options.strict = value.switch()?,
             "debug" => self.debug = value.switch()?,
             other => return Err(unknown_option(option.span(), other)),
         }

@@ -31,7 +31,9 @@ use proc_macro::TokenStream;
 /// - **`base = "base_link"`**: the link that the chain begins at and that poses
 ///   are given in. By default the root of the robot.
 /// - **`tip = "tool0"`**: the link that the chain ends at and that poses are
-///   of. By default the only leaf; if there are several, the error lists them.
+///   of. By default the end of the joints that move, fingers left out: the
+///   link there that is called `tool0`, `tcp`, `flange`, `ee_link` or the like,
+///   or the only leaf. If several chains could be meant, the error lists them.
 /// - **`ik = none`**: forward kinematics and Jacobians alone. By default
 ///   (`ik = closed_form`) an arm without a closed form is an error that says
 ///   why there is none.
@@ -43,6 +45,8 @@ use proc_macro::TokenStream;
 ///   tip's z axis, `orientation` the rotation. By default `position` for arms
 ///   of up to three joints whose position fixes them, such as a planar 2R arm,
 ///   and `pose` for all others.
+/// - **`strict = true`**: what is odd in the file and changes nothing of the
+///   robot is an error too. By default the type's documentation lists it.
 /// - **`debug = true`**: the code is formatted and written to a file, which the
 ///   macro includes. Compiler errors, backtraces and debuggers then point into
 ///   that file. It is `kinematics/<crate>/<Name>-<hash>.rs` in the `OUT_DIR` of

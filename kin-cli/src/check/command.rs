@@ -6,7 +6,7 @@ use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::sweep::{Draw, Replay, Settings, Tally, sweep};
 use crate::{Done, Exit};
-use kin_codegen::{Compiled, Options};
+use kin_codegen::{Compiled, Diagnostics, Options};
 
 pub fn run(arguments: &arguments::Check) -> Done {
     let options = arguments.options.options();
@@ -22,8 +22,17 @@ pub fn run(arguments: &arguments::Check) -> Done {
             return Done::failing(Exit::Broken, diagnostic);
         }
         // The line names the first diagnostic; here are all, with their places.
-        if let Verdict::Broken(diagnostics) = &checked.check.verdict {
-            done.stderr += &format!("{diagnostics}\n\n");
+        match &checked.check.verdict {
+            Verdict::Broken(diagnostics) | Verdict::Ambiguous(diagnostics) => {
+                done.stderr += &format!("{diagnostics}\n\n");
+            }
+            Verdict::Solved { robot, .. } => {
+                let warnings = robot.warnings().to_vec();
+                if let Some(warnings) = Diagnostics::of(file, warnings) {
+                    done.stderr += &format!("{warnings}\n\n");
+                }
+            }
+            Verdict::Refused(_) => {}
         }
         done.exit = worse(done.exit, checked.exit());
         all.push(checked);
@@ -112,6 +121,7 @@ impl Checked {
                 }
             }
             Verdict::Refused(_) => Exit::Refused,
+            Verdict::Ambiguous(_) => Exit::Ambiguous,
             Verdict::Broken(_) => Exit::Broken,
         }
     }
@@ -119,7 +129,12 @@ impl Checked {
 
 /// Of several files, what needs attention most decides.
 fn worse(a: Exit, b: Exit) -> Exit {
-    let order = [Exit::Incomplete, Exit::Broken, Exit::Refused];
+    let order = [
+        Exit::Incomplete,
+        Exit::Broken,
+        Exit::Ambiguous,
+        Exit::Refused,
+    ];
     order
         .into_iter()
         .find(|exit| [a, b].contains(exit))

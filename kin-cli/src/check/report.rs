@@ -37,6 +37,7 @@ fn file(checked: &Checked) -> Value {
     let word = match &checked.check.verdict {
         Verdict::Solved { .. } => "solved",
         Verdict::Refused(_) => "refused",
+        Verdict::Ambiguous(_) => "ambiguous",
         Verdict::Broken(_) => "broken",
     };
     let (structure, plan, tip_shift, deep) = match &checked.check.verdict {

@@ -34,6 +34,8 @@ pub enum Verdict {
     },
     /// The file is sound, and the robot has no closed form.
     Refused(String),
+    /// The file is sound, and has several robots.
+    Ambiguous(Diagnostics),
     /// The file or the options cannot be used.
     Broken(Diagnostics),
 }
@@ -74,6 +76,7 @@ pub struct Completeness {
 pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
     let verdict = match compile(source, options) {
         Err(Error::Broken(diagnostics)) => Verdict::Broken(diagnostics),
+        Err(Error::Ambiguous(diagnostics)) => Verdict::Ambiguous(diagnostics),
         Err(Error::Refused(refusal)) => Verdict::Refused(refusal.text()),
         Ok(robot) => Verdict::Solved {
             structure: match &robot {
@@ -169,6 +172,10 @@ impl fmt::Display for Verdict {
                     .try_for_each(|completeness| write!(f, "; {completeness}"))
             }
             Verdict::Refused(reason) => write!(f, "refused: {reason}"),
+            Verdict::Ambiguous(diagnostics) => {
+                let reason = diagnostics.first().reason.lines().next();
+                write!(f, "ambiguous: {}", reason.unwrap_or_default())
+            }
             Verdict::Broken(diagnostics) => {
                 write!(f, "broken: {}", diagnostics.first().reason)?;
                 match diagnostics.len() {

@@ -1,6 +1,6 @@
 //! What there is to tell about an arm.
 
-use super::{Chain, Inverse, SCHEMA, Singularities};
+use super::{Chain, Inverse, SCHEMA, Singularities, Warning};
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::Operations;
 use kin_codegen::geometry::Axes;
@@ -19,6 +19,8 @@ pub struct ArmExplanation {
     pub file: String,
     /// The robot's name, from the file.
     pub robot: String,
+    /// What is odd in the file.
+    pub warnings: Vec<Warning>,
     /// The chain.
     pub chain: Chain,
     /// How its axes lie to each other.
@@ -43,6 +45,7 @@ impl ArmExplanation {
             schema: SCHEMA,
             file: arm.file.clone(),
             robot: model.name.clone(),
+            warnings: Warning::all(&model.warnings),
             chain: Chain::of(model),
             axes: Axes::of(model),
             fk: forward.tip_cost(),

@@ -3,12 +3,15 @@
 use super::explain;
 use crate::arguments::{Explain, read};
 use crate::{Done, Exit};
+use kin_codegen::Error;
 
 pub fn run(arguments: &Explain) -> Done {
     let options = arguments.options.options();
-    let told = read(&arguments.file).and_then(|source| explain(&source, &options));
+    let told = read(&arguments.file)
+        .map_err(Error::from)
+        .and_then(|source| explain(&source, &options));
     match told {
-        Err(diagnostics) => Done::failing(Exit::Broken, diagnostics),
+        Err(error) => Done::failing(Exit::from(&error), error),
         Ok(explanation) if arguments.json => match serde_json::to_string_pretty(&explanation) {
             Ok(json) => Done::printing(json + "\n"),
             Err(error) => Done::failing(Exit::Broken, error),

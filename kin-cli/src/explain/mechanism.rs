@@ -1,6 +1,6 @@
 //! What was found in a mechanism's file and decided about it.
 
-use super::{Chain, SCHEMA};
+use super::{Chain, SCHEMA, Warning, write_warnings};
 use kin_codegen::mechanism::{CompiledMechanism, LegForm};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
@@ -15,6 +15,8 @@ pub struct MechanismExplanation {
     pub file: String,
     /// The mechanism's name.
     pub robot: String,
+    /// What is odd in the file.
+    pub warnings: Vec<Warning>,
     /// The link that all chains begin at.
     pub base: String,
     /// The link that all chains end at.
@@ -115,6 +117,7 @@ impl MechanismExplanation {
             schema: SCHEMA,
             file: compiled.file.clone(),
             robot: mechanism.name.clone(),
+            warnings: Warning::all(&compiled.warnings),
             base: mechanism.base.clone(),
             platform: mechanism.platform.clone(),
             mobility: Mobility {
@@ -166,6 +169,7 @@ impl Display for MechanismExplanation {
             self.platform,
             self.actuation.joints.len(),
         )?;
+        write_warnings(&self.warnings, f)?;
         writeln!(f, "Chains at home, in metres and {}'s axes", self.base)?;
         for leg in &self.chains {
             writeln!(f, "  {}, {}\n{}", leg.name, leg.structure, leg.chain)?;

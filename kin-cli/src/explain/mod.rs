@@ -25,7 +25,8 @@ pub use mechanism::{
 pub use singular::{AxesCondition, ConditionKind, Singularities, Singularity};
 pub use step::{Object, ObjectKind, Step};
 
-use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
+use kin_codegen::spec::Diagnostic;
+use kin_codegen::{Compiled, Error, Options, Source, compile};
 use serde::Serialize;
 use std::fmt;
 
@@ -62,6 +63,49 @@ impl fmt::Display for Explanation {
     }
 }
 
+/// What the file has that is odd, and changes nothing of the robot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Warning {
+    /// Line and column, from 1; null if it is about the robot as a whole.
+    pub at: Option<[u32; 2]>,
+    /// What was found.
+    pub reason: String,
+    /// What to do.
+    pub remedy: String,
+}
+
+impl Warning {
+    fn all(diagnostics: &[Diagnostic]) -> Vec<Self> {
+        let warning = |diagnostic: &Diagnostic| Self {
+            at: diagnostic.at.map(|at| [at.line, at.column]),
+            reason: diagnostic.reason.clone(),
+            remedy: diagnostic.remedy.clone(),
+        };
+        diagnostics.iter().map(warning).collect()
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some([line, column]) = self.at {
+            write!(f, "line {line}, column {column}: ")?;
+        }
+        write!(f, "{}; {}", self.reason, self.remedy)
+    }
+}
+
+/// The section on warnings, if there are any.
+fn write_warnings(warnings: &[Warning], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if warnings.is_empty() {
+        return Ok(());
+    }
+    writeln!(f, "Warnings")?;
+    for warning in warnings {
+        writeln!(f, "  {warning}")?;
+    }
+    writeln!(f)
+}
+
 /// Explains a robot file. A robot without a closed form is explained too.
 ///
 /// ```
@@ -80,20 +124,21 @@ impl fmt::Display for Explanation {
 /// assert!(explanation.to_string().contains("1, 2 parallel"));
 /// let inverse = explanation.arm().unwrap().inverse.unwrap();
 /// assert_eq!((inverse.plan.as_str(), inverse.branches), ("SP3(q2) SP1(q1)", 2));
-/// # Ok::<(), kin_codegen::Diagnostics>(())
+/// # Ok::<(), kin_codegen::Error>(())
 /// ```
 ///
 /// # Errors
 ///
-/// What is wrong with the file or the options.
-pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Diagnostics> {
+/// What is wrong with the file or the options, or that they do not choose one
+/// of several robots. A refusal is none.
+pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Error> {
     let (robot, refusal) = match compile(source, options) {
         Ok(robot) => (robot, None),
-        Err(Error::Broken(diagnostics)) => return Err(diagnostics),
         Err(Error::Refused(refusal)) => {
             let text = refusal.text();
             (refusal.robot, Some(text))
         }
+        Err(error) => return Err(error),
     };
     Ok(match robot {
         Compiled::Arm(arm) => Explanation::Arm(Box::new(ArmExplanation::of(&arm, refusal))),

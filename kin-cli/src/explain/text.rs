@@ -1,7 +1,9 @@
 //! An explanation as text for a terminal.
 
 use super::singular::NOT_SQUARE;
-use super::{ArmExplanation, Chain, Idealization, Inverse, Joint, JointMotion, Step};
+use super::{
+    ArmExplanation, Chain, Idealization, Inverse, Joint, JointMotion, Step, write_warnings,
+};
 use std::fmt::{self, Display, Formatter};
 
 /// Deviations below this are rounding, and not worth a word; radians, metres.
@@ -20,6 +22,7 @@ impl Display for ArmExplanation {
             joints.len(),
             self.chain.size
         )?;
+        write_warnings(&self.warnings, f)?;
         writeln!(
             f,
             "Chain at home, in metres and {base}'s axes\n{}",

@@ -12,6 +12,7 @@ use crate::model::{Model, Variable};
 use crate::plan::Target;
 use crate::random::Random;
 use crate::solver::Certified;
+use crate::spec::Diagnostic;
 use kin_runtime::Pose;
 use proc_macro2::Ident;
 
@@ -40,6 +41,7 @@ pub fn arm(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
             .enumerate()
             .map(|(i, variable)| (variable, !model.turns(i), String::new())),
     ));
+    lines.extend(warnings(&model.warnings));
     lines.extend(section("Inverse kinematics"));
     match &compiled.inverse {
         None => lines.push("None: generated with `ik = none`.".into()),
@@ -49,6 +51,21 @@ pub fn arm(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
             lines.extend(branches(&certified.form));
         }
     }
+    lines
+}
+
+/// What is odd in the file.
+fn warnings(warnings: &[Diagnostic]) -> Vec<String> {
+    if warnings.is_empty() {
+        return Vec::new();
+    }
+    let mut lines = section("Warnings about the file").to_vec();
+    lines.extend(warnings.iter().map(|warning| {
+        let at = warning
+            .at
+            .map_or_else(String::new, |at| format!("line {}: ", at.line));
+        format!("- {at}{}", code(&warning.reason.replace('`', "'")))
+    }));
     lines
 }
 

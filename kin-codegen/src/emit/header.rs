@@ -59,6 +59,7 @@ impl Provenance<'_> {
             tip,
             ik,
             target,
+            strict,
         } = self.asked;
         let ik = (*ik != Ik::default()).then(|| ik.to_string());
         let target = target.map(|target| target.word().to_owned());
@@ -74,6 +75,9 @@ impl Provenance<'_> {
             if let Some(value) = value {
                 let _ = write!(command, " --{option} {}", quoted(&value));
             }
+        }
+        if *strict {
+            command += " --strict";
         }
         command
     }

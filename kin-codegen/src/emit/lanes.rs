@@ -130,7 +130,12 @@ pub fn lanes(solver: &ClosedForm, inputs: &[TokenStream]) -> Lanes {
 }
 
 /// The last stage at which each node is read; results are read after all.
-fn last_read(writer: &Writer, inverse: &InverseGraph, stages: &[usize], loops: usize) -> Vec<usize> {
+fn last_read(
+    writer: &Writer,
+    inverse: &InverseGraph,
+    stages: &[usize],
+    loops: usize,
+) -> Vec<usize> {
     let g = &inverse.graph;
     let mut last = vec![0; stages.len()];
     for (i, node) in g.nodes().iter().enumerate() {

@@ -237,7 +237,10 @@ fn kinematics(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream 
         own(compiled.form().is_some(), "none"),
         own(compiled.forward.dot.is_some(), "provided"),
         own(singular.is_some(), "none"),
-        own(singular.is_some_and(|singular| !singular.singularities.is_empty()), "none"),
+        own(
+            singular.is_some_and(|singular| !singular.singularities.is_empty()),
+            "none",
+        ),
     ];
     let [inverse, derivatives, determinant, singularities] =
         groups.map(|word| Ident::new(word, proc_macro2::Span::call_site()));

@@ -39,7 +39,10 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
     }
     let values = singular.values();
     let ways = block(g, &values, n, |w| {
-        let names = singular.singularities.iter().map(|singularity| &singularity.name);
+        let names = singular
+            .singularities
+            .iter()
+            .map(|singularity| &singularity.name);
         let values = values.iter().map(|&value| w.output(value));
         quote!(Singularity::by_name([#(#names),*], [#(#values),*]))
     });

@@ -238,7 +238,10 @@ impl<'a> Writer<'a> {
         let is_sum = |&angle: &Expr| {
             let reached = self.graph.reachable(&[angle]);
             let nodes = self.graph.nodes().iter().zip(reached);
-            nodes.filter(|(node, reached)| *reached && matches!(node, Node::Input(_))).count() > 1
+            nodes
+                .filter(|(node, reached)| *reached && matches!(node, Node::Input(_)))
+                .count()
+                > 1
         };
         self.angles().iter().any(is_sum)
     }

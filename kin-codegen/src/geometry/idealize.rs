@@ -105,7 +105,12 @@ fn square_up(d: Vec3, known: &[Vec3], tolerance: f64) -> Vec3 {
 
 /// Axes that nearly meet the one before, or a point where earlier ones meet,
 /// are shifted to meet it.
-fn idealize_points(model: &Model, given: &[Line], directions: &[Vec3], tolerance: f64) -> Vec<Line> {
+fn idealize_points(
+    model: &Model,
+    given: &[Line],
+    directions: &[Vec3],
+    tolerance: f64,
+) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::with_capacity(given.len());
     let mut centres: Vec<Vec3> = Vec::new();
     for (i, (line, &direction)) in given.iter().zip(directions).enumerate() {

@@ -192,7 +192,8 @@ impl Arm<'_> {
 
     /// Parallel revolutes on different lines and a slide normal to their plane.
     fn slides_across(&self, i: usize, j: usize, slide: usize) -> bool {
-        let (Some([a, b]), Axis::Prismatic { direction }) = (self.lines([i, j]), self.axes[slide]) else {
+        let (Some([a, b]), Axis::Prismatic { direction }) = (self.lines([i, j]), self.axes[slide])
+        else {
             return false;
         };
         let between = a.offset_of(b.point);

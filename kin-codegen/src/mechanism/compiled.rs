@@ -7,7 +7,7 @@ use super::inverse::{Aim, Inverse, LegForm, UnsolvedChain, forward_alone};
 use super::model::{Leg, Mechanism};
 use crate::arm::CompiledArm;
 use crate::options::{Ik, Options, file_name};
-use crate::spec::{Diagnostics, MechanismSpec};
+use crate::spec::{Diagnostic, Diagnostics, MechanismSpec};
 use kin_runtime::Pose;
 
 /// A mechanism, compiled but not yet written as Rust.
@@ -16,6 +16,8 @@ pub struct CompiledMechanism {
     /// The robot file's name, without its folders: what is generated does not
     /// depend on where the file lies.
     pub file: String,
+    /// What the file has that is odd, and changes nothing of the mechanism.
+    pub warnings: Vec<Diagnostic>,
     /// The chains.
     pub mechanism: Mechanism,
     /// How it can move.
@@ -112,6 +114,7 @@ pub(crate) fn compile(
     };
     let compiled = CompiledMechanism {
         file: file.to_owned(),
+        warnings: spec.warnings.clone(),
         legs: mechanism.legs.iter().enumerate().map(leg).collect(),
         mechanism,
         freedom,

@@ -7,8 +7,8 @@ use crate::geometry::{Linkage, Vec3, natural_target};
 use crate::model::{JointKind, Model};
 use crate::plan::Target;
 use crate::solver::{NoClosedForm, solve};
-use kin_runtime::Pose;
 use kin_runtime::__private::math;
+use kin_runtime::Pose;
 
 /// What the platform is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

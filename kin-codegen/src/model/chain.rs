@@ -1,6 +1,7 @@
 //! Which joints lead from base to tip.
 
-use crate::spec::{ArmSpec, Collector, JointType, did_you_mean};
+use super::tip::default_tip;
+use crate::spec::{ArmSpec, Collector, did_you_mean};
 
 /// A path down the tree.
 pub(super) struct Chain {
@@ -26,7 +27,7 @@ pub(super) fn choose(
     };
     let tip_link = match tip {
         Some(name) => find(spec, "tip", name, diagnostics),
-        None => Some(tree.only_leaf_below(base_link?, diagnostics)?),
+        None => Some(default_tip(spec, base_link?, diagnostics)?),
     };
     let (base, tip) = (base_link?, tip_link?);
     match tree.path(base, tip) {
@@ -126,44 +127,5 @@ impl<'s> Tree<'s> {
         self.ancestors(b)
             .find(|link| above_a.contains(link))
             .unwrap_or(a)
-    }
-
-    fn only_leaf_below(&self, base: usize, diagnostics: &mut Collector) -> Option<usize> {
-        let is_leaf = |&link: &usize| self.spec.joints.iter().all(|joint| joint.parent != link);
-        let leaves: Vec<usize> = (0..self.above.len())
-            .filter(is_leaf)
-            .filter(|&leaf| self.path(base, leaf).is_some())
-            .collect();
-        if let [leaf] = leaves[..] {
-            return Some(leaf);
-        }
-        let described: Vec<String> = leaves
-            .iter()
-            .map(|&leaf| self.describe(base, leaf))
-            .collect();
-        let base = &self.spec.links[base].name;
-        let reason = format!(
-            "{} links could be the tip of the arm on `{base}`: {}",
-            leaves.len(),
-            described.join(", ")
-        );
-        diagnostics.whole(
-            reason,
-            "name the one you mean (tip); any link in between can be the tip too",
-        );
-        None
-    }
-
-    fn describe(&self, base: usize, leaf: usize) -> String {
-        let joints = self.path(base, leaf).unwrap_or_default();
-        let moving = joints
-            .iter()
-            .filter(|&&j| self.spec.joints[j].kind != JointType::Fixed)
-            .count();
-        let plural = if moving == 1 { "" } else { "s" };
-        format!(
-            "`{}` ({moving} moving joint{plural})",
-            self.spec.links[leaf].name
-        )
     }
 }

@@ -49,14 +49,14 @@ pub fn configurations(model: &Model) -> Vec<Vec<f64>> {
 
 /// How far each coordinate slides: within its limits, or a metre about zero.
 fn slide_travel(model: &Model) -> Vec<[f64; 2]> {
-    let finite = |limits: [f64; 2]| limits.iter().all(|x| x.is_finite());
+    let usable = |[lower, upper]: [f64; 2]| lower.is_finite() && upper.is_finite() && lower < upper;
     model
         .variables
         .iter()
         .map(|variable| {
             variable
                 .limits
-                .filter(|l| finite(*l))
+                .filter(|limits| usable(*limits))
                 .unwrap_or([-0.5, 0.5])
         })
         .collect()

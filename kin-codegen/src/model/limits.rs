@@ -55,7 +55,7 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
         let reason = format!(
             "joint `{name}` has the limits 0..0, so it cannot move; usually the real ones are missing"
         );
-        diagnostics.at(
+        diagnostics.warn(
             at,
             reason,
             "write its limits, or make it fixed (or continuous, if it turns freely)",
@@ -83,15 +83,27 @@ pub(super) fn variables(
     diagnostics: &mut Collector,
 ) -> Vec<Variable> {
     let mut variables = Vec::new();
-    for (v, &leader) in drives.leaders.iter().enumerate() {
-        let mut limits = None;
-        for (j, drive) in drives.all().filter(|(_, drive)| drive.variable == v) {
-            let Limits::Range { lower, upper, .. } = spec.joints[j].limits else {
-                continue;
-            };
-            let ends = [lower, upper].map(|end| (end - drive.offset) / drive.multiplier);
-            limits = Some(narrow(limits, [ends[0].min(ends[1]), ends[0].max(ends[1])]));
+    // By coordinate: the range in which all that it moves stay. A leader that is
+    // not on the chain has limits of its own.
+    let mut ranges: Vec<Option<[f64; 2]>> = vec![None; drives.leaders.len()];
+    let mut narrow_by = |v: usize, j: usize, multiplier: f64, offset: f64| {
+        if let Limits::Range { lower, upper, .. } = spec.joints[j].limits {
+            let ends = [lower, upper].map(|end| (end - offset) / multiplier);
+            ranges[v] = Some(narrow(
+                ranges[v],
+                [ends[0].min(ends[1]), ends[0].max(ends[1])],
+            ));
         }
+    };
+    for (v, &leader) in drives.leaders.iter().enumerate() {
+        if drives.of(leader).is_none() {
+            narrow_by(v, leader, 1.0, 0.0);
+        }
+    }
+    for (j, drive) in drives.all() {
+        narrow_by(drive.variable, j, drive.multiplier, drive.offset);
+    }
+    for (&leader, limits) in drives.leaders.iter().zip(ranges) {
         let joint = &spec.joints[leader];
         if limits.is_some_and(|[lower, upper]: [f64; 2]| lower > upper) {
             let reason = format!(
@@ -107,6 +119,7 @@ pub(super) fn variables(
         variables.push(Variable {
             name: joint.name.clone(),
             limits,
+            rating: joint.rating,
         });
     }
     variables

@@ -15,7 +15,8 @@ pub(super) struct Drive {
 
 /// The drives of a chain.
 pub(super) struct Drives {
-    /// The joint of each coordinate, in the order of the chain.
+    /// The joint of each coordinate: those of the chain in its order, then those
+    /// off the chain that some of the chain mimic.
     pub leaders: Vec<usize>,
     by_joint: BTreeMap<usize, Drive>,
 }
@@ -40,26 +41,34 @@ pub(super) fn resolve(
     diagnostics: &mut Collector,
 ) -> Option<Drives> {
     let moves = |&j: &usize| spec.joints[j].kind != JointType::Fixed;
-    let leads = |&j: &usize| spec.joints[j].mimic.is_none();
     let moving: Vec<usize> = chain.joints.iter().copied().filter(moves).collect();
-    let leaders: Vec<usize> = moving.iter().copied().filter(leads).collect();
+    let leads = |&j: &usize| spec.joints[j].mimic.is_none();
+    let mut leaders: Vec<usize> = moving.iter().copied().filter(leads).collect();
+    let numbered = leaders
+        .iter()
+        .enumerate()
+        .map(|(variable, &j)| (j, variable));
+    let mut variables: BTreeMap<usize, usize> = numbered.collect();
     let mut by_joint = BTreeMap::new();
-    for &j in &moving {
+    for j in moving {
         let (leader, multiplier, offset) = follow(spec, j);
-        match leaders.iter().position(|&l| l == leader) {
-            Some(variable) => {
-                by_joint.insert(
-                    j,
-                    Drive {
-                        variable,
-                        multiplier,
-                        offset,
-                    },
-                );
-            }
-            None => explain_leader(&spec.joints[j], &spec.joints[leader], diagnostics),
+        if spec.joints[leader].kind == JointType::Fixed {
+            refuse_fixed_leader(&spec.joints[j], &spec.joints[leader], diagnostics);
         }
         refuse_standstill(&spec.joints[j], diagnostics);
+        // Also a joint that is not on the chain may lead those that are.
+        let variable = *variables.entry(leader).or_insert_with(|| {
+            leaders.push(leader);
+            leaders.len() - 1
+        });
+        by_joint.insert(
+            j,
+            Drive {
+                variable,
+                multiplier,
+                offset,
+            },
+        );
     }
     diagnostics
         .is_empty()
@@ -78,29 +87,17 @@ fn follow(spec: &ArmSpec, joint: usize) -> (usize, f64, f64) {
     (joint, multiplier, offset)
 }
 
-fn explain_leader(joint: &Joint, leader: &Joint, diagnostics: &mut Collector) {
+fn refuse_fixed_leader(joint: &Joint, leader: &Joint, diagnostics: &mut Collector) {
     let Some(mimic) = joint.mimic else { return };
-    if leader.kind == JointType::Fixed {
-        let reason = format!(
-            "joint `{}` mimics `{}`, which is fixed",
-            joint.name, leader.name
-        );
-        diagnostics.at(
-            mimic.at,
-            reason,
-            "make the joint fixed too, or let it mimic one that moves",
-        );
-    } else {
-        let reason = format!(
-            "joint `{}` mimics `{}`, which is not between base and tip: its value is no function of this chain's coordinates",
-            joint.name, leader.name
-        );
-        diagnostics.at(
-            mimic.at,
-            reason,
-            "choose base and tip so that the chain has both joints, or remove the mimic",
-        );
-    }
+    let reason = format!(
+        "joint `{}` mimics `{}`, which is fixed",
+        joint.name, leader.name
+    );
+    diagnostics.at(
+        mimic.at,
+        reason,
+        "make the joint fixed too, or let it mimic one that moves",
+    );
 }
 
 fn refuse_standstill(joint: &Joint, diagnostics: &mut Collector) {

@@ -8,14 +8,14 @@
 //! the singularities are those of the idealized arm; the determinant is always
 //! the file's.
 
-mod name;
 mod locus;
+mod name;
 
 pub use locus::Locus;
 
 use crate::expr::determinant::{Determinant, Factor, Rows, determinant};
 use crate::expr::{Expr, Graph, Operations};
-use crate::geometry::{Condition, Linkage, conditioning, conditions, size, idealize};
+use crate::geometry::{Condition, Linkage, conditioning, conditions, idealize, size};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::random::Random;
@@ -124,7 +124,10 @@ impl Singular {
 
     /// The singularities' values.
     pub fn values(&self) -> Vec<Expr> {
-        self.singularities.iter().map(|singularity| singularity.expression).collect()
+        self.singularities
+            .iter()
+            .map(|singularity| singularity.expression)
+            .collect()
     }
 }
 

@@ -54,7 +54,9 @@ fn by_joints(coordinates: &[usize]) -> String {
 /// Tells equal names apart.
 pub(super) fn distinct(singularities: &mut [Singularity]) {
     for i in 0..singularities.len() {
-        let repeated = singularities[..i].iter().any(|singularity| singularity.name == singularities[i].name);
+        let repeated = singularities[..i]
+            .iter()
+            .any(|singularity| singularity.name == singularities[i].name);
         if repeated {
             let joints = by_joints(&singularities[i].coordinates);
             singularities[i].name = format!("{} ({joints})", singularities[i].name);

@@ -1,7 +1,7 @@
 //! Collects diagnostics while a file is read, so that one run tells all.
 
 use super::places::Places;
-use super::{Diagnostic, Diagnostics, Location, Source, did_you_mean, list_names};
+use super::{Diagnostic, Diagnostics, Location, Severity, Source, did_you_mean, list_names};
 use std::collections::HashSet;
 
 /// Diagnostics of one file that look for the name that was meant.
@@ -14,6 +14,7 @@ pub(crate) struct Collector<'s> {
     list: Vec<Diagnostic>,
     /// The places that were ever reported.
     reported: HashSet<Location>,
+    warnings: Vec<Diagnostic>,
 }
 
 impl<'s> Collector<'s> {
@@ -23,6 +24,7 @@ impl<'s> Collector<'s> {
             places: Places::of(&source.text),
             list: Vec::new(),
             reported: HashSet::new(),
+            warnings: Vec::new(),
         }
     }
 
@@ -43,6 +45,52 @@ impl<'s> Collector<'s> {
         self.list.push(diagnostic);
     }
 
+    /// Warns of a place: what is there changes no frame and no joint value.
+    pub(crate) fn warn(
+        &mut self,
+        at: Location,
+        reason: impl Into<String>,
+        remedy: impl Into<String>,
+    ) {
+        let warning = Diagnostic::whole(reason, remedy).in_text(at, &self.places);
+        self.warnings.push(warning.warning());
+    }
+
+    /// Warns of the robot as a whole.
+    pub(crate) fn warn_whole(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
+        self.warnings
+            .push(Diagnostic::whole(reason, remedy).warning());
+    }
+
+    /// Takes the errors that came after there were `before` of them.
+    pub(crate) fn take_since(&mut self, before: usize) -> Vec<Diagnostic> {
+        self.list.split_off(before)
+    }
+
+    /// How many errors there are.
+    pub(crate) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Reports errors that were taken before.
+    pub(crate) fn put(&mut self, errors: impl IntoIterator<Item = Diagnostic>) {
+        self.list.extend(errors);
+    }
+
+    /// Warns of what would be errors elsewhere.
+    pub(crate) fn put_warnings(&mut self, errors: &[Diagnostic]) {
+        let warnings = errors.iter().cloned().map(Diagnostic::warning);
+        self.warnings.extend(warnings);
+    }
+
+    /// Takes the warnings, in the order of the file.
+    pub(crate) fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        let mut warnings = std::mem::take(&mut self.warnings);
+        warnings.sort_by_key(|warning| (warning.at.is_none(), warning.at));
+        warnings.dedup();
+        warnings
+    }
+
     /// Reports the robot as a whole.
     pub(crate) fn whole(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
         self.list.push(Diagnostic::whole(reason, remedy));
@@ -55,6 +103,14 @@ impl<'s> Collector<'s> {
             true => did_you_mean(word, names),
             false => format!("use one of {}", list_names(names)),
         }
+    }
+
+    /// Reports that the user has to choose.
+    pub(crate) fn choice(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
+        self.list.push(Diagnostic {
+            severity: Severity::Ambiguity,
+            ..Diagnostic::whole(reason, remedy)
+        });
     }
 
     /// Whether there is a diagnostic about this very place.

@@ -27,6 +27,20 @@ pub struct Diagnostic {
     pub reason: String,
     /// What to do.
     pub remedy: String,
+    /// Whether it keeps the file from being used.
+    pub severity: Severity,
+}
+
+/// Whether a diagnostic keeps a file from being used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// What is said here can change a frame or a joint value.
+    Error,
+    /// It cannot.
+    Warning,
+    /// The file is sound, and describes more than one robot: an option has to
+    /// choose.
+    Ambiguity,
 }
 
 /// Everything wrong with one robot file; never empty.
@@ -76,7 +90,7 @@ impl Diagnostics {
     }
 
     /// Several, in the order of the file; none of an empty list.
-    pub(crate) fn of(path: &str, mut list: Vec<Diagnostic>) -> Option<Self> {
+    pub fn of(path: &str, mut list: Vec<Diagnostic>) -> Option<Self> {
         // Those about the robot as a whole come last.
         list.sort_by_key(|diagnostic| (diagnostic.at.is_none(), diagnostic.at));
         list.dedup();
@@ -90,6 +104,18 @@ impl Diagnostics {
     pub(crate) fn and(self, other: Self) -> Self {
         let list = self.iter().chain(other.iter()).cloned().collect();
         Self::of(&self.path, list).unwrap_or(self)
+    }
+
+    /// The same, all of them errors.
+    pub(crate) fn into_errors(self) -> Self {
+        let error = |diagnostic| Diagnostic {
+            severity: Severity::Error,
+            ..diagnostic
+        };
+        Self {
+            path: self.path,
+            list: self.list.into_iter().map(error).collect(),
+        }
     }
 
     /// The file, as the user named it.
@@ -108,6 +134,12 @@ impl Diagnostics {
         self.list.iter()
     }
 
+    /// Whether the file is sound, and the user only has to choose.
+    pub fn is_ambiguous(&self) -> bool {
+        let mut severities = self.iter().map(|diagnostic| diagnostic.severity);
+        severities.all(|severity| severity == Severity::Ambiguity)
+    }
+
     /// How many there are: one at least.
     #[allow(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
@@ -124,6 +156,15 @@ impl Diagnostic {
             cut: 0,
             reason: brief(reason.into()),
             remedy: brief(remedy.into()),
+            severity: Severity::Error,
+        }
+    }
+
+    /// The same as a warning.
+    pub fn warning(self) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..self
         }
     }
 
@@ -149,10 +190,15 @@ impl Diagnostic {
     }
 
     pub(crate) fn write(&self, path: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let severity = match self.severity {
+            Severity::Error => "",
+            Severity::Ambiguity => "ambiguous: ",
+            Severity::Warning => "warning: ",
+        };
         match self.at {
-            None => writeln!(f, "{path}: {}", self.reason)?,
+            None => writeln!(f, "{path}: {severity}{}", self.reason)?,
             Some(Location { line, column }) => {
-                writeln!(f, "{path}:{line}:{column}: {}", self.reason)?;
+                writeln!(f, "{path}:{line}:{column}: {severity}{}", self.reason)?;
                 let before = column.saturating_sub(1 + self.cut) as usize;
                 writeln!(f, "{}\n{}^", self.line, blank(&self.line, before))?;
             }

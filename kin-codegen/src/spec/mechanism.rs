@@ -1,7 +1,7 @@
 //! What a file says of a parallel mechanism: chains from one base to one
 //! platform, or a tree and the joints that close its loops.
 
-use super::{ArmSpec, Diagnostics, Location, Source, Spec};
+use super::{ArmSpec, Diagnostic, Diagnostics, Location, Source, Spec};
 
 /// A parallel mechanism, in metres and radians. Joint names are unique.
 #[derive(Clone, Debug)]
@@ -10,6 +10,8 @@ pub struct MechanismSpec {
     pub name: String,
     /// How its joints connect.
     pub topology: Topology,
+    /// What the file has that is odd, and changes no frame and no joint value.
+    pub warnings: Vec<Diagnostic>,
     /// Where all of this was read, for messages.
     pub source: Source,
     /// Where the file introduces the chains or loops.
@@ -115,7 +117,7 @@ impl MechanismSpec {
             Spec::Mechanism(mechanism) => Ok(mechanism),
             Spec::Arm(_) => Err(Diagnostics::one(
                 &source.path,
-                super::Diagnostic::whole(
+                Diagnostic::whole(
                     "this file describes an arm: no joint closes a loop",
                     "give the file of a mechanism: YAML with `mechanism:`, or a URDF with \
                      <loop_joint> elements",

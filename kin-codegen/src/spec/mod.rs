@@ -23,7 +23,7 @@ mod urdf_rs;
 pub mod yaml;
 
 pub(crate) use collector::Collector;
-pub use diagnostic::{Diagnostic, Diagnostics, Location};
+pub use diagnostic::{Diagnostic, Diagnostics, Location, Severity};
 pub use mechanism::{ChainSpec, LoopedTree, MechanismSpec, Topology};
 pub use source::Source;
 pub(crate) use suggest::{did_you_mean, list as list_names};
@@ -31,6 +31,34 @@ pub(crate) use suggest::{did_you_mean, list as list_names};
 use kin_runtime::Pose;
 
 /// What a robot file describes.
+///
+/// # The tip
+///
+/// An arm's chain runs from the option `base`, by default the root, to the
+/// option `tip`. Without it the joints that move decide: the chain ends with
+/// the last of them, and what hangs beside it without moving (cameras,
+/// collision links) does not count. Fingers are left out, with a warning: what
+/// forks off behind an arm of three joints or more, and at the end of a chain
+/// joints that mimic others than those before them, slides of less than 12 cm and joints named as a
+/// gripper's. Of the links that the last joint moves the tip is the first that
+/// is called, perhaps behind a prefix, `tool0`, `tcp`, `tcp_link`, `tool`,
+/// `tool_link`, `tool_frame`, `flange`, `flange_link`, `ee_link`, `ee`,
+/// `ee_frame`, `eef`, `eef_link`, `end_effector`, `end_effector_link`,
+/// `grasp_link`, `grasp_frame`, `gripper_frame_link` or `gripper_frame`;
+/// without these the only leaf; otherwise the link that the joint moves or that
+/// carries the fingers. A file with several arms is ambiguous, and the error
+/// lists them.
+///
+/// # Errors and warnings
+///
+/// What can change a frame or a joint value is an error if it is on the chain:
+/// a misspelt word, junk in a number, an attribute `quat`, xacro that was not
+/// expanded, doubled names, loops, links that are missing, parts that
+/// contradict each other. What cannot is a warning (see
+/// [`Severity`]): definitions left over from xacro, elements that only a vendor
+/// knows, an identity where nothing is read, repetitions, limits 0..0, and
+/// whatever is wrong with joints off the chain. The option `strict` makes
+/// errors of them.
 #[derive(Clone, Debug)]
 pub enum Spec {
     /// A tree of links, of which a chain is the arm.
@@ -48,6 +76,8 @@ pub struct ArmSpec {
     pub links: Vec<Link>,
     /// In the order of the file.
     pub joints: Vec<Joint>,
+    /// What the file has that is odd, and changes no frame and no joint value.
+    pub warnings: Vec<Diagnostic>,
     /// Where all of this was read, for messages.
     pub source: Source,
 }
@@ -85,6 +115,11 @@ pub struct Joint {
     pub limits: Limits,
     /// The joint that this one follows.
     pub mimic: Option<Mimic>,
+    /// How fast and how strong it may be.
+    pub rating: Rating,
+    /// What keeps the joint from being used: errors if it is part of the
+    /// chain, and warnings elsewhere.
+    pub faults: Vec<Diagnostic>,
     /// Where the file introduces it.
     pub at: Location,
 }
@@ -124,6 +159,15 @@ pub enum Limits {
     },
 }
 
+/// What a drive is rated for, where the file says so.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rating {
+    /// rad/s or m/s.
+    pub velocity: Option<f64>,
+    /// N m or N.
+    pub effort: Option<f64>,
+}
+
 /// The joint value is `multiplier * (value of joint) + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mimic {
@@ -138,6 +182,21 @@ pub struct Mimic {
 }
 
 impl Spec {
+    fn warnings_mut(&mut self) -> &mut Vec<Diagnostic> {
+        match self {
+            Spec::Arm(arm) => &mut arm.warnings,
+            Spec::Mechanism(mechanism) => &mut mechanism.warnings,
+        }
+    }
+
+    /// What the file has that is odd, and changes no frame and no joint value.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        match self {
+            Spec::Arm(arm) => &arm.warnings,
+            Spec::Mechanism(mechanism) => &mechanism.warnings,
+        }
+    }
+
     /// Reads a robot file. Its content decides whether it is an arm or a
     /// mechanism: YAML with the key `mechanism`, and a URDF with
     /// `<loop_joint>` elements, are mechanisms.

@@ -1,6 +1,8 @@
 //! From joints that name links to a tree of them.
 
-use super::{ArmSpec, Collector, Joint, JointType, Limits, Link, Location, Mimic, Source};
+use super::{
+    ArmSpec, Collector, Diagnostic, Joint, JointType, Limits, Link, Location, Mimic, Rating, Source,
+};
 use super::{bounds, list_names};
 use kin_runtime::Pose;
 use std::collections::HashMap;
@@ -32,6 +34,8 @@ pub(super) struct DraftJoint {
     pub mount: Pose,
     pub limits: Limits,
     pub mimic: Option<DraftMimic>,
+    pub rating: Rating,
+    pub faults: Vec<Diagnostic>,
 }
 
 /// A [`Mimic`] whose joint is a name.
@@ -57,10 +61,17 @@ pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) 
         diagnostics.whole(reason, "give it a shorter name");
     }
     let mut resolved = Vec::new();
+    let broken = !diagnostics.is_empty();
     for joint in &draft.joints {
-        resolved.extend(resolve(joint, &links, &joints, diagnostics));
+        // What is wrong with a joint may follow from what is wrong elsewhere.
+        if !broken || joint.faults.is_empty() {
+            resolved.extend(resolve(joint, &links, &joints, diagnostics));
+        }
     }
     if !diagnostics.is_empty() {
+        // No chain will tell which faults matter: all are told.
+        let faults = draft.joints.iter().flat_map(|joint| &joint.faults);
+        diagnostics.put(faults.cloned());
         return None;
     }
     let spec = ArmSpec {
@@ -74,6 +85,7 @@ pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) 
             })
             .collect(),
         joints: resolved,
+        warnings: Vec::new(),
         source: source.clone(),
     };
     check_tree(&spec, diagnostics);
@@ -151,10 +163,12 @@ fn resolve(
         found
     };
     let (parent, child) = (link(&joint.parent, "parent"), link(&joint.child, "child"));
-    let mimic = match &joint.mimic {
-        None => None,
-        Some(mimic) => Some(resolve_mimic(&joint.name.text, mimic, joints, diagnostics)?),
-    };
+    let before = diagnostics.len();
+    let mimic = joint
+        .mimic
+        .as_ref()
+        .and_then(|mimic| resolve_mimic(&joint.name.text, mimic, joints, diagnostics));
+    let faults = [&joint.faults[..], &diagnostics.take_since(before)].concat();
     Some(Joint {
         name: joint.name.text.clone(),
         kind: joint.kind,
@@ -165,6 +179,8 @@ fn resolve(
         mount: joint.mount,
         limits: joint.limits,
         mimic,
+        rating: joint.rating,
+        faults,
         at: joint.name.at,
     })
 }

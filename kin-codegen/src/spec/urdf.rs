@@ -20,7 +20,10 @@ use roxmltree::Node;
 /// Reads a URDF.
 pub(super) fn parse(source: &Source) -> Result<Spec, Diagnostics> {
     let mut diagnostics = Collector::new(source);
-    let spec = read(source, &mut diagnostics);
+    let mut spec = read(source, &mut diagnostics);
+    if let Some(spec) = &mut spec {
+        *spec.warnings_mut() = diagnostics.take_warnings();
+    }
     diagnostics.unless_any(spec)
 }
 
@@ -118,6 +121,11 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, diagnostics: &mut Coll
             at,
             format!("this is no well-formed XML: {}", without_place(error)),
             "write &amp; for the character `&`",
+        ),
+        Error::InvalidComment(_) => diagnostics.at(
+            at,
+            "the comment contains `--`, which XML does not allow",
+            "write the comment without `--`, or remove it",
         ),
         Error::UnknownToken(_) if second_root(at, source) => diagnostics.at(
             at,

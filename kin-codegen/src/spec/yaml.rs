@@ -95,7 +95,9 @@ mod tokens;
 mod units;
 
 use super::tree::{self, Draft, DraftJoint, Name};
-use super::{ArmSpec, Collector, Diagnostics, JointType, Limits, Source, Spec, did_you_mean};
+use super::{
+    ArmSpec, Collector, Diagnostics, JointType, Limits, Rating, Source, Spec, did_you_mean,
+};
 use fields::{Fields, Reader};
 use kin_runtime::Pose;
 use node::{Node, Value};
@@ -287,6 +289,8 @@ fn fix_tip(draft: &mut Draft, tip: Name, parent: Name, origin: Pose) {
         mount: Pose::IDENTITY,
         limits: Limits::Unlimited,
         mimic: None,
+        rating: Rating::default(),
+        faults: Vec::new(),
     });
     draft.links.push(tip);
 }

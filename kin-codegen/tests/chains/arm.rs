@@ -2,6 +2,7 @@
 
 use kin_codegen::geometry::rank;
 use kin_codegen::model::{Joint, JointKind, Model, Variable};
+use kin_codegen::spec::Rating;
 use kin_runtime::Pose;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -205,6 +206,7 @@ fn model(joints: Vec<Joint>, home: Pose) -> Model {
     let variable = |joint: &Joint| Variable {
         name: joint.name.clone(),
         limits: None,
+        rating: Rating::default(),
     };
     Model {
         name: "arm".into(),
@@ -213,6 +215,7 @@ fn model(joints: Vec<Joint>, home: Pose) -> Model {
         variables: joints.iter().map(variable).collect(),
         joints,
         home,
+        warnings: Vec::new(),
     }
 }
 

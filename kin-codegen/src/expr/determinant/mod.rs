@@ -230,7 +230,11 @@ impl View {
     }
 
     fn cost(&self, product: &BlockProduct) -> usize {
-        let outputs: Vec<Expr> = product.blocks.iter().map(|block| block.expression).collect();
+        let outputs: Vec<Expr> = product
+            .blocks
+            .iter()
+            .map(|block| block.expression)
+            .collect();
         self.graph.operations(&outputs).weight()
     }
 

@@ -92,7 +92,12 @@ impl InverseGraph {
 /// `margin` is 0 when the linkage is exact. On an idealized linkage it is the
 /// tolerance of the snapping: roots out of domain by less stay alive, because
 /// refinement on the given arm may still reach them.
-pub fn inverse(linkage: &Linkage, plan: &Plan, margin: DomainMargin, free: FreeAngles) -> InverseGraph {
+pub fn inverse(
+    linkage: &Linkage,
+    plan: &Plan,
+    margin: DomainMargin,
+    free: FreeAngles,
+) -> InverseGraph {
     let mut writer = Writer::new(linkage, plan.target, margin);
     let mut turned: Option<MayBeFree> = None;
     let mut free_angle = None;

@@ -10,7 +10,8 @@ pub(super) fn place(node: Node, diagnostics: &Collector) -> Location {
     diagnostics.place(node.range().start)
 }
 
-/// Reports a child that is not in the vocabulary of its parent.
+/// Reports a child that may be a misspelling of one in the vocabulary of its
+/// parent, or belongs elsewhere; warns of what only a vendor knows.
 pub(super) fn refuse_unknown(
     child: Node,
     parent: &str,
@@ -21,17 +22,17 @@ pub(super) fn refuse_unknown(
     if known.contains(&name) {
         return;
     }
-    let remedy = if vocabulary::STRUCTURE.contains(&name) {
-        format!("move it out, next to the <{parent}>")
-    } else {
-        match suggest::nearest(name, known.iter().copied()) {
-            Some(meant) => format!("did you mean <{meant}>?"),
-            None => "remove it, or give it an XML namespace of its own if another program needs it"
-                .into(),
-        }
-    };
+    let at = place(child, diagnostics);
     let reason = format!("unknown element <{name}> in a <{parent}>");
-    diagnostics.at(place(child, diagnostics), reason, remedy);
+    if vocabulary::STRUCTURE.contains(&name) {
+        diagnostics.at(at, reason, format!("move it out, next to the <{parent}>"));
+    } else if let Some(meant) = suggest::nearest(name, known.iter().copied()) {
+        diagnostics.at(at, reason, format!("did you mean <{meant}>?"));
+    } else {
+        let remedy = "remove it, or give it an XML namespace of its own if another program needs \
+                      it; it is not read here";
+        diagnostics.warn(at, reason, remedy);
+    }
 }
 
 /// An attribute that must be there. One that is misspelt has been reported
@@ -86,7 +87,7 @@ fn attribute_text<'i>(node: Node<'_, 'i>, attribute: &Attribute) -> &'i str {
 }
 
 /// Reports attributes that the element does not have, or that look
-/// like misspellings of those it has.
+/// like misspellings of those it has. What is all zeros says nothing.
 pub(super) fn check_attributes(node: Node, diagnostics: &mut Collector) {
     let element = node.tag_name().name();
     let known = vocabulary::attributes(element);
@@ -100,8 +101,18 @@ pub(super) fn check_attributes(node: Node, diagnostics: &mut Collector) {
         }
         let at = diagnostics.place(attribute.range().start);
         let reason = format!("unknown attribute `{}` in <{element}>", attribute.name());
-        diagnostics.at(at, reason, did_you_mean(attribute.name(), known));
+        if meant.is_none() && is_zero(attribute.value()) {
+            diagnostics.warn(at, reason, "remove it: it is zero, and not read");
+        } else {
+            diagnostics.at(at, reason, did_you_mean(attribute.name(), known));
+        }
     }
+}
+
+/// Numbers that are all 0.
+fn is_zero(value: &str) -> bool {
+    let mut words = value.split_whitespace().peekable();
+    words.peek().is_some() && words.all(|word| word.parse::<f64>() == Ok(0.0))
 }
 
 /// Joints consist of elements; text there is something lost.

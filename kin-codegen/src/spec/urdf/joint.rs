@@ -3,12 +3,14 @@
 use super::checks::{attribute, check_attributes, place, refuse_text, refuse_unknown, required};
 use super::{elements, numbers, origin, vocabulary};
 use crate::spec::tree::{DraftJoint, DraftMimic, Name};
-use crate::spec::{Collector, JointType, Limits, did_you_mean, orientation, suggest};
+use crate::spec::{Collector, JointType, Limits, Rating, did_you_mean, orientation, suggest};
 use kin_runtime::Pose;
 use roxmltree::Node;
 
-/// Reads a joint; `None` after reporting why.
+/// Reads a joint; `None` after reporting why it has no place in the tree. What
+/// else is wrong with it is kept as its faults: it matters on the chain alone.
 pub(super) fn read(node: Node, diagnostics: &mut Collector) -> Option<DraftJoint> {
+    let before = diagnostics.len();
     check_attributes(node, diagnostics);
     refuse_text(node, diagnostics);
     let name = required(node, "name", diagnostics);
@@ -17,7 +19,7 @@ pub(super) fn read(node: Node, diagnostics: &mut Collector) -> Option<DraftJoint
     let parent = parts.link("parent", node, diagnostics);
     let child = parts.link("child", node, diagnostics);
     let kind = word.as_ref().and_then(|word| kind(word, diagnostics));
-    // Every part is read before the first missing one ends it.
+    // Every part is read, whatever is wrong with the others.
     let origin = parts.origin(diagnostics);
     let axis = parts.axis(kind, diagnostics);
     let limits = parts.limits(
@@ -26,16 +28,21 @@ pub(super) fn read(node: Node, diagnostics: &mut Collector) -> Option<DraftJoint
         diagnostics,
     );
     let mimic = parts.mimic(kind, diagnostics);
+    let (name, parent, child) = (name?, parent?, child?);
+    let (limits, rating) = limits.unwrap_or((Limits::Missing, Rating::default()));
     Some(DraftJoint {
-        name: name?,
-        kind: kind?,
-        parent: parent?,
-        child: child?,
-        origin: origin?,
-        axis: axis?,
+        name,
+        // What is not known to be fixed may move.
+        kind: kind.unwrap_or(JointType::Revolute),
+        parent,
+        child,
+        origin: origin.unwrap_or(Pose::IDENTITY),
+        axis: axis.unwrap_or([1.0, 0.0, 0.0]),
         mount: Pose::IDENTITY,
-        limits: limits?,
-        mimic: mimic?,
+        limits,
+        mimic: mimic.flatten(),
+        rating,
+        faults: diagnostics.take_since(before),
     })
 }
 
@@ -52,6 +59,28 @@ fn kind(word: &Name, diagnostics: &mut Collector) -> Option<JointType> {
     kind
 }
 
+/// A part that is given twice: once is enough if both say the same.
+fn second(first: Node, again: Node, diagnostics: &mut Collector) {
+    let name = again.tag_name().name();
+    let said = |node: Node| {
+        let words = |value: &str| value.split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut said: Vec<(String, String)> = node
+            .attributes()
+            .map(|attribute| (attribute.name().to_owned(), words(attribute.value())))
+            .collect();
+        said.sort();
+        said
+    };
+    let at = place(again, diagnostics);
+    if said(first) == said(again) {
+        let reason = format!("a second <{name}> in the same joint says what the first does");
+        diagnostics.warn(at, reason, "remove one of them");
+    } else {
+        let reason = format!("a second <{name}> in the same joint: only one can hold");
+        diagnostics.at(at, reason, "remove one of them");
+    }
+}
+
 /// The children of a joint that carry kinematics, each at most once.
 struct Parts<'a, 'i>(Vec<Node<'a, 'i>>);
 
@@ -65,9 +94,8 @@ impl<'a, 'i> Parts<'a, 'i> {
             if !vocabulary::KINEMATIC.contains(&name) {
                 continue;
             }
-            if parts.find(name).is_some() {
-                let reason = format!("a second <{name}> in the same joint: only one can hold");
-                diagnostics.at(place(child, diagnostics), reason, "remove one of them");
+            if let Some(first) = parts.find(name) {
+                second(first, child, diagnostics);
                 continue;
             }
             check_attributes(child, diagnostics);
@@ -140,33 +168,39 @@ impl<'a, 'i> Parts<'a, 'i> {
         kind: Option<JointType>,
         continuous: bool,
         diagnostics: &mut Collector,
-    ) -> Option<Limits> {
+    ) -> Option<(Limits, Rating)> {
         let Some(node) = self.find("limit") else {
             let needs_them =
                 matches!(kind, Some(JointType::Revolute | JointType::Prismatic)) && !continuous;
-            return Some(if needs_them {
-                Limits::Missing
-            } else {
-                Limits::Unlimited
-            });
+            let limits = match needs_them {
+                true => Limits::Missing,
+                false => Limits::Unlimited,
+            };
+            return Some((limits, Rating::default()));
         };
         let bound = |name, diagnostics: &mut Collector| match node.attribute_node(name) {
             Some(attribute) => numbers::read::<1>(&attribute, diagnostics).map(|[x]| x),
             None => Some(0.0),
         };
         let (lower, upper) = (bound("lower", diagnostics), bound("upper", diagnostics));
-        for rating in ["effort", "velocity"] {
-            if let Some(attribute) = node.attribute_node(rating) {
-                numbers::refuse_junk(&attribute, diagnostics);
-            }
-        }
+        let rating = |name, diagnostics: &mut Collector| {
+            let attribute = node.attribute_node(name)?;
+            numbers::refuse_junk(&attribute, diagnostics);
+            let value: f64 = attribute.value().trim().parse().ok()?;
+            // People write 0 and huge numbers where they do not know.
+            (value.is_finite() && value > 0.0).then_some(value)
+        };
+        let rating = Rating {
+            velocity: rating("velocity", diagnostics),
+            effort: rating("effort", diagnostics),
+        };
         let (lower, upper) = (lower?, upper?);
         let at = place(node, diagnostics);
-        Some(if continuous {
-            Limits::Unlimited
-        } else {
-            Limits::Range { lower, upper, at }
-        })
+        let limits = match continuous {
+            true => Limits::Unlimited,
+            false => Limits::Range { lower, upper, at },
+        };
+        Some((limits, rating))
     }
 
     /// What a joint that cannot move mimics has no effect.

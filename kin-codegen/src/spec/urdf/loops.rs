@@ -24,8 +24,8 @@ use super::checks::{attribute, check_attributes, place, required};
 use super::{elements, numbers, origin};
 use crate::spec::tree::Name;
 use crate::spec::{
-    ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Topology, bounds,
-    did_you_mean, orientation,
+    ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Rating, Topology,
+    bounds, did_you_mean, orientation,
 };
 use crate::vector::norm;
 use kin_runtime::Pose;
@@ -90,6 +90,7 @@ pub(super) fn read(
     Some(MechanismSpec {
         name: links.name.clone(),
         source: links.source.clone(),
+        warnings: Vec::new(),
         at,
         topology: Topology::Looped(LoopedTree {
             links,
@@ -236,6 +237,8 @@ fn joints_of(
         mount: Pose::IDENTITY,
         limits: Limits::Unlimited,
         mimic: None,
+        rating: Rating::default(),
+        faults: Vec::new(),
         at,
     };
     const AXES: [(&str, [f64; 3]); 3] = [

@@ -26,7 +26,7 @@ fn rotation(origin: Node, diagnostics: &mut Collector) -> Option<Rotation> {
     ) {
         (None, None) => Some(Pose::IDENTITY.rotation),
         (Some(rpy), None) => angles(&rpy, diagnostics),
-        (None, Some(quat)) => quaternion(&quat, diagnostics),
+        (None, Some(quat)) => quaternion(&quat, origin.document().root_element(), diagnostics),
         (Some(_), Some(quat)) => {
             let reason = "the origin has both rpy and quat_xyzw: only one can hold";
             diagnostics.at(
@@ -57,9 +57,21 @@ fn angles(rpy: &Attribute, diagnostics: &mut Collector) -> Option<Rotation> {
     Some(orientation::from_rpy(angles))
 }
 
-/// URDF 1.1; older files that have it can mean nothing else.
-fn quaternion(xyzw: &Attribute, diagnostics: &mut Collector) -> Option<Rotation> {
+/// URDF 1.1. In files of an older version urdfdom and Pinocchio do not read it.
+fn quaternion(xyzw: &Attribute, root: Node, diagnostics: &mut Collector) -> Option<Rotation> {
     let quaternion: [f64; 4] = numbers::read(xyzw, diagnostics)?;
+    let version = root.attribute("version").unwrap_or("1.0").trim();
+    let number: Vec<u32> = version.split('.').map_while(|it| it.parse().ok()).collect();
+    if number < vec![1, 1] {
+        let at = diagnostics.place(xyzw.range().start);
+        let reason = format!(
+            "quat_xyzw in a URDF of version {version}: it came with version 1.1, and other \
+             programs ignore it here"
+        );
+        let remedy = "write <robot version=\"1.1\" ...> if it is meant, or the rotation as rpy";
+        diagnostics.at(at, reason, remedy);
+        return None;
+    }
     if let Err(length) = orientation::check_quaternion(quaternion) {
         let at = diagnostics.place(xyzw.range_value().start);
         let reason = format!("the quaternion has the length {length}, and a rotation's has 1");

@@ -1,9 +1,10 @@
 //! The strict pass: every element and attribute that can carry kinematics.
 
 use super::checks::{check_attributes, place, refuse_unknown, required};
-use super::{elements, joint, vocabulary};
+use super::{elements, joint, origin, vocabulary};
 use crate::spec::tree::{Draft, Name};
 use crate::spec::{Collector, Source, suggest};
+use kin_runtime::Pose;
 use roxmltree::{Document, Node};
 use std::path::Path;
 
@@ -96,7 +97,27 @@ fn refuse_misspelt_structure(
 fn link(node: Node, diagnostics: &mut Collector) -> Option<Name> {
     check_attributes(node, diagnostics);
     for child in elements(node) {
-        refuse_unknown(child, "link", &vocabulary::IN_LINK, diagnostics);
+        match child.tag_name().name() {
+            "origin" => refuse_origin(child, diagnostics),
+            _ => refuse_unknown(child, "link", &vocabulary::IN_LINK, diagnostics),
+        }
     }
     required(node, "name", diagnostics)
+}
+
+/// A link's frame is that of its joint: an origin of its own could only move
+/// it if someone read it.
+fn refuse_origin(node: Node, diagnostics: &mut Collector) {
+    let at = place(node, diagnostics);
+    let reason = "an <origin> in a <link>: a link's frame is that of the joint above it";
+    match origin::read(node, diagnostics) {
+        Some(pose) if pose == Pose::IDENTITY => {
+            diagnostics.warn(at, reason, "remove it: it is the identity, and not read");
+        }
+        _ => diagnostics.at(
+            at,
+            reason,
+            "move it into the <joint>, or into the link's <visual>, <collision> or <inertial>",
+        ),
+    }
 }

@@ -1,4 +1,4 @@
-//! Recognises xacro that was not expanded.
+//! Recognises xacro that was not expanded, and what an expansion leaves over.
 
 use super::{elements, vocabulary};
 use crate::spec::Collector;
@@ -8,21 +8,36 @@ use roxmltree::{Document, Node};
 pub(super) const EXPAND: &str =
     "expand it first: `xacro arm.urdf.xacro > arm.urdf`, and use the result";
 
-/// Reports the first xacro element, or else about every `${...}` and
-/// `$(...)` where kinematics is written.
+/// Definitions, which add nothing by themselves.
+const DEFINITIONS: [&str; 3] = ["property", "arg", "macro"];
+
+/// Reports the first xacro element that stands for links or joints, or else
+/// every `${...}` and `$(...)` where kinematics is written. Warns of what an
+/// expansion left over: definitions, and what looks belong to.
 pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
-    let is_xacro = |node: &Node| {
-        node.tag_name()
-            .namespace()
-            .is_some_and(|uri| uri.contains("xacro"))
-    };
-    if let Some(element) = document.descendants().find(is_xacro) {
+    let xacros = document.descendants().filter(is_xacro);
+    let mut left_over = None;
+    for element in xacros.filter(|element| element.ancestors().skip(1).all(|it| !is_xacro(&it))) {
+        if is_harmless(element) {
+            left_over.get_or_insert(element);
+            continue;
+        }
         let name = element.tag_name().name();
         let reason = format!(
             "<xacro:{name}>: this file is xacro, a program that writes a URDF, and has not been expanded"
         );
         diagnostics.at(diagnostics.place(element.range().start), reason, EXPAND);
         return;
+    }
+    if let Some(element) = left_over {
+        let name = element.tag_name().name();
+        let reason = format!("<xacro:{name}> is left over from xacro, and means nothing here");
+        let at = diagnostics.place(element.range().start);
+        diagnostics.warn(
+            at,
+            reason,
+            "remove it, if nothing is missing from the robot",
+        );
     }
     let structure = |node: &Node| vocabulary::STRUCTURE.contains(&node.tag_name().name());
     for node in elements(document.root_element()).filter(structure) {
@@ -31,6 +46,20 @@ pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
             .filter(|part| vocabulary::KINEMATIC.contains(&part.tag_name().name()))
             .for_each(|part| refuse_expressions(part, diagnostics));
     }
+}
+
+fn is_xacro(node: &Node) -> bool {
+    let namespace = node.tag_name().namespace();
+    namespace.is_some_and(|uri| uri.contains("xacro"))
+}
+
+/// A definition, or something about how a link looks or what it weighs.
+fn is_harmless(element: Node) -> bool {
+    let within = |node: Node| {
+        let name = node.tag_name().name();
+        vocabulary::IN_LINK.contains(&name) || vocabulary::IN_JOINT.contains(&name)
+    };
+    DEFINITIONS.contains(&element.tag_name().name()) || element.ancestors().skip(1).any(within)
 }
 
 fn refuse_expressions(node: Node, diagnostics: &mut Collector) {

@@ -108,6 +108,7 @@ pub(super) fn read(source: &Source, document: &Node, reader: &mut Reader) -> Opt
             chains,
         },
         source: source.clone(),
+        warnings: Vec::new(),
         at,
     })
 }

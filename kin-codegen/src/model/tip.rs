@@ -1,0 +1,357 @@
+//! Which link is the tip, where the user does not say.
+//!
+//! 1. The joints that move decide: the chain ends with the last of them. Bases,
+//!    cameras and collision links that hang on the way do not count, nor do
+//!    struts whose joints mimic those of the chain.
+//! 2. Fingers are left out: what moves behind a link at which a longer chain
+//!    forks, joints that mimic others than those before them, short slides and joints that are named
+//!    as a gripper's at the end of the chain, and a last joint beside which a
+//!    link hangs under one of the [`NAMES`]. A warning says so.
+//! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
+//!    tip; without any, the only leaf; otherwise the link that the joint moves,
+//!    or on which the fingers hang.
+//!
+//! Chains that fork otherwise (two arms in one file) are ambiguous.
+
+use crate::spec::{ArmSpec, Collector, JointType, Limits};
+use std::collections::BTreeSet;
+
+/// What the field calls the tip, the first choice first: as a whole name, or
+/// behind a prefix (`panda_hand_tcp`).
+const NAMES: [&str; 19] = [
+    "tool0",
+    "tcp",
+    "tcp_link",
+    "tool",
+    "tool_link",
+    "tool_frame",
+    "flange",
+    "flange_link",
+    "ee_link",
+    "ee",
+    "ee_frame",
+    "eef",
+    "eef_link",
+    "end_effector",
+    "end_effector_link",
+    "grasp_link",
+    "grasp_frame",
+    "gripper_frame_link",
+    "gripper_frame",
+];
+
+/// A joint of such a name, or one that moves a link of such a name other than
+/// the first (which is often all that the wrist carries), belongs to a gripper.
+const GRIPPERS: [&str; 6] = ["gripper", "finger", "jaw", "knuckle", "claw", "thumb"];
+
+/// A slide at the end of a chain that is shorter than this is a finger's,
+/// metres.
+const FINGER_STROKE: f64 = 0.12;
+/// A finger has no more joints.
+const FINGER_JOINTS: usize = 4;
+/// Of a robot with more ends than this no arm is the one that is meant.
+const MOST_ENDS: usize = 100;
+/// An arm that carries fingers has no fewer joints.
+const ARM_JOINTS: usize = 3;
+
+/// Links below a base, each with the moving joints that lead to it.
+struct Below<'s> {
+    spec: &'s ArmSpec,
+    /// By link: its joints towards the tips.
+    children: Vec<Vec<usize>>,
+    /// By link: the joint that moves it, or holds it.
+    above: Vec<Option<usize>>,
+}
+
+/// The tip of the arm on `base`; none after reporting why.
+pub(super) fn default_tip(
+    spec: &ArmSpec,
+    base: usize,
+    diagnostics: &mut Collector,
+) -> Option<usize> {
+    let mut children = vec![Vec::new(); spec.links.len()];
+    let mut above = vec![None; spec.links.len()];
+    for (j, joint) in spec.joints.iter().enumerate() {
+        children[joint.parent].push(j);
+        above[joint.child] = Some(j);
+    }
+    let below = Below {
+        spec,
+        children,
+        above,
+    };
+    let ends = below.without_followers(below.ends(base));
+    match &ends[..] {
+        [] => Some(below.rigid_tip(base, false, diagnostics)),
+        [end] => Some(below.single(base, end, diagnostics)),
+        _ => below.forked(base, &ends, diagnostics),
+    }
+}
+
+impl Below<'_> {
+    /// The moving joints down to every joint behind which nothing moves.
+    fn ends(&self, base: usize) -> Vec<Vec<usize>> {
+        // Whether something moves below a link, from the leaves up.
+        let order = self.order(base);
+        let mut moves_below = vec![false; self.spec.links.len()];
+        for &link in order.iter().rev() {
+            moves_below[link] = self.children[link].iter().any(|&j| {
+                let joint = &self.spec.joints[j];
+                joint.kind != JointType::Fixed || moves_below[joint.child]
+            });
+        }
+        let mut ends: Vec<Vec<usize>> = Vec::new();
+        let mut path = Vec::new();
+        let mut open: Vec<(usize, usize)> = self.children[base].iter().map(|&j| (j, 0)).collect();
+        while let Some((joint, depth)) = open.pop().filter(|_| ends.len() < MOST_ENDS) {
+            // The path to the joint's parent.
+            path.truncate(depth);
+            let link = &self.spec.joints[joint];
+            if link.kind != JointType::Fixed {
+                path.push(joint);
+                if !moves_below[link.child] {
+                    ends.push(path.clone());
+                }
+            }
+            if moves_below[link.child] {
+                open.extend(self.children[link.child].iter().map(|&j| (j, path.len())));
+            }
+        }
+        ends.sort();
+        ends
+    }
+
+    /// Without ends that are moved by some of the joints that move another one:
+    /// struts and pistons beside an arm, whose joints mimic those of the arm.
+    fn without_followers(&self, ends: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
+        let leaders: Vec<BTreeSet<usize>> = ends
+            .iter()
+            .map(|end| end.iter().map(|&j| self.leader(j)).collect())
+            .collect();
+        let follows = |own: &BTreeSet<usize>| {
+            let mut others = leaders.iter();
+            others.any(|other| own.len() < other.len() && own.is_subset(other))
+        };
+        let ends = ends.into_iter().zip(&leaders);
+        ends.filter(|(_, own)| !follows(own))
+            .map(|(end, _)| end)
+            .collect()
+    }
+
+    /// The joint that a joint follows in the end.
+    fn leader(&self, joint: usize) -> usize {
+        let next = |&j: &usize| self.spec.joints[j].mimic.map(|mimic| mimic.joint);
+        std::iter::successors(Some(joint), next)
+            .last()
+            .unwrap_or(joint)
+    }
+
+    /// All links below one, parents first.
+    fn order(&self, base: usize) -> Vec<usize> {
+        let mut order = vec![base];
+        let mut next = 0;
+        while let Some(&link) = order.get(next) {
+            let children = self.children[link].iter();
+            order.extend(children.map(|&j| self.spec.joints[j].child));
+            next += 1;
+        }
+        order
+    }
+
+    /// The links that move with one, itself first, and which of them are
+    /// leaves.
+    fn rigid(&self, link: usize) -> Vec<usize> {
+        let mut rigid = vec![link];
+        let mut next = 0;
+        while let Some(&link) = rigid.get(next) {
+            let fixed = self.children[link].iter().map(|&j| &self.spec.joints[j]);
+            let fixed = fixed.filter(|joint| joint.kind == JointType::Fixed);
+            rigid.extend(fixed.map(|joint| joint.child));
+            next += 1;
+        }
+        rigid
+    }
+
+    fn named(&self, links: &[usize]) -> Option<usize> {
+        NAMES.iter().find_map(|name| {
+            let mut links = links.iter().copied();
+            links.find(|&link| is_called(&self.spec.links[link].name, name))
+        })
+    }
+
+    /// One line of moving joints, perhaps with a finger at its end.
+    fn single(&self, base: usize, end: &[usize], diagnostics: &mut Collector) -> usize {
+        let mut arm = end.len();
+        while arm > 1 && self.is_finger(&end[..arm]) {
+            arm -= 1;
+        }
+        // The only finger that nothing else tells from a joint of the arm.
+        if arm == end.len() && arm > ARM_JOINTS {
+            let last = &self.spec.joints[end[arm - 1]];
+            let beside = self.named(&self.rigid(last.parent)).is_some();
+            if beside && self.named(&self.rigid(last.child)).is_none() {
+                arm -= 1;
+            }
+        }
+        if arm == end.len() {
+            return self.rigid_tip(self.spec.joints[end[arm - 1]].child, false, diagnostics);
+        }
+        let carrier = self.spec.joints[end[arm]].parent;
+        let tip = self.rigid_tip(carrier, true, diagnostics);
+        self.warn_of_fingers(base, tip, &end[arm..], diagnostics);
+        tip
+    }
+
+    /// Several lines of moving joints: fingers on one arm, or several arms.
+    fn forked(
+        &self,
+        base: usize,
+        ends: &[Vec<usize>],
+        diagnostics: &mut Collector,
+    ) -> Option<usize> {
+        let common = |k: usize| ends.iter().all(|end| end.get(k) == ends[0].get(k));
+        let mut arm = (0..ends[0].len()).take_while(|&k| common(k)).count();
+        // A finger may be one joint that drives the others.
+        while arm > 1 && self.is_finger(&ends[0][..arm]) {
+            arm -= 1;
+        }
+        let fingers = ends
+            .iter()
+            .all(|end| end.len() - arm <= FINGER_JOINTS.min(arm));
+        if arm < ARM_JOINTS || !fingers {
+            self.report_ambiguous(base, ends, diagnostics);
+            return None;
+        }
+        let mut moving: Vec<usize> = ends.iter().flat_map(|end| end[arm..].to_vec()).collect();
+        moving.sort_unstable();
+        moving.dedup();
+        let tip = self.rigid_tip(self.carrier(&moving), true, diagnostics);
+        self.warn_of_fingers(base, tip, &moving, diagnostics);
+        Some(tip)
+    }
+
+    /// The link on which all of some joints hang, the first that is above all.
+    fn carrier(&self, fingers: &[usize]) -> usize {
+        let parent = |&link: &usize| self.above[link].map(|j| self.spec.joints[j].parent);
+        let ancestors = |link: usize| std::iter::successors(Some(link), parent);
+        let first = self.spec.joints[fingers[0]].parent;
+        let is_above = |link: usize| {
+            let mut fingers = fingers.iter();
+            fingers.all(|&j| ancestors(self.spec.joints[j].parent).any(|above| above == link))
+        };
+        ancestors(first)
+            .find(|&link| is_above(link))
+            .unwrap_or(first)
+    }
+
+    /// The tip among the links that move with one. Where fingers hang on it,
+    /// a leaf is no better than the link itself.
+    fn rigid_tip(&self, link: usize, fingers: bool, diagnostics: &mut Collector) -> usize {
+        let rigid = self.rigid(link);
+        if let Some(named) = self.named(&rigid) {
+            return named;
+        }
+        if fingers {
+            return link;
+        }
+        let is_leaf = |link: &&usize| self.children[**link].is_empty();
+        let leaves: Vec<usize> = rigid.iter().filter(is_leaf).copied().collect();
+        if let [leaf] = leaves[..] {
+            return leaf;
+        }
+        let name = |link: usize| self.spec.links[link].name.as_str();
+        let names: Vec<&str> = leaves.iter().map(|&leaf| name(leaf)).collect();
+        let reason = format!(
+            "the tip is `{}`, which the last joint moves: {} links hang on it, {}",
+            name(link),
+            names.len(),
+            crate::spec::list_names(&names)
+        );
+        diagnostics.warn_whole(reason, "name another one if you mean it (tip)");
+        link
+    }
+
+    /// Whether the last joint of a chain moves a finger.
+    fn is_finger(&self, chain: &[usize]) -> bool {
+        let Some((&last, before)) = chain.split_last() else {
+            return false;
+        };
+        let joint = &self.spec.joints[last];
+        // The last joint of a palletizer mimics those of its arm.
+        let mimics_finger = joint.mimic.is_some() && !before.contains(&self.leader(last));
+        let stroke = match joint.limits {
+            Limits::Range { lower, upper, .. } => (upper - lower).abs(),
+            Limits::Missing | Limits::Unlimited => f64::INFINITY,
+        };
+        let link = self.spec.links[joint.child].name.to_lowercase();
+        let name = joint.name.to_lowercase();
+        mimics_finger
+            || (joint.kind == JointType::Prismatic && stroke < FINGER_STROKE)
+            || GRIPPERS.iter().any(|word| name.contains(word))
+            || GRIPPERS[1..].iter().any(|word| link.contains(word))
+    }
+
+    fn warn_of_fingers(
+        &self,
+        base: usize,
+        tip: usize,
+        fingers: &[usize],
+        diagnostics: &mut Collector,
+    ) {
+        let names: Vec<&str> = fingers
+            .iter()
+            .map(|&j| self.spec.joints[j].name.as_str())
+            .collect();
+        let [base, tip] = [base, tip].map(|link| &self.spec.links[link].name);
+        let (subject, verb) = match names.len() {
+            1 => ("joint", "looks like that of a gripper and is"),
+            _ => ("joints", "look like those of a gripper and are"),
+        };
+        let reason = format!(
+            "the arm is taken from `{base}` to `{tip}`: the {subject} {} {verb} left out",
+            crate::spec::list_names(&names)
+        );
+        diagnostics.warn_whole(reason, "name the tip if you mean another one (tip)");
+    }
+
+    fn report_ambiguous(&self, base: usize, ends: &[Vec<usize>], diagnostics: &mut Collector) {
+        /// More are no help.
+        const SHOWN: usize = 8;
+        let name = |link: usize| self.spec.links[link].name.as_str();
+        let arm = |end: &Vec<usize>| {
+            let joints: Vec<&str> = end
+                .iter()
+                .map(|&j| self.spec.joints[j].name.as_str())
+                .collect();
+            let last = end.last().map_or(base, |&j| self.spec.joints[j].child);
+            let rigid = self.rigid(last);
+            let tip = self.named(&rigid).unwrap_or(last);
+            format!(
+                "\n  base `{}`, tip `{}`: {} moving joints, {}",
+                name(base),
+                name(tip),
+                joints.len(),
+                crate::spec::list_names(&joints)
+            )
+        };
+        let mut listed: String = ends.iter().take(SHOWN).map(arm).collect();
+        if ends.len() > SHOWN {
+            listed += &format!("\n  and {} more", ends.len() - SHOWN);
+        }
+        diagnostics.choice(
+            format!(
+                "{} chains of joints begin at `{}`, and any could be the arm:{listed}",
+                ends.len(),
+                name(base)
+            ),
+            "name the end of the one you mean (tip), and where it begins (base)",
+        );
+    }
+}
+
+/// Whether a link has a name, perhaps behind a prefix.
+fn is_called(link: &str, name: &str) -> bool {
+    let link = link.to_lowercase();
+    let prefix = link.strip_suffix(name);
+    prefix.is_some_and(|prefix| prefix.is_empty() || prefix.ends_with(['_', '-', '/', '.', ':']))
+}
