@@ -19,6 +19,7 @@ mod macros {
         base = "shoulder_link",
         tip = "forearm_link",
         ik = none,
+        strict = true,
     );
     kinematics::kinematics!(
         "../robots/planar_2r.yaml",
@@ -83,20 +84,22 @@ fn forward_alone_of_part_of_the_arm() {
             base: Some("shoulder_link".into()),
             tip: Some("forearm_link".into()),
             ik: Ik::None,
-            target: None,
+            strict: true,
+            ..Options::default()
         },
     );
-    let header =
-        "// Options: name = Shoulder, base = \"shoulder_link\", tip = \"forearm_link\", ik = none.";
-    assert!(code.lines().any(|line| line == header), "{code}");
+    let header = "// Options: name = Shoulder, base = \"shoulder_link\", tip = \"forearm_link\", \
+                  ik = none,\n// strict = true.\n";
+    assert!(code.contains(header), "{code}");
     assert_eq!(macro_file("Shoulder"), code);
     let config = Config::new(ROBOT)
         .name("Shoulder")
         .base("shoulder_link")
         .tip("forearm_link")
-        .ik(Ik::None);
+        .ik(Ik::None)
+        .strict(true);
     assert_eq!(build_script(config, "shoulder.rs"), code);
-    let options = "--name Shoulder --base shoulder_link --tip forearm_link --ik none";
+    let options = "--name Shoulder --base shoulder_link --tip forearm_link --ik none --strict";
     let options: Vec<&str> = options.split(' ').collect();
     assert_eq!(command_line(ROBOT, &options), code);
     // The header's own command.

@@ -37,10 +37,10 @@ fn a_sweep_tells_what_it_counted() {
     let beginnings = [
         "robots/ur5e.urdf: solved: ",
         "  200 targets of seed 1 in ",
-        "  answers: 8 to 1",
+        "  solutions: 8 to 1",
         "  worst residual ",
         "  lost 0, unsound 0, doubled 0",
-        "  near singular 0, below an independence of 1.0e-5; 0 of these unanswered",
+        "  near singular 0, below a conditioning of 1.0e-5; 0 of these unanswered",
         "  numerical search: ",
     ];
     assert_eq!(lines.len(), beginnings.len(), "{lines:#?}");
@@ -58,7 +58,7 @@ fn a_sweep_serves_programs() {
     let swept = check(&[&["--json", "--targets", "50", "--seed", "7"], &files[..]].concat());
     assert_eq!(swept.status.code(), Some(3), "the second file is refused");
     let json: Value = serde_json::from_slice(&swept.stdout).unwrap();
-    assert_eq!(json["schema"], 1);
+    assert_eq!(json["schema"], 2);
     let [solved, refused] = &json["files"].as_array().unwrap()[..] else {
         panic!("{json:#}");
     };
@@ -69,10 +69,10 @@ fn a_sweep_serves_programs() {
             "file",
             "plan",
             "replay",
-            "snapped_by",
             "structure",
             "sweep",
             "text",
+            "tip_shift",
             "verdict"
         ]
     );
@@ -87,7 +87,7 @@ fn a_sweep_serves_programs() {
     ] {
         assert_eq!(sweep[key], expected, "{key}");
     }
-    assert_eq!(sweep["answers"]["2"], 50);
+    assert_eq!(sweep["solutions"]["2"], 50);
     assert_eq!(sweep["lost"]["regular"], 0);
     assert_eq!(sweep["doubled"]["near_singular"], 0);
     assert!(sweep["oracle"].is_null() && sweep["faults"].as_array().unwrap().is_empty());
@@ -127,8 +127,8 @@ fn one_configuration_is_shown_in_full() {
     let json: Value = serde_json::from_slice(&json.stdout).unwrap();
     let replay = &json["files"][0]["replay"];
     assert_eq!(replay["q"][0], -0.3);
-    assert_eq!(replay["answers"].as_array().unwrap().len(), 8);
     assert_eq!(replay["solutions"].as_array().unwrap().len(), 8);
+    assert_eq!(replay["found"].as_array().unwrap().len(), 8);
     assert_eq!(replay["rotation"][2].as_array().unwrap().len(), 3);
     assert_eq!(replay["tally"]["lost"]["regular"], 0);
 }

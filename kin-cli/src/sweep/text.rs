@@ -27,12 +27,12 @@ impl Display for Tally {
         )?;
         write!(f, "  lost {}", self.lost)?;
         if self.lost_up_to > 0.0 {
-            write!(f, " (up to an conditioning of {:.1e})", self.lost_up_to)?;
+            write!(f, " (up to a conditioning of {:.1e})", self.lost_up_to)?;
         }
         writeln!(f, ", unsound {}, doubled {}", self.unsound, self.doubled)?;
         writeln!(
             f,
-            "  near singular {}, below an conditioning of {:.1e}; {} of these unanswered",
+            "  near singular {}, below a conditioning of {:.1e}; {} of these unanswered",
             self.near_singular, self.near_singular_below, self.unanswered
         )?;
         if let Some(comparison) = &self.oracle {
