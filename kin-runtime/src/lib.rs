@@ -6,7 +6,7 @@
 //!
 //! Notation and conventions are those of Murray, Li and Sastry, "A Mathematical
 //! Introduction to Robotic Manipulation", 1994, here called MLS: twists are
-//! (v, ω), poses take tool coordinates to base coordinates. Units are metres
+//! (v, ω), poses take tip coordinates to base coordinates. Units are metres
 //! and radians.
 //!
 //! | feature | adds |

@@ -169,13 +169,13 @@ fn loops_stay_closed_along_a_whole_turn_of_the_crank() {
 fn a_four_bar_has_two_assemblies_or_none() {
     let linkage = four_bar(1.0, 2.5, 2.0, 3.0, 0.9, 1.0);
     for crank in [-2.0, -0.3, 0.0, 0.7, 2.5] {
-        let found = linkage.assemblies(&[crank]);
+        let found = linkage.assembly_modes(&[crank]);
         assert_eq!(found.len(), 2, "{crank}");
         assert!(found.iter().all(|q| linkage.gap(q) < 1e-12));
     }
     // A long crank cannot come close to the far side.
     let rocking = four_bar(2.5, 1.0, 2.0, 3.0, 0.5, 1.0);
-    assert!(rocking.assemblies(&[2.6]).is_empty());
+    assert!(rocking.assembly_modes(&[2.6]).is_empty());
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn a_five_bar_has_two_assemblies_for_its_actuators() {
         vec![0, 2],
     );
     assert_eq!((five_bar.gruebler(3), five_bar.mobility()), (2, 2));
-    assert_eq!(five_bar.assemblies(&[0.1, -0.2]).len(), 2);
+    assert_eq!(five_bar.assembly_modes(&[0.1, -0.2]).len(), 2);
 }
 
 /// Jacobians of closed mechanisms against differences of closed positions.

@@ -2118,7 +2118,7 @@ const _: () = {
         const LENGTH: f64 = 0.2765455247449999;
         const MOBILITY: usize = 3;
         const BRANCHES: [usize; 3] = [4, 8, 8];
-        const ASSEMBLIES: usize = 2;
+        const ASSEMBLY_MODES: usize = 2;
         #[inline]
         fn chains(&self, q: &[f64; 15]) -> ([Pose; 3], [Twist; 15]) {
             let (pose1, jacobian1) = arms::Leg1

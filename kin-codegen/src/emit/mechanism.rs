@@ -127,7 +127,7 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
         const LENGTH: f64 = #length;
         const MOBILITY: usize = #mobility;
         const BRANCHES: [usize; #k] = [#(#branches),*];
-        const ASSEMBLIES: usize = #assemblies;
+        const ASSEMBLY_MODES: usize = #assemblies;
     }
 }
 

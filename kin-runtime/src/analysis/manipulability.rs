@@ -1,4 +1,4 @@
-//! How well an arm moves its tool: measures, ellipsoids and gradients.
+//! How well an arm moves its tip: measures, ellipsoids and gradients.
 
 use crate::linear::singular_values::SingularValues;
 use crate::linear::vector::dot;
@@ -12,7 +12,7 @@ use crate::{Hessian, Jacobian};
 /// there can be, the lesser of the rows and the joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manipulability {
-    /// σ_min: the least speed of the tool at unit joint rates, over all
+    /// σ_min: the least speed of the tip at unit joint rates, over all
     /// directions that the arm has.
     pub sigma_min: f64,
     /// σ_min / σ_max, from 0 to 1; 1 where the arm is isotropic.
@@ -104,7 +104,7 @@ impl<const N: usize> Jacobian<N> {
     }
 
     /// The same Jacobian with `length`, metres, as the unit of length: the arm's
-    /// reach, or that of the tool, makes translations and rotations comparable.
+    /// reach, or that of a tool, makes translations and rotations comparable.
     #[inline]
     pub fn in_lengths_of(&self, length: f64) -> Self {
         let mut rows = self.rows;
@@ -133,12 +133,12 @@ impl<const N: usize> Jacobian<N> {
         measures(&self.rows)
     }
 
-    /// The measures of the linear velocity, whatever the tool's rotation.
+    /// The measures of the linear velocity, whatever the tip's rotation.
     pub fn translational_manipulability(&self) -> Manipulability {
         measures(&self.translational())
     }
 
-    /// The measures of the angular velocity, whatever the tool's origin does.
+    /// The measures of the angular velocity, whatever the tip's origin does.
     pub fn rotational_manipulability(&self) -> Manipulability {
         measures(&self.rotational())
     }
@@ -162,20 +162,20 @@ impl<const N: usize> Jacobian<N> {
         gradient(&self.rotational(), |k| hessian.derivatives[k].rotational())
     }
 
-    /// The velocities (v, ω) that joint rates with |q̇| ≤ 1 give the tool. Its
+    /// The velocities (v, ω) that joint rates with |q̇| ≤ 1 give the tip. Its
     /// axes mix metres and radians; see [`Jacobian::in_lengths_of`].
     pub fn velocity_ellipsoid(&self) -> Ellipsoid<6> {
         velocity_ellipsoid(&self.rows)
     }
 
-    /// The linear velocities, m/s, that joint rates with |q̇| ≤ 1 give the tool,
+    /// The linear velocities, m/s, that joint rates with |q̇| ≤ 1 give the tip,
     /// whatever the angular velocity.
     pub fn translational_velocity_ellipsoid(&self) -> Ellipsoid<3> {
         velocity_ellipsoid(&self.translational())
     }
 
     /// The angular velocities, rad/s, that joint rates with |q̇| ≤ 1 give the
-    /// tool, whatever the linear velocity.
+    /// tip, whatever the linear velocity.
     pub fn rotational_velocity_ellipsoid(&self) -> Ellipsoid<3> {
         velocity_ellipsoid(&self.rotational())
     }

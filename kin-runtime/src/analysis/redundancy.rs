@@ -1,11 +1,11 @@
-//! Motions of the joints that leave the tool where it is.
+//! Motions of the joints that leave the tip where it is.
 
 use crate::linear::span::Span;
 use crate::linear::vector::dot;
 use crate::{Basis, Jacobian, JointLimit, RANK_TOLERANCE};
 
 /// An orthonormal basis of the vectors x with A x = 0, for some rows of a
-/// Jacobian: [`Jacobian::translational`] for a task that leaves the tool's
+/// Jacobian: [`Jacobian::translational`] for a task that leaves the tip's
 /// orientation open. Rows count as dependent as for [`RANK_TOLERANCE`].
 ///
 /// One column more than independent rows leave one vector. Its sign is that
@@ -33,7 +33,7 @@ pub fn null_space<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Basis
 
 impl<const N: usize> Jacobian<N> {
     /// The internal motions J q̇ = 0 (MLS section 3.4.5): an orthonormal basis
-    /// of the joint rates that leave the tool at rest, rad/s and m/s. See
+    /// of the joint rates that leave the tip at rest, rad/s and m/s. See
     /// [`null_space`], also for the sign of the one of a seven-joint arm.
     pub fn internal_motions(&self) -> Basis<[f64; N], N> {
         null_space(&self.rows)
@@ -41,7 +41,7 @@ impl<const N: usize> Jacobian<N> {
 
     /// The internal motion nearest to some joint rates: a secondary task, such
     /// as to stay away from limits or from singularities, that does not disturb
-    /// the tool.
+    /// the tip.
     pub fn null_space_projection(&self, rates: &[f64; N]) -> [f64; N] {
         let mut projected = [0.0; N];
         for motion in &self.internal_motions() {

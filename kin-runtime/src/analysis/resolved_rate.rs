@@ -1,11 +1,11 @@
-//! Resolved-rate control: joint rates for a velocity of the tool.
+//! Resolved-rate control: joint rates for a velocity of the tip.
 
 use crate::linear::singular_values::SingularValues;
 use crate::linear::vector::dot;
 use crate::{Jacobian, RANK_TOLERANCE, Twist};
 
 impl<const N: usize> Jacobian<N> {
-    /// J⁺ V: the joint rates that give the tool a velocity, in the coordinates
+    /// J⁺ V: the joint rates that give the tip a velocity, in the coordinates
     /// of this Jacobian, or come nearest to it; of several, the least. Metres
     /// and radians count alike. Directions lost to a singularity, see
     /// [`RANK_TOLERANCE`], are left out; close to one, rates grow without

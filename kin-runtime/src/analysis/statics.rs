@@ -10,7 +10,7 @@ pub const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize> Jacobian<N> {
     /// The dimension of the space of velocities that the joints can give the
-    /// tool; see [`RANK_TOLERANCE`].
+    /// tip; see [`RANK_TOLERANCE`].
     pub fn rank(&self) -> usize {
         SingularValues::new(&self.rows).rank(RANK_TOLERANCE)
     }

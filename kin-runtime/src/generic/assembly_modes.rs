@@ -1,4 +1,4 @@
-//! All assemblies of a small mechanism.
+//! All assembly modes of a small mechanism.
 
 use alloc::{vec, vec::Vec};
 use core::f64::consts::PI;
@@ -16,7 +16,7 @@ const MOST_STARTS: usize = 1 << 13;
 const SAME: f64 = 1e-6;
 
 impl Mechanism {
-    /// All real assemblies with the given values of the actuated joints, by
+    /// All real assembly modes with the given values of the actuated joints, by
     /// Newton's method from starts that fill the space of the passive joints
     /// evenly, until doubling their number has found nothing new twice: complete
     /// with high probability for mechanisms of up to six or so passive joints,
@@ -25,7 +25,7 @@ impl Mechanism {
     ///
     /// # Panics
     /// If there is not one value for each actuated joint.
-    pub fn assemblies(&self, actuated: &[f64]) -> Vec<Vec<f64>> {
+    pub fn assembly_modes(&self, actuated: &[f64]) -> Vec<Vec<f64>> {
         let n = self.joints();
         let passive = n - self.actuated().len();
         // The additive recurrence of M. Roberts, "The unreasonable

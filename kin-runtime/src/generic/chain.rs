@@ -32,7 +32,7 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// From the unit twists of the joints and the tool's pose, all at q = 0.
+    /// From the unit twists of the joints and the tip's pose, all at q = 0.
     ///
     /// # Panics
     /// If a twist is not a unit twist: ω is a unit vector, or ω is zero and v
@@ -73,12 +73,12 @@ impl Chain {
         &self.twists
     }
 
-    /// The tool's pose at q = 0.
+    /// The tip's pose at q = 0.
     pub fn home(&self) -> &Pose {
         &self.home
     }
 
-    /// The tool's pose.
+    /// The tip's pose.
     ///
     /// # Panics
     /// If `q` has not one value for each joint; so do all the functions below.
@@ -104,8 +104,8 @@ impl Chain {
             .collect()
     }
 
-    /// The columns of the body Jacobian (MLS section 3.4), (v, ω) in tool
-    /// coordinates: the spatial ones seen from the tool.
+    /// The columns of the body Jacobian (MLS section 3.4), (v, ω) in tip
+    /// coordinates: the spatial ones seen from the tip.
     pub fn body_jacobian(&self, q: &[f64]) -> Vec<Twist> {
         let tool = self.fk(q);
         self.spatial_jacobian(q)
@@ -114,7 +114,7 @@ impl Chain {
             .collect()
     }
 
-    /// The columns of the geometric Jacobian: velocity of the tool's origin,
+    /// The columns of the geometric Jacobian: velocity of the tip's origin,
     /// and angular velocity, both in base axes.
     pub fn geometric_jacobian(&self, q: &[f64]) -> Vec<Twist> {
         let origin = self.fk(q).translation;

@@ -14,7 +14,7 @@ const STEPS: usize = 60;
 /// Steps before it is asked whether a run gets anywhere.
 const PATIENCE: usize = 8;
 
-/// Below this error, relative to the arm's size, the next steps only polish.
+/// Below this error, relative to the arm's size, the next steps only refine.
 const CONVERGED: f64 = 1e-12;
 
 /// What is to be reached by which chain.
@@ -79,8 +79,8 @@ impl<'a> Descent<'a> {
             if !self.improve(&mut damping) {
                 break;
             }
-            let polished = self.converged() && self.current.cost > 0.01 * before;
-            if polished || self.current.cost == 0.0 {
+            let refined = self.converged() && self.current.cost > 0.01 * before;
+            if refined || self.current.cost == 0.0 {
                 break;
             }
             if count % PATIENCE == 0 {

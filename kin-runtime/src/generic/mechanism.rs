@@ -31,7 +31,7 @@ use crate::{Chain, Pose, Twist};
 /// assert_eq!(linkage.motion_dimension(), 3);
 /// let q = linkage.fk_near(&[0.4], &[0.0; 4]).unwrap();
 /// assert!(linkage.gap(&q) < 1e-12);
-/// assert_eq!(linkage.assemblies(&[0.4]).len(), 2);
+/// assert_eq!(linkage.assembly_modes(&[0.4]).len(), 2);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mechanism {

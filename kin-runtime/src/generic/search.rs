@@ -57,7 +57,7 @@ pub struct ChainSolution {
 const FIRST_BATCH: usize = 32;
 
 impl Chain {
-    /// All isolated configurations that put the tool at `target`, in the order
+    /// All isolated configurations that put the tip at `target`, in the order
     /// of their first joint values.
     ///
     /// Levenberg-Marquardt descents from evenly scattered starts, until
@@ -108,7 +108,7 @@ impl Chain {
         in_order(found)
     }
 
-    /// The configuration that puts the tool at `target` and that a descent from
+    /// The configuration that puts the tip at `target` and that a descent from
     /// `start` arrives at, if it arrives. As exact as those of
     /// [`Chain::ik_all`]; of `options` only [`SearchOptions::target`] and
     /// [`SearchOptions::same`] count.
@@ -154,7 +154,7 @@ impl Chain {
     }
 
     /// A length that weighs rotations against translations: the farthest that
-    /// any axis or the tool lies from the base axis, at home. Metres.
+    /// any axis or the tip lies from the base axis, at home. Metres.
     fn size(&self) -> f64 {
         let on_axis = |twist: &Twist| cross(twist.angular, twist.linear);
         let first = self.twists().first().map_or([0.0; 3], on_axis);

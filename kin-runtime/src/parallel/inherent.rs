@@ -76,7 +76,7 @@ macro_rules! inherent_parallel_methods {
     };
     (fk: $robot:ident, $n:literal, $m:literal, $k:literal) => {
         $crate::inherent_parallel_methods! { @ $robot, $n, $m, $k:
-            /// All assemblies with the given values of the actuated joints.
+            /// All assembly modes with the given values of the actuated joints.
             fn fk(actuated: &[f64; $m]) -> $crate::Solutions<$n>;
         }
     };

@@ -30,7 +30,7 @@ use crate::{Jacobian, JointLimit, Pose, Solution, Solutions, Twist};
 ///     const LENGTH: f64 = 2.0;
 ///     const MOBILITY: usize = 1;
 ///     const BRANCHES: [usize; 2] = [0, 0];
-///     const ASSEMBLIES: usize = 0;
+///     const ASSEMBLY_MODES: usize = 0;
 ///
 ///     fn chains(&self, q: &[f64; 4]) -> ([Pose; 2], [Twist; 4]) {
 ///         let arm = |x: f64, a: f64, b: f64| {
@@ -77,9 +77,9 @@ pub trait ParallelKinematics<const N: usize, const M: usize, const K: usize> {
     /// How many branches each chain's inverse kinematics looks at; 0 if it was
     /// not generated.
     const BRANCHES: [usize; K];
-    /// How many assemblies closed-form forward kinematics looks at; 0 if there
+    /// How many assembly modes closed-form forward kinematics looks at; 0 if there
     /// is none, and [`ParallelKinematics::fk_near`] has to do.
-    const ASSEMBLIES: usize;
+    const ASSEMBLY_MODES: usize;
 
     /// Where each chain puts the platform, and the spatial twist of each joint,
     /// displaced by those before it in its chain: J₁, J₂, … side by side.
@@ -109,17 +109,17 @@ pub trait ParallelKinematics<const N: usize, const M: usize, const K: usize> {
         Postures::new(Self::CHAINS)
     }
 
-    /// All assemblies with the given values of the actuated joints, radians and
+    /// All assembly modes with the given values of the actuated joints, radians and
     /// metres, by closed form. Of the ways to hold one platform pose with the
     /// same actuated joints, the nearest to q = 0 stands for all.
     fn fk(&self, actuated: &[f64; M]) -> Solutions<N> {
         const {
             assert!(
-                Self::ASSEMBLIES == 0,
-                "a mechanism with assemblies has to implement `fk`"
+                Self::ASSEMBLY_MODES == 0,
+                "a mechanism with assembly modes has to implement `fk`"
             );
             assert!(
-                Self::ASSEMBLIES > 0,
+                Self::ASSEMBLY_MODES > 0,
                 "this mechanism has no closed form of its forward kinematics: use `fk_near`"
             );
         }

@@ -51,7 +51,7 @@ const CLOSED: f64 = 1e-12;
 /// infinity is avoided by measuring θ from where |f| is largest among eight
 /// directions, opposite. The quartic is split into two real quadratics by the
 /// largest root of its resolvent cubic (Ferrari), without dividing by what
-/// vanishes in the biquadratic case, and every root is polished on f itself.
+/// vanishes in the biquadratic case, and every root is refined on f itself.
 /// Simple roots are accurate to a few units of rounding over the slope of f. So
 /// are multiple ones, found as roots of a derivative, unless rounding in the
 /// coefficients has parted them. Two roots less than 2e-7 apart, and three or
@@ -85,7 +85,7 @@ pub fn trig_roots(f: [f64; 5]) -> [TrigRoot; 4] {
     let mut roots = half_angle_roots(&turned).map(|(t, real)| {
         // tan(θ/2) = t, turned back by the reference.
         let (s, c) = (2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t));
-        let (root, met) = polish(&derivatives, (s * cos + c * sin, c * cos - s * sin));
+        let (root, met) = refine_root(&derivatives, (s * cos + c * sin, c * cos - s * sin));
         let closed = value(&f, root).abs() < CLOSED;
         let state = match (closed, met) {
             (true, true) => DOUBLE,
@@ -251,7 +251,7 @@ fn largest_root(a: f64, b: f64, c: f64) -> f64 {
 
 /// Newton on f as long as it brings f nearer to zero, and whether roots have
 /// met there. `f` stands before its derivatives.
-fn polish(f: &[[f64; 5]; 5], start: (f64, f64)) -> ((f64, f64), bool) {
+fn refine_root(f: &[[f64; 5]; 5], start: (f64, f64)) -> ((f64, f64), bool) {
     let mut best = start;
     let mut y = value(&f[0], best);
     for _ in 0..6 {

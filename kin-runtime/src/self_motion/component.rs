@@ -22,7 +22,7 @@ pub struct SelfMotion<const N: usize> {
 
 /// Follows the self-motion through a configuration until it closes or ends, in
 /// both directions. The arm has one joint more than the goal asks for, or a
-/// task of lower rank; the tool rests where `q` has it.
+/// task of lower rank; the tip rests where `q` has it.
 ///
 /// ```
 /// # use kin_runtime::{Jacobian, JointLimit, Kinematics, Pose, Twist};
@@ -112,7 +112,7 @@ impl<const N: usize> SelfMotion<N> {
     }
 
     /// Whether a configuration, within 1e-7 of a solution for the same target,
-    /// is on this component, so that the arm can go there with the tool at
+    /// is on this component, so that the arm can go there with the tip at
     /// rest. `robot` is the one whose motion this is.
     pub fn contains<K: Kinematics<N>>(&self, robot: &K, q: &[f64; N]) -> bool {
         let held = Held {
@@ -136,7 +136,7 @@ pub struct SelfMotions<const N: usize> {
 }
 
 /// Tells the components apart on which some solutions for one target lie: the
-/// arm can go from one to another with the tool at rest if they have the same.
+/// arm can go from one to another with the tip at rest if they have the same.
 ///
 /// # Errors
 /// As [`self_motion`], for the first solution of each component.

@@ -1,4 +1,4 @@
-//! An arm whose tool is held at a target.
+//! An arm whose tip is held at a target.
 
 use super::options::SelfMotionOptions;
 use crate::linear::span::Span;
@@ -23,7 +23,7 @@ pub(super) struct Cut<const N: usize> {
     pub point: [f64; N],
 }
 
-/// How an arm can move while its tool rests.
+/// How an arm can move while its tip rests.
 pub(super) struct Internal<const N: usize> {
     /// How many independent motions there are.
     pub dimension: usize,

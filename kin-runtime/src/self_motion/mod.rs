@@ -1,8 +1,8 @@
-//! Self-motion manifolds: what a redundant arm can do while its tool rests.
+//! Self-motion manifolds: what a redundant arm can do while its tip rests.
 //!
 //! The configurations that reach one target form, at a regular point of an arm
 //! with one joint more than the target asks for, a curve. It has components
-//! between which the arm cannot pass without moving the tool (J. W. Burdick,
+//! between which the arm cannot pass without moving the tip (J. W. Burdick,
 //! "On the inverse kinematics of redundant manipulators", 1989). They are
 //! followed here by prediction along the internal motion and correction back.
 

@@ -161,9 +161,9 @@ fn splat<const N: usize>(a: [f64; 3]) -> [[f64; N]; 3] {
     a.map(|x| [x; N])
 }
 
-/// A motion of the tool, and how it changes the spatial Jacobian.
+/// A motion of the tip, and how it changes the spatial Jacobian.
 pub(crate) struct Change<'a, const N: usize> {
-    /// The tool's pose.
+    /// The tip's pose.
     pub pose: &'a Pose,
     /// The spatial Jacobian.
     pub spatial: &'a Jacobian<N>,
@@ -174,7 +174,7 @@ pub(crate) struct Change<'a, const N: usize> {
 }
 
 impl<const N: usize> Change<'_, N> {
-    /// The derivative of v + ω × p, p being the tool's origin.
+    /// The derivative of v + ω × p, p being the tip's origin.
     #[inline]
     pub fn of_geometric(&self) -> Jacobian<N> {
         let origin_moves = self.velocity.spatial_to_geometric(self.pose).linear;

@@ -30,7 +30,7 @@ impl<const N: usize> Jacobian<N> {
         }
     }
 
-    /// The twist that unit rate of joint `j` (from 0) alone gives the tool.
+    /// The twist that unit rate of joint `j` (from 0) alone gives the tip.
     ///
     /// # Panics
     /// If there is no such joint.
@@ -45,7 +45,7 @@ impl<const N: usize> Jacobian<N> {
         core::array::from_fn(|j| self.column(j))
     }
 
-    /// J q̇: the tool's velocity at the joint rates (rad/s, m/s), in the
+    /// J q̇: the tip's velocity at the joint rates (rad/s, m/s), in the
     /// coordinates of this Jacobian.
     #[inline]
     pub fn velocity(&self, rates: &[f64; N]) -> Twist {
@@ -56,7 +56,7 @@ impl<const N: usize> Jacobian<N> {
     }
 
     /// Jᵀ F: the joint torques and forces (N m, N) that balance the wrench
-    /// applied to the tool, given in the coordinates of this Jacobian.
+    /// applied to the tip, given in the coordinates of this Jacobian.
     #[inline]
     pub fn torques(&self, wrench: &Wrench) -> [f64; N] {
         let wrench = wrench.to_array();
@@ -69,25 +69,25 @@ impl<const N: usize> Jacobian<N> {
         })
     }
 
-    /// From the spatial to the body Jacobian; `pose` is the tool's.
+    /// From the spatial to the body Jacobian; `pose` is the tip's.
     #[inline]
     pub fn spatial_to_body(&self, pose: &Pose) -> Self {
         Self::from_columns(self.columns().map(|twist| pose.adjoint_inverse(&twist)))
     }
 
-    /// From the body to the spatial Jacobian; `pose` is the tool's.
+    /// From the body to the spatial Jacobian; `pose` is the tip's.
     #[inline]
     pub fn body_to_spatial(&self, pose: &Pose) -> Self {
         Self::from_columns(self.columns().map(|twist| pose.adjoint(&twist)))
     }
 
-    /// From the spatial to the geometric Jacobian; `pose` is the tool's.
+    /// From the spatial to the geometric Jacobian; `pose` is the tip's.
     #[inline]
     pub fn spatial_to_geometric(&self, pose: &Pose) -> Self {
         Self::from_columns(self.columns().map(|twist| twist.spatial_to_geometric(pose)))
     }
 
-    /// From the geometric to the spatial Jacobian; `pose` is the tool's.
+    /// From the geometric to the spatial Jacobian; `pose` is the tip's.
     #[inline]
     pub fn geometric_to_spatial(&self, pose: &Pose) -> Self {
         Self::from_columns(self.columns().map(|twist| twist.geometric_to_spatial(pose)))

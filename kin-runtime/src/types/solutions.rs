@@ -134,7 +134,7 @@ impl<const N: usize> Solutions<N> {
     }
 
     /// The place of a solution, which is appended unless one is the same to
-    /// within 1e-6: branches that were polished may land together, and the
+    /// within 1e-6: branches that were refined may come together, and the
     /// better of the two is kept. None if it is new and there is no place left.
     pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
         let apart = |i: usize, a: f64, b: f64| {

@@ -62,7 +62,7 @@ impl Twist {
         }
     }
 
-    /// V_b = Ad_g⁻¹ V_s: the body velocity of a tool at `pose` that has this
+    /// V_b = Ad_g⁻¹ V_s: the body velocity of a tip at `pose` that has this
     /// spatial velocity (MLS section 2.4).
     #[inline]
     pub fn spatial_to_body(&self, pose: &Pose) -> Twist {
@@ -75,14 +75,14 @@ impl Twist {
         pose.adjoint(self)
     }
 
-    /// The velocity of the tool's origin, and the angular velocity, both in
-    /// base axes, of a tool at `pose` that has this spatial velocity.
+    /// The velocity of the tip's origin, and the angular velocity, both in
+    /// base axes, of a tip at `pose` that has this spatial velocity.
     ///
     /// ```
     /// use kin_runtime::{Pose, Twist};
     /// let turning = Twist::revolute([0.0, 0.0, 1.0], [0.0; 3]);
-    /// let tool = Pose::from_translation([0.8, 0.0, 0.0]);
-    /// assert_eq!(turning.spatial_to_geometric(&tool).linear, [0.0, 0.8, 0.0]);
+    /// let tip = Pose::from_translation([0.8, 0.0, 0.0]);
+    /// assert_eq!(turning.spatial_to_geometric(&tip).linear, [0.0, 0.8, 0.0]);
     /// ```
     #[inline]
     pub fn spatial_to_geometric(&self, pose: &Pose) -> Twist {

@@ -30,15 +30,15 @@ impl Wrench {
         dot(self.force, velocity.linear) + dot(self.moment, velocity.angular)
     }
 
-    /// F_t = Ad_gᵀ F_s: as seen from a tool at `pose` (MLS section 2.5), given
+    /// F_t = Ad_gᵀ F_s: as seen from a tip at `pose` (MLS section 2.5), given
     /// in base coordinates, with the moment about the base's origin.
     ///
     /// ```
     /// use kin_runtime::{Pose, Wrench};
-    /// let tool = Pose::from_translation([0.2, 0.0, 0.0]);
+    /// let tip = Pose::from_translation([0.2, 0.0, 0.0]);
     /// let push = Wrench { force: [0.0, 5.0, 0.0], moment: [0.0, 0.0, 1.0] };
-    /// assert_eq!(push.spatial_to_body(&tool).moment, [0.0; 3]);
-    /// assert_eq!(push.spatial_to_body(&tool).body_to_spatial(&tool), push);
+    /// assert_eq!(push.spatial_to_body(&tip).moment, [0.0; 3]);
+    /// assert_eq!(push.spatial_to_body(&tip).body_to_spatial(&tip), push);
     /// ```
     #[inline]
     pub fn spatial_to_body(&self, pose: &Pose) -> Wrench {
@@ -52,7 +52,7 @@ impl Wrench {
     }
 
     /// From base coordinates to the force in base axes and the moment about the
-    /// tool's origin, also in base axes; `pose` is the tool's.
+    /// tip's origin, also in base axes; `pose` is the tip's.
     #[inline]
     pub fn spatial_to_geometric(&self, pose: &Pose) -> Wrench {
         Wrench {

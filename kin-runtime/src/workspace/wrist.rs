@@ -4,7 +4,7 @@
 //! wrist's centre can be where the target wants it: its height and its distance
 //! from the first axis must lie in one of two annuli, which are images of each
 //! other in that axis. All that the wrist adds is a sphere about the tip: the
-//! centres that are wanted for the orientations of the tool. The tip is in
+//! centres that are wanted for the orientations of the tip. The tip is in
 //! reach if the sphere meets the annuli, and in dextrous reach if the sphere
 //! lies in them. Both are decided on the boundary circles.
 

@@ -195,7 +195,7 @@ fn closed_forms_find_all_assemblies() {
     let mut random = Random::new(7);
     for _ in 0..10 {
         let crank = [random.angle()];
-        let expected = generic("../robots/four_bar.yaml").assemblies(&crank);
+        let expected = generic("../robots/four_bar.yaml").assembly_modes(&crank);
         assert_eq!(FourBar.fk(&crank).len(), expected.len());
         for q in expected {
             assert!(FourBar.fk(&crank).iter().any(|s| {
@@ -203,7 +203,7 @@ fn closed_forms_find_all_assemblies() {
             }));
         }
         let motors = [random.between(-0.8, 0.8), random.between(-0.8, 0.8)];
-        let expected = generic("../robots/five_bar.yaml").assemblies(&motors);
+        let expected = generic("../robots/five_bar.yaml").assembly_modes(&motors);
         assert_eq!(FiveBar.fk(&motors).len(), expected.len());
     }
 }

@@ -62,7 +62,7 @@ impl<const N: usize> Refined<N> {
 ///
 /// ```
 /// use kin_runtime::{Jacobian, Pose, Target, Twist, __private::refinement::{Problem, newton}};
-/// // One joint about z, with the tool one metre out.
+/// // One joint about z, with the tip one metre out.
 /// let arm = |q: &[f64; 1]| {
 ///     let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[0], [0.0; 3]);
 ///     let out = Pose { translation: [1.0, 0.0, 0.0], ..Pose::IDENTITY };
