@@ -63,7 +63,8 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 /// public interface: it changes with every minor version.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::generated::branches::{Acceptance, Branches};
+    pub use crate::generated::acceptance::Acceptance;
+    pub use crate::generated::branches::Branches;
     pub use crate::generated::free_angle::{self, FreeAngle};
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::refinement;

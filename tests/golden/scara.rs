@@ -5,8 +5,8 @@
 // Forward kinematics: 4 multiplications, 5 additions, 3 sines with cosines.
 // With the spatial Jacobian: 4 multiplications, 5 additions, 3 sines with cosines.
 // Inverse kinematics: SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1), 2 branches; one
-// branch: 60 multiplications, 44 additions, 1 divisions, 3 roots, 1 sines with cosines,
-// 3 arctangents, 10 selections.
+// branch: 60 multiplications, 44 additions, 1 division, 3 roots, 1 sine with cosine, 3
+// arctangents, 10 selections.
 // Made again, beside the robot file, by: kin generate scara.yaml
 
 /// The arm `scara` from `base` to `tip`, compiled from `scara.yaml`.
@@ -426,7 +426,7 @@ const _: () = {
         /// The determinant of the rows of the Jacobian that are not zero in every configuration.
         /// 0 where the arm is singular.
         ///
-        /// 1 multiplications, 0 additions, 1 sines with cosines.
+        /// 1 multiplication, 0 additions, 1 sine with cosine.
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 4]) -> f64 {

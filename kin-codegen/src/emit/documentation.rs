@@ -3,7 +3,7 @@
 
 use super::headings::{does, steps};
 use super::postures::Postures;
-use super::text::{code, one_line};
+use super::text::{code, degrees, number, one_line};
 use crate::arm::CompiledArm;
 use crate::closed_form::ClosedForm;
 use crate::geometry::structure;
@@ -162,17 +162,6 @@ fn placed(link: &str, base: &str, home: &Pose) -> String {
         axis(0),
         axis(2),
     )
-}
-
-/// With at most so many digits behind the point.
-fn number(x: f64, digits: i32) -> String {
-    let scale = 10_f64.powi(digits);
-    format!("{}", (x * scale).round() / scale + 0.0)
-}
-
-/// Radians in degrees, with at most two digits behind the point.
-pub fn degrees(radians: f64) -> String {
-    number(radians.to_degrees(), 2)
 }
 
 /// The joints in a table: each with whether it slides, and what else is to be

@@ -8,8 +8,8 @@
 //! all of them is not named, and neither is one that the arm's geometry does
 //! not have.
 
-use super::documentation::degrees;
 use super::headings::list;
+use super::text::degrees;
 use crate::closed_form::ClosedForm;
 use crate::geometry::{Line, Vec3, concurrency, cross, dot, sub};
 use crate::model::{JointKind, Model};

@@ -4,7 +4,6 @@ use super::imports::imports;
 use super::straight::signed;
 use super::{documentation, forward, inverse, singular, text};
 use crate::arm::CompiledArm;
-use crate::expr::Operations;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
 use crate::model::{JointKind, Model, Variable};
@@ -137,13 +136,6 @@ pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream
     }
 }
 
-pub(super) fn cost(operations: Operations) -> String {
-    format!(
-        " {} multiplications, {} additions, {} sines with cosines.",
-        operations.multiplications, operations.additions, operations.sincos
-    )
-}
-
 fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let f = &compiled.forward;
     let count = compiled.model.variables.len();
@@ -174,8 +166,8 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         );
         quote!((#tip, #columns))
     });
-    let fk_cost = cost(f.cost(&f.tip.expressions()));
-    let both_cost = cost(f.cost(&both));
+    let fk_cost = format!(" {}.", f.cost(&f.tip.expressions()));
+    let both_cost = format!(" {}.", f.cost(&both));
     quote! {
         /// The pose of the tip in the base frame, metres, at joint values `q`:
         /// radians, and metres of prismatic joints.

@@ -22,7 +22,7 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         (by_elimination, " By elimination.".into())
     } else {
         let expanded = block(g, &[product], n, |w| w.output(product));
-        (expanded, super::robot::cost(operations))
+        (expanded, format!(" {operations}."))
     };
     let rows = rows(singular.determinant.rows);
     let determinant = quote! {

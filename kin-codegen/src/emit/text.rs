@@ -48,6 +48,17 @@ pub fn code(name: &str) -> String {
     }
 }
 
+/// With at most so many digits behind the point.
+pub fn number(x: f64, digits: i32) -> String {
+    let scale = 10_f64.powi(digits);
+    format!("{}", (x * scale).round() / scale + 0.0)
+}
+
+/// Radians in degrees, with at most two digits behind the point.
+pub fn degrees(radians: f64) -> String {
+    number(radians.to_degrees(), 2)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

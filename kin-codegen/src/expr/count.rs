@@ -81,23 +81,25 @@ impl Mul<Operations> for usize {
 
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} multiplications, {} additions",
-            self.multiplications, self.additions
-        )?;
+        let counted = |count: usize, one: &str, many: &str| match count {
+            1 => format!("1 {one}"),
+            count => format!("{count} {many}"),
+        };
+        let first = counted(self.multiplications, "multiplication", "multiplications");
+        let second = counted(self.additions, "addition", "additions");
+        write!(f, "{first}, {second}")?;
         let others = [
-            (self.divisions, "divisions"),
-            (self.roots, "roots"),
-            (self.sincos, "sines with cosines"),
-            (self.arctangents, "arctangents"),
-            (self.selections, "selections"),
-            (self.quartics, "quartics"),
+            (self.divisions, "division", "divisions"),
+            (self.roots, "root", "roots"),
+            (self.sincos, "sine with cosine", "sines with cosines"),
+            (self.arctangents, "arctangent", "arctangents"),
+            (self.selections, "selection", "selections"),
+            (self.quartics, "quartic", "quartics"),
         ];
         others
             .iter()
-            .filter(|(count, _)| *count > 0)
-            .try_for_each(|(count, what)| write!(f, ", {count} {what}"))
+            .filter(|(count, ..)| *count > 0)
+            .try_for_each(|(count, one, many)| write!(f, ", {}", counted(*count, one, many)))
     }
 }
 

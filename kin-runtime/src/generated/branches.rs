@@ -1,5 +1,6 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
+use super::acceptance::Acceptance;
 use super::refinement::{Problem, refine_branches};
 use crate::{Jacobian, Pose, Solution, Solutions, Target};
 
@@ -16,21 +17,6 @@ pub struct Branches<const N: usize, const L: usize> {
     pub invalid: [f64; L],
     /// Positive where a root is double or an angle is free.
     pub singular: [f64; L],
-}
-
-/// What makes a branch an answer.
-#[derive(Clone, Copy, Debug)]
-pub struct Acceptance {
-    /// The arm's size, metres: angles count as lengths at this distance.
-    pub size: f64,
-    /// Answers may miss the target by this, metres.
-    pub tolerance: f64,
-    /// The near-singular threshold: where the Jacobian's least pivot by its
-    /// largest is below this, the branches of the idealized arm do not tell
-    /// those of the arm as given; 0 if that is the ideal one.
-    pub near_singular: f64,
-    /// Bit i is set where joint i is prismatic.
-    pub prismatic: u32,
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {

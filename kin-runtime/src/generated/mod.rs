@@ -2,6 +2,7 @@
 //! [`generated_by`](crate::generated_by) holds generated code to the version
 //! of the compiler that this is made for.
 
+pub mod acceptance;
 pub mod branches;
 pub mod free_angle;
 pub mod lanes;

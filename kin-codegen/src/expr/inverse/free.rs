@@ -7,8 +7,8 @@
 //! and [`kin_runtime::free_angle`] turns it where the root is none. Regular
 //! targets pay for one comparison.
 
-use super::Writer;
 use super::root::NOISE;
+use super::{MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::plan::{Atom, Plan, Step, Subproblem};
 
@@ -52,14 +52,6 @@ pub struct FreeAngle {
     pub level: Expr,
     /// Positive where the angle is free and the root is none.
     pub no_root: Expr,
-}
-
-/// An unknown whose angle is free where a factor is below a threshold.
-#[derive(Clone, Copy)]
-pub(super) struct MayBeFree {
-    pub unknown: Atom,
-    pub factor: Expr,
-    pub threshold: Expr,
 }
 
 impl Writer<'_> {

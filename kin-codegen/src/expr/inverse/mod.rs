@@ -24,7 +24,6 @@ use super::{Expr, Graph};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
-use free::MayBeFree;
 use kin_runtime::Pose;
 
 /// How exact the arm is that the plan is for.
@@ -150,6 +149,14 @@ struct Writer<'a> {
     /// Which relation of the step written last was the cheapest.
     relation: Option<usize>,
     parts: Parts,
+}
+
+/// An unknown whose angle is free where a factor is below a threshold.
+#[derive(Clone, Copy)]
+struct MayBeFree {
+    unknown: Atom,
+    factor: Expr,
+    threshold: Expr,
 }
 
 /// The root of a cosine-sine equation is real where d² ≤ a² + b².

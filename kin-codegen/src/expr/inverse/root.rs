@@ -1,7 +1,6 @@
 //! Square roots and angles: what is out of domain, double, free, or rounding.
 
-use super::free::MayBeFree;
-use super::{Deviation, Level, Writer};
+use super::{Deviation, Level, MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::Atom;

@@ -4,7 +4,7 @@ use super::curve::{On, follow};
 use super::levenberg::levenberg;
 use super::linearization::Problem;
 use super::newton::{Refined, newton};
-use crate::generated::branches::Acceptance;
+use crate::generated::acceptance::Acceptance;
 use crate::{Jacobian, Pose, Solution, Solutions, math};
 
 /// How far the miss along a curve is followed, in multiples of the near-singular threshold.

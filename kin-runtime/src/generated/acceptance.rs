@@ -1,0 +1,16 @@
+//! What makes a branch of a closed form a solution.
+
+/// What makes a branch a solution.
+#[derive(Clone, Copy, Debug)]
+pub struct Acceptance {
+    /// The arm's size, metres: angles count as lengths at this distance.
+    pub size: f64,
+    /// Solutions may miss the target by this, metres.
+    pub tolerance: f64,
+    /// The near-singular threshold: where the Jacobian's least pivot by its
+    /// largest is below this, the branches of the idealized arm do not tell
+    /// those of the arm as given; 0 if that is the ideal one.
+    pub near_singular: f64,
+    /// Bit i is set where joint i is prismatic.
+    pub prismatic: u32,
+}
