@@ -255,6 +255,7 @@ mod branches {
 
 mod contracts {
     use super::*;
+    use kinematics::{Kinematics, Pose, WithBase, WithTool};
 
     const Q: [f64; 6] = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
 
@@ -262,6 +263,29 @@ mod contracts {
         let mut q = Q;
         q[i] = value;
         q
+    }
+
+    #[test]
+    fn ratings_and_links_are_those_of_the_file() {
+        use std::f64::consts::PI;
+        assert_eq!(Ur5e::VELOCITY_LIMITS, [PI; 6]);
+        assert_eq!(Ur5e::EFFORT_LIMITS, [150.0, 150.0, 150.0, 28.0, 28.0, 28.0]);
+        assert_eq!(
+            Ur5e::LINK_NAMES[3..],
+            ["wrist_1_link", "wrist_2_link", "wrist_3_link"]
+        );
+        // That file says nothing of either.
+        assert_eq!(Kr6R900::VELOCITY_LIMITS, [f64::INFINITY; 6]);
+        assert_eq!(Kr6R900::EFFORT_LIMITS, [f64::INFINITY; 6]);
+
+        fn seen<const N: usize, K: Kinematics<N>>(_: K) -> ([f64; N], [f64; N], [&'static str; N]) {
+            (K::VELOCITY_LIMITS, K::EFFORT_LIMITS, K::LINK_NAMES)
+        }
+        let own = (Ur5e::VELOCITY_LIMITS, Ur5e::EFFORT_LIMITS, Ur5e::LINK_NAMES);
+        let (robot, tool, base) = (Ur5e, Pose::IDENTITY, Pose::IDENTITY);
+        assert_eq!(seen(robot), own);
+        assert_eq!(seen(WithTool { robot, tool }), own);
+        assert_eq!(seen(WithBase { robot, base }), own);
     }
 
     #[test]

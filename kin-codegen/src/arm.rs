@@ -63,18 +63,7 @@ impl Forward {
         let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
         let trig = JointTrig::at(&mut g, linkage, &q);
         let tip = tip(&mut g, linkage, &trig);
-        let joints: Vec<usize> = (0..n)
-            .map(|variable| {
-                let own = |i: &usize| model.joints[*i].is_coordinate(variable);
-                let moved = |i: &usize| model.joints[*i].variable == variable;
-                let all = 0..model.joints.len();
-                // A leader off the chain has no link here: a follower's stands for it.
-                all.clone()
-                    .find(own)
-                    .or(all.clone().find(moved))
-                    .unwrap_or(0)
-            })
-            .collect();
+        let joints: Vec<usize> = (0..n).map(|variable| model.joint_of(variable)).collect();
         let links = link_frames(&mut g, linkage, &trig, &joints);
         let both = tip_and_jacobian(&mut g, linkage, &q, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]

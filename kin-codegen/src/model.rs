@@ -46,7 +46,9 @@ pub struct Joint {
     /// A point on the axis: where the file puts the joint's frame; base
     /// coordinates.
     pub point: [f64; 3],
-    /// The frame of the joint's child link at home, base coordinates.
+    /// The link that it moves, from the file.
+    pub link: String,
+    /// The frame of that link at home, base coordinates.
     pub frame: Pose,
     /// Which coordinate of q moves this joint.
     pub variable: usize,
@@ -74,7 +76,9 @@ pub struct Variable {
     /// Lower and upper bound in radians or metres; `None` for a continuous
     /// joint.
     pub limits: Option<[f64; 2]>,
-    /// How fast and how strong its drive may be, as far as the file says.
+    /// How fast and how strong its drive may be, as far as the file says. A
+    /// coordinate that moves several joints is as fast as all of them can
+    /// follow; its effort is that of the joint that it is.
     pub rating: Rating,
 }
 
@@ -111,6 +115,16 @@ impl Model {
     pub fn is_coupled(&self) -> bool {
         let own = |joint: &Joint| joint.multiplier == 1.0 && joint.offset == 0.0;
         self.joints.len() != self.variables.len() || !self.joints.iter().all(own)
+    }
+
+    /// The joint that a coordinate of q is, whose link stands for it. Where the
+    /// leader is off the chain, that is the first joint that follows it.
+    pub fn joint_of(&self, variable: usize) -> usize {
+        let mut joints = self.joints.iter();
+        let own = joints.position(|joint| joint.is_coordinate(variable));
+        let moved = |joint: &Joint| joint.variable == variable;
+        own.or_else(|| self.joints.iter().position(moved))
+            .unwrap_or(0)
     }
 
     /// Whether a coordinate of q is an angle.
@@ -268,6 +282,7 @@ fn compose(spec: &ArmSpec, chain: &chain::Chain, drives: &mimic::Drives) -> (Vec
             },
             axis: at.rotate(*axis),
             point: at.translation,
+            link: spec.links[spec.joints[j].child].name.clone(),
             frame: pose,
             variable: drive.variable,
             multiplier: drive.multiplier,

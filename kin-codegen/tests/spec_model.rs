@@ -494,3 +494,55 @@ fn the_tip_has_a_name() {
         );
     }
 }
+
+/// A rating of 0 says that nobody knew. Of joints that move together, the
+/// slowest sets the pace.
+#[test]
+fn a_coordinate_is_as_fast_as_all_that_follows_it() {
+    let rated = |velocity: &str, effort: &str, mimic: &str| {
+        format!(
+            r#"<axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="{velocity}" effort="{effort}"/>{mimic}"#
+        )
+    };
+    let ratings = |first: &str, second: &str| {
+        let mimic = r#"<mimic joint="j1" multiplier="-2" offset="0.5"/>"#;
+        let joints = [
+            joint("j1", "revolute", "base", "a", &rated(first, "7", "")),
+            joint("j2", "revolute", "a", "b", &rated(second, "90", mimic)),
+            joint("j3", "revolute", "b", "tool", &rated("0", "0", "")),
+        ];
+        let model = accept(&urdf("base a b tool", &joints.concat()));
+        let rating = |i: usize| {
+            (
+                model.variables[i].rating.velocity,
+                model.variables[i].rating.effort,
+            )
+        };
+        assert_eq!(rating(1), (None, None));
+        rating(0)
+    };
+    assert_eq!(ratings("3", "4"), (Some(2.0), Some(7.0)));
+    assert_eq!(ratings("1.5", "4"), (Some(1.5), Some(7.0)));
+    assert_eq!(ratings("0", "4"), (Some(2.0), Some(7.0)));
+    assert_eq!(ratings("3", "0"), (Some(3.0), Some(7.0)));
+}
+
+#[test]
+fn yaml_ratings_have_the_units_of_the_file() {
+    let model = yaml(
+        "robot: arm\nunits: {angle: deg, length: mm}\njoints:\n  - {name: turn, axis: [0, 0, 1], velocity: 90, effort: 28}\n  - {name: slide, type: prismatic, axis: [0, 0, 1], velocity: 250, effort: 400}\n  - {name: unrated, axis: [0, 1, 0]}\n",
+    );
+    let ratings: Vec<_> = model
+        .variables
+        .iter()
+        .map(|variable| [variable.rating.velocity, variable.rating.effort])
+        .collect();
+    assert_eq!(
+        ratings,
+        [
+            [Some(FRAC_PI_2), Some(28.0)],
+            [Some(0.25), Some(400.0)],
+            [None, None]
+        ]
+    );
+}

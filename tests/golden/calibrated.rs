@@ -102,6 +102,22 @@ const _: () = {
             JointLimit::Continuous,
         ];
 
+        /// How fast the joints may move: rad/s, and m/s of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const VELOCITY_LIMITS: [f64; 6] = [f64::INFINITY; 6];
+        /// What the joints' drives may exert: N m, and N of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const EFFORT_LIMITS: [f64; 6] = [f64::INFINITY; 6];
+        /// The links whose poses [`Self::fk_links`] gives, in its order.
+        pub const LINK_NAMES: [&'static str; 6] = [
+            "pan_link",
+            "lift_link",
+            "elbow_link",
+            "wrist_1_link",
+            "wrist_2_link",
+            "wrist_3_link",
+        ];
+
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = "base";
         /// The link whose frame poses are of.

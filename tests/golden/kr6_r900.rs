@@ -99,6 +99,22 @@ const _: () = {
             JointLimit::revolute(-6.1086523819801535, 6.1086523819801535),
         ];
 
+        /// How fast the joints may move: rad/s, and m/s of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const VELOCITY_LIMITS: [f64; 6] = [f64::INFINITY; 6];
+        /// What the joints' drives may exert: N m, and N of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const EFFORT_LIMITS: [f64; 6] = [f64::INFINITY; 6];
+        /// The links whose poses [`Self::fk_links`] gives, in its order.
+        pub const LINK_NAMES: [&'static str; 6] = [
+            "joint_a1_link",
+            "joint_a2_link",
+            "joint_a3_link",
+            "joint_a4_link",
+            "joint_a5_link",
+            "joint_a6_link",
+        ];
+
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = "base_link";
         /// The link whose frame poses are of.

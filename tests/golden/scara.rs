@@ -84,6 +84,20 @@ const _: () = {
             JointLimit::prismatic(f64::NEG_INFINITY, f64::INFINITY),
         ];
 
+        /// How fast the joints may move: rad/s, and m/s of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const VELOCITY_LIMITS: [f64; 4] = [f64::INFINITY; 4];
+        /// What the joints' drives may exert: N m, and N of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const EFFORT_LIMITS: [f64; 4] = [f64::INFINITY; 4];
+        /// The links whose poses [`Self::fk_links`] gives, in its order.
+        pub const LINK_NAMES: [&'static str; 4] = [
+            "shoulder_link",
+            "elbow_link",
+            "wrist_link",
+            "lift_link",
+        ];
+
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = "base";
         /// The link whose frame poses are of.

@@ -100,6 +100,22 @@ const _: () = {
             JointLimit::revolute(-6.283185307179586, 6.283185307179586),
         ];
 
+        /// How fast the joints may move: rad/s, and m/s of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const VELOCITY_LIMITS: [f64; 6] = [3.141592653589793; 6];
+        /// What the joints' drives may exert: N m, and N of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const EFFORT_LIMITS: [f64; 6] = [150.0, 150.0, 150.0, 28.0, 28.0, 28.0];
+        /// The links whose poses [`Self::fk_links`] gives, in its order.
+        pub const LINK_NAMES: [&'static str; 6] = [
+            "shoulder_link",
+            "upper_arm_link",
+            "forearm_link",
+            "wrist_1_link",
+            "wrist_2_link",
+            "wrist_3_link",
+        ];
+
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = "base_link";
         /// The link whose frame poses are of.

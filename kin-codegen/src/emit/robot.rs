@@ -7,6 +7,7 @@ use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
 use crate::model::{JointKind, Model, Variable};
+use crate::spec::Rating;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -97,6 +98,15 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         .iter()
         .map(|variable| text::literal(&variable.name));
     let limits = (0..model.variables.len()).map(|i| limit(model, i, &model.variables[i]));
+    let rated = |of: fn(&Rating) -> Option<f64>| {
+        let ratings = model.variables.iter().map(|variable| &variable.rating);
+        let known = ratings.map(|rating| of(rating).unwrap_or(f64::INFINITY));
+        same_or_all(&known.collect::<Vec<f64>>(), n)
+    };
+    let velocities = rated(|rating| rating.velocity);
+    let efforts = rated(|rating| rating.effort);
+    let links =
+        (0..model.variables.len()).map(|i| text::literal(&model.joints[model.joint_of(i)].link));
     let (base, tip) = (text::literal(&model.base), text::literal(&model.tip));
     let branches = Literal::usize_unsuffixed(compiled.branches());
     quote! {
@@ -106,6 +116,14 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         /// The joints' kinds and travel, in the order of `q`: radians, and
         /// metres of prismatic joints.
         pub const LIMITS: [JointLimit; #n] = [#(#limits),*];
+        /// How fast the joints may move: rad/s, and m/s of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const VELOCITY_LIMITS: [f64; #n] = #velocities;
+        /// What the joints' drives may exert: N m, and N of prismatic joints;
+        /// infinity where the robot file does not say.
+        pub const EFFORT_LIMITS: [f64; #n] = #efforts;
+        /// The links whose poses [`Self::fk_links`] gives, in its order.
+        pub const LINK_NAMES: [&'static str; #n] = [#(#links),*];
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = #base;
         /// The link whose frame poses are of.
@@ -120,11 +138,6 @@ pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream
         .joints
         .iter()
         .any(|joint| joint.variable == i && joint.kind == JointKind::Prismatic);
-    let bound = |x: f64| match x {
-        f64::INFINITY => quote!(f64::INFINITY),
-        f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
-        x => signed(x),
-    };
     let [lower, upper] = variable
         .limits
         .unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
@@ -133,6 +146,27 @@ pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream
         (true, _) => quote!(JointLimit::prismatic(#lower, #upper)),
         (false, Some(_)) => quote!(JointLimit::revolute(#lower, #upper)),
         (false, None) => quote!(JointLimit::Continuous),
+    }
+}
+
+/// `[x; n]`, or the values one by one where they differ.
+fn same_or_all(values: &[f64], n: &Literal) -> TokenStream {
+    let all = values.iter().copied().map(bound);
+    match values {
+        [first, rest @ ..] if rest.iter().all(|x| x == first) => {
+            let first = bound(*first);
+            quote!([#first; #n])
+        }
+        _ => quote!([#(#all),*]),
+    }
+}
+
+/// A number that may be infinite.
+fn bound(x: f64) -> TokenStream {
+    match x {
+        f64::INFINITY => quote!(f64::INFINITY),
+        f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
+        x => signed(x),
     }
 }
 

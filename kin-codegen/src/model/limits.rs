@@ -3,7 +3,7 @@
 use super::Variable;
 use super::chain::Chain;
 use super::mimic::Drives;
-use crate::spec::{ArmSpec, Collector, Joint, JointType, Limits};
+use crate::spec::{ArmSpec, Collector, Joint, JointType, Limits, Rating};
 
 /// Whole numbers of this size, as limits of an angle, are degrees: 45 rad are
 /// seven turns.
@@ -95,6 +95,11 @@ pub(super) fn variables(
             ));
         }
     };
+    let mut ratings: Vec<Rating> = drives
+        .leaders
+        .iter()
+        .map(|&j| spec.joints[j].rating)
+        .collect();
     for (v, &leader) in drives.leaders.iter().enumerate() {
         if drives.of(leader).is_none() {
             narrow_by(v, leader, 1.0, 0.0);
@@ -102,8 +107,12 @@ pub(super) fn variables(
     }
     for (j, drive) in drives.all() {
         narrow_by(drive.variable, j, drive.multiplier, drive.offset);
+        let velocity = &mut ratings[drive.variable].velocity;
+        let own = spec.joints[j].rating.velocity;
+        let followed = own.map(|own| own / drive.multiplier.abs());
+        *velocity = [*velocity, followed].into_iter().flatten().reduce(f64::min);
     }
-    for (&leader, limits) in drives.leaders.iter().zip(ranges) {
+    for ((&leader, limits), rating) in drives.leaders.iter().zip(ranges).zip(ratings) {
         let joint = &spec.joints[leader];
         if limits.is_some_and(|[lower, upper]: [f64; 2]| lower > upper) {
             let reason = format!(
@@ -119,7 +128,7 @@ pub(super) fn variables(
         variables.push(Variable {
             name: joint.name.clone(),
             limits,
-            rating: joint.rating,
+            rating,
         });
     }
     variables

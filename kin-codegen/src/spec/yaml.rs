@@ -33,6 +33,8 @@
 //! | `name` | required, unique |
 //! | `type` | `revolute` (the default) or `prismatic`; in `joints` also `fixed` |
 //! | `limits` | `[lower, upper]`; a joint without them has no stops |
+//! | `velocity` | how fast the joint may move, per second; positive |
+//! | `effort` | what its drive may exert; positive. N m, and N of prismatic joints, whatever `units` says |
 //! | `link` | the name of the link that the joint moves; `<name>_link` by default |
 //! | `mimic` | `{joint: name, multiplier: 1, offset: 0}`: this joint's value is `multiplier` times the other's plus `offset`, in the units of the file |
 //!

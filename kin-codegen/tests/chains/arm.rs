@@ -192,6 +192,7 @@ fn flawed(mut arm: Arm, flaws: &[Flaw], [angle, distance]: [f64; 2]) -> Arm {
 fn joint(i: usize, kind: JointKind, frame: Pose, slide: f64) -> Joint {
     Joint {
         name: format!("joint_{}", i + 1),
+        link: format!("link_{}", i + 1),
         kind,
         axis: frame.rotate([0.0, 0.0, 1.0]),
         point: frame.transform_point([0.0, 0.0, slide]),

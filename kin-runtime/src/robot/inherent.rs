@@ -17,6 +17,9 @@
 /// impl Turntable {
 ///     pub const JOINT_NAMES: [&'static str; 1] = ["yaw"];
 ///     pub const LIMITS: [JointLimit; 1] = [JointLimit::Continuous];
+///     pub const VELOCITY_LIMITS: [f64; 1] = [f64::INFINITY];
+///     pub const EFFORT_LIMITS: [f64; 1] = [f64::INFINITY];
+///     pub const LINK_NAMES: [&'static str; 1] = ["table"];
 ///     pub const BASE: &'static str = "floor";
 ///     pub const TIP: &'static str = "table";
 ///     pub const BRANCHES: usize = 0;
@@ -71,6 +74,9 @@ macro_rules! implement_kinematics {
         impl $crate::Kinematics<$n> for $robot {
             const JOINT_NAMES: [&'static str; $n] = $robot::JOINT_NAMES;
             const LIMITS: [$crate::JointLimit; $n] = $robot::LIMITS;
+            const VELOCITY_LIMITS: [f64; $n] = $robot::VELOCITY_LIMITS;
+            const EFFORT_LIMITS: [f64; $n] = $robot::EFFORT_LIMITS;
+            const LINK_NAMES: [&'static str; $n] = $robot::LINK_NAMES;
             const BASE: &'static str = $robot::BASE;
             const TIP: &'static str = $robot::TIP;
             const BRANCHES: usize = $robot::BRANCHES;

@@ -57,6 +57,15 @@ macro_rules! define_kinematics {
             const JOINT_NAMES: [&'static str; $n];
             /// The joints' kinds and travel.
             const LIMITS: [JointLimit; $n];
+            /// How fast the joints may move, rad/s, and m/s of prismatic joints;
+            /// infinity where that is not known.
+            const VELOCITY_LIMITS: [f64; $n] = [f64::INFINITY; $n];
+            /// What the joints' drives may exert, N m, and N of prismatic joints;
+            /// infinity where that is not known.
+            const EFFORT_LIMITS: [f64; $n] = [f64::INFINITY; $n];
+            /// The links whose poses [`Kinematics::fk_links`] gives, in its order;
+            /// empty names where they have none.
+            const LINK_NAMES: [&'static str; $n] = [""; $n];
             /// The frame that poses are given in.
             const BASE: &'static str;
             /// The frame that poses are of.

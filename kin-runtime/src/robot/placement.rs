@@ -32,6 +32,9 @@ impl<K> WithTool<K> {
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
     const LIMITS: [JointLimit; N] = K::LIMITS;
+    const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
+    const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
+    const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const BRANCHES: usize = K::BRANCHES;
@@ -118,6 +121,9 @@ impl<K> WithBase<K> {
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
     const LIMITS: [JointLimit; N] = K::LIMITS;
+    const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
+    const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
+    const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const BRANCHES: usize = K::BRANCHES;

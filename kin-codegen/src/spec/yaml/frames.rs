@@ -6,8 +6,8 @@ use super::node::Node;
 use super::row::{self, Geometry, Row};
 use super::units::Units;
 use super::{End, fix_tip, pose};
+use crate::spec::JointType;
 use crate::spec::tree::{Draft, DraftJoint};
-use crate::spec::{JointType, Rating};
 use kin_runtime::Pose;
 
 /// The keys of a joint beside the common ones.
@@ -67,7 +67,7 @@ pub(super) fn add(
             mount: row.geometry.mount,
             limits: row.limits,
             mimic: row.mimic,
-            rating: Rating::default(),
+            rating: row.rating,
             faults: Vec::new(),
         });
         previous = row.link;

@@ -6,11 +6,13 @@ use super::row::Row;
 use super::units::Units;
 use super::{denavit_hartenberg, frames, pose, screws};
 use crate::spec::tree::{DraftMimic, Name};
-use crate::spec::{JointType, Limits};
+use crate::spec::{JointType, Limits, Rating};
 use std::collections::HashMap;
 
 /// The keys that all joints have.
-const COMMON: [&str; 5] = ["name", "type", "limits", "link", "mimic"];
+const COMMON: [&str; 7] = [
+    "name", "type", "limits", "velocity", "effort", "link", "mimic",
+];
 
 /// Reads all entries of a list; `None` if one cannot be read.
 pub(super) fn rows(list: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Vec<Row>> {
@@ -58,6 +60,7 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
         _ => frames::read(&fields, kind, units, reader),
     };
     let limits = limits(&fields, kind, units, reader);
+    let rating = rating(&fields, kind, units, reader);
     let mimic = mimic(&fields, kind, units, reader);
     let actuated = match fields.get("actuated") {
         Some(node) => reader.truth(node),
@@ -75,6 +78,7 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
         name,
         kind,
         limits: limits?,
+        rating: rating?,
         link,
         mimic: mimic?,
         actuated: actuated?,
@@ -83,7 +87,7 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
 }
 
 fn refuse_motion_of_fixed(fields: &Fields, kind: JointType, reader: &mut Reader) {
-    for key in ["axis", "limits", "mimic", "actuated"] {
+    for key in ["axis", "limits", "velocity", "effort", "mimic", "actuated"] {
         if kind == JointType::Fixed && fields.get(key).is_some() {
             let reason = format!("`{key}` has no meaning for a fixed joint");
             reader.at(
@@ -130,6 +134,42 @@ fn limits(fields: &Fields, kind: JointType, units: &Units, reader: &mut Reader) 
         upper,
         at: reader.place(node.at),
     })
+}
+
+/// Efforts are N m and N whatever the units: nobody rates drives in N mm.
+fn rating(fields: &Fields, kind: JointType, units: &Units, reader: &mut Reader) -> Option<Rating> {
+    let velocity = positive(fields, "velocity", reader, |node, reader| {
+        units.joint_value(kind, node, reader)
+    });
+    let effort = positive(fields, "effort", reader, |node, reader| {
+        pose::plain(reader, node)
+    });
+    Some(Rating {
+        velocity: velocity?,
+        effort: effort?,
+    })
+}
+
+/// A number above 0, if it is there; `None` after reporting why not.
+fn positive(
+    fields: &Fields,
+    key: &str,
+    reader: &mut Reader,
+    read: impl Fn(&Node, &mut Reader) -> Option<f64>,
+) -> Option<Option<f64>> {
+    let Some(node) = fields.get(key) else {
+        return Some(None);
+    };
+    let value = read(node, reader)?;
+    if value <= 0.0 {
+        reader.at(
+            node.at,
+            format!("this `{key}` is not above 0"),
+            format!("write what the joint can do, or leave `{key}` out where that is not known"),
+        );
+        return None;
+    }
+    Some(Some(value))
 }
 
 fn mimic(

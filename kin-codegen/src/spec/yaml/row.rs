@@ -3,7 +3,7 @@
 use super::fields::{Fields, Reader};
 use super::pose;
 use crate::spec::tree::{DraftMimic, Name};
-use crate::spec::{JointType, Limits, orientation};
+use crate::spec::{JointType, Limits, Rating, orientation};
 use kin_runtime::Pose;
 
 /// One entry of the list.
@@ -11,6 +11,7 @@ pub(super) struct Row {
     pub name: Name,
     pub kind: JointType,
     pub limits: Limits,
+    pub rating: Rating,
     /// The link that the joint moves.
     pub link: Name,
     pub mimic: Option<DraftMimic>,
