@@ -2,6 +2,7 @@
 
 use super::tip::default_tip;
 use crate::spec::{ArmSpec, Collector, did_you_mean};
+use std::collections::HashSet;
 
 /// A path down the tree.
 pub(super) struct Chain {
@@ -123,7 +124,7 @@ impl<'s> Tree<'s> {
     }
 
     fn common_ancestor(&self, a: usize, b: usize) -> usize {
-        let above_a: Vec<usize> = self.ancestors(a).collect();
+        let above_a: HashSet<usize> = self.ancestors(a).collect();
         self.ancestors(b)
             .find(|link| above_a.contains(link))
             .unwrap_or(a)

@@ -50,8 +50,13 @@ pub(super) fn resolve(
         .map(|(variable, &j)| (j, variable));
     let mut variables: BTreeMap<usize, usize> = numbered.collect();
     let mut by_joint = BTreeMap::new();
+    let followed = followed(spec);
     for j in moving {
-        let (leader, multiplier, offset) = follow(spec, j);
+        let Followed {
+            leader,
+            multiplier,
+            offset,
+        } = followed[j];
         if spec.joints[leader].kind == JointType::Fixed {
             refuse_fixed_leader(&spec.joints[j], &spec.joints[leader], diagnostics);
         }
@@ -75,16 +80,41 @@ pub(super) fn resolve(
         .then_some(Drives { leaders, by_joint })
 }
 
-/// The joint at the end of a line of mimics, and the value as a function of
-/// that joint's. The line ends: `ArmSpec` holds no cyclic mimics.
-fn follow(spec: &ArmSpec, joint: usize) -> (usize, f64, f64) {
-    let (mut joint, mut multiplier, mut offset) = (joint, 1.0, 0.0);
-    while let Some(mimic) = spec.joints[joint].mimic {
-        offset += multiplier * mimic.offset;
-        multiplier *= mimic.multiplier;
-        joint = mimic.joint;
+/// The joint that another one follows in the end, itself if it mimics none, and
+/// its value as a function of that joint's: `multiplier * value + offset`.
+#[derive(Clone, Copy)]
+pub(super) struct Followed {
+    pub leader: usize,
+    pub multiplier: f64,
+    pub offset: f64,
+}
+
+/// What every joint follows. The lines of mimics end: `ArmSpec` holds no cyclic
+/// ones. Each is walked once.
+pub(super) fn followed(spec: &ArmSpec) -> Vec<Followed> {
+    let mut known: Vec<Option<Followed>> = vec![None; spec.joints.len()];
+    let own = |leader| Followed {
+        leader,
+        multiplier: 1.0,
+        offset: 0.0,
+    };
+    let mut line = Vec::new();
+    let mut all = Vec::with_capacity(spec.joints.len());
+    for start in 0..spec.joints.len() {
+        let mut joint = start;
+        while let (None, Some(mimic)) = (known[joint], spec.joints[joint].mimic) {
+            line.push((joint, mimic));
+            joint = mimic.joint;
+        }
+        let mut end = known[joint].unwrap_or(own(joint));
+        while let Some((joint, mimic)) = line.pop() {
+            end.offset = mimic.multiplier * end.offset + mimic.offset;
+            end.multiplier *= mimic.multiplier;
+            known[joint] = Some(end);
+        }
+        all.push(end);
     }
-    (joint, multiplier, offset)
+    all
 }
 
 fn refuse_fixed_leader(joint: &Joint, leader: &Joint, diagnostics: &mut Collector) {

@@ -13,8 +13,9 @@
 //!
 //! Chains that fork otherwise (two arms in one file) are ambiguous.
 
+use super::mimic::{Followed, followed};
 use crate::spec::{ArmSpec, Collector, JointType, Limits};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// What the field calls the tip, the first choice first: as a whole name, or
 /// behind a prefix (`panda_hand_tcp`).
@@ -61,6 +62,8 @@ struct Below<'s> {
     children: Vec<Vec<usize>>,
     /// By link: the joint that moves it, or holds it.
     above: Vec<Option<usize>>,
+    /// By joint: what it follows.
+    followed: Vec<Followed>,
 }
 
 /// The tip of the arm on `base`; none after reporting why.
@@ -79,6 +82,7 @@ pub(super) fn default_tip(
         spec,
         children,
         above,
+        followed: followed(spec),
     };
     let ends = below.without_followers(below.ends(base));
     match &ends[..] {
@@ -126,7 +130,7 @@ impl Below<'_> {
     fn without_followers(&self, ends: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
         let leaders: Vec<BTreeSet<usize>> = ends
             .iter()
-            .map(|end| end.iter().map(|&j| self.leader(j)).collect())
+            .map(|end| end.iter().map(|&j| self.followed[j].leader).collect())
             .collect();
         let follows = |own: &BTreeSet<usize>| {
             let mut others = leaders.iter();
@@ -136,14 +140,6 @@ impl Below<'_> {
         ends.filter(|(_, own)| !follows(own))
             .map(|(end, _)| end)
             .collect()
-    }
-
-    /// The joint that a joint follows in the end.
-    fn leader(&self, joint: usize) -> usize {
-        let next = |&j: &usize| self.spec.joints[j].mimic.map(|mimic| mimic.joint);
-        std::iter::successors(Some(joint), next)
-            .last()
-            .unwrap_or(joint)
     }
 
     /// All links below one, parents first.
@@ -235,13 +231,14 @@ impl Below<'_> {
         let parent = |&link: &usize| self.above[link].map(|j| self.spec.joints[j].parent);
         let ancestors = |link: usize| std::iter::successors(Some(link), parent);
         let first = self.spec.joints[fingers[0]].parent;
-        let is_above = |link: usize| {
-            let mut fingers = fingers.iter();
-            fingers.all(|&j| ancestors(self.spec.joints[j].parent).any(|above| above == link))
+        let line: Vec<usize> = ancestors(first).collect();
+        let places: HashMap<usize, usize> = line.iter().copied().zip(0..).collect();
+        let meets = |&j: &usize| {
+            let mut above = ancestors(self.spec.joints[j].parent);
+            above.find_map(|link| places.get(&link).copied())
         };
-        ancestors(first)
-            .find(|&link| is_above(link))
-            .unwrap_or(first)
+        let highest = fingers.iter().filter_map(meets).max();
+        line[highest.unwrap_or(0)]
     }
 
     /// The tip among the links that move with one. Where fingers hang on it,
@@ -278,7 +275,7 @@ impl Below<'_> {
         };
         let joint = &self.spec.joints[last];
         // The last joint of a palletizer mimics those of its arm.
-        let mimics_finger = joint.mimic.is_some() && !before.contains(&self.leader(last));
+        let mimics_finger = joint.mimic.is_some() && !before.contains(&self.followed[last].leader);
         let stroke = match joint.limits {
             Limits::Range { lower, upper, .. } => (upper - lower).abs(),
             Limits::Missing | Limits::Unlimited => f64::INFINITY,

@@ -7,6 +7,9 @@
 //! remedy. Which joints make up the arm is not decided here; see
 //! [`Model`](crate::model::Model) and
 //! [`Mechanism`](crate::mechanism::Mechanism).
+//!
+//! Reading takes time proportional to the length of a file; what a file may
+//! hold is said in [`bounds`].
 pub mod bounds;
 mod collector;
 mod diagnostic;
