@@ -20,6 +20,7 @@ mod macros {
         tip = "forearm_link",
         ik = none,
         strict = true,
+        crate = ::kinematics,
     );
     kinematics::kinematics!(
         "../robots/planar_2r.yaml",
@@ -85,11 +86,12 @@ fn forward_alone_of_part_of_the_arm() {
             tip: Some("forearm_link".into()),
             ik: Ik::None,
             strict: true,
+            krate: Some("::kinematics".into()),
             ..Options::default()
         },
     );
     let header = "// Options: name = Shoulder, base = \"shoulder_link\", tip = \"forearm_link\", \
-                  ik = none,\n// strict = true.\n";
+                  ik = none,\n// strict = true, crate = ::kinematics.\n";
     assert!(code.contains(header), "{code}");
     assert_eq!(macro_file("Shoulder"), code);
     let config = Config::new(ROBOT)
@@ -97,9 +99,11 @@ fn forward_alone_of_part_of_the_arm() {
         .base("shoulder_link")
         .tip("forearm_link")
         .ik(Ik::None)
-        .strict(true);
+        .strict(true)
+        .krate("::kinematics");
     assert_eq!(build_script(config, "shoulder.rs"), code);
-    let options = "--name Shoulder --base shoulder_link --tip forearm_link --ik none --strict";
+    let options = "--name Shoulder --base shoulder_link --tip forearm_link --ik none --strict \
+                   --crate ::kinematics";
     let options: Vec<&str> = options.split(' ').collect();
     assert_eq!(command_line(ROBOT, &options), code);
     // The header's own command.

@@ -42,6 +42,11 @@ pub struct Generate {
     /// The name of the type [default: the file's stem in UpperCamelCase]
     #[arg(long)]
     pub name: Option<String>,
+    /// The path of the crate `kinematics` where the code is compiled, if the
+    /// dependency has another name or another crate hands it on [default:
+    /// ::kinematics]
+    #[arg(long = "crate", value_name = "PATH")]
+    pub krate: Option<String>,
     /// Where to write [default: standard output]
     #[arg(short, long)]
     pub output: Option<PathBuf>,
@@ -168,6 +173,7 @@ impl RobotOptions {
             ik: if self.no_ik { Ik::None } else { self.ik },
             target: self.target,
             strict: self.strict,
+            krate: None,
         }
     }
 }

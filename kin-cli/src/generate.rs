@@ -9,6 +9,7 @@ use std::path::Path;
 pub fn run(arguments: &Generate) -> Done {
     let options = Options {
         name: arguments.name.clone(),
+        krate: arguments.krate.clone(),
         ..arguments.options.options()
     };
     let source = match read(&arguments.file) {

@@ -79,6 +79,14 @@ impl Config {
         self
     }
 
+    /// The path of the crate `kinematics` in the generated code, for a
+    /// dependency of another name or one that another crate hands on; by
+    /// default `::kinematics`. See [`Options::krate`].
+    pub fn krate(mut self, path: impl Into<String>) -> Self {
+        self.options.krate = Some(path.into());
+        self
+    }
+
     /// The file to write; by default `$OUT_DIR/<stem of the robot file>.rs`. A
     /// relative path is relative to `$OUT_DIR`; an absolute one does without.
     pub fn file(mut self, file: impl Into<PathBuf>) -> Self {

@@ -2,11 +2,12 @@
 
 use crate::compile::compile;
 use crate::compiled::Compiled;
-use crate::emit::{self, TAKEN, header};
+use crate::emit::{self, Names, header};
 use crate::error::Error;
-use crate::options::Options;
+use crate::options::{self, Options};
 use crate::spec::{Diagnostic, Diagnostics, Source};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 
 /// The generated robot.
 #[derive(Clone, Debug)]
@@ -34,11 +35,15 @@ pub struct Generated {
 /// or why the arm has no closed form.
 pub fn generate(source: &Source, options: &Options) -> Result<Generated, Error> {
     let name = options.type_name(&source.path);
-    let ident = type_ident(source, &name)?;
+    let refused = |diagnostic| Diagnostics::one(&source.path, diagnostic);
+    let names = Names {
+        robot: type_ident(&name).map_err(refused)?,
+        runtime: runtime(options).map_err(refused)?,
+    };
     let robot = compile(source, options)?;
     let commented = match &robot {
-        Compiled::Arm(arm) => emit::robot(arm, &ident),
-        Compiled::Mechanism(mechanism) => emit::mechanism(mechanism, &ident),
+        Compiled::Arm(arm) => emit::robot(arm, &names),
+        Compiled::Mechanism(mechanism) => emit::mechanism(mechanism, &names),
     };
     Ok(Generated {
         tokens: emit::without_comments(commented.clone()),
@@ -50,16 +55,59 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Error> 
     })
 }
 
-fn type_ident(source: &Source, name: &str) -> Result<Ident, Diagnostics> {
-    let reason = match syn::parse_str::<Ident>(name) {
-        Ok(_) if TAKEN.contains(&name) => {
-            format!("the generated code uses a type `{name}` of its own")
-        }
-        Ok(_) => return Ok(Ident::new(name, Span::call_site())),
-        Err(_) => format!("`{name}` cannot name a Rust type"),
+/// The name of a type. It has a capital letter, as generated variables,
+/// functions and modules, the primitive types and all keywords but `Self` have
+/// not.
+fn type_ident(name: &str) -> Result<Ident, Diagnostic> {
+    let (reason, remedy) = match syn::parse_str::<Ident>(name) {
+        Ok(_) if emit::is_taken(name) => (
+            format!("the generated code uses a type `{name}` of its own"),
+            "choose another with the option `name`".into(),
+        ),
+        Ok(ident) if ident == name && !is_lower_case(name) => return Ok(ident),
+        _ => (
+            format!("`{name}` cannot name the type of a robot"),
+            match options::upper_camel_case(name) {
+                camel if camel == name || emit::is_taken(&camel) => {
+                    "choose another with the option `name`".into()
+                }
+                camel => format!(
+                    "types have names of letters and digits with a capital one: `name = {camel}`"
+                ),
+            },
+        ),
     };
-    let diagnostic = Diagnostic::whole(reason, "choose one with the option `name`");
-    Err(Diagnostics::one(&source.path, diagnostic))
+    Err(Diagnostic::whole(reason, remedy))
+}
+
+fn is_lower_case(name: &str) -> bool {
+    let lower = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    name.chars().all(lower)
+}
+
+/// The path of the crate `kinematics`: from any module, since generated code
+/// has modules of its own.
+fn runtime(options: &Options) -> Result<TokenStream, Diagnostic> {
+    let Some(path) = &options.krate else {
+        return Ok(quote!(::kinematics));
+    };
+    let refused = || {
+        Diagnostic::whole(
+            format!("`{path}` is no path of a crate"),
+            "the option `crate` takes a path that is the same in every module: `::robotics` or \
+             `crate::robotics::kinematics`",
+        )
+    };
+    let parsed: syn::Path = syn::parse_str(path).map_err(|_| refused())?;
+    let is_plain = parsed.segments.iter().all(|part| part.arguments.is_empty());
+    let first = parsed.segments.first().map(|part| part.ident.to_string());
+    match (first.as_deref(), parsed.leading_colon) {
+        (Some("self" | "super" | "Self") | None, _) => Err(refused()),
+        _ if !is_plain => Err(refused()),
+        (Some("crate"), None) | (_, Some(_)) => Ok(quote!(#parsed)),
+        // Of another crate, as in a list of dependencies.
+        (_, None) => Ok(quote!(::#parsed)),
+    }
 }
 
 impl Generated {
@@ -93,6 +141,7 @@ impl Generated {
             ik: asked.ik,
             target,
             strict: asked.strict,
+            krate: asked.krate.clone(),
         };
         let hash = self.hash;
         header::Provenance {

@@ -30,6 +30,11 @@ pub struct Options {
     pub target: Option<Target>,
     /// Whether warnings about the file are errors.
     pub strict: bool,
+    /// The path of the crate `kinematics` in generated code, the option `crate`:
+    /// `::robotics` where the dependency has another name, `::my::kinematics`
+    /// where another crate hands it on, or a path that begins with `crate`. By
+    /// default `::kinematics`.
+    pub krate: Option<String>,
 }
 
 /// Which inverse kinematics to generate.
@@ -45,9 +50,11 @@ pub enum Ik {
 impl Options {
     /// The name of the generated type for a file.
     pub fn type_name(&self, path: &str) -> String {
-        self.name
-            .clone()
-            .unwrap_or_else(|| upper_camel_case(stem(path)))
+        match &self.name {
+            // A type needs no raw name: a keyword has no capital letter.
+            Some(name) => name.strip_prefix("r#").unwrap_or(name).to_owned(),
+            None => upper_camel_case(stem(path)),
+        }
     }
 }
 
@@ -63,6 +70,7 @@ impl fmt::Display for Options {
             ("ik", ik),
             ("target", target),
             ("strict", self.strict.then(|| "true".to_owned())),
+            ("crate", self.krate.clone()),
         ];
         let written: Vec<String> = settings
             .into_iter()
@@ -160,7 +168,7 @@ pub(crate) fn file_name(path: &str) -> &str {
 
 /// `kr6_r900` becomes `Kr6R900`; what cannot stand in a name separates words,
 /// and a leading digit gets a word in front of it.
-fn upper_camel_case(stem: &str) -> String {
+pub(crate) fn upper_camel_case(stem: &str) -> String {
     let words = stem
         .split(|c: char| !c.is_ascii_alphanumeric())
         .filter(|word| !word.is_empty());
@@ -201,10 +209,11 @@ mod tests {
             ik: Ik::None,
             target: Some(Target::Position),
             strict: true,
+            krate: Some("::robotics".into()),
         };
         assert_eq!(
             all.to_string(),
-            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, strict = true"#
+            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, strict = true, crate = ::robotics"#
         );
     }
 

@@ -2,13 +2,16 @@
 
 use kin_codegen::{Ik, Options, Target, Unknown, target};
 use proc_macro2::Span;
+use quote::ToTokens;
 use std::fmt::Display;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::{Error, Ident, LitBool, LitStr, Result, Token};
+use syn::{Error, Ident, LitBool, LitStr, Path, Result, Token};
 
 /// The options, as they are written.
-const OPTIONS: [&str; 7] = ["name", "base", "tip", "ik", "target", "strict", "debug"];
+const OPTIONS: [&str; 8] = [
+    "name", "base", "tip", "ik", "target", "strict", "crate", "debug",
+];
 
 /// `"arm.urdf", name = Arm, base = "base_link", ..`
 pub struct Arguments {
@@ -56,6 +59,7 @@ impl Arguments {
             "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
             "target" => options.target = Some(value.word(&Target::WORDS, target)?),
             "strict" => options.strict = value.switch()?,
+            "crate" => options.krate = Some(value.path()?),
             "debug" => self.debug = value.switch()?,
             other => return Err(unknown_option(option.span(), other)),
         }
@@ -142,8 +146,24 @@ impl Value<'_> {
 
     /// `Arm`
     fn identifier(&self) -> Result<String> {
-        let name: Ident = self.parse("the name of a type, without quotes: `name = Arm`")?;
+        let place = place(self.input, self.option.span());
+        // Of a keyword too, the compiler tells what to write instead.
+        let name = self.input.call(Ident::parse_any).map_err(|_| {
+            error(
+                place,
+                "`name` takes the name of a type, without quotes: `name = Arm`",
+            )
+        })?;
         Ok(name.to_string())
+    }
+
+    /// `::robotics`, also in quotes
+    fn path(&self) -> Result<String> {
+        if self.input.peek(LitStr) {
+            return Ok(self.input.parse::<LitStr>()?.value());
+        }
+        let path: Path = self.parse("the path of `kinematics`: `crate = ::robotics`")?;
+        Ok(path.to_token_stream().to_string().replace(' ', ""))
     }
 
     /// `"base_link"`

@@ -1,7 +1,7 @@
 //! From the macro's arguments to items.
 
 use crate::arguments::Arguments;
-use crate::debug;
+use crate::{debug, dependency};
 use kin_codegen::{Source, generate};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -21,6 +21,11 @@ pub fn expand(input: TokenStream) -> Result<TokenStream> {
         .map_err(kin_codegen::Error::from)
         .and_then(|source| generate(&source, &options))
         .map_err(|error| Error::new(path.span(), error))?;
+    if options.krate.is_none()
+        && let Some(missing) = dependency::missing(&root)
+    {
+        return Err(Error::new(path.span(), missing));
+    }
     let items = if debug {
         debug::through_file(&generated, &invocation)
             .map_err(|message| Error::new(path.span(), message))?
@@ -43,7 +48,7 @@ fn root() -> PathBuf {
 fn tracked(file: &Path) -> TokenStream {
     let file = file.to_string_lossy();
     quote!(
-        const _: &[u8] = ::core::include_bytes!(#file);
+        const _: &[::core::primitive::u8] = ::core::include_bytes!(#file);
     )
 }
 
@@ -63,13 +68,30 @@ mod tests {
         let options = Options {
             name: Some("Arm".into()),
             ik: Ik::None,
+            krate: Some("::robotics".into()),
             ..Options::default()
         };
         let source = Source::read(ROBOT, &root()).unwrap();
         let items = generate(&source, &options).unwrap().tokens;
         let tracked = tracked(&root().join(ROBOT));
-        let expanded = expand(quote!(#ROBOT, name = Arm, ik = none)).unwrap();
+        let input = quote!(#ROBOT, name = Arm, ik = none, crate = ::robotics);
+        let expanded = expand(input).unwrap();
         assert_eq!(expanded.to_string(), quote!(#items #tracked).to_string());
+    }
+
+    #[test]
+    fn a_crate_that_is_not_found_has_a_remedy() {
+        // This package does not depend on `kinematics`.
+        let message = refusal(quote!(#ROBOT));
+        assert!(message.contains("`crate = ::robotics`"), "{message}");
+    }
+
+    #[test]
+    fn the_option_crate_alone_names_the_crate() {
+        let input = quote!(#ROBOT, crate = ::robotics);
+        let expanded = expand(input).unwrap().to_string();
+        assert!(expanded.contains(":: robotics :: __private"));
+        assert!(!expanded.contains(":: kinematics"), "{expanded}");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod debug;
+mod dependency;
 mod expand;
 
 use proc_macro::TokenStream;
@@ -26,8 +27,8 @@ use proc_macro::TokenStream;
 ///
 /// They follow the path, in any order.
 ///
-/// - **`name = Arm`**: the name of the type. By default the file's stem in
-///   UpperCamelCase: `kr6_r900.yaml` makes `Kr6R900`.
+/// - **`name = Arm`**: the name of the type, with a capital letter in it. By
+///   default the file's stem in UpperCamelCase: `kr6_r900.yaml` makes `Kr6R900`.
 /// - **`base = "base_link"`**: the link that the chain begins at and that poses
 ///   are given in. By default the root of the robot.
 /// - **`tip = "tool0"`**: the link that the chain ends at and that poses are
@@ -47,6 +48,11 @@ use proc_macro::TokenStream;
 ///   and `pose` for all others.
 /// - **`strict = true`**: what is odd in the file and changes nothing of the
 ///   robot is an error too. By default the type's documentation lists it.
+/// - **`crate = ::robotics`**: the path under which the code finds the crate
+///   `kinematics`, from any module: for a dependency of another name
+///   (`robotics = { package = "kinematics", .. }`), and for one that another
+///   crate hands on (`crate = ::robotics::kinematics`). By default
+///   `::kinematics`.
 /// - **`debug = true`**: the code is formatted and written to a file, which the
 ///   macro includes. Compiler errors, backtraces and debuggers then point into
 ///   that file. It is `kinematics/<crate>/<Name>-<hash>.rs` in the `OUT_DIR` of

@@ -73,6 +73,7 @@
 pub struct Calibrated;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
+    use ::core::primitive::*;
     use ::kinematics::{
         Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };

@@ -65,6 +65,7 @@
 pub struct Delta;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
+    use ::core::primitive::*;
     use ::kinematics::{
         JointLimit, ParallelKinematics, Pose, Postures, Solution, Solutions, Twist,
     };
@@ -72,6 +73,7 @@ const _: () = {
     use ::kinematics::__private::three_spheres;
     /// The chains that the mechanism is made of.
     mod arms {
+        use ::core::primitive::*;
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
         use ::kinematics::__private::{Acceptance, Branches, lanes, math};
         /// The chain `arm1`.

@@ -70,6 +70,7 @@
 pub struct Kr6R900;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
+    use ::core::primitive::*;
     use ::kinematics::{
         Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };

@@ -59,6 +59,7 @@
 pub struct Scara;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
+    use ::core::primitive::*;
     use ::kinematics::{
         Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };

@@ -71,6 +71,7 @@
 pub struct Ur5e;
 const _: () = {
     ::kinematics::__private::generated_by!(0.1);
+    use ::core::primitive::*;
     use ::kinematics::{
         Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };

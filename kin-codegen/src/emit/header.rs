@@ -60,6 +60,7 @@ impl Provenance<'_> {
             ik,
             target,
             strict,
+            krate,
         } = self.asked;
         let ik = (*ik != Ik::default()).then(|| ik.to_string());
         let target = target.map(|target| target.word().to_owned());
@@ -69,6 +70,7 @@ impl Provenance<'_> {
             ("tip", tip.clone()),
             ("ik", ik),
             ("target", target),
+            ("crate", krate.clone()),
         ];
         let mut command = format!("kin generate {}", quoted(self.path));
         for (option, value) in given {
@@ -85,7 +87,7 @@ impl Provenance<'_> {
 
 /// A word of a shell's command line.
 fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "_-./".contains(c);
+    let plain = |c: char| c.is_ascii_alphanumeric() || "_-./:".contains(c);
     match !word.is_empty() && word.chars().all(plain) {
         true => word.to_owned(),
         false => format!("'{}'", word.replace('\'', r"'\''")),

@@ -32,8 +32,16 @@ const PRIVATE: [&str; 8] = [
     "widen",
 ];
 
-/// The `use` declarations of what the items name.
-pub fn imports(items: &TokenStream) -> TokenStream {
+/// Whether generated code takes in something of this name, which a robot cannot
+/// have therefore.
+pub fn is_taken(name: &str) -> bool {
+    PUBLIC.contains(&name) || PRIVATE.contains(&name)
+}
+
+/// The `use` declarations of what the items name, from the crate at `runtime`.
+/// The primitive types are among them: where the robot stands, others may have
+/// their names.
+pub fn imports(items: &TokenStream, runtime: &TokenStream) -> TokenStream {
     let mut named = HashSet::new();
     collect(items.clone(), &mut named);
     let used = |all: &[&str], path: TokenStream| {
@@ -41,9 +49,9 @@ pub fn imports(items: &TokenStream) -> TokenStream {
         let used: Vec<_> = used.map(|name| format_ident!("{name}")).collect();
         (!used.is_empty()).then(|| quote!(use #path::{#(#used),*};))
     };
-    let public = used(&PUBLIC, quote!(::kinematics));
-    let private = used(&PRIVATE, quote!(::kinematics::__private));
-    quote!(#public #private)
+    let public = used(&PUBLIC, quote!(#runtime));
+    let private = used(&PRIVATE, quote!(#runtime::__private));
+    quote!(use ::core::primitive::*; #public #private)
 }
 
 /// The identifiers of some tokens.

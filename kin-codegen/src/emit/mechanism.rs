@@ -6,7 +6,7 @@ use super::comment::comment;
 use super::imports::imports;
 use super::robot::{generated_by, limit};
 use super::straight::signed;
-use super::{documentation, forward, inverse, matrix, text};
+use super::{Names, documentation, forward, inverse, matrix, text};
 use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Loop, Rod};
@@ -15,7 +15,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The items that a mechanism becomes.
-pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
+pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
+    let (name, runtime) = (&names.robot, &names.runtime);
     let sizes = Sizes::of(compiled);
     let Sizes { n, m, k } = &sizes;
     let doc = documentation::mechanism(compiled, name);
@@ -25,13 +26,13 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
     let chains = chains(compiled, &sizes);
     let ik = ik(compiled, &sizes);
     let fk = fk(compiled, &sizes);
-    let ik_inherent = ik.is_some().then(
-        || quote!(::kinematics::__private::inherent_parallel_methods!(ik: #name, #n, #m, #k);),
-    );
-    let fk_inherent = fk.is_some().then(
-        || quote!(::kinematics::__private::inherent_parallel_methods!(fk: #name, #n, #m, #k);),
-    );
-    let generated_by = generated_by();
+    let ik_inherent = ik
+        .is_some()
+        .then(|| quote!(#runtime::__private::inherent_parallel_methods!(ik: #name, #n, #m, #k);));
+    let fk_inherent = fk
+        .is_some()
+        .then(|| quote!(#runtime::__private::inherent_parallel_methods!(fk: #name, #n, #m, #k);));
+    let generated_by = generated_by(runtime);
     let items = quote! {
         // Constants are written with the digits that they have.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -42,7 +43,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
             #fk
         }
     };
-    let (imports, arms_imports) = (imports(&items), imports(&arms));
+    let (imports, arms_imports) = (imports(&items, runtime), imports(&arms, runtime));
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,7 +63,7 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> TokenStream {
 
             #items
 
-            ::kinematics::__private::inherent_parallel_methods!(#name, #n, #m, #k);
+            #runtime::__private::inherent_parallel_methods!(#name, #n, #m, #k);
             #ik_inherent
             #fk_inherent
         };

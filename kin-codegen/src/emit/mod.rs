@@ -16,11 +16,20 @@ mod straight;
 mod text;
 
 pub(crate) use comment::{print, without_comments};
+pub(crate) use imports::is_taken;
 pub use mechanism::mechanism;
-pub use robot::{TAKEN, robot};
+pub use robot::robot;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+
+/// What the user names in generated code.
+pub struct Names {
+    /// The robot's type.
+    pub robot: Ident,
+    /// The path of the crate `kinematics`.
+    pub runtime: TokenStream,
+}
 
 /// `[a, b, c]`, three by three.
 fn matrix<const R: usize>(rows: [[TokenStream; 3]; R]) -> TokenStream {

@@ -2,7 +2,7 @@
 
 use super::imports::imports;
 use super::straight::signed;
-use super::{documentation, forward, inverse, singular, text};
+use super::{Names, documentation, forward, inverse, singular, text};
 use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
@@ -12,7 +12,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// The items that a robot becomes.
-pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
+pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
+    let (name, runtime) = (&names.robot, &names.runtime);
     let n = Literal::usize_unsuffixed(compiled.model.variables.len());
     let doc = documentation::arm(compiled, name);
     let doc = doc.iter().map(|line| format!(" {line}"));
@@ -26,8 +27,8 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let singular = singular.map(|singular| singular::methods(singular, variables));
     let derivatives = compiled.forward.dot.as_ref();
     let derivatives = derivatives.map(|dot| self::derivatives(compiled, dot, &n));
-    let kinematics = kinematics(compiled, name, &n);
-    let generated_by = generated_by();
+    let kinematics = kinematics(compiled, names, &n);
+    let generated_by = generated_by(runtime);
     let items = quote! {
         // Constants are written with the digits that they have.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -39,7 +40,7 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
             #derivatives
         }
     };
-    let imports = imports(&items);
+    let imports = imports(&items, runtime);
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,36 +58,15 @@ pub fn robot(compiled: &CompiledArm, name: &Ident) -> TokenStream {
 }
 
 /// The check that the runtime goes with this version of the compiler.
-pub(super) fn generated_by() -> TokenStream {
+pub(super) fn generated_by(runtime: &TokenStream) -> TokenStream {
     let version = concat!(
         env!("CARGO_PKG_VERSION_MAJOR"),
         ".",
         env!("CARGO_PKG_VERSION_MINOR")
     );
     let version = version.parse::<Literal>().into_iter();
-    quote!(#(::kinematics::__private::generated_by!(#version);)*)
+    quote!(#(#runtime::__private::generated_by!(#version);)*)
 }
-
-/// Names that the generated items use and that a robot cannot have.
-pub const TAKEN: [&str; 17] = [
-    "Acceptance",
-    "Branches",
-    "Default",
-    "FreeAngle",
-    "Hessian",
-    "Jacobian",
-    "JointLimit",
-    "Kinematics",
-    "ParallelKinematics",
-    "Pose",
-    "Postures",
-    "Self",
-    "Singularity",
-    "Solution",
-    "Solutions",
-    "Target",
-    "Twist",
-];
 
 /// A spatial Jacobian of more multiplications is left to `fk_jacobian`.
 const LONGEST: usize = 80;
@@ -256,7 +236,8 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
 }
 
 /// The trait, by the inherent methods, and what it provides.
-fn kinematics(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream {
+fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream {
+    let (name, runtime) = (&names.robot, &names.runtime);
     let own = |is_own: bool, other: &'static str| if is_own { "own" } else { other };
     let singular = compiled.singular.as_ref();
     let groups = [
@@ -271,7 +252,7 @@ fn kinematics(compiled: &CompiledArm, name: &Ident, n: &Literal) -> TokenStream 
     let [inverse, derivatives, determinant, singularities] =
         groups.map(|word| Ident::new(word, proc_macro2::Span::call_site()));
     quote! {
-        ::kinematics::__private::implement_kinematics! {
+        #runtime::__private::implement_kinematics! {
             #name, #n, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
             singularities: #singularities
         }

@@ -1,7 +1,7 @@
 //! Values of another kind, or none.
 
 kinematics::kinematics!("robots/planar.yaml", name = "Arm");
-kinematics::kinematics!("robots/planar.yaml", name = struct);
+kinematics::kinematics!("robots/planar.yaml", name = 3);
 kinematics::kinematics!("robots/planar.yaml", base = base_link);
 kinematics::kinematics!("robots/planar.yaml", tip = 6);
 kinematics::kinematics!("robots/planar.yaml", ik = "none");
