@@ -4,6 +4,7 @@
 mod chapter3 {
     mod arms;
     mod differences;
+    #[path = "../random.rs"]
     mod random;
 
     mod any_joints;

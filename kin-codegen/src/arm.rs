@@ -122,7 +122,8 @@ pub(crate) fn compile(
     };
     let form = inverse.as_ref().map(|certified| &certified.form);
     let idealized = form.filter(|form| !form.is_exact());
-    let singular = Singular::new(&model, idealized.map(|form| &form.idealized.model), target);
+    let idealized = idealized.map(|form| (&form.idealized.model, &form.linkage));
+    let singular = Singular::new(&model, &linkage, idealized, target);
     let file = file_name(&spec.source.path);
     let arm = CompiledArm {
         singular,

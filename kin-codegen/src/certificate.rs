@@ -19,12 +19,6 @@ use std::fmt;
 /// its target may have a family of solutions, and one representative is enough.
 pub const SINGULAR: f64 = 1e-5;
 
-/// In square roots of the relative shift of the tip, how near to a singular
-/// configuration the certificate excuses an idealized arm's lost solutions:
-/// two roots that are nearer may have met on one of the two arms and have left
-/// each other on the other.
-pub const EXCUSED: f64 = 3.0;
-
 /// What the certificate saw.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -126,7 +120,7 @@ impl<'a> Trials<'a> {
 pub fn certify(trials: &Trials, form: &ClosedForm) -> Result<Certificate, Failure> {
     let size = trials.linkage.size;
     let mut certificate = Certificate::default();
-    let excused = EXCUSED * (form.tip_shift / size).sqrt();
+    let excused = form.near_singular();
     for Trial {
         q,
         pose,

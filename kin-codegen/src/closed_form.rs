@@ -15,7 +15,8 @@ pub const TOLERANCE: f64 = 1e-9;
 
 /// In square roots of the relative shift of the tip, how near to a singular
 /// configuration the branches of the idealized arm do not tell those of the arm
-/// as given.
+/// as given: two roots that are nearer may have met on one of the two arms and
+/// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
 
 /// A closed form.
@@ -150,6 +151,15 @@ impl ClosedForm {
             .collect()
     }
 
+    /// Below this conditioning of the Jacobian the branches of the idealized arm
+    /// do not tell those of the arm as given; 0 if they are one.
+    pub fn near_singular(&self) -> f64 {
+        match self.is_exact() {
+            true => 0.0,
+            false => NEAR_SINGULAR * (self.tip_shift / self.linkage.size).sqrt(),
+        }
+    }
+
     /// What makes a branch a solution.
     pub fn acceptance(&self) -> Acceptance {
         let slides = |variable: &usize| {
@@ -160,11 +170,7 @@ impl ClosedForm {
         Acceptance {
             size,
             tolerance: TOLERANCE * size,
-            near_singular: if self.is_exact() {
-                0.0
-            } else {
-                NEAR_SINGULAR * (self.tip_shift / size).sqrt()
-            },
+            near_singular: self.near_singular(),
             prismatic: (0..self.given.variables())
                 .filter(slides)
                 .map(|i| 1 << i)

@@ -4,6 +4,7 @@
 mod aim;
 mod descent;
 mod measure;
+#[path = "../random.rs"]
 mod random;
 mod subject;
 #[macro_use]

@@ -2,7 +2,7 @@
 
 use super::Settings;
 use super::draw::Ranges;
-use kin_codegen::certificate::{EXCUSED, Failure, SINGULAR, recovered};
+use kin_codegen::certificate::{Failure, SINGULAR, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
 use kin_codegen::geometry::{conditioning, size};
 use kin_codegen::model::Model;
@@ -43,7 +43,7 @@ impl<'a> Case<'a> {
             form,
             chain: model.chain(),
             size,
-            near_singular: SINGULAR.max(EXCUSED * (form.tip_shift / size).sqrt()),
+            near_singular: SINGULAR.max(form.near_singular()),
             ranges: Ranges::new(model, size),
         }
     }

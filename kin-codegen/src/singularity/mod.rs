@@ -75,22 +75,26 @@ impl Singular {
     /// The analysis of an arm, of which `idealized` is the one that has a closed
     /// form, if there is one. None if its Jacobian has not as many rows that count
     /// as columns.
-    pub fn new(model: &Model, idealized: Option<&Model>, target: Target) -> Option<Self> {
+    pub fn new(
+        model: &Model,
+        linkage: &Linkage,
+        idealized: Option<(&Model, &Linkage)>,
+        target: Target,
+    ) -> Option<Self> {
         let n = model.variables.len();
         if n > 6 || model.is_coupled() {
             return None;
         }
         let mut graph = Graph::new();
         let q: Vec<Expr> = (1..=n).map(|i| graph.input(format!("q{i}"))).collect();
-        let given = determinant(&mut graph, &Linkage::new(model), &q, target)?;
+        let given = determinant(&mut graph, linkage, &q, target)?;
         let difference = difference(model, &graph, &given);
         if difference.is_some_and(|difference| difference > AGREES) {
             return None;
         }
         let (factors, idealized) = match idealized {
-            Some(idealized) => {
-                let linkage = Linkage::new(idealized);
-                let found = determinant(&mut graph, &linkage, &q, target)?;
+            Some((idealized, linkage)) => {
+                let found = determinant(&mut graph, linkage, &q, target)?;
                 (found.factors, Some(idealized.clone()))
             }
             None if given.factors.len() > 1 || n < 4 => (given.factors.clone(), None),

@@ -31,6 +31,8 @@ impl Random {
         [0.0, FRAC_PI_2, -FRAC_PI_2, PI][(self.next() >> 62) as usize]
     }
 
+    /// Uniform in the cube from −1 to 1.
+    #[allow(dead_code, reason = "not every program of tests draws vectors")]
     pub fn unit_cube<const D: usize>(&mut self) -> [f64; D] {
         std::array::from_fn(|_| self.between(-1.0, 1.0))
     }
