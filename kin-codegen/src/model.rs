@@ -3,6 +3,7 @@
 
 mod chain;
 mod configurations;
+mod frames;
 mod limits;
 mod mimic;
 mod tip;
@@ -30,6 +31,9 @@ pub struct Model {
     pub variables: Vec<Variable>,
     /// g_st(0).
     pub home: Pose,
+    /// The links that do not move against the base or a link that a joint of the
+    /// chain moves, other than these; in the order of the file.
+    pub frames: Vec<Frame>,
     /// What the file has that is odd, and changes nothing that is here.
     pub warnings: Vec<Diagnostic>,
 }
@@ -57,6 +61,17 @@ pub struct Joint {
     pub multiplier: f64,
     /// See `multiplier`.
     pub offset: f64,
+}
+
+/// A link that does not move against another one.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// From the file.
+    pub name: String,
+    /// The joint of the chain, from 0, whose link carries it; none for the base.
+    pub joint: Option<usize>,
+    /// Its frame in that of the link that carries it.
+    pub pose: Pose,
 }
 
 /// How a joint moves.
@@ -208,6 +223,7 @@ fn build(
         joints,
         variables,
         home,
+        frames: frames::fixed(spec, &chain),
         warnings: Vec::new(),
     })
 }

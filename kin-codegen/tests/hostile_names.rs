@@ -18,9 +18,10 @@ fn generated(name: &str, options: Options) -> Generated {
     let quoted = format!("{name:?}")
         .replace("\\'", "'")
         .replace("\\u{202e}", "\\u202e");
+    let [link, tip] = ["link", "tip"].map(|role| quoted.replacen('"', &format!("\"{role} "), 1));
     let text = format!(
-        "robot: {quoted}\nunits: {{angle: rad, length: m}}\nbase: {quoted}\nscrews:\n  \
-         - {{name: {quoted}, axis: [0, 0, 1], point: [0, 0, 0]}}\n  \
+        "robot: {quoted}\nunits: {{angle: rad, length: m}}\nbase: {quoted}\ntip: {tip}\nscrews:\n  \
+         - {{name: {quoted}, link: {link}, axis: [0, 0, 1], point: [0, 0, 0]}}\n  \
          - {{name: elbow, axis: [0, 0, 1], point: [0.5, 0, 0]}}\nhome: {{xyz: [0.9, 0, 0]}}\n"
     );
     let path = format!("{name}.yaml");

@@ -546,3 +546,41 @@ fn yaml_ratings_have_the_units_of_the_file() {
         ]
     );
 }
+
+/// A camera is placed by fixed joints in YAML as in URDF. Behind a joint that
+/// cannot be read nothing is known, although the arm does not need it.
+#[test]
+fn fixed_links_are_frames_of_the_link_that_carries_them() {
+    let frames = |model: &Model| -> Vec<(String, Option<usize>, [f64; 3])> {
+        let frames = model.frames.iter();
+        frames
+            .map(|frame| (frame.name.clone(), frame.joint, frame.pose.translation))
+            .collect()
+    };
+    let text = "robot: arm\nunits: {angle: deg, length: mm}\njoints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, axis: [0, 1, 0]}\n  - {name: mount, type: fixed, parent: a_link, xyz: [0, 0, 50], rpy: [0, 90, 0]}\n  - {name: camera, type: fixed, xyz: [25, 0, 0]}\n  - {name: lamp, type: fixed, parent: base, xyz: [0, 500, 0]}\n";
+    assert_eq!(
+        frames(&yaml(text)),
+        [
+            ("mount_link".into(), Some(0), [0.0, 0.0, 0.05]),
+            ("camera_link".into(), Some(0), [0.0, 0.0, 0.025]),
+            ("lamp_link".into(), None, [0.0, 0.5, 0.0]),
+        ]
+    );
+    let text = |origin: &str| {
+        let joints = [
+            joint("j1", "continuous", "base", "a", ""),
+            joint("j2", "continuous", "a", "tool0", ""),
+            joint(
+                "j3",
+                "fixed",
+                "a",
+                "camera",
+                &format!("<origin xyz=\"{origin}\"/>"),
+            ),
+            joint("j4", "fixed", "camera", "lens", ""),
+        ];
+        urdf("base a tool0 camera lens", &joints.concat())
+    };
+    assert_eq!(frames(&accept(&text("0 0 0.1"))).len(), 2);
+    assert_eq!(frames(&accept(&text("0 0 O.1"))), []);
+}

@@ -75,7 +75,7 @@ const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::core::primitive::*;
     use ::kinematics::{
-        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
@@ -119,6 +119,9 @@ const _: () = {
             "wrist_3_link",
         ];
 
+        /// The other links that do not move against the base or one of
+        /// [`Self::LINK_NAMES`]: see [`Self::fk_frame`].
+        pub const FRAMES: &'static [Frame] = &[];
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = "base";
         /// The link whose frame poses are of.

@@ -72,7 +72,7 @@ const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::core::primitive::*;
     use ::kinematics::{
-        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
@@ -114,6 +114,19 @@ const _: () = {
             "joint_a4_link",
             "joint_a5_link",
             "joint_a6_link",
+        ];
+
+        /// The other links that do not move against the base or one of
+        /// [`Self::LINK_NAMES`]: see [`Self::fk_frame`].
+        pub const FRAMES: &'static [Frame] = &[
+            Frame::on_link(
+                "tool0",
+                5,
+                Pose {
+                    rotation: [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]],
+                    translation: [0.0, 0.0, 0.0],
+                },
+            ),
         ];
 
         /// The link in whose frame poses are given.

@@ -61,7 +61,7 @@ const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::core::primitive::*;
     use ::kinematics::{
-        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, lanes, math};
@@ -97,6 +97,12 @@ const _: () = {
             "elbow_link",
             "wrist_link",
             "lift_link",
+        ];
+
+        /// The other links that do not move against the base or one of
+        /// [`Self::LINK_NAMES`]: see [`Self::fk_frame`].
+        pub const FRAMES: &'static [Frame] = &[
+            Frame::on_link("tip", 3, Pose::from_translation([0.0, 0.7, 0.5])),
         ];
 
         /// The link in whose frame poses are given.

@@ -73,7 +73,7 @@ const _: () = {
     ::kinematics::__private::generated_by!(0.1);
     use ::core::primitive::*;
     use ::kinematics::{
-        Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
     use ::kinematics::__private::{Acceptance, Branches, FreeAngle, lanes, math, widen};
@@ -115,6 +115,12 @@ const _: () = {
             "wrist_1_link",
             "wrist_2_link",
             "wrist_3_link",
+        ];
+
+        /// The other links that do not move against the base or one of
+        /// [`Self::LINK_NAMES`]: see [`Self::fk_frame`].
+        pub const FRAMES: &'static [Frame] = &[
+            Frame::on_link("tool0", 5, Pose::from_translation([0.0, 0.0, 0.0996])),
         ];
 
         /// The link in whose frame poses are given.

@@ -20,6 +20,22 @@ pub struct Chain {
     pub home_translation: [f64; 3],
     /// The tip's orientation at home, by rows.
     pub home_rotation: [[f64; 3]; 3],
+    /// The other links that do not move against the base or one that a joint
+    /// moves: cameras, flanges, tool changers.
+    pub frames: Vec<FixedFrame>,
+}
+
+/// A link that is fixed to another one.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FixedFrame {
+    /// From the file.
+    pub name: String,
+    /// The base, or the link that a joint moves, which carries it.
+    pub link: String,
+    /// Its position in the frame of that link.
+    pub translation: [f64; 3],
+    /// Its orientation in the frame of that link, by rows.
+    pub rotation: [[f64; 3]; 3],
 }
 
 /// A moving joint.
@@ -71,7 +87,20 @@ impl Chain {
             joints: model.joints.iter().map(|j| joint(model, j)).collect(),
             home_translation: model.home.translation,
             home_rotation: model.home.rotation,
+            frames: model.frames.iter().map(|f| frame(model, f)).collect(),
         }
+    }
+}
+
+fn frame(model: &Model, frame: &model::Frame) -> FixedFrame {
+    let link = frame
+        .joint
+        .map_or(&model.base, |joint| &model.joints[joint].link);
+    FixedFrame {
+        name: frame.name.clone(),
+        link: link.clone(),
+        translation: frame.pose.translation,
+        rotation: frame.pose.rotation,
     }
 }
 

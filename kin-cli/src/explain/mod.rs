@@ -14,7 +14,7 @@ mod step;
 mod text;
 
 pub use arm::ArmExplanation;
-pub use chain::{Chain, Joint, JointMotion, Mimic};
+pub use chain::{Chain, FixedFrame, Joint, JointMotion, Mimic};
 pub(crate) use command::run;
 pub use idealization::{Idealization, Moved};
 pub use inverse::{Inverse, LaneCost};

@@ -2,7 +2,8 @@
 
 use super::singular::NOT_SQUARE;
 use super::{
-    ArmExplanation, Chain, Idealization, Inverse, Joint, JointMotion, Step, write_warnings,
+    ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, Step,
+    write_warnings,
 };
 use std::fmt::{self, Display, Formatter};
 
@@ -28,6 +29,7 @@ impl Display for ArmExplanation {
             "Chain at home, in metres and {base}'s axes\n{}",
             self.chain
         )?;
+        fixed_frames(&self.chain.frames, f)?;
         writeln!(f, "Axes\n{}", self.axes)?;
         writeln!(f, "Forward kinematics\n  {}", self.fk)?;
         writeln!(f, "  with the spatial Jacobian: {}\n", self.fk_jacobian)?;
@@ -43,6 +45,21 @@ impl Display for ArmExplanation {
             (None, None) => writeln!(f, "  not asked for"),
         }
     }
+}
+
+fn fixed_frames(frames: &[FixedFrame], f: &mut Formatter<'_>) -> fmt::Result {
+    if frames.is_empty() {
+        return Ok(());
+    }
+    writeln!(f, "Fixed frames, each in that of its link")?;
+    let name = |frame: &FixedFrame| frame.name.chars().count();
+    let width = frames.iter().map(name).max().unwrap_or(0);
+    for frame in frames {
+        let FixedFrame { name, link, .. } = frame;
+        let at = vector(frame.translation);
+        writeln!(f, "  {name:width$}  at {at}  on {link}")?;
+    }
+    writeln!(f)
 }
 
 impl Display for Chain {

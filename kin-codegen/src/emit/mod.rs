@@ -3,6 +3,7 @@
 mod comment;
 mod documentation;
 mod forward;
+mod frames;
 pub(crate) mod header;
 mod headings;
 mod imports;

@@ -2,7 +2,7 @@
 
 use super::imports::imports;
 use super::straight::signed;
-use super::{Names, documentation, forward, inverse, singular, text};
+use super::{Names, documentation, forward, frames, inverse, singular, text};
 use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
@@ -89,6 +89,7 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         (0..model.variables.len()).map(|i| text::literal(&model.joints[model.joint_of(i)].link));
     let (base, tip) = (text::literal(&model.base), text::literal(&model.tip));
     let branches = Literal::usize_unsuffixed(compiled.branches());
+    let frames = frames::constant(model);
     quote! {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -104,6 +105,7 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         pub const EFFORT_LIMITS: [f64; #n] = #efforts;
         /// The links whose poses [`Self::fk_links`] gives, in its order.
         pub const LINK_NAMES: [&'static str; #n] = [#(#links),*];
+        #frames
         /// The link in whose frame poses are given.
         pub const BASE: &'static str = #base;
         /// The link whose frame poses are of.

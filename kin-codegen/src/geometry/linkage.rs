@@ -347,6 +347,11 @@ fn clean(pose: Pose, size: f64) -> Pose {
     }
 }
 
+/// A frame between links as generated code has it: without rounding noise.
+pub(crate) fn without_noise(pose: &Pose) -> Pose {
+    clean(*pose, 1.0)
+}
+
 /// A length without the digits that composing frames has left behind: metres,
 /// to a femtometre.
 fn short(x: f64) -> f64 {

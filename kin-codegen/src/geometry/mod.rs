@@ -12,6 +12,7 @@ pub use crate::vector::{Vec3, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
 pub use conditioning::{conditioning, natural_target, rank};
 pub use idealize::{Idealized, Moved, idealize};
+pub(crate) use linkage::without_noise;
 pub use linkage::{Link, Linkage, Run};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};

@@ -146,6 +146,7 @@ fn chain_of(mechanism: &Mechanism, passed: &[Passed], home: Pose) -> Model {
         joints: passed.iter().enumerate().map(joint).collect(),
         variables: passed.iter().map(|(j, _)| variables[*j].clone()).collect(),
         home,
+        frames: Vec::new(),
         warnings: Vec::new(),
     }
 }

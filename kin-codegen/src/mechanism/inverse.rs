@@ -201,6 +201,7 @@ pub(super) fn part(model: &Model, joints: std::ops::Range<usize>, home: Pose, ti
         joints: model.joints[joints.clone()].to_vec(),
         variables: model.variables[joints].to_vec(),
         home,
+        frames: Vec::new(),
         ..model.clone()
     };
     part.joints

@@ -216,6 +216,7 @@ fn model(joints: Vec<Joint>, home: Pose) -> Model {
         variables: joints.iter().map(variable).collect(),
         joints,
         home,
+        frames: Vec::new(),
         warnings: Vec::new(),
     }
 }

@@ -9,7 +9,7 @@
 /// methods, each is its `own`, `provided` by the trait, or left out (`none`).
 ///
 /// ```
-/// use kin_runtime::{Jacobian, JointLimit, Pose, Twist};
+/// use kin_runtime::{Frame, Jacobian, JointLimit, Pose, Twist};
 ///
 /// /// A turntable 0.5 m above the floor.
 /// pub struct Turntable;
@@ -20,6 +20,7 @@
 ///     pub const VELOCITY_LIMITS: [f64; 1] = [f64::INFINITY];
 ///     pub const EFFORT_LIMITS: [f64; 1] = [f64::INFINITY];
 ///     pub const LINK_NAMES: [&'static str; 1] = ["table"];
+///     pub const FRAMES: &'static [Frame] = &[];
 ///     pub const BASE: &'static str = "floor";
 ///     pub const TIP: &'static str = "table";
 ///     pub const BRANCHES: usize = 0;
@@ -77,6 +78,7 @@ macro_rules! implement_kinematics {
             const VELOCITY_LIMITS: [f64; $n] = $robot::VELOCITY_LIMITS;
             const EFFORT_LIMITS: [f64; $n] = $robot::EFFORT_LIMITS;
             const LINK_NAMES: [&'static str; $n] = $robot::LINK_NAMES;
+            const FRAMES: &'static [$crate::Frame] = $robot::FRAMES;
             const BASE: &'static str = $robot::BASE;
             const TIP: &'static str = $robot::TIP;
             const BRANCHES: usize = $robot::BRANCHES;

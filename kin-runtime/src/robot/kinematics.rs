@@ -1,7 +1,7 @@
 //! What every generated robot can do.
 
 use crate::types::hessian::Change;
-use crate::{Jacobian, JointLimit, Singularities, Solutions};
+use crate::{Body, Frame, Jacobian, JointLimit, Pose, Singularities, Solutions};
 
 macro_rules! define_kinematics {
     ([$n:ident]
@@ -66,6 +66,9 @@ macro_rules! define_kinematics {
             /// The links whose poses [`Kinematics::fk_links`] gives, in its order;
             /// empty names where they have none.
             const LINK_NAMES: [&'static str; $n] = [""; $n];
+            /// The other links that do not move against the base or a link that
+            /// a joint moves: cameras, flanges, tool changers.
+            const FRAMES: &'static [Frame] = &[];
             /// The frame that poses are given in.
             const BASE: &'static str;
             /// The frame that poses are of.

@@ -157,6 +157,33 @@ macro_rules! kinematics_methods {
             }
 
             provided {
+                /// The link of this name, if it is the base, the tip, one that a
+                /// joint moves, or fixed to any of these.
+                fn frame(&self, name: &str) -> Option<$crate::Frame> {
+                    let link = Self::LINK_NAMES.iter().position(|&link| link == name);
+                    let listed = || Self::FRAMES.iter().find(|frame| frame.name == name).copied();
+                    match link {
+                        _ if name == Self::BASE => Some(Frame::on_base(Self::BASE, Pose::IDENTITY)),
+                        _ if name == Self::TIP => Some(Frame::on_tip(Self::TIP, Pose::IDENTITY)),
+                        Some(i) => Some(Frame::on_link(Self::LINK_NAMES[i], i, Pose::IDENTITY)),
+                        None => listed(),
+                    }
+                }
+
+                /// The pose, in the base frame, of a frame that is fixed to one
+                /// of the robot's bodies, metres, at joint values `q`.
+                ///
+                /// # Panics
+                ///
+                /// The frame is that of a robot with more links.
+                fn fk_frame(&self, q: &[f64; $n], frame: &$crate::Frame) -> $crate::Pose {
+                    match frame.body {
+                        Body::Base => frame.pose,
+                        Body::Link(link) => self.fk_links(q)[link] * frame.pose,
+                        Body::Tip => self.fk(q) * frame.pose,
+                    }
+                }
+
                 /// V_s = J_s q̇: the tip's spatial velocity (MLS section 3.4) at
                 /// the joint rates, rad/s and m/s; in base axes, v being that of
                 /// the point that passes through the base's origin.

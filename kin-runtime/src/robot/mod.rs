@@ -1,10 +1,12 @@
 //! What a serial arm offers, and the same with a tool or on another base.
 
+mod frame;
 mod inherent;
 mod kinematics;
 mod methods;
 mod placement;
 
+pub use frame::{Body, Frame};
 pub use kinematics::Kinematics;
 pub(crate) use kinematics::define_kinematics;
 pub use placement::{WithBase, WithTool};

@@ -1,6 +1,8 @@
 //! Robots with a tool or a base that is known only at run time.
 
-use crate::{Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularities, Solution, Solutions};
+use crate::{
+    Frame, Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularities, Solution, Solutions,
+};
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
 /// at `tool` in the robot's own tip frame.
@@ -35,6 +37,7 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
     const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
     const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
+    const FRAMES: &'static [Frame] = K::FRAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const BRANCHES: usize = K::BRANCHES;
@@ -45,6 +48,11 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
 
     fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
         self.robot.fk_links(q)
+    }
+
+    /// The frames are those of the robot's bodies, none the tool's.
+    fn fk_frame(&self, q: &[f64; N], frame: &Frame) -> Pose {
+        self.robot.fk_frame(q, frame)
     }
 
     /// The spatial Jacobian does not depend on what the last joint carries.
@@ -124,6 +132,7 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
     const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
     const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
+    const FRAMES: &'static [Frame] = K::FRAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const BRANCHES: usize = K::BRANCHES;
@@ -134,6 +143,10 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
 
     fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
         self.robot.fk_links(q).map(|link| self.base * link)
+    }
+
+    fn fk_frame(&self, q: &[f64; N], frame: &Frame) -> Pose {
+        self.base * self.robot.fk_frame(q, frame)
     }
 
     /// The spatial Jacobian transforms with the base (MLS section 3.4).
