@@ -6,7 +6,7 @@ use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::NoClosedForm;
-use crate::spec::{Diagnostic, Source};
+use crate::spec::{Diagnostic, Source, one_line};
 use std::fmt;
 
 /// A robot without closed-form inverse kinematics.
@@ -51,6 +51,10 @@ impl Refusal {
 
     /// Why, in a sentence.
     pub fn text(&self) -> String {
+        one_line(&self.sentence())
+    }
+
+    fn sentence(&self) -> String {
         match (&self.robot, &self.reason) {
             (Compiled::Arm(arm), Reason::Arm(reason)) => no_closed_form(&arm.model, reason),
             (Compiled::Mechanism(compiled), Reason::Chain(UnsolvedChain { number, reason })) => {

@@ -1,8 +1,11 @@
 //! Names in a robot file are data: none gets out of the comment, the
 //! documentation or the literal that it stands in.
 
-use kin_codegen::{Generated, Ik, Options, Source, generate};
-use proc_macro2::{TokenStream, TokenTree};
+use kin_codegen::{Error, Generated, Ik, Options, Source, generate};
+use proc_macro2::{Group, Literal, TokenStream, TokenTree};
+use proptest::prelude::*;
+use quote::ToTokens;
+use syn::LitStr;
 
 const NAMES: [&str; 7] = [
     "ends\nthe line; fn evil() {}",
@@ -69,5 +72,146 @@ fn names_do_not_become_options() {
         let code = generated(name, options.clone()).code();
         let last = code.lines().rfind(|line| line.starts_with("// ")).unwrap();
         assert!(last.ends_with(" --name Arm --ik none"), "{last}");
+    }
+}
+
+fn hostile_name() -> impl Strategy<Value = String> {
+    let part = prop_oneof![
+        any::<char>().prop_map(String::from),
+        "[a-z_]{1,8}",
+        prop::sample::select(vec![
+            "\n",
+            "\r",
+            "\t",
+            "\0",
+            "\u{1b}[2J",
+            "\u{85}",
+            "\u{2028}",
+            "\u{202e}",
+            "\u{200f}",
+            "\"",
+            "\\",
+            "'",
+            "`",
+            "```",
+            "*/",
+            "//",
+            "\"#",
+            "#\"",
+            "{",
+            "}",
+            "{}",
+            "|",
+            "<script>",
+            "[x](javascript:0)",
+            "]]>",
+            "&",
+            "-->",
+            "#![no_std]",
+            "\n```\npanic!()\n",
+        ])
+        .prop_map(String::from),
+    ];
+    prop::collection::vec(part, 1..8).prop_map(|parts| parts.concat())
+}
+
+/// Characters that XML can hold, even as references.
+fn in_xml(name: &str) -> String {
+    let holds = |c: &char| !c.is_control() || matches!(c, '\n' | '\r' | '\t' | '\u{7f}'..);
+    let holds = |c: &char| holds(c) && !matches!(c, '\u{fffe}' | '\u{ffff}');
+    let held: String = name.chars().filter(holds).collect();
+    match held.trim().is_empty() {
+        true => "x".into(),
+        false => held,
+    }
+}
+
+fn yaml(name: &str) -> Source {
+    let escape = |c: char| match c {
+        ' '..='~' if !matches!(c, '"' | '\\') => c.to_string(),
+        _ => format!("\\U{:08x}", u32::from(c)),
+    };
+    let quoted: String = name.chars().map(escape).collect();
+    let text = format!(
+        "robot: \"{quoted}\"\nunits: {{angle: rad, length: m}}\nbase: \"{quoted}\"\nscrews:\n  \
+         - {{name: \"{quoted}\", axis: [0, 0, 1], point: [0, 0, 0]}}\n  \
+         - {{name: elbow, axis: [0, 0, 1], point: [0.5, 0, 0]}}\nhome: {{xyz: [0.9, 0, 0]}}\n"
+    );
+    let path = "arm.yaml".into();
+    Source { path, text }
+}
+
+fn urdf(name: &str) -> Source {
+    let escape = |c: char| format!("&#{};", u32::from(c));
+    let name: String = name.chars().map(escape).collect();
+    let text = format!(
+        "<robot name=\"{name}\"><link name=\"{name}\"/><link name=\"upper\"/><link name=\"tip\"/>\
+         <joint name=\"{name}\" type=\"continuous\"><parent link=\"{name}\"/>\
+         <child link=\"upper\"/><axis xyz=\"0 0 1\"/></joint>\
+         <joint name=\"elbow\" type=\"continuous\"><parent link=\"upper\"/><child link=\"tip\"/>\
+         <origin xyz=\"0.5 0 0\"/><axis xyz=\"0 0 1\"/></joint></robot>"
+    );
+    let path = "arm.urdf".into();
+    Source { path, text }
+}
+
+/// The items in print and as tokens, without the text of literals and
+/// documentation, and how many literals hold the name.
+fn items(source: &Source, name: &str) -> (String, usize) {
+    let options = Options {
+        ik: Ik::None,
+        ..Options::default()
+    };
+    let generated = generate(source, &options).unwrap();
+    let code = generated.code();
+    assert!(!code.chars().any(|c| c.is_control() && c != '\n'), "{code}");
+    let mut held = 0;
+    let tokens = |text: TokenStream| without_text(text, name, &mut held);
+    let printed = syn::parse_file(&code).unwrap().into_token_stream();
+    let printed = [printed, generated.tokens].map(tokens);
+    (printed.map(|tokens| tokens.to_string()).join("\n"), held)
+}
+
+fn without_text(tokens: TokenStream, name: &str, held: &mut usize) -> TokenStream {
+    let tree = |tree| match tree {
+        TokenTree::Group(group) => {
+            let inner = without_text(group.stream(), name, held);
+            TokenTree::Group(Group::new(group.delimiter(), inner))
+        }
+        TokenTree::Literal(literal) => match syn::parse_str::<LitStr>(&literal.to_string()) {
+            Ok(text) => {
+                *held += usize::from(text.value() == name);
+                TokenTree::Literal(Literal::string(""))
+            }
+            Err(_) => TokenTree::Literal(literal),
+        },
+        other => other,
+    };
+    let mut trees: Vec<TokenTree> = tokens.into_iter().map(tree).collect();
+    // Where lines are broken, a comma may end them.
+    let is_comma = |tree: &TokenTree| matches!(tree, TokenTree::Punct(p) if p.as_char() == ',');
+    trees.pop_if(|tree| is_comma(tree));
+    trees.into_iter().collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(48) })]
+
+    #[test]
+    fn hostile_names_make_the_items_of_tame_ones(name in hostile_name()) {
+        let name = in_xml(&name);
+        for source in [yaml, urdf] {
+            if let Err(Error::Broken(told)) = generate(&source(&name), &Options::default()) {
+                // Refused, and shown on lines of their own.
+                let told = told.to_string();
+                prop_assert!(!told.chars().any(|c| c.is_control() && c != '\n'), "{told:?}");
+                continue;
+            }
+            let (expected, tame) = items(&source("tame"), "tame");
+            let (found, held) = items(&source(&name), &name);
+            prop_assert!(found == expected, "{found}");
+            // The joint's and the base's, in print and in tokens.
+            prop_assert_eq!((held, tame), (4, 4));
+        }
     }
 }

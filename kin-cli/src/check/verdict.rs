@@ -5,6 +5,7 @@ use kin_codegen::arm::CompiledArm;
 use kin_codegen::geometry::structure;
 use kin_codegen::mechanism::CompiledMechanism;
 use kin_codegen::solver::Certified;
+use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
 use serde::Serialize;
 use std::fmt;
@@ -153,7 +154,7 @@ fn completeness(arm: &CompiledArm, targets: usize) -> Option<Completeness> {
 
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path, self.verdict)
+        write!(f, "{}: {}", one_line(&self.path), self.verdict)
     }
 }
 

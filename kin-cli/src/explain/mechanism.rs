@@ -2,6 +2,7 @@
 
 use super::{Chain, SCHEMA, Warning, write_warnings};
 use kin_codegen::mechanism::{CompiledMechanism, LegForm};
+use kin_codegen::spec::one_line;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -162,17 +163,27 @@ impl Display for MechanismExplanation {
         writeln!(
             f,
             "{}, from {}: {} chains from {} to {}, {joints} joints, {} of them actuated\n",
-            self.robot,
-            self.file,
+            one_line(&self.robot),
+            one_line(&self.file),
             self.chains.len(),
-            self.base,
-            self.platform,
+            one_line(&self.base),
+            one_line(&self.platform),
             self.actuation.joints.len(),
         )?;
         write_warnings(&self.warnings, f)?;
-        writeln!(f, "Chains at home, in metres and {}'s axes", self.base)?;
+        writeln!(
+            f,
+            "Chains at home, in metres and {}'s axes",
+            one_line(&self.base)
+        )?;
         for leg in &self.chains {
-            writeln!(f, "  {}, {}\n{}", leg.name, leg.structure, leg.chain)?;
+            writeln!(
+                f,
+                "  {}, {}\n{}",
+                one_line(&leg.name),
+                leg.structure,
+                leg.chain
+            )?;
         }
         writeln!(f, "Mobility")?;
         let kind = match dimension {
@@ -189,7 +200,7 @@ impl Display for MechanismExplanation {
         };
         writeln!(f, "  By rank: {rank}, {idle}\n")?;
         writeln!(f, "Actuation")?;
-        writeln!(f, "  {}", self.actuation.joints.join(", "))?;
+        writeln!(f, "  {}", one_line(&self.actuation.joints.join(", ")))?;
         writeln!(
             f,
             "  At home, distance from actuator singularities {:.4}, from kinematic ones {:.4}\n",
@@ -204,7 +215,7 @@ impl Display for MechanismExplanation {
         writeln!(
             f,
             "\nForward kinematics\n  {}",
-            sentence(&self.forward.method)
+            sentence(&one_line(&self.forward.method))
         )?;
         match self.forward.assemblies {
             0 => Ok(()),
@@ -215,10 +226,10 @@ impl Display for MechanismExplanation {
 
 impl MechanismExplanation {
     fn write_inverse(&self, inverse: &InverseExplanation, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "  Targets are {}.", inverse.target)?;
+        writeln!(f, "  Targets are {}.", one_line(&inverse.target))?;
         let plans = inverse.plans.iter().zip(&inverse.branches);
         for (leg, (plan, branches)) in self.chains.iter().zip(plans) {
-            writeln!(f, "  {}: {plan}, {branches} branches", leg.name)?;
+            writeln!(f, "  {}: {plan}, {branches} branches", one_line(&leg.name))?;
         }
         writeln!(
             f,

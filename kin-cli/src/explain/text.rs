@@ -5,6 +5,7 @@ use super::{
     ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, Step,
     write_warnings,
 };
+use kin_codegen::spec::one_line;
 use std::fmt::{self, Display, Formatter};
 
 /// Deviations below this are rounding, and not worth a word; radians, metres.
@@ -15,11 +16,12 @@ impl Display for ArmExplanation {
         let Chain {
             base, tip, joints, ..
         } = &self.chain;
+        let (base, tip) = (one_line(base), one_line(tip));
         writeln!(
             f,
             "{}, from {}: {base} to {tip}, {} joints, {:.3} m long\n",
-            self.robot,
-            self.file,
+            one_line(&self.robot),
+            one_line(&self.file),
             joints.len(),
             self.chain.size
         )?;
@@ -64,14 +66,14 @@ fn fixed_frames(frames: &[FixedFrame], f: &mut Formatter<'_>) -> fmt::Result {
 
 impl Display for Chain {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let name = |joint: &Joint| joint.name.chars().count();
+        let name = |joint: &Joint| one_line(&joint.name).chars().count();
         let width = self.joints.iter().map(name).max().unwrap_or(0);
         for (i, joint) in self.joints.iter().enumerate() {
             writeln!(
                 f,
                 "  {:>2}  {:width$}  {:10}  axis {}  through {}  {}",
                 i + 1,
-                joint.name,
+                one_line(&joint.name),
                 joint.motion,
                 vector(joint.axis),
                 vector(joint.point),
@@ -79,7 +81,12 @@ impl Display for Chain {
             )?;
         }
         let tip = vector(self.home_translation);
-        writeln!(f, "      {:width$}  {:10}  at {tip}", self.tip, "tip")
+        writeln!(
+            f,
+            "      {:width$}  {:10}  at {tip}",
+            one_line(&self.tip),
+            "tip"
+        )
     }
 }
 

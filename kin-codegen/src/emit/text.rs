@@ -1,37 +1,16 @@
 //! Names from a robot file in comments and documentation: data that must not
 //! end the line, the code span or the table that it stands in.
 
+pub use crate::spec::one_line;
+use crate::spec::{escaped, is_shown};
 use proc_macro2::Literal;
-
-/// Whether a character would end a line, or turn the direction of its text.
-fn is_written(c: char) -> bool {
-    let turns =
-        matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    !turns && !c.is_control() && !matches!(c, '\u{2028}' | '\u{2029}')
-}
-
-/// Text on one line. What would end the line is written as an escape.
-pub fn one_line(text: &str) -> String {
-    escaped(text, is_written)
-}
 
 /// A name as a string literal, which the compiler does not suspect of hiding
 /// code.
 pub fn literal(name: &str) -> Literal {
-    let text = escaped(name, |c| is_written(c) && !matches!(c, '"' | '\\'));
+    let text = escaped(name, |c| is_shown(c) && !matches!(c, '"' | '\\'));
     let literal = format!("\"{text}\"").parse();
     literal.unwrap_or_else(|_| Literal::string(name))
-}
-
-fn escaped(text: &str, stays: impl Fn(char) -> bool) -> String {
-    let mut out = String::new();
-    for c in text.chars() {
-        match stays(c) {
-            true => out.push(c),
-            false => out.extend(c.escape_default()),
-        }
-    }
-    out
 }
 
 /// A name as a Markdown code span, also in a table.

@@ -324,23 +324,24 @@ impl Below<'_> {
             let rigid = self.rigid(last);
             let tip = self.named(&rigid).unwrap_or(last);
             format!(
-                "\n  base `{}`, tip `{}`: {} moving joints, {}",
+                "base `{}`, tip `{}`: {} moving joints, {}",
                 name(base),
                 name(tip),
                 joints.len(),
                 crate::spec::list_names(&joints)
             )
         };
-        let mut listed: String = ends.iter().take(SHOWN).map(arm).collect();
+        let mut listed: Vec<String> = ends.iter().take(SHOWN).map(arm).collect();
         if ends.len() > SHOWN {
-            listed += &format!("\n  and {} more", ends.len() - SHOWN);
+            listed.push(format!("and {} more", ends.len() - SHOWN));
         }
         diagnostics.choice(
             format!(
-                "{} chains of joints begin at `{}`, and any could be the arm:{listed}",
+                "{} chains of joints begin at `{}`, and any could be the arm:",
                 ends.len(),
                 name(base)
             ),
+            listed,
             "name the end of the one you mean (tip), and where it begins (base)",
         );
     }

@@ -105,12 +105,21 @@ impl<'s> Collector<'s> {
         }
     }
 
-    /// Reports that the user has to choose.
-    pub(crate) fn choice(&mut self, reason: impl Into<String>, remedy: impl Into<String>) {
-        self.list.push(Diagnostic {
-            severity: Severity::Ambiguity,
-            ..Diagnostic::whole(reason, remedy)
-        });
+    /// Reports that the user has to choose, from what is listed in lines of
+    /// their own.
+    pub(crate) fn choice(
+        &mut self,
+        reason: impl Into<String>,
+        listed: impl IntoIterator<Item = String>,
+        remedy: impl Into<String>,
+    ) {
+        let mut choice = Diagnostic::whole(reason, remedy);
+        choice.severity = Severity::Ambiguity;
+        for line in listed {
+            choice.reason += "\n  ";
+            choice.reason += &Diagnostic::whole(line, "").reason;
+        }
+        self.list.push(choice);
     }
 
     /// Whether there is a diagnostic about this very place.

@@ -1,7 +1,7 @@
 //! Diagnostics as data: a place, a reason and a remedy.
 
 use super::places::Places;
-use super::{Source, bounds};
+use super::{Source, bounds, is_shown, one_line};
 use std::fmt;
 
 /// A place in a robot file, both counted from 1; columns count characters.
@@ -23,7 +23,7 @@ pub struct Diagnostic {
     pub line: String,
     /// How many characters of a long line are left out before that part.
     pub cut: u32,
-    /// What was found and why it matters.
+    /// What was found and why it matters: one line, and those of a list.
     pub reason: String,
     /// What to do.
     pub remedy: String,
@@ -60,6 +60,10 @@ pub struct Diagnostics {
     list: Vec<Diagnostic>,
 }
 
+/// Stands in a shown line for a character that is not: one column wide, so that
+/// the caret stays where it points.
+const UNSHOWN: char = '\u{fffd}';
+
 /// More than this is noise: the first diagnostics usually explain the rest.
 const SHOWN: usize = 20;
 
@@ -73,7 +77,7 @@ impl fmt::Display for Diagnostics {
         }
         match self.len().saturating_sub(SHOWN) {
             0 => Ok(()),
-            more => write!(f, "\n\n{}: and {more} more", self.path),
+            more => write!(f, "\n\n{}: and {more} more", one_line(&self.path)),
         }
     }
 }
@@ -154,8 +158,8 @@ impl Diagnostic {
             at: None,
             line: String::new(),
             cut: 0,
-            reason: brief(reason.into()),
-            remedy: brief(remedy.into()),
+            reason: one_line(&brief(reason.into())),
+            remedy: one_line(&brief(remedy.into())),
             severity: Severity::Error,
         }
     }
@@ -183,7 +187,10 @@ impl Diagnostic {
         let (line, cut) = places.excerpt(at);
         Self {
             at: Some(at),
-            line: line.to_owned(),
+            line: line
+                .chars()
+                .map(|c| if is_shown(c) || c == '\t' { c } else { UNSHOWN })
+                .collect(),
             cut,
             ..self
         }
@@ -195,6 +202,7 @@ impl Diagnostic {
             Severity::Ambiguity => "ambiguous: ",
             Severity::Warning => "warning: ",
         };
+        let path = one_line(path);
         match self.at {
             None => writeln!(f, "{path}: {severity}{}", self.reason)?,
             Some(Location { line, column }) => {

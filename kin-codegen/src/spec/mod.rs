@@ -15,6 +15,7 @@ mod collector;
 mod diagnostic;
 mod format;
 mod mechanism;
+mod one_line;
 mod orientation;
 mod places;
 mod source;
@@ -28,6 +29,8 @@ pub mod yaml;
 pub(crate) use collector::Collector;
 pub use diagnostic::{Diagnostic, Diagnostics, Location, Severity};
 pub use mechanism::{ChainSpec, LoopedTree, MechanismSpec, Topology};
+pub use one_line::one_line;
+pub(crate) use one_line::{escaped, is_shown};
 pub use source::Source;
 pub(crate) use suggest::{did_you_mean, list as list_names};
 
