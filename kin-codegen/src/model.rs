@@ -213,7 +213,7 @@ fn build(
     check_motions(spec, &chain, diagnostics);
     check_size(spec, &chain, diagnostics);
     limits::check(spec, &chain, diagnostics);
-    let drives = mimic::resolve(spec, &chain, diagnostics)?;
+    let drives = mimic::resolve(spec, &chain.joints, diagnostics)?;
     let variables = limits::variables(spec, &drives, diagnostics);
     let (joints, home) = compose(spec, &chain, &drives);
     Some(Model {

@@ -135,7 +135,7 @@ impl MechanismExplanation {
                 kinematic_singularity: generic.kinematic_singularity(&home, freedom.mobility),
             },
             inverse: compiled.inverse.as_ref().map(|inverse| InverseExplanation {
-                target: compiled.targets().unwrap_or_default(),
+                target: (compiled.targets(|name| format!("`{name}`"))).unwrap_or_default(),
                 plans: inverse.legs.iter().map(LegForm::plan).collect(),
                 branches: inverse.legs.iter().map(LegForm::branches).collect(),
                 verified: inverse.verified,

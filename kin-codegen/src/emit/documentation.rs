@@ -113,9 +113,9 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> Vec<String> {
         },
     )));
     lines.extend(section("Inverse kinematics"));
-    match compiled.targets() {
+    match compiled.targets(code) {
         Some(targets) => {
-            lines.push(format!("Targets are {}.", one_line(&targets)));
+            lines.push(format!("Targets are {targets}."));
             lines.push(String::new());
             let forms = compiled.inverse.iter().flat_map(|inverse| &inverse.legs);
             let plan =

@@ -34,17 +34,17 @@ impl ForwardMethod {
 
 impl CompiledMechanism {
     /// What of a target inverse kinematics reads, in words; none without
-    /// inverse kinematics.
-    pub fn targets(&self) -> Option<String> {
+    /// inverse kinematics. `quoted` writes the name of a chain.
+    pub fn targets(&self, quoted: impl Fn(&str) -> String) -> Option<String> {
         Some(match self.inverse.as_ref()?.aim {
             Aim::Pose => "whole poses of the platform".into(),
             Aim::Translation => "positions of the platform, which does not turn: the rotation of \
                                  a target is not read"
                 .into(),
             Aim::Lead(leg) => format!(
-                "positions of the platform, which fix the chain `{}`: the rotation of a target is \
+                "positions of the platform, which fix the chain {}: the rotation of a target is \
                  not read, and comes of it",
-                self.mechanism.legs[leg].name
+                quoted(&self.mechanism.legs[leg].name)
             ),
         })
     }

@@ -1,6 +1,5 @@
 //! Which coordinate moves which joint.
 
-use super::chain::Chain;
 use crate::spec::{ArmSpec, Collector, Joint, JointType};
 use std::collections::BTreeMap;
 
@@ -34,14 +33,15 @@ impl Drives {
     }
 }
 
-/// Follows every mimic to the joint that leads it.
+/// Follows every mimic of a chain, the joints from base to tip, to the joint that
+/// leads it.
 pub(super) fn resolve(
     spec: &ArmSpec,
-    chain: &Chain,
+    chain: &[usize],
     diagnostics: &mut Collector,
 ) -> Option<Drives> {
     let moves = |&j: &usize| spec.joints[j].kind != JointType::Fixed;
-    let moving: Vec<usize> = chain.joints.iter().copied().filter(moves).collect();
+    let moving: Vec<usize> = chain.iter().copied().filter(moves).collect();
     let leads = |&j: &usize| spec.joints[j].mimic.is_none();
     let mut leaders: Vec<usize> = moving.iter().copied().filter(leads).collect();
     let numbered = leaders
