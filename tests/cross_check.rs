@@ -110,7 +110,10 @@ fn both_readers_see_the_same_after_any_edit() {
     for (at, _) in RARE.char_indices() {
         for word in WORDS {
             let text = format!("{}{word}{}", &RARE[..at], &RARE[at..]);
-            if parse("edited.urdf", &text).is_ok() && urdf_rs::read_from_string(&text).is_ok() {
+            // A joint with faults is no part of any chain.
+            let sound = |spec: ArmSpec| spec.joints.iter().all(|joint| joint.faults.is_empty());
+            let ours = parse("edited.urdf", &text);
+            if ours.is_ok_and(sound) && urdf_rs::read_from_string(&text).is_ok() {
                 compare("edited.urdf", &text);
                 compared += 1;
             }
