@@ -106,6 +106,9 @@ impl<'s> Reader<'s> {
         if let Some(start) = message.find(&place) {
             message.replace_range(start..start + place.len(), "");
         }
+        // At its end the parser is a line ahead.
+        let end = self.place(self.text.trim_end().len());
+        let at = if at.line > end.line { end } else { at };
         let line = self.text.lines().nth(at.line.saturating_sub(1) as usize);
         let line = line.unwrap_or("");
         let before = at.column.saturating_sub(1) as usize;

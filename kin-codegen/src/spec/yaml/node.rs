@@ -447,6 +447,7 @@ mod tests {
             ("a: >-\n  b", 3),
             ("? a\n: b", 0),
             ("{? a}", 1),
+            ("a: 'b\u{0}'", 5),
         ] {
             match parse(text) {
                 Err(Broken::Unsupported(refused)) => assert_eq!(refused.offset, offset),

@@ -49,6 +49,18 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Unsupported> {
         depth: 0,
         tokens: Vec::new(),
     };
+    // The parser says of these that they are in line 1.
+    if let Some((offset, control)) = text.char_indices().find(|(_, c)| is_control(*c)) {
+        scanner.at = offset;
+        let reason = format!(
+            "the control character U+{:04X} stands here",
+            u32::from(control)
+        );
+        return Err(scanner.unsupported(
+            reason,
+            "remove it, or write it as an escape in double quotes",
+        ));
+    }
     while scanner.skip_blank() {
         scanner.token()?;
     }
@@ -227,6 +239,12 @@ pub(super) fn too_deep() -> String {
     format!(
         "{YAML_DEPTH} brackets, lists and mappings stand here one inside another, and no more are read"
     )
+}
+
+/// What YAML has only as escapes.
+fn is_control(c: char) -> bool {
+    let allowed = is_blank(c) || !c.is_control();
+    !allowed || matches!(c, '\u{feff}' | '\u{fffe}' | '\u{ffff}')
 }
 
 fn is_break(c: char) -> bool {
