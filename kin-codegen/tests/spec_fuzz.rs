@@ -1,40 +1,51 @@
 //! No text makes the readers panic, and what they accept is sound.
 
-use kin_codegen::model::Model;
-use kin_codegen::spec::{ArmSpec, Source};
-use proptest::prelude::*;
-use std::path::Path;
+#[path = "../../fuzz/src/mutation.rs"]
+mod mutation;
+#[path = "../../fuzz/src/readers.rs"]
+mod readers;
 
-/// Robot files of both formats, and two with the rarer words.
+use kin_codegen::random::Random;
+use proptest::prelude::*;
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+
+/// Robot files of both formats: those of the project, and those that the fuzz
+/// targets begin with.
 fn seeds() -> Vec<(String, String)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
-    let names = [
-        "ur5e.urdf",
-        "ur10e.yaml",
-        "irb6640.yaml",
-        "kr6_r900.yaml",
-        "puma560.yaml",
+    let folders = [
+        "../robots",
+        "../fuzz/corpus/urdf",
+        "../fuzz/corpus/yaml",
+        "../fuzz/corpus/mechanism",
     ];
-    let read = |name: &str| {
-        (
-            name.to_string(),
-            std::fs::read_to_string(folder.join(name)).unwrap(),
-        )
-    };
-    let rare = [("rare.urdf", RARE_URDF), ("rare.yaml", RARE_YAML)];
-    names
-        .map(read)
-        .into_iter()
-        .chain(rare.map(|(name, text)| (name.into(), text.into())))
-        .collect()
+    files(&folders)
 }
 
-const RARE_URDF: &str = r#"<robot name="r" xmlns:x="u"><link name="a"/><link name="b"><visual/></link><x:y/>
-<link name="c"/><joint name="j" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="1 &#49; 0"/>
-<origin quat_xyzw="0 0 0 1"/><limit lower="0" upper="1"/></joint><!-- é --><joint name="k" type="revolute">
-<parent link="b"/><child link="c"/><limit lower="-1" upper="1"/><mimic joint="j" multiplier="2"/></joint></robot>"#;
+/// Those and every broken file.
+fn all_seeds() -> Vec<(String, String)> {
+    let broken = files(&["tests/broken", "tests/broken_mechanisms"]);
+    let robots = broken
+        .into_iter()
+        .filter(|(path, _)| !path.ends_with(".txt"));
+    seeds().into_iter().chain(robots).collect()
+}
 
-const RARE_YAML: &str = "robot: r\nunits: {angle: rad, length: m}\nbase: {link: é, matrix: [[1,0,0],[0,1,0],[0,0,1]]}\njoints:\n  - &j {name: a, axis: [0, 0, 1], limits: [-pi/2, (1+2)*pi]}\n  - {name: b, type: prismatic, parent: a_link, axis: [0, 1, 0], mimic: {joint: a}}\n  - *j\n";
+/// The files of some folders, in an order that repeats.
+fn files(folders: &[&str]) -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let entries = folders
+        .iter()
+        .flat_map(|folder| fs::read_dir(root.join(folder)).unwrap());
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let read = |path: PathBuf| {
+        let name = path.file_name()?.to_str()?.to_owned();
+        Some((name, fs::read_to_string(path).ok()?))
+    };
+    paths.into_iter().filter_map(read).collect()
+}
 
 /// Words that mean something somewhere.
 const WORDS: [&str; 24] = [
@@ -64,42 +75,8 @@ const WORDS: [&str; 24] = [
     "<link name=\"a\"/>",
 ];
 
-/// Reads; whatever comes out must be well-formed.
 fn read(path: &str, text: String) {
-    let source = Source {
-        path: path.into(),
-        text,
-    };
-    let result = ArmSpec::parse(&source).and_then(|spec| Model::new(&spec, None, None));
-    match result {
-        Ok(model) => check(&model),
-        Err(diagnostics) => {
-            assert!(diagnostics.to_string().contains("help: "));
-            assert!(
-                diagnostics
-                    .iter()
-                    .all(|d| !d.reason.is_empty() && !d.remedy.is_empty())
-            );
-        }
-    }
-}
-
-fn check(model: &Model) {
-    for joint in &model.joints {
-        let length: f64 = joint.axis.iter().map(|x| x * x).sum();
-        assert!((length - 1.0).abs() < 1e-9, "{:?}", joint.axis);
-        assert!(joint.point.iter().all(|x| x.is_finite()));
-        assert!(joint.variable < model.variables.len());
-        assert!(joint.multiplier.is_finite() && joint.offset.is_finite());
-    }
-    assert!(model.home.translation.iter().all(|x| x.is_finite()));
-    assert!(
-        model
-            .variables
-            .iter()
-            .flat_map(|v| v.limits)
-            .all(|[lower, upper]| lower <= upper)
-    );
+    readers::read(path, &text);
 }
 
 /// The nearest character boundary at or below a fraction of the text.
@@ -115,17 +92,19 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn cut_files(seed in 0..7_usize, fraction in 0.0..1.0) {
-        let (path, text) = &seeds()[seed];
+    fn cut_files(seed in any::<prop::sample::Index>(), fraction in 0.0..1.0) {
+        let seeds = seeds();
+        let (path, text) = &seeds[seed.index(seeds.len())];
         read(path, text[..boundary(text, fraction)].to_string());
     }
 
     #[test]
     fn files_with_a_piece_missing_or_a_word_too_many(
-        seed in 0..7_usize,
+        seed in any::<prop::sample::Index>(),
         edits in prop::collection::vec((0.0..1.0, 0..12_usize, 0..WORDS.len() + 8), 1..4),
     ) {
-        let (path, text) = &seeds()[seed];
+        let seeds = seeds();
+        let (path, text) = &seeds[seed.index(seeds.len())];
         let mut text = text.clone();
         for (fraction, length, word) in edits {
             let start = boundary(&text, fraction);
@@ -136,8 +115,9 @@ proptest! {
     }
 
     #[test]
-    fn shuffled_lines(seed in 0..7_usize, swaps in prop::collection::vec((0.0..1.0, 0.0..1.0), 1..5)) {
-        let (path, text) = &seeds()[seed];
+    fn shuffled_lines(seed in any::<prop::sample::Index>(), swaps in prop::collection::vec((0.0..1.0, 0.0..1.0), 1..5)) {
+        let seeds = seeds();
+        let (path, text) = &seeds[seed.index(seeds.len())];
         let mut lines: Vec<&str> = text.lines().collect();
         for (a, b) in swaps {
             let at = |fraction: f64| (fraction * lines.len() as f64) as usize;
@@ -168,30 +148,37 @@ proptest! {
     }
 }
 
-#[test]
-fn deep_nesting() {
-    for depth in [100, 10_000] {
-        read("deep.urdf", "<a>".repeat(depth));
-        read(
-            "deep.urdf",
-            format!(
-                "<robot>{}{}</robot>",
-                "<link>".repeat(depth),
-                "</link>".repeat(depth)
-            ),
-        );
-        read("deep.yaml", "[".repeat(depth));
-        read("deep.yaml", "{a: ".repeat(depth));
-    }
+/// How many files the next test reads: `KIN_EXECUTIONS`, or as many as nobody
+/// has to wait for.
+fn executions() -> u64 {
+    let given = std::env::var("KIN_EXECUTIONS").ok();
+    given.map_or(5000, |count| {
+        count.parse().expect("KIN_EXECUTIONS is a number")
+    })
 }
 
-/// A billion laughs.
 #[test]
-fn exploding_aliases() {
-    let mut text = String::from("a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n");
-    for i in 1..12 {
-        let aliases = vec![format!("*a{}", i - 1); 10].join(", ");
-        text += &format!("a{i}: &a{i} [{aliases}]\n");
+fn robots_with_a_few_words_and_lines_in_other_places() {
+    let seeds = [seeds(), all_seeds()];
+    let mut robots = 0;
+    for seed in 1..=executions() {
+        let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let mut pick = || {
+            let seeds = &seeds[random.below(2)];
+            &seeds[random.below(seeds.len() as u64)]
+        };
+        let ((path, text), (_, other)) = (pick(), pick());
+        let text = mutation::mutate(text, other, &mut random);
+        match catch_unwind(|| readers::read(path, &text)) {
+            Ok(robot) => robots += u64::from(robot),
+            Err(_) => panic!("{path} of seed {seed}:\n{text}"),
+        }
     }
-    read("laughs.yaml", text);
+    // Neither are all still robots, nor none of them.
+    let part = executions() / 20;
+    assert!(
+        (part..19 * part).contains(&robots),
+        "{robots} of {}",
+        executions()
+    );
 }

@@ -190,3 +190,41 @@ impl Value<'_> {
         Ok(switch.value)
     }
 }
+
+#[cfg(test)]
+#[path = "../../fuzz/src/arguments.rs"]
+mod checked;
+#[cfg(test)]
+#[path = "../../fuzz/src/mutation.rs"]
+mod mutation;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kin_codegen::random::Random;
+    use std::fs;
+    use std::path::Path;
+
+    #[test]
+    fn whatever_is_written_is_read_or_refused() {
+        let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus/arguments");
+        let mut files: Vec<_> = fs::read_dir(corpus)
+            .unwrap()
+            .map(|e| e.unwrap().path())
+            .collect();
+        files.sort();
+        let seeds: Vec<String> = files
+            .iter()
+            .map(|file| fs::read_to_string(file).unwrap())
+            .collect();
+        let mut read = 0;
+        for seed in 1..=5000 {
+            let mut random = Random(seed);
+            let text = &seeds[random.below(seeds.len() as u64)];
+            let other = &seeds[random.below(seeds.len() as u64)];
+            let text = mutation::mutate(text, other, &mut random);
+            read += usize::from(checked::check(&text, syn::parse2::<Arguments>));
+        }
+        assert!((100..4900).contains(&read), "{read}");
+    }
+}
