@@ -308,6 +308,12 @@ impl Graph {
         self.intern(Node::Sub(a, b))
     }
 
+    /// 0 · a, not simplified: 0 where a is finite, and NaN where it is not.
+    pub fn nothing_of(&mut self, a: Expr) -> Expr {
+        let zero = self.zero();
+        self.intern(Node::Mul(zero, a))
+    }
+
     /// −a.
     pub fn neg(&mut self, a: Expr) -> Expr {
         match self.node(a) {

@@ -159,7 +159,7 @@ macro_rules! kinematics_methods {
             provided {
                 /// The link of this name, if it is the base, the tip, one that a
                 /// joint moves, or fixed to any of these.
-                fn frame(&self, name: &str) -> Option<$crate::Frame> {
+                fn frame(&self, name: &str) -> ::core::option::Option<$crate::Frame> {
                     let link = Self::LINK_NAMES.iter().position(|&link| link == name);
                     let listed = || Self::FRAMES.iter().find(|frame| frame.name == name).copied();
                     match link {

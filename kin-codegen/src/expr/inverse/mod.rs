@@ -20,7 +20,7 @@ pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Expr, Graph};
+use super::{Expr, Graph, Node};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -407,7 +407,29 @@ impl<'a> Writer<'a> {
         let scale = self.g.constant(share * self.linkage.size.powi(2));
         let turn = self.g.mul(scale, turn);
         squares = self.g.add(squares, turn);
+        squares = self.guarded(squares);
         self.g.sqrt(squares)
+    }
+
+    /// The sum with what makes it NaN where an entry of the target is no finite
+    /// number that the solution reads, and the sum does not: a slide that is the
+    /// target's own coordinate cancels from the distance.
+    fn guarded(&mut self, mut sum: Expr) -> Expr {
+        /// The target is the first inputs.
+        const ENTRIES: u16 = 12;
+        let trig = self.trig.iter().chain(&self.sum).flatten();
+        let mut known: Vec<Expr> = trig.flat_map(|t| [t.sin, t.cos]).collect();
+        known.extend(self.slide.iter().flatten());
+        let (read, held) = (self.g.reachable(&known), self.g.reachable(&[sum]));
+        let entries = (0..ENTRIES).map(Node::Input);
+        let entries: Vec<Expr> = entries.filter_map(|it| self.g.find(it)).collect();
+        for entry in entries {
+            if read[entry.index()] && !held[entry.index()] {
+                let guard = self.g.nothing_of(entry);
+                sum = self.g.add(sum, guard);
+            }
+        }
+        sum
     }
 
     /// What was solved, as forward kinematics wants it.
