@@ -18,8 +18,9 @@ fn code(robot: &str, options: &Options) -> String {
 
 /// The lines of the type's documentation.
 fn documentation(code: &str) -> Vec<&str> {
-    let lines = code.lines().skip_while(|line| !line.starts_with("///"));
+    let lines = code.lines().map(str::trim_start);
     lines
+        .skip_while(|line| !line.starts_with("///"))
         .take_while(|line| line.starts_with("///"))
         .map(|line| line.trim_start_matches('/').trim())
         .collect()

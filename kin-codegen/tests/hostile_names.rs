@@ -55,7 +55,7 @@ fn names_stay_where_they_are() {
         // One example, which ends where it ends.
         let fences = code
             .lines()
-            .filter(|line| line.starts_with("/// ```"))
+            .filter(|line| line.trim_start().starts_with("/// ```"))
             .count();
         assert_eq!(fences, 2, "{code}");
         assert!(!code.contains('\u{202e}'), "{code}");

@@ -21,6 +21,10 @@ pub struct Arguments {
     pub options: Options,
     /// Whether the code goes through a file that can be opened.
     pub debug: bool,
+    /// The `$crate` that the path of the option `crate` begins with. To
+    /// `options` it is `crate`, for which generated code has no other use: text
+    /// does not tell which crate is meant.
+    pub dollar_crate: Option<Ident>,
 }
 
 impl Parse for Arguments {
@@ -29,6 +33,7 @@ impl Parse for Arguments {
             path: path(input)?,
             options: Options::default(),
             debug: false,
+            dollar_crate: None,
         };
         let mut given: Vec<String> = Vec::new();
         while !input.is_empty() {
@@ -44,7 +49,13 @@ impl Parse for Arguments {
             arguments.set(&option, input)?;
             given.push(name);
         }
-        Ok(arguments)
+        match &arguments.dollar_crate {
+            Some(which) if arguments.debug => Err(error(
+                which.span(),
+                "a file cannot name `$crate`: leave out `debug = true`",
+            )),
+            _ => Ok(arguments),
+        }
     }
 }
 
@@ -59,7 +70,11 @@ impl Arguments {
             "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
             "target" => options.target = Some(value.word(&Target::WORDS, target)?),
             "strict" => options.strict = value.switch()?,
-            "crate" => options.krate = Some(value.path()?),
+            "crate" => {
+                let (path, dollar_crate) = value.path()?;
+                options.krate = Some(path);
+                self.dollar_crate = dollar_crate;
+            }
             "debug" => self.debug = value.switch()?,
             other => return Err(unknown_option(option.span(), other)),
         }
@@ -157,13 +172,18 @@ impl Value<'_> {
         Ok(name.to_string())
     }
 
-    /// `::robotics`, also in quotes
-    fn path(&self) -> Result<String> {
+    /// `::robotics`, also in quotes, and the `$crate` that it begins with
+    fn path(&self) -> Result<(String, Option<Ident>)> {
         if self.input.peek(LitStr) {
-            return Ok(self.input.parse::<LitStr>()?.value());
+            return Ok((self.input.parse::<LitStr>()?.value(), None));
         }
         let path: Path = self.parse("the path of `kinematics`: `crate = ::robotics`")?;
-        Ok(path.to_token_stream().to_string().replace(' ', ""))
+        let text = path.to_token_stream().to_string().replace(' ', "");
+        let first = path.segments.first().map(|part| part.ident.clone());
+        Ok(match text.strip_prefix('$') {
+            Some(text) => (text.to_owned(), first),
+            None => (text, None),
+        })
     }
 
     /// `"base_link"`

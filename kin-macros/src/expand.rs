@@ -3,7 +3,7 @@
 use crate::arguments::Arguments;
 use crate::{debug, dependency};
 use kin_codegen::{Source, generate};
-use proc_macro2::TokenStream;
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::quote;
 use std::path::{Path, PathBuf};
 use syn::{Error, Result};
@@ -15,6 +15,7 @@ pub fn expand(input: TokenStream) -> Result<TokenStream> {
         path,
         options,
         debug,
+        dollar_crate,
     } = syn::parse2(input)?;
     let root = root();
     let generated = Source::read(&path.value(), &root)
@@ -29,11 +30,26 @@ pub fn expand(input: TokenStream) -> Result<TokenStream> {
     let items = if debug {
         debug::through_file(&generated, &invocation)
             .map_err(|message| Error::new(path.span(), message))?
+    } else if let Some(dollar_crate) = dollar_crate {
+        in_crate(generated.tokens, &dollar_crate)
     } else {
         generated.tokens
     };
     let tracked = tracked(&root.join(path.value()));
     Ok(quote!(#items #tracked))
+}
+
+/// Tokens in which `crate` is the `$crate` of the macro that calls this one.
+fn in_crate(tokens: TokenStream, dollar_crate: &Ident) -> TokenStream {
+    let tree = |tree| match tree {
+        TokenTree::Ident(ident) if ident == "crate" => dollar_crate.clone().into(),
+        TokenTree::Group(group) => {
+            let inner = in_crate(group.stream(), dollar_crate);
+            Group::new(group.delimiter(), inner).into()
+        }
+        other => other,
+    };
+    tokens.into_iter().map(tree).collect()
 }
 
 /// The crate that is being compiled.

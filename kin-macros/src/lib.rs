@@ -51,8 +51,8 @@ use proc_macro::TokenStream;
 /// - **`crate = ::robotics`**: the path under which the code finds the crate
 ///   `kinematics`, from any module: for a dependency of another name
 ///   (`robotics = { package = "kinematics", .. }`), and for one that another
-///   crate hands on (`crate = ::robotics::kinematics`). By default
-///   `::kinematics`.
+///   crate hands on (`crate = ::robotics::kinematics`; in that crate's own
+///   macros, `crate = $crate::kinematics`). By default `::kinematics`.
 /// - **`debug = true`**: the code is formatted and written to a file, which the
 ///   macro includes. Compiler errors, backtraces and debuggers then point into
 ///   that file. It is `kinematics/<crate>/<Name>-<hash>.rs` in the `OUT_DIR` of

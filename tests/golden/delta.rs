@@ -10,72 +10,72 @@
 // out).
 // Made again, beside the robot file, by: kin generate delta.yaml
 
-/// The mechanism `delta` from `frame` to `effector`, compiled from `delta.yaml`.
-///
-/// Chains: `arm1` (R*UU), `arm2` (R*UU), `arm3` (R*UU).
-/// Mobility 3 by rank, 3 by Grübler's formula.
-///
-/// Poses are of the frame of `effector` in that of `frame`. With all joints at zero its origin is at (0, 0, -0.0969) m, its x axis along (1, 0, 0) and its z axis along (0, 0, 1).
-///
-/// # Example
-///
-/// ```ignore
-/// let home = [0.0; 15]; // closes the loops
-/// let pose = Delta.platform(&home);
-/// let postures = Delta.ik(&pose);
-/// let q = postures.nearest(&home, &Delta::LIMITS).unwrap();
-/// assert!(Delta.gap(&q) < 1e-9); // metres
-/// let driven = Delta.actuated(&home);
-/// let assembly = Delta.fk_near(&driven, &home).unwrap();
-/// assert!(assembly.residual < 1e-9); // metres
-/// ```
-///
-/// # Joints
-///
-/// | | joint | kind | lower | upper |
-/// |---|---|---|---|---|
-/// | q1 | `motor1` of `arm1`, actuated | continuous | none | none |
-/// | q2 | `elbow1_a` of `arm1` | continuous | none | none |
-/// | q3 | `elbow1_b` of `arm1` | continuous | none | none |
-/// | q4 | `wrist1_a` of `arm1` | continuous | none | none |
-/// | q5 | `wrist1_b` of `arm1` | continuous | none | none |
-/// | q6 | `motor2` of `arm2`, actuated | continuous | none | none |
-/// | q7 | `elbow2_a` of `arm2` | continuous | none | none |
-/// | q8 | `elbow2_b` of `arm2` | continuous | none | none |
-/// | q9 | `wrist2_a` of `arm2` | continuous | none | none |
-/// | q10 | `wrist2_b` of `arm2` | continuous | none | none |
-/// | q11 | `motor3` of `arm3`, actuated | continuous | none | none |
-/// | q12 | `elbow3_a` of `arm3` | continuous | none | none |
-/// | q13 | `elbow3_b` of `arm3` | continuous | none | none |
-/// | q14 | `wrist3_a` of `arm3` | continuous | none | none |
-/// | q15 | `wrist3_b` of `arm3` | continuous | none | none |
-///
-/// # Inverse kinematics
-///
-/// Targets are positions of the platform, which does not turn: the rotation of a target is not read.
-///
-/// - `arm1`: SP3(q1) SP2(q2,q3), then SP1(q1) SP1(q2)
-/// - `arm2`: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
-/// - `arm3`: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
-///
-/// # Forward kinematics
-///
-/// Closed form: the platform translates at 0.2320 m, 0.2320 m, 0.2320 m from points that the actuators place, so its position is where three spheres meet (assemblies with the platform turned, in another mode of its joints, are left out).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Delta;
-const _: () = {
+#[allow(non_snake_case)]
+mod __Delta {
     ::kinematics::__private::generated_by!(0.1);
-    use ::core::primitive::*;
+    use ::kinematics::__private::three_spheres;
     use ::kinematics::{
         JointLimit, ParallelKinematics, Pose, Postures, Solution, Solutions, Twist,
     };
 
-    use ::kinematics::__private::three_spheres;
+    /// The mechanism `delta` from `frame` to `effector`, compiled from `delta.yaml`.
+    ///
+    /// Chains: `arm1` (R*UU), `arm2` (R*UU), `arm3` (R*UU).
+    /// Mobility 3 by rank, 3 by Grübler's formula.
+    ///
+    /// Poses are of the frame of `effector` in that of `frame`. With all joints at zero its origin is at (0, 0, -0.0969) m, its x axis along (1, 0, 0) and its z axis along (0, 0, 1).
+    ///
+    /// # Example
+    ///
+    /// ```ignore
+    /// let home = [0.0; 15]; // closes the loops
+    /// let pose = Delta.platform(&home);
+    /// let postures = Delta.ik(&pose);
+    /// let q = postures.nearest(&home, &Delta::LIMITS).unwrap();
+    /// assert!(Delta.gap(&q) < 1e-9); // metres
+    /// let driven = Delta.actuated(&home);
+    /// let assembly = Delta.fk_near(&driven, &home).unwrap();
+    /// assert!(assembly.residual < 1e-9); // metres
+    /// ```
+    ///
+    /// # Joints
+    ///
+    /// | | joint | kind | lower | upper |
+    /// |---|---|---|---|---|
+    /// | q1 | `motor1` of `arm1`, actuated | continuous | none | none |
+    /// | q2 | `elbow1_a` of `arm1` | continuous | none | none |
+    /// | q3 | `elbow1_b` of `arm1` | continuous | none | none |
+    /// | q4 | `wrist1_a` of `arm1` | continuous | none | none |
+    /// | q5 | `wrist1_b` of `arm1` | continuous | none | none |
+    /// | q6 | `motor2` of `arm2`, actuated | continuous | none | none |
+    /// | q7 | `elbow2_a` of `arm2` | continuous | none | none |
+    /// | q8 | `elbow2_b` of `arm2` | continuous | none | none |
+    /// | q9 | `wrist2_a` of `arm2` | continuous | none | none |
+    /// | q10 | `wrist2_b` of `arm2` | continuous | none | none |
+    /// | q11 | `motor3` of `arm3`, actuated | continuous | none | none |
+    /// | q12 | `elbow3_a` of `arm3` | continuous | none | none |
+    /// | q13 | `elbow3_b` of `arm3` | continuous | none | none |
+    /// | q14 | `wrist3_a` of `arm3` | continuous | none | none |
+    /// | q15 | `wrist3_b` of `arm3` | continuous | none | none |
+    ///
+    /// # Inverse kinematics
+    ///
+    /// Targets are positions of the platform, which does not turn: the rotation of a target is not read.
+    ///
+    /// - `arm1`: SP3(q1) SP2(q2,q3), then SP1(q1) SP1(q2)
+    /// - `arm2`: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
+    /// - `arm3`: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
+    ///
+    /// # Forward kinematics
+    ///
+    /// Closed form: the platform translates at 0.2320 m, 0.2320 m, 0.2320 m from points that the actuators place, so its position is where three spheres meet (assemblies with the platform turned, in another mode of its joints, are left out).
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Delta;
     /// The chains that the mechanism is made of.
     mod arms {
-        use ::core::primitive::*;
-        use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
         use ::kinematics::__private::{Acceptance, Branches, lanes, math};
+        use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
+
         /// The chain `arm1`.
         pub struct Leg1;
         #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -2282,4 +2282,7 @@ const _: () = {
     ::kinematics::__private::inherent_parallel_methods!(Delta, 15, 3, 3);
     ::kinematics::__private::inherent_parallel_methods!(ik : Delta, 15, 3, 3);
     ::kinematics::__private::inherent_parallel_methods!(fk : Delta, 15, 3, 3);
-};
+}
+
+#[allow(unused_imports)]
+pub use __Delta::Delta;

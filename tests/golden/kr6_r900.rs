@@ -10,72 +10,72 @@
 // cosines, 6 arctangents, 48 selections.
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
-/// The arm `kr6_r900` from `base_link` to `tool0`, compiled from `kr6_r900.yaml`.
-///
-/// Axes: 2, 3 parallel; spherical wrist at 4, 5, 6.
-///
-/// Poses are of the frame of `tool0` in that of `base_link`. With all joints at zero its origin is at (0.98, 0, 0.435) m, its x axis along (0, 0, -1) and its z axis along (1, 0, 0).
-///
-/// # Example
-///
-/// ```ignore
-/// let q = [1.1, -0.36, 0.86, 0.63, 1.43, 0.17]; // radians
-/// let pose = Kr6R900.fk(&q);
-/// let solutions = Kr6R900.ik(&pose);
-/// assert_eq!(solutions.len(), 8);
-/// let nearest = solutions.nearest(&q).unwrap();
-/// assert!((0..6).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
-/// ```
-///
-/// # Joints
-///
-/// | | joint | kind | lower | upper |
-/// |---|---|---|---|---|
-/// | q1 | `joint_a1` | revolute | -170° | 170° |
-/// | q2 | `joint_a2` | revolute | -190° | 45° |
-/// | q3 | `joint_a3` | revolute | -120° | 156° |
-/// | q4 | `joint_a4` | revolute | -185° | 185° |
-/// | q5 | `joint_a5` | revolute | -120° | 120° |
-/// | q6 | `joint_a6` | revolute | -350° | 350° |
-///
-/// # Inverse kinematics
-///
-/// 1. q1 by SP4: turn a vector to a component along a direction
-/// 2. q2 by SP3, given q1: turn a point to a distance
-/// 3. q3 by SP1, given q1 and q2: turn a vector onto another
-/// 4. q5 and q6 by SP2, given q1 and q2+q3: turn a vector onto another about two axes
-/// 5. q4 by SP1, given q1, q5 and q6: turn a vector onto another
-///
-/// 8 branches. Verified on 116 configurations: all recovered, 848 solutions, the worst 3.4e-15 m from its target.
-///
-/// # Branches
-///
-/// `Solution::branch` is the number of the solution's posture:
-///
-/// | branch | shoulder (bit 0) | elbow (bits 0 and 1) | wrist (bit 2) |
-/// |---|---|---|---|
-/// | 0 | front | down | not flipped |
-/// | 1 | back | up | not flipped |
-/// | 2 | front | up | not flipped |
-/// | 3 | back | down | not flipped |
-/// | 4 | front | down | flipped |
-/// | 5 | back | up | flipped |
-/// | 6 | front | up | flipped |
-/// | 7 | back | down | flipped |
-///
-/// - Shoulder front or back: whether the wrist is in front of axis 1, or behind it with the arm reaching over.
-/// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to the wrist's centre; the other way round where, close to axis 1, that line leads back to it.
-/// - Wrist not flipped: q5 is between 0° and 180°.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Kr6R900;
-const _: () = {
+#[allow(non_snake_case)]
+mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
-    use ::core::primitive::*;
+    use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
-    use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
+    /// The arm `kr6_r900` from `base_link` to `tool0`, compiled from `kr6_r900.yaml`.
+    ///
+    /// Axes: 2, 3 parallel; spherical wrist at 4, 5, 6.
+    ///
+    /// Poses are of the frame of `tool0` in that of `base_link`. With all joints at zero its origin is at (0.98, 0, 0.435) m, its x axis along (0, 0, -1) and its z axis along (1, 0, 0).
+    ///
+    /// # Example
+    ///
+    /// ```ignore
+    /// let q = [1.1, -0.36, 0.86, 0.63, 1.43, 0.17]; // radians
+    /// let pose = Kr6R900.fk(&q);
+    /// let solutions = Kr6R900.ik(&pose);
+    /// assert_eq!(solutions.len(), 8);
+    /// let nearest = solutions.nearest(&q).unwrap();
+    /// assert!((0..6).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
+    /// ```
+    ///
+    /// # Joints
+    ///
+    /// | | joint | kind | lower | upper |
+    /// |---|---|---|---|---|
+    /// | q1 | `joint_a1` | revolute | -170° | 170° |
+    /// | q2 | `joint_a2` | revolute | -190° | 45° |
+    /// | q3 | `joint_a3` | revolute | -120° | 156° |
+    /// | q4 | `joint_a4` | revolute | -185° | 185° |
+    /// | q5 | `joint_a5` | revolute | -120° | 120° |
+    /// | q6 | `joint_a6` | revolute | -350° | 350° |
+    ///
+    /// # Inverse kinematics
+    ///
+    /// 1. q1 by SP4: turn a vector to a component along a direction
+    /// 2. q2 by SP3, given q1: turn a point to a distance
+    /// 3. q3 by SP1, given q1 and q2: turn a vector onto another
+    /// 4. q5 and q6 by SP2, given q1 and q2+q3: turn a vector onto another about two axes
+    /// 5. q4 by SP1, given q1, q5 and q6: turn a vector onto another
+    ///
+    /// 8 branches. Verified on 116 configurations: all recovered, 848 solutions, the worst 3.4e-15 m from its target.
+    ///
+    /// # Branches
+    ///
+    /// `Solution::branch` is the number of the solution's posture:
+    ///
+    /// | branch | shoulder (bit 0) | elbow (bits 0 and 1) | wrist (bit 2) |
+    /// |---|---|---|---|
+    /// | 0 | front | down | not flipped |
+    /// | 1 | back | up | not flipped |
+    /// | 2 | front | up | not flipped |
+    /// | 3 | back | down | not flipped |
+    /// | 4 | front | down | flipped |
+    /// | 5 | back | up | flipped |
+    /// | 6 | front | up | flipped |
+    /// | 7 | back | down | flipped |
+    ///
+    /// - Shoulder front or back: whether the wrist is in front of axis 1, or behind it with the arm reaching over.
+    /// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to the wrist's centre; the other way round where, close to axis 1, that line leads back to it.
+    /// - Wrist not flipped: q5 is between 0° and 180°.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Kr6R900;
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Kr6R900 {
         /// The joints' names in the robot file, in the order of `q`: from base
@@ -1021,4 +1021,7 @@ const _: () = {
         Kr6R900, 6, inverse : own, derivatives : provided, determinant : own,
         singularities : own
     }
-};
+}
+
+#[allow(unused_imports)]
+pub use __Kr6R900::Kr6R900;

@@ -10,73 +10,73 @@
 // sines with cosines, 6 arctangents, 33 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
-/// The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
-///
-/// Axes: 2, 3, 4 parallel; 1-2 intersect at 90.00°; 4-5 intersect at 90.00°; 5-6 intersect at 90.00°.
-///
-/// Poses are of the frame of `tool0` in that of `base_link`. With all joints at zero its origin is at (-0.8172, -0.2329, 0.0628) m, its x axis along (1, 0, 0) and its z axis along (0, -1, 0).
-///
-/// # Example
-///
-/// ```ignore
-/// let q = [1.1, -0.01, 0.86, 0.63, 1.43, 0.17]; // radians
-/// let pose = Ur5e.fk(&q);
-/// let solutions = Ur5e.ik(&pose);
-/// assert_eq!(solutions.len(), 8);
-/// let nearest = solutions.nearest(&q).unwrap();
-/// assert!((0..6).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
-/// ```
-///
-/// # Joints
-///
-/// | | joint | kind | lower | upper |
-/// |---|---|---|---|---|
-/// | q1 | `shoulder_pan_joint` | revolute | -360° | 360° |
-/// | q2 | `shoulder_lift_joint` | revolute | -360° | 360° |
-/// | q3 | `elbow_joint` | revolute | -360° | 360° |
-/// | q4 | `wrist_1_joint` | revolute | -360° | 360° |
-/// | q5 | `wrist_2_joint` | revolute | -360° | 360° |
-/// | q6 | `wrist_3_joint` | revolute | -360° | 360° |
-///
-/// # Inverse kinematics
-///
-/// 1. q1 by SP4: turn a vector to a component along a direction
-/// 2. q2+q3+q4 and q5 by SP2, given q1: turn a vector onto another about two axes
-/// 3. q6 by SP1, given q1 and q2+q3+q4: turn a vector onto another
-/// 4. q3 by SP3, given q6: turn a point to a distance
-/// 5. q2 by SP1, given q1, q3 and q6: turn a vector onto another
-/// 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-///
-/// 8 branches. Verified on 116 configurations: all recovered, 763 solutions, the worst 1.5e-15 m from its target.
-///
-/// # Branches
-///
-/// `Solution::branch` is the number of the solution's posture:
-///
-/// | branch | shoulder (bit 0) | elbow (bits 0 and 2) | wrist (bit 1) |
-/// |---|---|---|---|
-/// | 0 | left | down | not flipped |
-/// | 1 | right | up | not flipped |
-/// | 2 | left | down | flipped |
-/// | 3 | right | up | flipped |
-/// | 4 | left | up | not flipped |
-/// | 5 | right | down | not flipped |
-/// | 6 | left | up | flipped |
-/// | 7 | right | down | flipped |
-///
-/// - Shoulder left or right: the side of axis 1 on which the plane of the upper arm and forearm is, seen from above and from axis 1 towards the wrist.
-/// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to axis 4; the other way round where, close to axis 1, that line leads back to it.
-/// - Wrist not flipped: q5 is between 0° and 180°.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Ur5e;
-const _: () = {
+#[allow(non_snake_case)]
+mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
-    use ::core::primitive::*;
+    use ::kinematics::__private::{Acceptance, Branches, FreeAngle, lanes, math, widen};
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
     };
 
-    use ::kinematics::__private::{Acceptance, Branches, FreeAngle, lanes, math, widen};
+    /// The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
+    ///
+    /// Axes: 2, 3, 4 parallel; 1-2 intersect at 90.00°; 4-5 intersect at 90.00°; 5-6 intersect at 90.00°.
+    ///
+    /// Poses are of the frame of `tool0` in that of `base_link`. With all joints at zero its origin is at (-0.8172, -0.2329, 0.0628) m, its x axis along (1, 0, 0) and its z axis along (0, -1, 0).
+    ///
+    /// # Example
+    ///
+    /// ```ignore
+    /// let q = [1.1, -0.01, 0.86, 0.63, 1.43, 0.17]; // radians
+    /// let pose = Ur5e.fk(&q);
+    /// let solutions = Ur5e.ik(&pose);
+    /// assert_eq!(solutions.len(), 8);
+    /// let nearest = solutions.nearest(&q).unwrap();
+    /// assert!((0..6).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
+    /// ```
+    ///
+    /// # Joints
+    ///
+    /// | | joint | kind | lower | upper |
+    /// |---|---|---|---|---|
+    /// | q1 | `shoulder_pan_joint` | revolute | -360° | 360° |
+    /// | q2 | `shoulder_lift_joint` | revolute | -360° | 360° |
+    /// | q3 | `elbow_joint` | revolute | -360° | 360° |
+    /// | q4 | `wrist_1_joint` | revolute | -360° | 360° |
+    /// | q5 | `wrist_2_joint` | revolute | -360° | 360° |
+    /// | q6 | `wrist_3_joint` | revolute | -360° | 360° |
+    ///
+    /// # Inverse kinematics
+    ///
+    /// 1. q1 by SP4: turn a vector to a component along a direction
+    /// 2. q2+q3+q4 and q5 by SP2, given q1: turn a vector onto another about two axes
+    /// 3. q6 by SP1, given q1 and q2+q3+q4: turn a vector onto another
+    /// 4. q3 by SP3, given q6: turn a point to a distance
+    /// 5. q2 by SP1, given q1, q3 and q6: turn a vector onto another
+    /// 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
+    ///
+    /// 8 branches. Verified on 116 configurations: all recovered, 763 solutions, the worst 1.5e-15 m from its target.
+    ///
+    /// # Branches
+    ///
+    /// `Solution::branch` is the number of the solution's posture:
+    ///
+    /// | branch | shoulder (bit 0) | elbow (bits 0 and 2) | wrist (bit 1) |
+    /// |---|---|---|---|
+    /// | 0 | left | down | not flipped |
+    /// | 1 | right | up | not flipped |
+    /// | 2 | left | down | flipped |
+    /// | 3 | right | up | flipped |
+    /// | 4 | left | up | not flipped |
+    /// | 5 | right | down | not flipped |
+    /// | 6 | left | up | flipped |
+    /// | 7 | right | down | flipped |
+    ///
+    /// - Shoulder left or right: the side of axis 1 on which the plane of the upper arm and forearm is, seen from above and from axis 1 towards the wrist.
+    /// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to axis 4; the other way round where, close to axis 1, that line leads back to it.
+    /// - Wrist not flipped: q5 is between 0° and 180°.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Ur5e;
     #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl Ur5e {
         /// The joints' names in the robot file, in the order of `q`: from base
@@ -971,4 +971,7 @@ const _: () = {
         Ur5e, 6, inverse : own, derivatives : provided, determinant : own, singularities
         : own
     }
-};
+}
+
+#[allow(unused_imports)]
+pub use __Ur5e::Ur5e;

@@ -1,8 +1,59 @@
-//! Several robots in one module, one in a function, and some among items that
-//! have the names of Rust and of what generated code takes in.
+//! Several robots in one module, one in a function, one by a macro, and some among
+//! items that have the names of Rust, of what generated code takes in, and of its
+//! variables.
 
 kinematics::kinematics!("robots/planar.yaml");
 kinematics::kinematics!("robots/planar.yaml", name = Other, ik = none);
+
+/// Constants and unit structs are patterns where a variable has their name, and
+/// functions and statics stand in its place: none reaches generated code.
+#[allow(dead_code, non_camel_case_types, non_upper_case_globals)]
+mod captured {
+    const t1: f64 = 0.25;
+    const s1: f64 = 0.25;
+    const q1: f64 = 0.25;
+    const e1: f64 = 0.25;
+    const px: f64 = 0.25;
+    const r11: f64 = 0.25;
+    const invalid: f64 = 0.25;
+    static branches: f64 = 0.25;
+    static place: f64 = 0.25;
+    static t2: f64 = 0.25;
+    struct actuated;
+    struct found;
+    struct name;
+    struct platform;
+    struct pose;
+    struct q;
+    struct rates;
+    struct residual;
+    struct seed;
+    struct self_;
+    struct solutions;
+    struct target;
+    fn k() {}
+    fn c1() {}
+    ::kinematics::kinematics!("robots/planar.yaml");
+    ::kinematics::kinematics!("robots/five_bar.yaml");
+    pub fn local() -> kinematics::Pose {
+        struct q;
+        const t1: f64 = 0.25;
+        ::kinematics::kinematics!("robots/planar.yaml", name = Local);
+        Local.fk(&[0.3, 0.4])
+    }
+}
+
+/// A macro that hands the robot on.
+macro_rules! arm {
+    ($name:ident) => {
+        kinematics::kinematics!(
+            "robots/planar.yaml",
+            name = $name,
+            crate = $crate::robotics::kinematics
+        );
+    };
+}
+arm!(Forwarded);
 
 /// The crate `kinematics`, as another hands it on.
 mod robotics {
@@ -60,4 +111,8 @@ fn main() {
     assert_eq!(crowded::Raw.ik(&crowded::Arm.fk(&q)).len(), 2);
     assert_eq!(crowded::Option.ik(&crowded::None.fk(&q)).len(), 2);
     assert_eq!(crowded::FiveBar::PLATFORM, "tool");
+    assert_eq!(captured::local(), Planar.fk(&q));
+    assert_eq!(captured::Planar.ik(&Planar.fk(&q)).len(), 2);
+    assert_eq!(captured::FiveBar::ACTUATED, crowded::FiveBar::ACTUATED);
+    assert_eq!(Forwarded.fk(&q), Planar.fk(&q));
 }

@@ -92,10 +92,9 @@ pub fn push_comment(out: &mut String, indent: &str, text: &str) {
 
 /// Whether a new item begins behind one that ended.
 fn is_apart(before: &str, line: &str) -> bool {
-    let ends = matches!(before.trim_start(), "}" | "};" | "];");
-    let begins = [
-        "///", "#[", "pub ", "fn ", "const ", "impl ", "mod ", "use ",
-    ];
+    let is_use = |line: &str| line.trim_start().starts_with("use ");
+    let ends = matches!(before.trim_start(), "}" | "};" | "];") || is_use(before);
+    let begins = ["///", "#[", "pub ", "fn ", "const ", "impl ", "mod "];
     let begins = begins
         .iter()
         .any(|word| line.trim_start().starts_with(word));

@@ -40,8 +40,6 @@ pub fn is_taken(name: &str) -> bool {
 }
 
 /// The `use` declarations of what the items name, from the crate at `runtime`.
-/// The primitive types are among them: where the robot stands, others may have
-/// their names.
 pub fn imports(items: &TokenStream, runtime: &TokenStream) -> TokenStream {
     let mut named = HashSet::new();
     collect(items.clone(), &mut named);
@@ -52,7 +50,7 @@ pub fn imports(items: &TokenStream, runtime: &TokenStream) -> TokenStream {
     };
     let public = used(&PUBLIC, quote!(#runtime));
     let private = used(&PRIVATE, quote!(#runtime::__private));
-    quote!(use ::core::primitive::*; #public #private)
+    quote!(#private #public)
 }
 
 /// The identifiers of some tokens.

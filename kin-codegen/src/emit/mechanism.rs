@@ -4,7 +4,7 @@
 
 use super::comment::comment;
 use super::imports::imports;
-use super::robot::{generated_by, limit};
+use super::robot::{generated_by, in_module, limit};
 use super::straight::signed;
 use super::{Names, documentation, forward, inverse, matrix, text};
 use crate::arm::CompiledArm;
@@ -44,15 +44,15 @@ pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
         }
     };
     let (imports, arms_imports) = (imports(&items, runtime), imports(&arms, runtime));
-    quote! {
-        #(#[doc = #doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct #name;
-
-        const _: () = {
+    in_module(
+        name,
+        &quote! {
             #generated_by
-
             #imports
+
+            #(#[doc = #doc])*
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+            pub struct #name;
 
             /// The chains that the mechanism is made of.
             mod arms {
@@ -66,8 +66,8 @@ pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
             #runtime::__private::inherent_parallel_methods!(#name, #n, #m, #k);
             #ik_inherent
             #fk_inherent
-        };
-    }
+        },
+    )
 }
 
 /// The numbers of joints, actuated joints and chains.

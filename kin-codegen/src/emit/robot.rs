@@ -9,7 +9,7 @@ use crate::expr::jacobian::Columns;
 use crate::model::{JointKind, Model, Variable};
 use crate::spec::Rating;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The items that a robot becomes.
 pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
@@ -41,19 +41,31 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
         }
     };
     let imports = imports(&items, runtime);
-    quote! {
-        #(#[doc = #doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct #name;
-
-        const _: () = {
+    in_module(
+        name,
+        &quote! {
             #generated_by
-
             #imports
+
+            #(#[doc = #doc])*
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+            pub struct #name;
 
             #items
             #kinematics
-        };
+        },
+    )
+}
+
+/// The items of a type, in a module of their own: a constant or unit struct
+/// where the robot stands would be a pattern wherever a variable has its name.
+pub(super) fn in_module(name: &Ident, items: &TokenStream) -> TokenStream {
+    let module = format_ident!("__{name}");
+    quote! {
+        #[allow(non_snake_case)]
+        mod #module { #items }
+        #[allow(unused_imports)]
+        pub use #module::#name;
     }
 }
 
