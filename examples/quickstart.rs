@@ -33,7 +33,7 @@ fn main() {
         );
     }
 
-    // The joints turn by ±360°, so every answer can be wound in several ways.
+    // The joints turn by ±360°, so every solution can be wound in several ways.
     let windings = solutions.windings(&Ur5e::LIMITS).count();
     println!(
         "\nwithin the joints' travel: {}",

@@ -92,7 +92,7 @@ pub struct Check {
     /// many arms are singular
     #[arg(long, requires = "targets")]
     pub aligned: bool,
-    /// Show one configuration, its target and all answers to it beside those of
+    /// Show one configuration, its target and all solutions of it beside those of
     /// the numerical search; radians and metres
     #[arg(
         long,
@@ -121,7 +121,7 @@ pub struct Workspace {
     /// Points along every side of a slice
     #[arg(long, value_name = "COUNT", default_value_t = 65, value_parser = at_least_one)]
     pub cells: usize,
-    /// Only answers within the joints' limits count
+    /// Only solutions within the joints' limits count
     #[arg(long)]
     pub limits: bool,
     /// The folder that the files are written to

@@ -137,7 +137,7 @@ fn explain_tells_why_there_is_no_plan() {
 fn explain_serves_programs() {
     let explained = kin(&["explain", "--json", "robots/puma560.yaml"]);
     let json: serde_json::Value = serde_json::from_slice(&explained.stdout).unwrap();
-    assert_eq!(json["schema"], 2);
+    assert_eq!(json["schema"], 3);
     assert_eq!(json["chain"]["joints"].as_array().unwrap().len(), 6);
     assert_eq!(json["chain"]["joints"][0]["motion"], "revolute");
     assert_eq!(json["inverse"]["branches"], 8);

@@ -176,7 +176,7 @@ fn a_delta_is_explained() {
         "  arm1, R*UU",
         "  Grübler: 15 joints - 6 x 2 loops = 3, in space",
         "  motor1, motor2, motor3",
-        "  2 assemblies at most.",
+        "  2 assembly modes at most.",
     ] {
         assert!(text.lines().any(|found| found == line), "{line}\n{text}");
     }

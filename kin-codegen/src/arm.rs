@@ -23,7 +23,7 @@ pub struct CompiledArm {
     pub file: String,
     /// The chain.
     pub model: Model,
-    /// The frames of the literal arm.
+    /// The frames of the arm as given.
     pub linkage: Linkage,
     /// Forward kinematics and Jacobians.
     pub forward: Forward,

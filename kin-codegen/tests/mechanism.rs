@@ -199,7 +199,7 @@ fn options_of_arms_are_refused() {
 }
 
 #[test]
-fn without_inverse_kinematics_a_loop_still_has_its_assemblies() {
+fn without_inverse_kinematics_a_loop_still_has_its_assembly_modes() {
     let options = Options {
         ik: Ik::None,
         ..Options::default()

@@ -300,7 +300,7 @@ fn yaml(text: &str) -> Model {
     model("arm.yaml", text, None, None).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// One arm in all four ways.
+/// One arm in all four conventions.
 #[test]
 fn the_four_ways_describe_the_same_arm() {
     let head = "robot: arm\nunits: {angle: deg, length: mm}\n";
@@ -308,22 +308,22 @@ fn the_four_ways_describe_the_same_arm() {
     let dh = "dh:\n  - {name: a, theta: 0, d: 400, a: 0, alpha: 90}\n  - {name: b, theta: 0, d: 0, a: 300, alpha: 0}\ntip: tip\n";
     let mdh = "mdh:\n  - {name: a, theta: 0, d: 400, a: 0, alpha: 0}\n  - {name: b, d: 0, a: 0, alpha: 90}\ntip: {link: tip, xyz: [300, 0, 0]}\n";
     let joints = "joints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, xyz: [0, 0, 400], rpy: [90, 0, 0], axis: [0, 0, 1]}\ntip: {link: tip, xyz: [300, 0, 0]}\n";
-    for way in [screws, dh, mdh, joints] {
-        let model = yaml(&format!("{head}{way}"));
+    for convention in [screws, dh, mdh, joints] {
+        let model = yaml(&format!("{head}{convention}"));
         assert_eq!(
             (model.base.as_str(), model.tip.as_str()),
             ("base", "tip"),
-            "{way}"
+            "{convention}"
         );
-        assert_eq!(model.home.translation, [0.3, 0.0, 0.4], "{way}");
+        assert_eq!(model.home.translation, [0.3, 0.0, 0.4], "{convention}");
         assert_eq!(
             model.home.rotation,
             [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]],
-            "{way}"
+            "{convention}"
         );
-        assert_eq!(model.joints[0].axis, [0.0, 0.0, 1.0], "{way}");
-        assert_eq!(model.joints[1].axis, [0.0, -1.0, 0.0], "{way}");
-        assert_eq!(model.joints[1].point, [0.0, 0.0, 0.4], "{way}");
+        assert_eq!(model.joints[0].axis, [0.0, 0.0, 1.0], "{convention}");
+        assert_eq!(model.joints[1].axis, [0.0, -1.0, 0.0], "{convention}");
+        assert_eq!(model.joints[1].point, [0.0, 0.0, 0.4], "{convention}");
     }
 }
 
@@ -333,12 +333,12 @@ fn the_base_pose_carries_the_whole_chain() {
     let head = "robot: arm\nunits: {angle: rad, length: m}\nbase: {link: table, xyz: [0, 0, 1], rpy: [0, 0, pi/2]}\n";
     let screws = "screws:\n  - {name: a, axis: [0, 0, 1], point: [0, 0, 0]}\n  - {name: b, axis: [1, 0, 0], point: [2, 0, 0]}\nhome: {xyz: [3, 0, 0]}\n";
     let joints = "joints:\n  - {name: a, axis: [0, 0, 1]}\n  - {name: b, xyz: [2, 0, 0], axis: [1, 0, 0]}\ntip: {link: tip, xyz: [1, 0, 0]}\n";
-    for way in [screws, joints] {
-        let model = yaml(&format!("{head}{way}"));
+    for convention in [screws, joints] {
+        let model = yaml(&format!("{head}{convention}"));
         assert_eq!(model.base, "table");
-        assert_eq!(model.joints[1].axis, [0.0, 1.0, 0.0], "{way}");
-        assert_eq!(model.joints[1].point, [0.0, 2.0, 1.0], "{way}");
-        assert_eq!(model.home.translation, [0.0, 3.0, 1.0], "{way}");
+        assert_eq!(model.joints[1].axis, [0.0, 1.0, 0.0], "{convention}");
+        assert_eq!(model.joints[1].point, [0.0, 2.0, 1.0], "{convention}");
+        assert_eq!(model.home.translation, [0.0, 3.0, 1.0], "{convention}");
     }
 }
 

@@ -166,7 +166,7 @@ fn loops_stay_closed_along_a_whole_turn_of_the_crank() {
 }
 
 #[test]
-fn a_four_bar_has_two_assemblies_or_none() {
+fn a_four_bar_has_two_assembly_modes_or_none() {
     let linkage = four_bar(1.0, 2.5, 2.0, 3.0, 0.9, 1.0);
     for crank in [-2.0, -0.3, 0.0, 0.7, 2.5] {
         let found = linkage.assembly_modes(&[crank]);
@@ -179,7 +179,7 @@ fn a_four_bar_has_two_assemblies_or_none() {
 }
 
 #[test]
-fn a_five_bar_has_two_assemblies_for_its_actuators() {
+fn a_five_bar_has_two_assembly_modes_for_its_actuators() {
     let tip = Pose::from_translation([0.5, 1.2, 0.0]);
     let five_bar = Mechanism::new(
         vec![

@@ -205,7 +205,7 @@ fn explained(path: &str, ik: Ik) -> ArmExplanation {
 
 /// What `kin explain` says of a way: where it is and which axes depend.
 fn way(explanation: &ArmExplanation, name: &str) -> (Vec<f64>, Vec<(ConditionKind, Vec<usize>)>) {
-    let ways = &explanation.singularities.as_ref().unwrap().ways;
+    let ways = &explanation.singularities.as_ref().unwrap().factors;
     let way = ways.iter().find(|way| way.name == name).unwrap();
     let conditions = way.conditions.iter();
     let conditions = conditions.map(|c| (c.kind, c.joints.clone())).collect();
@@ -270,9 +270,9 @@ fn determinants_take_few_operations() {
 fn a_general_arm_has_one_way() {
     let general = explained("ui/robots/general.yaml", Ik::None);
     let singular = general.singularities.unwrap();
-    assert_eq!(singular.ways.len(), 1);
-    assert_eq!(singular.ways[0].coordinates, [2, 3, 4, 5]);
-    assert!(singular.ways[0].example.is_some());
+    assert_eq!(singular.factors.len(), 1);
+    assert_eq!(singular.factors[0].coordinates, [2, 3, 4, 5]);
+    assert!(singular.factors[0].example.is_some());
     assert!(singular.difference.unwrap() < 1e-13);
 }
 
@@ -289,9 +289,9 @@ fn a_noisy_arm_has_the_ways_of_the_one_that_was_meant() {
         .arm()
         .unwrap();
     let singular = noisy.singularities.as_ref().unwrap();
-    assert!((5e-6..2e-5).contains(&singular.snapped.unwrap()));
+    assert!((5e-6..2e-5).contains(&singular.idealized.unwrap()));
     assert!(singular.difference.unwrap() < 1e-13);
-    let names: Vec<&str> = singular.ways.iter().map(|way| &way.name[..]).collect();
+    let names: Vec<&str> = singular.factors.iter().map(|way| &way.name[..]).collect();
     assert_eq!(names, ["shoulder", "elbow", "wrist"]);
 }
 

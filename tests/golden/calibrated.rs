@@ -1263,7 +1263,7 @@ mod __Calibrated {
             self.spatial_jacobian(q).determinant()
         }
 
-        /// How far from singular the arm is that the file was read as, way by way:
+        /// How far from singular the arm is that the file was read as, a value for each singularity:
         ///
         /// - `shoulder`: on a surface of q2, q3, q4; its value: metres.
         /// - `elbow`: at q3 = -0.0004 or 3.1411; its value: the sine of the angle to it.

@@ -6,8 +6,8 @@
 // SP2(q2,q3), then SP2(q1,q2); arm3 by SP3(q1) SP2(q2,q3), then SP2(q1,q2).
 // Forward kinematics: closed form: the platform translates at 0.2320 m, 0.2320 m,
 // 0.2320 m from points that the actuators place, so its position is where three spheres
-// meet (assemblies with the platform turned, in another mode of its joints, are left
-// out).
+// meet (assembly modes with the platform turned, in another mode of its joints, are
+// left out).
 // Made again, beside the robot file, by: kin generate delta.yaml
 
 #[allow(non_snake_case)]
@@ -68,7 +68,7 @@ mod __Delta {
     ///
     /// # Forward kinematics
     ///
-    /// Closed form: the platform translates at 0.2320 m, 0.2320 m, 0.2320 m from points that the actuators place, so its position is where three spheres meet (assemblies with the platform turned, in another mode of its joints, are left out).
+    /// Closed form: the platform translates at 0.2320 m, 0.2320 m, 0.2320 m from points that the actuators place, so its position is where three spheres meet (assembly modes with the platform turned, in another mode of its joints, are left out).
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Delta;
     /// The chains that the mechanism is made of.

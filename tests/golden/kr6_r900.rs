@@ -994,7 +994,7 @@ mod __Kr6R900 {
                     * (0.1917623936672673 * t8))
         }
 
-        /// How far from singular the arm is, way by way:
+        /// How far from singular the arm is, a value for each singularity:
         ///
         /// - `shoulder`: on a surface of q2, q3; its value: metres.
         /// - `elbow`: at q3 = -3.0585 or 0.0831; its value: the sine of the angle to it.

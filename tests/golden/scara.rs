@@ -455,7 +455,7 @@ mod __Scara {
             -(0.12 * t1)
         }
 
-        /// How far from singular the arm is, way by way:
+        /// How far from singular the arm is, a value for each singularity:
         ///
         /// - `elbow`: at q2 = 0.0000 or 3.1416; its value: the sine of the angle to it.
         #[inline]

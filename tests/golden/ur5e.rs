@@ -941,7 +941,7 @@ mod __Ur5e {
             t4 * (t3 * t7)
         }
 
-        /// How far from singular the arm is, way by way:
+        /// How far from singular the arm is, a value for each singularity:
         ///
         /// - `shoulder`: on a surface of q2, q3, q4; its value: metres.
         /// - `elbow`: at q3 = 0.0000 or 3.1416; its value: the sine of the angle to it.

@@ -97,7 +97,7 @@ pub struct ForwardExplanation {
     /// In words.
     pub method: String,
     /// Assemblies looked at; 0 if it takes a seed.
-    pub assemblies: usize,
+    pub assembly_modes: usize,
 }
 
 impl MechanismExplanation {
@@ -143,7 +143,7 @@ impl MechanismExplanation {
             refusal,
             forward: ForwardExplanation {
                 method: compiled.forward.method(),
-                assemblies: compiled.forward.assemblies(),
+                assembly_modes: compiled.forward.assembly_modes(),
             },
             chains,
         }
@@ -217,9 +217,9 @@ impl Display for MechanismExplanation {
             "\nForward kinematics\n  {}",
             sentence(&one_line(&self.forward.method))
         )?;
-        match self.forward.assemblies {
+        match self.forward.assembly_modes {
             0 => Ok(()),
-            n => writeln!(f, "  {n} assemblies at most."),
+            n => writeln!(f, "  {n} assembly modes at most."),
         }
     }
 }

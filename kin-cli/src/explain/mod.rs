@@ -32,7 +32,7 @@ use std::fmt;
 
 /// The version of the JSON that [`Explanation`] serializes to. Grows when a
 /// field changes its meaning or goes; new fields may come without.
-pub const SCHEMA: u32 = 2;
+pub const SCHEMA: u32 = 3;
 
 /// All that there is to tell about a robot file.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -22,12 +22,12 @@ pub struct Singularities {
     /// By how much the axes of the file are off the arm whose singularities
     /// these are, radians, and relative to its size; null if they are the
     /// file's own.
-    pub snapped: Option<f64>,
-    /// The ways of being singular.
-    pub ways: Vec<Singularity>,
+    pub idealized: Option<f64>,
+    /// Each factor of the determinant.
+    pub factors: Vec<Singularity>,
 }
 
-/// A way of being singular.
+/// A factor of the determinant: where the arm is singular.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Singularity {
     /// Its name, as the generated function has it.
@@ -116,50 +116,58 @@ impl Singularities {
             },
             determinant: singular.cost(),
             difference: singular.difference,
-            snapped: singular.idealized,
-            ways: singular
+            idealized: singular.idealized,
+            factors: singular
                 .singularities
                 .iter()
-                .map(|way| Singularity::of(model, way))
+                .map(|singularity| Singularity::of(model, singularity))
                 .collect(),
         }
     }
 }
 
 impl Singularity {
-    fn of(model: &Model, way: &singularity::Singularity) -> Self {
-        let (values, example) = match &way.locus {
+    fn of(model: &Model, singularity: &singularity::Singularity) -> Self {
+        let (values, example) = match &singularity.locus {
             Locus::Values(values) => (values.clone(), None),
             Locus::Surface(example) => (Vec::new(), Some(example.clone())),
             Locus::Never => (Vec::new(), None),
         };
         let within = |value: &f64| {
-            let limits = way
+            let limits = singularity
                 .coordinates
                 .first()
                 .and_then(|&i| model.variables[i].limits);
             limits.is_none_or(|[low, high]| {
                 let turn = std::f64::consts::TAU;
-                let turns = way.coordinates.first().is_some_and(|&i| model.turns(i));
-                let ways = if turns {
+                let turns = singularity
+                    .coordinates
+                    .first()
+                    .is_some_and(|&i| model.turns(i));
+                let full_turns = if turns {
                     vec![-turn, 0.0, turn]
                 } else {
                     vec![0.0]
                 };
-                ways.iter()
+                full_turns
+                    .iter()
                     .any(|wound| (low..=high).contains(&(value + wound)))
             })
         };
         Self {
-            name: way.name.clone(),
-            meaning: way.phrase(),
-            coordinates: way.coordinates.iter().map(|i| i + 1).collect(),
+            name: singularity.name.clone(),
+            meaning: singularity.phrase(),
+            coordinates: singularity.coordinates.iter().map(|i| i + 1).collect(),
             within_limits: values.iter().map(within).collect(),
             values,
             example,
-            conditions: way.conditions.iter().map(AxesCondition::of).collect(),
-            unit: way.unit(),
-            power: way.power,
+            conditions: singularity
+                .conditions
+                .iter()
+                .map(AxesCondition::of)
+                .collect(),
+            unit: singularity.unit(),
+            power: singularity.power,
         }
     }
 
@@ -195,16 +203,23 @@ impl Display for Singularities {
             "  Determinant of {}: {}",
             self.determinant_of, self.determinant
         )?;
-        if let Some(snapped) = self.snapped {
+        if let Some(idealized) = self.idealized {
             writeln!(
                 f,
                 "  Below are those of an arm with exact relations; the file's axes are within \
-                 {snapped:.1e} of it, and so are its singularities."
+                 {idealized:.1e} of it, and so are its singularities."
             )?;
         }
-        for way in &self.ways {
-            writeln!(f, "  {}: {}, {}", way.name, way.meaning, way.place())?;
-            let conditions: Vec<&str> = way.conditions.iter().map(|c| &c.text[..]).collect();
+        for singularity in &self.factors {
+            writeln!(
+                f,
+                "  {}: {}, {}",
+                singularity.name,
+                singularity.meaning,
+                singularity.place()
+            )?;
+            let conditions: Vec<&str> =
+                singularity.conditions.iter().map(|c| &c.text[..]).collect();
             if !conditions.is_empty() {
                 writeln!(f, "    {}", conditions.join("; "))?;
             }

@@ -18,7 +18,7 @@ pub(super) struct Case<'a> {
     /// Metres.
     pub(super) size: f64,
     /// Below this conditioning the certificate takes a configuration for
-    /// singular, or too near to it for an arm that was snapped.
+    /// singular, or too near to it for an arm that was idealized.
     pub(super) near_singular: f64,
     ranges: Ranges,
 }

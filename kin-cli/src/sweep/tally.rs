@@ -25,7 +25,7 @@ pub struct Tally {
     /// The configuration that made the target of that solution.
     pub worst_at: Vec<f64>,
     /// Configurations are near singular where their Jacobian's columns are less
-    /// independent than this. Wider for an arm that was snapped: what has met
+    /// independent than this. Wider for an arm that was idealized: what has met
     /// on the exact arm may have left each other on the one of the file.
     pub near_singular_below: f64,
     /// Targets of such configurations.

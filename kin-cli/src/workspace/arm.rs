@@ -54,11 +54,11 @@ pub fn sampling<'a>(
 
 impl Robot for Arm<'_> {
     fn try_pose(&self, target: &Pose, values: &mut Vec<f64>) -> Option<f64> {
-        let answers = self.form.solutions(target);
-        let within =
-            (answers.iter()).filter(|answer| !self.limited || is_within(self.model, &answer.q));
+        let solutions = self.form.solutions(target);
+        let within = (solutions.iter())
+            .filter(|solution| !self.limited || is_within(self.model, &solution.q));
         within
-            .map(|answer| self.determinant(&answer.q, values))
+            .map(|solution| self.determinant(&solution.q, values))
             .reduce(f64::max)
     }
 

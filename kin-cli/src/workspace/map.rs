@@ -40,7 +40,7 @@ pub struct Sampling<'a> {
     pub step: f64,
     /// At every point.
     pub orientations: Vec<Pose>,
-    /// Whether only answers within the joints' limits count.
+    /// Whether only solutions within the joints' limits count.
     pub limited: bool,
 }
 

@@ -69,13 +69,13 @@ pub fn sampling<'a>(
 }
 
 impl Robot for Platform<'_> {
-    /// The posture measured is that of the answers nearest home, chain by
+    /// The posture measured is that of the solutions nearest home, chain by
     /// chain.
     fn try_pose(&self, target: &Pose, _: &mut Vec<f64>) -> Option<f64> {
         let placed = self.compiled.solutions(target);
         let postures = placed.iter().filter_map(|placed| {
             let chains = placed.solutions.iter().enumerate();
-            let nearest = chains.map(|(k, answers)| self.nearest(k, answers));
+            let nearest = chains.map(|(k, solutions)| self.nearest(k, solutions));
             nearest.collect::<Option<Vec<_>>>()
         });
         postures
@@ -103,8 +103,8 @@ impl Robot for Platform<'_> {
 }
 
 impl Platform<'_> {
-    /// The answer of a chain nearest home, of those that count.
-    fn nearest(&self, chain: usize, answers: &[Vec<f64>]) -> Option<Vec<f64>> {
+    /// The solution of a chain nearest home, of those that count.
+    fn nearest(&self, chain: usize, solutions: &[Vec<f64>]) -> Option<Vec<f64>> {
         let model = &self.compiled.mechanism.legs[chain].model;
         let length = self.generic.length();
         let from_home = |q: &Vec<f64>| -> f64 {
@@ -116,7 +116,7 @@ impl Platform<'_> {
                 })
                 .sum()
         };
-        (answers.iter())
+        (solutions.iter())
             .filter(|q| !self.limited || is_within(model, q))
             .min_by(|a, b| from_home(a).total_cmp(&from_home(b)))
             .cloned()

@@ -150,7 +150,7 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     if solver.is_exact() {
         return closest;
     }
-    // The branches are those of the snapped arm.
+    // The branches are those of the idealized arm.
     quote!(self.ik(pose).first().copied().or_else(|| #closest))
 }
 

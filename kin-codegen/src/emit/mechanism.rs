@@ -117,7 +117,7 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
         let inverse = compiled.inverse.as_ref();
         Literal::usize_unsuffixed(inverse.map_or(0, |inverse| inverse.legs[leg].branches()))
     });
-    let assemblies = Literal::usize_unsuffixed(compiled.forward.assemblies());
+    let assembly_modes = Literal::usize_unsuffixed(compiled.forward.assembly_modes());
     quote! {
         const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
         const LIMITS: [JointLimit; #n] = [#(#limits),*];
@@ -128,7 +128,7 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
         const LENGTH: f64 = #length;
         const MOBILITY: usize = #mobility;
         const BRANCHES: [usize; #k] = [#(#branches),*];
-        const ASSEMBLY_MODES: usize = #assemblies;
+        const ASSEMBLY_MODES: usize = #assembly_modes;
     }
 }
 

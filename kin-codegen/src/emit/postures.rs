@@ -122,12 +122,12 @@ fn seen(solver: &ClosedForm, arm: &Arm, candidates: &[Candidate]) -> Vec<Seen> {
     let mut seen = Vec::new();
     for _ in 0..SAMPLES {
         let target = arm.chain.fk(&arm.anywhere(&mut random));
-        for answer in solver.branches(&target) {
-            if answer.residual <= tolerance && !answer.singular {
-                let at = arm.at(&answer.q);
+        for solution in solver.branches(&target) {
+            if solution.residual <= tolerance && !solution.singular {
+                let at = arm.at(&solution.q);
                 let sign = |candidate: &Candidate| (candidate.value)(arm, &at).and_then(sign);
                 seen.push(Seen {
-                    branch: answer.branch,
+                    branch: solution.branch,
                     signs: candidates.iter().map(sign).collect(),
                 });
             }
@@ -142,7 +142,7 @@ fn sign(value: f64) -> Option<bool> {
 
 /// The bits of whose parity a candidate's sign is always the same function, the
 /// fewest first, and the sign where the parity is even. None if there are no
-/// such bits, or if the answers do not tell which.
+/// such bits, or if the solutions do not tell which.
 fn parity(seen: &[Seen], candidate: usize, choices: u8) -> Option<(u32, bool)> {
     let judged: Vec<(u32, bool)> = seen
         .iter()

@@ -1,4 +1,4 @@
-//! The determinant and the ways of being singular, as Rust functions.
+//! The determinant and its factors, as Rust functions.
 
 use super::forward::block;
 use crate::expr::determinant::Rows;
@@ -38,7 +38,7 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         return determinant;
     }
     let values = singular.values();
-    let ways = block(g, &values, n, |w| {
+    let singularities = block(g, &values, n, |w| {
         let names = singular
             .singularities
             .iter()
@@ -47,8 +47,10 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         quote!(Singularity::by_name([#(#names),*], [#(#values),*]))
     });
     let of_which = match singular.idealized {
-        Some(_) => " How far from singular the arm is that the file was read as, way by way:",
-        None => " How far from singular the arm is, way by way:",
+        Some(_) => {
+            " How far from singular the arm is that the file was read as, a value for each singularity:"
+        }
+        None => " How far from singular the arm is, a value for each singularity:",
     };
     let lines = singular.singularities.iter().map(line);
     let number = Literal::usize_unsuffixed(values.len());
@@ -60,7 +62,7 @@ pub fn methods(singular: &Singular, n: usize) -> TokenStream {
         #(#[doc = #lines])*
         #[inline]
         #[must_use]
-        pub fn singularities(&self, q: &[f64; #count]) -> [Singularity; #number] { #ways }
+        pub fn singularities(&self, q: &[f64; #count]) -> [Singularity; #number] { #singularities }
     }
 }
 
@@ -83,20 +85,20 @@ fn rows(rows: Rows) -> String {
     }
 }
 
-fn line(way: &Singularity) -> String {
+fn line(singularity: &Singularity) -> String {
     format!(
         " - `{}`: {}; its value: {}.",
-        way.name,
-        place(way),
-        way.unit()
+        singularity.name,
+        place(singularity),
+        singularity.unit()
     )
 }
 
-/// Where a way of being singular is met.
-fn place(way: &Singularity) -> String {
+/// Where a singularity is met.
+fn place(singularity: &Singularity) -> String {
     let coordinate = |i: &usize| format!("q{}", i + 1);
-    let names: Vec<String> = way.coordinates.iter().map(coordinate).collect();
-    match &way.locus {
+    let names: Vec<String> = singularity.coordinates.iter().map(coordinate).collect();
+    match &singularity.locus {
         Locus::Values(values) => {
             let values: Vec<String> = values.iter().map(|x| format!("{x:.4}")).collect();
             format!("at {} = {}", names.concat(), values.join(" or "))

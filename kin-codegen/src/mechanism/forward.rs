@@ -10,7 +10,7 @@ use crate::plan::Target;
 use kin_runtime::__private::{math, three_spheres};
 use kin_runtime::Pose;
 
-/// How forward kinematics finds the assemblies.
+/// How forward kinematics finds the assembly modes.
 #[derive(Clone, Debug)]
 pub enum ForwardMethod {
     /// One loop: the passive joints around it are a serial chain, and the
@@ -72,8 +72,8 @@ impl ForwardMethod {
         ForwardMethod::Newton
     }
 
-    /// How many assemblies it looks at; 0 without a closed form.
-    pub fn assemblies(&self) -> usize {
+    /// How many assembly modes it looks at; 0 without a closed form.
+    pub fn assembly_modes(&self) -> usize {
         match self {
             ForwardMethod::Loop(found) => found.passive.branches(),
             ForwardMethod::Spheres(_) => 2,

@@ -26,9 +26,9 @@
 //! **Forward kinematics.** With its actuated joints set, a single loop is one
 //! serial chain of the passive joints around it, whose two ends the actuated
 //! ones place: inverse kinematics of that chain, by the same search, gives all
-//! assemblies. Three chains that hold a translating platform at constant
+//! assembly modes. Three chains that hold a translating platform at constant
 //! distances from points that the actuators place (a Delta) are three spheres;
-//! that tells all assemblies of the mode in which it translates, and leaves out
+//! that tells all assembly modes of the mode in which it translates, and leaves out
 //! those, if there are any, in which its joints were forced into another one.
 //! All others are left to Newton's method, from a seed.
 //!

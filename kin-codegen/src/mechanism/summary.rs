@@ -18,7 +18,7 @@ impl ForwardMethod {
             ),
             ForwardMethod::Spheres(rods) => format!(
                 "closed form: the platform translates at {} from points that the actuators place, \
-                 so its position is where three spheres meet (assemblies with the platform \
+                 so its position is where three spheres meet (assembly modes with the platform \
                  turned, in another mode of its joints, are left out)",
                 rods.iter()
                     .map(|rod| format!("{:.4} m", rod.length))

@@ -1,6 +1,6 @@
 //! The YAML robot format.
 //!
-//! A file gives a robot's name, its units, and its joints in one of four ways.
+//! A file gives a robot's name, its units, and its joints in one of four conventions.
 //! This is a UR-like shoulder by Denavit-Hartenberg parameters:
 //!
 //! ```yaml
@@ -38,7 +38,7 @@
 //! | `link` | the name of the link that the joint moves; `<name>_link` by default |
 //! | `mimic` | `{joint: name, multiplier: 1, offset: 0}`: this joint's value is `multiplier` times the other's plus `offset`, in the units of the file |
 //!
-//! # The four ways
+//! # The four conventions
 //!
 //! **`screws`**: the axes of the joints with all joint values 0, in the base
 //! frame (product of exponentials). `axis` is a direction of any length;
@@ -105,8 +105,8 @@ use kin_runtime::Pose;
 use node::{Node, Value};
 use units::Units;
 
-/// The four ways to give a chain.
-const WAYS: [&str; 4] = ["screws", "dh", "mdh", "joints"];
+/// The four conventions to give a chain.
+const CONVENTIONS: [&str; 4] = ["screws", "dh", "mdh", "joints"];
 
 /// All keys at the top of a file.
 const KEYS: [&str; 9] = [
@@ -142,12 +142,12 @@ fn draft(document: &Node, reader: &mut Reader) -> Option<Draft> {
     let units = file
         .required("units", reader)
         .and_then(|node| units::read(node, reader));
-    let way = way(&file, reader);
+    let convention = convention(&file, reader);
     // Without units no length or angle has a meaning.
-    let (units, (way, list)) = (units?, way?);
+    let (units, (convention, list)) = (units?, convention?);
     let base = End::read(&file, "base", &units, reader);
-    let tip = tip(&file, way, &units, reader);
-    let rows = joint::rows(list, way, &units, reader);
+    let tip = tip(&file, convention, &units, reader);
+    let rows = joint::rows(list, convention, &units, reader);
     let (base, tip, rows) = (base?, tip?, rows?);
     let mut draft = Draft {
         name: name?.text,
@@ -159,9 +159,11 @@ fn draft(document: &Node, reader: &mut Reader) -> Option<Draft> {
     Some(draft)
 }
 
-/// Which of the four ways the file uses, and its list.
-fn way<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n Node)> {
-    let mut given = WAYS.iter().filter_map(|&way| Some((way, file.get(way)?)));
+/// Which of the four conventions the file uses, and its list.
+fn convention<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n Node)> {
+    let mut given = CONVENTIONS
+        .iter()
+        .filter_map(|&convention| Some((convention, file.get(convention)?)));
     let Some(first) = given.next() else {
         reader.at(
             file.at,
@@ -170,22 +172,22 @@ fn way<'n>(file: &Fields<'n>, reader: &mut Reader) -> Option<(&'static str, &'n 
         );
         return None;
     };
-    for (way, _) in given {
+    for (convention, _) in given {
         let reason = format!(
-            "the joints are given twice, by `{}` and by `{way}`",
+            "the joints are given twice, by `{}` and by `{convention}`",
             first.0
         );
-        reader.at(file.key(way), reason, "keep one of the two");
+        reader.at(file.key(convention), reason, "keep one of the two");
     }
     Some(first)
 }
 
 /// The tip, whose pose `home` gives with screws, and `tip` otherwise.
-fn tip(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<End> {
+fn tip(file: &Fields, convention: &str, units: &Units, reader: &mut Reader) -> Option<End> {
     let tip = End::read(file, "tip", units, reader);
-    let home = home(file, way, units, reader);
+    let home = home(file, convention, units, reader);
     let tip = tip?;
-    if way != "screws" {
+    if convention != "screws" {
         return Some(tip);
     }
     if tip.pose.is_some() {
@@ -202,8 +204,8 @@ fn tip(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<E
     })
 }
 
-fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<Pose> {
-    match (file.get("home"), way) {
+fn home(file: &Fields, convention: &str, units: &Units, reader: &mut Reader) -> Option<Pose> {
+    match (file.get("home"), convention) {
         (Some(node), "screws") => {
             let fields = reader.fields(node, "pose", &pose::KEYS)?;
             pose::read(&fields, units, reader)
@@ -219,7 +221,7 @@ fn home(file: &Fields, way: &str, units: &Units, reader: &mut Reader) -> Option<
         }
         (Some(_), _) => {
             let reason = format!(
-                "`home` has no meaning with `{way}`, which gives the pose of the tip already"
+                "`home` has no meaning with `{convention}`, which gives the pose of the tip already"
             );
             reader.at(
                 file.key("home"),

@@ -4,7 +4,7 @@ use crate::closed_loop::{Arc, ClosedLoop, Factor, Object, Vec3, dot, sub, wrappe
 use kin_codegen::plan::{Atom, Kind, Plan, Relation, Step, Subproblem};
 use kin_runtime::Twist;
 use kin_runtime::subproblems::{
-    Answer, paden_kahan1, paden_kahan2, paden_kahan3, subproblem1, subproblem2, subproblem4,
+    SolutionSet, paden_kahan1, paden_kahan2, paden_kahan3, subproblem1, subproblem2, subproblem4,
     subproblem6, translation1, translation2,
 };
 
@@ -35,12 +35,12 @@ fn descend(closed: &mut ClosedLoop, steps: &[Step], relation: usize, found: &mut
 
 /// The solutions; of a family the member given.
 fn roots<T: Clone, const N: usize>(
-    answer: Answer<T>,
+    solutions: SolutionSet<T>,
     values: impl Fn(T) -> [f64; N],
 ) -> Vec<Vec<f64>> {
-    let members = match &answer {
-        Answer::Any(member) => std::slice::from_ref(member),
-        _ => answer.exact(),
+    let members = match &solutions {
+        SolutionSet::Any(member) => std::slice::from_ref(member),
+        _ => solutions.exact(),
     };
     members
         .iter()
@@ -164,11 +164,11 @@ fn one(
     match which {
         Subproblem::Sp1 => {
             let (front, behind) = ends(closed, relation, unknown, unknown);
-            let answer = match front.kind {
+            let solutions = match front.kind {
                 Kind::Direction => subproblem1(k, behind.direction, front.direction),
                 _ => paden_kahan1(&hinge, behind.point, front.point),
             };
-            roots(answer, single)
+            roots(solutions, single)
         }
         Subproblem::Slide => {
             let (front, behind) = ends(closed, relation, unknown, unknown);
@@ -238,8 +238,8 @@ fn sp2(closed: &ClosedLoop, relation: &Relation, first: Atom, second: Atom) -> V
     );
     match from.kind {
         Kind::Direction => {
-            let answer = subproblem2(k1, axis.direction, x.direction, y.direction);
-            roots(answer, |[back, t]| [-back, t])
+            let solutions = subproblem2(k1, axis.direction, x.direction, y.direction);
+            roots(solutions, |[back, t]| [-back, t])
         }
         _ => {
             let hinges =

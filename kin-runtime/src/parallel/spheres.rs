@@ -2,7 +2,7 @@
 
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
-use crate::subproblems::Answer;
+use crate::subproblems::SolutionSet;
 
 /// The points at distances `radii` from three `centres`, metres: trilateration,
 /// the forward kinematics of a Delta robot, whose platform hangs on three rods.
@@ -11,7 +11,7 @@ use crate::subproblems::Answer;
 /// side that (c₂ − c₁) × (c₃ − c₁) points to. One if the spheres touch, to
 /// within 1e-13 of the largest length. If they fail to meet, the point of the
 /// plane that has the same power to all three, with the distance by which it
-/// misses a sphere at most. [`Answer::None`] if the centres lie on a line.
+/// misses a sphere at most. [`SolutionSet::None`] if the centres lie on a line.
 ///
 /// ```
 /// use kin_runtime::__private::three_spheres;
@@ -20,7 +20,7 @@ use crate::subproblems::Answer;
 /// assert_eq!(found.exact().len(), 2);
 /// assert!((found.exact()[0][2] - 1.0).abs() < 1e-14);
 /// ```
-pub fn three_spheres(centres: [[f64; 3]; 3], radii: [f64; 3]) -> Answer<[f64; 3]> {
+pub fn three_spheres(centres: [[f64; 3]; 3], radii: [f64; 3]) -> SolutionSet<[f64; 3]> {
     let [u, v] = [sub(centres[1], centres[0]), sub(centres[2], centres[0])];
     let normal = cross(u, v);
     let square = dot(normal, normal);
@@ -30,7 +30,7 @@ pub fn three_spheres(centres: [[f64; 3]; 3], radii: [f64; 3]) -> Answer<[f64; 3]
         .max(radii[1])
         .max(radii[2]);
     if square.is_nan() || math::sqrt(square) <= 1e-12 * norm(u) * norm(v) {
-        return Answer::None;
+        return SolutionSet::None;
     }
     // x with u · x = a and v · x = b, in the plane.
     let radical =
@@ -43,18 +43,18 @@ pub fn three_spheres(centres: [[f64; 3]; 3], radii: [f64; 3]) -> Answer<[f64; 3]
     let foot = add(centres[0], x);
     let height = (radii[0] - norm(x)) * (radii[0] + norm(x));
     if height.abs() <= 1e-13 * size * size {
-        return Answer::one(foot);
+        return SolutionSet::one(foot);
     }
     if height < 0.0 {
         let miss = |i: usize| (norm(sub(foot, centres[i])) - radii[i]).abs();
         let residual = miss(0).max(miss(1)).max(miss(2));
-        return Answer::Closest {
+        return SolutionSet::Closest {
             value: foot,
             residual,
         };
     }
     let up = scale(math::sqrt(height / square), normal);
-    Answer::two(add(foot, up), sub(foot, up))
+    SolutionSet::two(add(foot, up), sub(foot, up))
 }
 
 #[cfg(test)]
@@ -97,9 +97,9 @@ mod tests {
         assert_eq!(three_spheres(centres, touching).exact().len(), 1);
         assert!(matches!(
             three_spheres(centres, [1.0; 3]),
-            Answer::Closest { .. }
+            SolutionSet::Closest { .. }
         ));
         let line = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
-        assert_eq!(three_spheres(line, [1.5; 3]), Answer::None);
+        assert_eq!(three_spheres(line, [1.5; 3]), SolutionSet::None);
     }
 }

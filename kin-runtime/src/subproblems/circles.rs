@@ -2,7 +2,7 @@
 
 use super::radial::{Radial, toward, turned};
 use super::refine::{Local, Refined, refine};
-use super::{Answer, ON_AXIS, SOLVED};
+use super::{ON_AXIS, SOLVED, SolutionSet};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
 
@@ -15,7 +15,7 @@ use crate::math;
 /// on one sphere or in one plane; touching circles meet once. Infinitely many
 /// if a vector lies on its axis (its angle is given as 0) or the circles are
 /// the same, provided that the other angle solves the equation; what comes
-/// closest if it does not. Otherwise none: [`Answer::None`].
+/// closest if it does not. Otherwise none: [`SolutionSet::None`].
 ///
 /// The circles meet where the first has the component along k₂ and the distance
 /// from the second's centre that the second has everywhere. Both conditions
@@ -40,7 +40,7 @@ pub fn subproblem2e(
     p0: [f64; 3],
     p1: [f64; 3],
     p2: [f64; 3],
-) -> Answer<[f64; 2]> {
+) -> SolutionSet<[f64; 2]> {
     let given = [p0, p1, p2];
     let size = given
         .as_flattened()
@@ -59,12 +59,12 @@ pub fn subproblem2e(
         Meeting::Free(value) => {
             let value = refine(value, &equations);
             let residual = norm(equations(&value).off);
-            Answer::whatever(value, unit * residual, unit * SOLVED)
+            SolutionSet::whatever(value, unit * residual, unit * SOLVED)
         }
         Meeting::Places(places) => {
             let mut refined = Refined::new();
             places.iter().for_each(|t| refined.add(*t, equations));
-            refined.answer()
+            refined.solutions()
         }
     }
 }

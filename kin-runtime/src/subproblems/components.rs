@@ -1,6 +1,6 @@
 //! Subproblem 6: two components of two vectors that turn.
 
-use super::Answer;
+use super::SolutionSet;
 use super::radial::Radial;
 use super::refine::{Local, Refined};
 use super::torus::{Plane, meet};
@@ -22,7 +22,7 @@ use crate::linear::vector::dot;
 /// are dependent, if an angle is in neither of them, or if the two conics into
 /// which they bind the angles are the same; then one member is given. Dependent
 /// equations that hold only where all terms are at their extremes have an
-/// isolated solution. Else none: [`Answer::None`] if the components are out of
+/// isolated solution. Else none: [`SolutionSet::None`] if the components are out of
 /// reach or contradict each other.
 ///
 /// Each equation is met to a few units of rounding of the size of its terms,
@@ -38,19 +38,19 @@ use crate::linear::vector::dot;
 /// use kin_runtime::subproblems::subproblem6;
 /// let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
 /// // A planar arm of links 1 and 1: cos t₁ + cos t₂ = 1, sin t₁ + sin t₂ = 1.
-/// let answer = subproblem6([x, x, y, y], [z; 4], [x; 4], [1.0, 1.0]);
-/// assert_eq!(answer.exact().len(), 2);
+/// let solutions = subproblem6([x, x, y, y], [z; 4], [x; 4], [1.0, 1.0]);
+/// assert_eq!(solutions.exact().len(), 2);
 /// // cos t₁ = ½ and cos t₂ = ½ decouple.
 /// let far = [x, y, y, x].map(|p| p.map(|c| 2.0 * c));
-/// let answer = subproblem6([x; 4], [z, y, z, z], [far[0], y, z, far[3]], [1.0, 1.0]);
-/// assert_eq!(answer.exact().len(), 4);
+/// let solutions = subproblem6([x; 4], [z, y, z, z], [far[0], y, z, far[3]], [1.0, 1.0]);
+/// assert_eq!(solutions.exact().len(), 4);
 /// ```
 pub fn subproblem6(
     h: [[f64; 3]; 4],
     k: [[f64; 3]; 4],
     p: [[f64; 3]; 4],
     d: [f64; 2],
-) -> Answer<[f64; 2]> {
+) -> SolutionSet<[f64; 2]> {
     let planes = [0, 1].map(|i| {
         let (j, l) = (2 * i, 2 * i + 1);
         component(&[h[j], h[l]], &[k[j], k[l]], &[p[j], p[l]], d[i])
@@ -64,8 +64,8 @@ pub fn subproblem6(
     };
     let mut refined = Refined::new();
     match meet(planes, |t| refined.add(t, equations)) {
-        Some(member) => Answer::Any(member),
-        None => refined.answer(),
+        Some(member) => SolutionSet::Any(member),
+        None => refined.solutions(),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::circles::{Meeting, meet};
 use super::radial::{Radial, turned};
 use super::refine::{Local, Refined, refine};
-use super::{Answer, DOUBLE, ON_AXIS, SOLVED, subproblem4};
+use super::{DOUBLE, ON_AXIS, SOLVED, SolutionSet, subproblem4};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
 
@@ -18,7 +18,7 @@ use crate::math;
 /// are given once. Infinitely many if the axes are parallel, if p lies on k₂,
 /// if a point where the spheres meet lies on k₁, or if q₁, q₂ and the origin lie
 /// on one line, so that the spheres meet in a circle, and that circle can be
-/// reached; then one member is given. Else none: [`Answer::None`].
+/// reached; then one member is given. Else none: [`SolutionSet::None`].
 ///
 /// Distances are met to a few units of rounding of the largest length, and to
 /// 1e-10 of it where spheres just fail to touch. Source: MLS section 3.3 and
@@ -37,7 +37,7 @@ pub fn two_distances(
     p: [f64; 3],
     q: [[f64; 3]; 2],
     d: [f64; 2],
-) -> Answer<[f64; 2]> {
+) -> SolutionSet<[f64; 2]> {
     let lengths = p.iter().chain(q.as_flattened()).chain(&d);
     let size = lengths.fold(0.0, |most: f64, x| most.max(x.abs()));
     let unit = if size > 0.0 { size } else { 1.0 };
@@ -47,12 +47,12 @@ pub fn two_distances(
         d.map(|x| x / unit),
     );
     if d.iter().any(|d| *d < 0.0) {
-        return Answer::None;
+        return SolutionSet::None;
     }
     let equations = |t: &[f64; 2]| misses(&k, p, &q, &d, t);
     let solved = |t: &[f64; 2]| norm(equations(t).off) <= SOLVED;
     match trilaterate(norm(p), q, d) {
-        Place::Nowhere => Answer::None,
+        Place::Nowhere => SolutionSet::None,
         Place::Points(points) => {
             let mut refined = Refined::new();
             let mut free = None;
@@ -71,23 +71,23 @@ pub fn two_distances(
                 }
             }
             match free {
-                Some(member) => Answer::Any(member),
-                None => refined.answer(),
+                Some(member) => SolutionSet::Any(member),
+                None => refined.solutions(),
             }
         }
         Place::Circle { normal, level } => {
             let on_circle = reach_circle(k, p, normal, level);
             match on_circle {
-                Answer::Any(t) if solved(&t) => on_circle,
-                Answer::Exact(roots) => {
+                SolutionSet::Any(t) if solved(&t) => on_circle,
+                SolutionSet::Exact(roots) => {
                     let mut refined = Refined::new();
                     refined.add(roots[0], equations);
-                    refined.answer()
+                    refined.solutions()
                 }
-                _ => Answer::None,
+                _ => SolutionSet::None,
             }
         }
-        Place::Anywhere => Answer::Any([0.0; 2]),
+        Place::Anywhere => SolutionSet::Any([0.0; 2]),
     }
 }
 
@@ -164,7 +164,12 @@ fn trilaterate(radius: f64, q: [[f64; 3]; 2], d: [f64; 2]) -> Place {
 
 /// A pair of angles that turns p to a component along a direction. There are
 /// infinitely many, except where two extremes meet.
-fn reach_circle(k: [[f64; 3]; 2], p: [f64; 3], normal: [f64; 3], level: f64) -> Answer<[f64; 2]> {
+fn reach_circle(
+    k: [[f64; 3]; 2],
+    p: [f64; 3],
+    normal: [f64; 3],
+    level: f64,
+) -> SolutionSet<[f64; 2]> {
     let radius = norm(p);
     // The heights along k₁ on the circle, and those that the second joint
     // gives to p.
@@ -178,22 +183,22 @@ fn reach_circle(k: [[f64; 3]; 2], p: [f64; 3], normal: [f64; 3], level: f64) -> 
         (centre + half).min(mean + reach),
     );
     if high - low < -SOLVED {
-        return Answer::None;
+        return SolutionSet::None;
     }
     let height = 0.5 * (low + high);
     let t2 = subproblem4(k[0], k[1], p, height);
     let Some(&t2) = t2.values().first() else {
-        return Answer::None;
+        return SolutionSet::None;
     };
     let moved = turned(k[1], t2, p);
     let Some(&t1) = subproblem4(normal, k[0], moved, level).values().first() else {
-        return Answer::None;
+        return SolutionSet::None;
     };
     let touches = high - low <= DOUBLE && half > ON_AXIS && reach > ON_AXIS;
     if touches {
-        Answer::one([t1, t2])
+        SolutionSet::one([t1, t2])
     } else {
-        Answer::Any([t1, t2])
+        SolutionSet::Any([t1, t2])
     }
 }
 

@@ -37,7 +37,6 @@
 //! find no solution in up to 3 cases of 1000, subproblem 5 in up to 15 and two
 //! distances in up to 81, and where they find some, others may be missing.
 
-mod answer;
 mod circles;
 mod components;
 mod distances;
@@ -46,17 +45,18 @@ mod radial;
 mod refine;
 mod rotation;
 mod screw;
+mod solution_set;
 mod three_axes;
 mod torus;
 mod translation;
 
-pub use answer::{Answer, Roots};
 pub use circles::subproblem2e;
 pub use components::subproblem6;
 pub use distances::two_distances;
 pub use parallel::parallel_pair;
 pub use rotation::{subproblem1, subproblem2, subproblem3, subproblem4};
 pub use screw::{paden_kahan1, paden_kahan2, paden_kahan3};
+pub use solution_set::{Roots, SolutionSet};
 pub use three_axes::subproblem5;
 pub use translation::{translation1, translation2};
 

@@ -2,7 +2,7 @@
 
 use super::radial::{Radial, toward, turned};
 use super::screw::point_on;
-use super::{Answer, ON_AXIS, SOLVED, subproblem3};
+use super::{ON_AXIS, SOLVED, SolutionSet, subproblem3};
 use crate::linear::vector::{add, dot, norm, scale, sub};
 use crate::math;
 use crate::{Pose, Twist};
@@ -18,8 +18,8 @@ use crate::{Pose, Twist};
 /// the free angle is given as 0. If the points differ in height or q is out of
 /// reach, the pair that comes closest. Axes that are not parallel have no
 /// solution here: a pair computed as if the second were is given as
-/// [`Answer::Closest`], with what it really leaves between the points, and only
-/// if it leaves nothing as [`Answer::Exact`].
+/// [`SolutionSet::Closest`], with what it really leaves between the points, and only
+/// if it leaves nothing as [`SolutionSet::Exact`].
 ///
 /// Subproblem 3 for t₂, in the plane that the axes are normal to, then
 /// [`subproblem1`](super::subproblem1) for t₁ (MLS section 3.3, where the same is said of an elbow).
@@ -31,30 +31,30 @@ use crate::{Pose, Twist};
 /// let (x, z) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
 /// let (shoulder, elbow) = (Twist::revolute(z, [0.0; 3]), Twist::revolute(z, x));
 /// // Links 1 and 0.5, the hand to (0.5, 1).
-/// let answer = parallel_pair(&shoulder, &elbow, [1.5, 0.0, 0.0], [0.5, 1.0, 0.0]);
-/// assert_eq!(answer.exact().len(), 2);
+/// let solutions = parallel_pair(&shoulder, &elbow, [1.5, 0.0, 0.0], [0.5, 1.0, 0.0]);
+/// assert_eq!(solutions.exact().len(), 2);
 /// ```
-pub fn parallel_pair(xi1: &Twist, xi2: &Twist, p: [f64; 3], q: [f64; 3]) -> Answer<[f64; 2]> {
+pub fn parallel_pair(xi1: &Twist, xi2: &Twist, p: [f64; 3], q: [f64; 3]) -> SolutionSet<[f64; 2]> {
     let (r1, r2) = (point_on(xi1), point_on(xi2));
     let size = [p, q, r1, r2].map(norm).into_iter().fold(0.0, f64::max);
-    let answer = planar(xi1, xi2, [sub(r2, r1), sub(p, r2), sub(q, r1)], size);
+    let solutions = planar(xi1, xi2, [sub(r2, r1), sub(p, r2), sub(q, r1)], size);
     // What the plane does not show: heights, and axes that are not parallel.
-    let Some(&value) = answer.values().first() else {
-        return answer;
+    let Some(&value) = solutions.values().first() else {
+        return solutions;
     };
     let moved = (Pose::exp(xi1, value[0]) * Pose::exp(xi2, value[1])).transform_point(p);
     let residual = norm(sub(moved, q));
     if residual.is_nan() {
-        Answer::None
+        SolutionSet::None
     } else if residual > 2.0 * SOLVED * size {
-        Answer::Closest { value, residual }
+        SolutionSet::Closest { value, residual }
     } else {
-        answer
+        solutions
     }
 }
 
 /// The pair in the plane that the axes are normal to.
-fn planar(xi1: &Twist, xi2: &Twist, links: [[f64; 3]; 3], size: f64) -> Answer<[f64; 2]> {
+fn planar(xi1: &Twist, xi2: &Twist, links: [[f64; 3]; 3], size: f64) -> SolutionSet<[f64; 2]> {
     let k = xi1.angular;
     let [upper, forearm, reach] = links.map(|v| Radial::new(k, v).across);
     let vanishes = |v| norm(v) <= ON_AXIS * size;
@@ -70,11 +70,11 @@ fn planar(xi1: &Twist, xi2: &Twist, links: [[f64; 3]; 3], size: f64) -> Answer<[
         [t1, math::wrap(sense * t2)]
     };
     if vanishes(upper) || vanishes(forearm) {
-        return Answer::Any(with_shoulder(0.0));
+        return SolutionSet::Any(with_shoulder(0.0));
     }
-    let answer = subproblem3(k, forearm, scale(-1.0, upper), norm(reach)).map(with_shoulder);
-    match answer {
-        Answer::Exact(roots) if vanishes(reach) => Answer::Any(roots[0]),
+    let solutions = subproblem3(k, forearm, scale(-1.0, upper), norm(reach)).map(with_shoulder);
+    match solutions {
+        SolutionSet::Exact(roots) if vanishes(reach) => SolutionSet::Any(roots[0]),
         other => other,
     }
 }

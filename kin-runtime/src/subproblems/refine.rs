@@ -1,7 +1,7 @@
-//! From candidates to answers: refined, checked, each once.
+//! From candidates to roots: refined, checked, each once.
 
-use super::answer::Roots;
-use super::{Answer, DOUBLE, SOLVED};
+use super::solution_set::Roots;
+use super::{DOUBLE, SOLVED, SolutionSet};
 use crate::linear::cholesky;
 use crate::linear::vector::{dot, norm};
 use crate::math;
@@ -30,16 +30,16 @@ const NEARLY: f64 = 1e-4;
 /// Residuals below this are rounding.
 const ROUNDING: f64 = 1e-16;
 
-/// The answers found so far.
+/// The roots found so far.
 pub(super) struct Refined<const N: usize> {
-    answers: [[f64; N]; 4],
+    roots: [[f64; N]; 4],
     count: usize,
 }
 
 impl<const N: usize> Refined<N> {
     pub fn new() -> Self {
         Refined {
-            answers: [[0.0; N]; 4],
+            roots: [[0.0; N]; 4],
             count: 0,
         }
     }
@@ -57,7 +57,7 @@ impl<const N: usize> Refined<N> {
         if residual > SOLVED || residual.is_nan() {
             return;
         }
-        for known in &mut self.answers[..self.count] {
+        for known in &mut self.roots[..self.count] {
             let apart: [f64; N] = core::array::from_fn(|i| math::wrap(root[i] - known[i]));
             let middle = core::array::from_fn(|i| math::wrap(known[i] + 0.5 * apart[i]));
             let near = apart.iter().all(|a| a.abs() < NEIGHBOURS);
@@ -67,19 +67,19 @@ impl<const N: usize> Refined<N> {
             }
         }
         if self.count < 4 {
-            self.answers[self.count] = root;
+            self.roots[self.count] = root;
             self.count += 1;
         }
     }
 
-    pub fn answer(&self) -> Answer<[f64; N]> {
-        let [a, b, c, d] = self.answers;
+    pub fn solutions(&self) -> SolutionSet<[f64; N]> {
+        let [a, b, c, d] = self.roots;
         match self.count {
-            0 => Answer::None,
-            1 => Answer::Exact(Roots::One([a])),
-            2 => Answer::Exact(Roots::Two([a, b])),
-            3 => Answer::Exact(Roots::Three([a, b, c])),
-            _ => Answer::Exact(Roots::Four([a, b, c, d])),
+            0 => SolutionSet::None,
+            1 => SolutionSet::Exact(Roots::One([a])),
+            2 => SolutionSet::Exact(Roots::Two([a, b])),
+            3 => SolutionSet::Exact(Roots::Three([a, b, c])),
+            _ => SolutionSet::Exact(Roots::Four([a, b, c, d])),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Subproblems whose unknowns are rotations about axes through the origin.
 
 use super::radial::Radial;
-use super::{Answer, DOUBLE, ON_AXIS, SOLVED};
+use super::{DOUBLE, ON_AXIS, SOLVED, SolutionSet};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
 
@@ -16,18 +16,18 @@ use crate::math;
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
 /// use kin_runtime::subproblems::subproblem1;
-/// let answer = subproblem1([0.0, 0.0, 1.0], [1.0, 0.0, 0.2], [0.0, 1.0, 0.2]);
-/// assert_eq!(answer.exact(), [FRAC_PI_2]);
+/// let solutions = subproblem1([0.0, 0.0, 1.0], [1.0, 0.0, 0.2], [0.0, 1.0, 0.2]);
+/// assert_eq!(solutions.exact(), [FRAC_PI_2]);
 /// ```
-pub fn subproblem1(k: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> Answer<f64> {
+pub fn subproblem1(k: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> SolutionSet<f64> {
     let (from, to) = (Radial::new(k, p1), Radial::new(k, p2));
     let tolerance = SOLVED * from.norm().max(to.norm());
     let (radial, axial) = (from.length - to.length, from.height - to.height);
     let residual = math::sqrt(radial * radial + axial * axial);
     if from.on_axis() || to.on_axis() {
-        return Answer::whatever(0.0, residual, tolerance);
+        return SolutionSet::whatever(0.0, residual, tolerance);
     }
-    Answer::one_or_closest(from.angle_to(&to, k), residual, tolerance)
+    SolutionSet::one_or_closest(from.angle_to(&to, k), residual, tolerance)
 }
 
 /// Rotation about two axes (Paden-Kahan 2, MLS section 3.2): [t₁, t₂], radians
@@ -45,7 +45,12 @@ pub fn subproblem1(k: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> Answer<f64> {
 /// // The circles x = 0 about x and z = 0 about z meet at y and −y.
 /// assert_eq!(subproblem2(z, x, x, y).exact().len(), 2);
 /// ```
-pub fn subproblem2(k1: [f64; 3], k2: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> Answer<[f64; 2]> {
+pub fn subproblem2(
+    k1: [f64; 3],
+    k2: [f64; 3],
+    p1: [f64; 3],
+    p2: [f64; 3],
+) -> SolutionSet<[f64; 2]> {
     let (from, to) = (Radial::new(k1, p1), Radial::new(k2, p2));
     // One angle is free: solve for the other with the free one at 0.
     if from.on_axis() {
@@ -57,13 +62,13 @@ pub fn subproblem2(k1: [f64; 3], k2: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> An
     circles(k1, k2, &from, &to)
 }
 
-/// A family of which the answer to the remaining angle is a member.
+/// A family of which the solution for the remaining angle is a member.
 pub(super) fn family<const N: usize>(
-    answer: Answer<f64>,
+    solutions: SolutionSet<f64>,
     place: impl Fn(f64) -> [f64; N],
-) -> Answer<[f64; N]> {
-    match answer.map(place) {
-        Answer::Exact(roots) => Answer::Any(roots[0]),
+) -> SolutionSet<[f64; N]> {
+    match solutions.map(place) {
+        SolutionSet::Exact(roots) => SolutionSet::Any(roots[0]),
         other => other,
     }
 }
@@ -71,7 +76,7 @@ pub(super) fn family<const N: usize>(
 /// Subproblem 2 in general position: where do the circles that the two vectors
 /// sweep meet? Both are scaled to the unit sphere, which changes neither the
 /// angles nor, if the lengths differ, what comes closest.
-fn circles(k1: [f64; 3], k2: [f64; 3], from: &Radial, to: &Radial) -> Answer<[f64; 2]> {
+fn circles(k1: [f64; 3], k2: [f64; 3], from: &Radial, to: &Radial) -> SolutionSet<[f64; 2]> {
     let size = from.norm().max(to.norm());
     let (h1, h2) = (from.height / from.norm(), to.height / to.norm());
     let angles = |c1, c2| {
@@ -90,15 +95,15 @@ fn circles(k1: [f64; 3], k2: [f64; 3], from: &Radial, to: &Radial) -> Answer<[f6
     if excess <= DOUBLE {
         let [c1, c2] = nearest_points(k1, k2, h1, h2);
         let residual = norm(sub(scale(from.norm(), c1), scale(to.norm(), c2)));
-        return Answer::one_or_closest(angles(c1, c2), residual, SOLVED * size);
+        return SolutionSet::one_or_closest(angles(c1, c2), residual, SOLVED * size);
     }
     let rise = scale(math::sqrt(excess) / sine, normal);
     let roots = [sub(middle, rise), add(middle, rise)].map(|c| angles(c, c));
     let residual = (from.norm() - to.norm()).abs();
     if residual <= SOLVED * size {
-        Answer::two(roots[0], roots[1])
+        SolutionSet::two(roots[0], roots[1])
     } else {
-        Answer::Closest {
+        SolutionSet::Closest {
             value: roots[0],
             residual,
         }
@@ -138,10 +143,10 @@ fn nearest_points(k1: [f64; 3], k2: [f64; 3], h1: f64, h2: f64) -> [[f64; 3]; 2]
 /// use kin_runtime::subproblems::subproblem3;
 /// let (x, z) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
 /// // Two radii of a unit circle whose tips are 1 apart enclose 60 degrees.
-/// let answer = subproblem3(z, x, x, 1.0);
-/// assert!((answer.exact()[1].to_degrees() - 60.0).abs() < 1e-12);
+/// let solutions = subproblem3(z, x, x, 1.0);
+/// assert!((solutions.exact()[1].to_degrees() - 60.0).abs() < 1e-12);
 /// ```
-pub fn subproblem3(k: [f64; 3], p1: [f64; 3], p2: [f64; 3], d: f64) -> Answer<f64> {
+pub fn subproblem3(k: [f64; 3], p1: [f64; 3], p2: [f64; 3], d: f64) -> SolutionSet<f64> {
     let (from, to) = (Radial::new(k, p1), Radial::new(k, p2));
     let size = from.norm() + to.norm() + d.abs();
     let axial = from.height - to.height;
@@ -149,7 +154,7 @@ pub fn subproblem3(k: [f64; 3], p1: [f64; 3], p2: [f64; 3], d: f64) -> Answer<f6
     let least = distance_at(from.length - to.length);
     let greatest = distance_at(from.length + to.length);
     if from.on_axis() || to.on_axis() {
-        return Answer::whatever(0.0, (d - least).abs(), SOLVED * size);
+        return SolutionSet::whatever(0.0, (d - least).abs(), SOLVED * size);
     }
     // By the law of cosines, written so that nothing cancels near the ends.
     let (near, far) = (d - least, greatest - d);
@@ -171,12 +176,12 @@ pub fn subproblem3(k: [f64; 3], p1: [f64; 3], p2: [f64; 3], d: f64) -> Answer<f6
 /// let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
 /// assert_eq!(subproblem4(y, z, x, 1.0).exact(), [core::f64::consts::FRAC_PI_2]);
 /// ```
-pub fn subproblem4(h: [f64; 3], k: [f64; 3], p: [f64; 3], d: f64) -> Answer<f64> {
+pub fn subproblem4(h: [f64; 3], k: [f64; 3], p: [f64; 3], d: f64) -> SolutionSet<f64> {
     let (from, to) = (Radial::new(k, p), Radial::new(k, h));
     let size = from.norm() * to.norm() + d.abs();
     let level = d - from.height * to.height;
     if from.on_axis() || to.on_axis() {
-        return Answer::whatever(0.0, level.abs(), SOLVED * size);
+        return SolutionSet::whatever(0.0, level.abs(), SOLVED * size);
     }
     let amplitude = from.length * to.length;
     let (near, far) = (amplitude - level, amplitude + level);
@@ -193,16 +198,16 @@ fn symmetric_roots(
     far: f64,
     half_tangent: (f64, f64),
     size: f64,
-) -> Answer<f64> {
+) -> SolutionSet<f64> {
     let (end, excess) = if near < far {
         (phase, near)
     } else {
         (math::wrap(phase + core::f64::consts::PI), far)
     };
     if excess <= DOUBLE * size {
-        return Answer::one_or_closest(end, (-excess).max(0.0), SOLVED * size);
+        return SolutionSet::one_or_closest(end, (-excess).max(0.0), SOLVED * size);
     }
     let (sine, cosine) = (math::sqrt(half_tangent.0), math::sqrt(half_tangent.1));
     let offset = 2.0 * math::atan2(sine, cosine);
-    Answer::two(math::wrap(phase - offset), math::wrap(phase + offset))
+    SolutionSet::two(math::wrap(phase - offset), math::wrap(phase + offset))
 }

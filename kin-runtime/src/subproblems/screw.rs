@@ -1,7 +1,7 @@
 //! The Paden-Kahan subproblems in the form of MLS section 3.2: with unit twists
 //! for the axes and points of space for the vectors.
 
-use super::{Answer, SOLVED, subproblem1, subproblem2, subproblem3};
+use super::{SOLVED, SolutionSet, subproblem1, subproblem2, subproblem3};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
 use crate::{Pose, Twist};
@@ -16,10 +16,10 @@ use crate::{Pose, Twist};
 /// use core::f64::consts::FRAC_PI_2;
 /// use kin_runtime::{Twist, subproblems::paden_kahan1};
 /// let hinge = Twist::revolute([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
-/// let answer = paden_kahan1(&hinge, [0.0; 3], [1.0, -1.0, 0.0]);
-/// assert_eq!(answer.exact(), [FRAC_PI_2]);
+/// let solutions = paden_kahan1(&hinge, [0.0; 3], [1.0, -1.0, 0.0]);
+/// assert_eq!(solutions.exact(), [FRAC_PI_2]);
 /// ```
-pub fn paden_kahan1(xi: &Twist, p: [f64; 3], q: [f64; 3]) -> Answer<f64> {
+pub fn paden_kahan1(xi: &Twist, p: [f64; 3], q: [f64; 3]) -> SolutionSet<f64> {
     let r = point_on(xi);
     subproblem1(xi.angular, sub(p, r), sub(q, r))
 }
@@ -31,7 +31,7 @@ pub fn paden_kahan1(xi: &Twist, p: [f64; 3], q: [f64; 3]) -> Answer<f64> {
 /// Up to two solutions, infinitely many if the axes are one line or if a point
 /// lies on the axis next to it; see [`subproblem2`]. Axes that pass each other
 /// have no solution here: a pair computed as if they met half way is given as
-/// [`Answer::Closest`], with what it really leaves between the points.
+/// [`SolutionSet::Closest`], with what it really leaves between the points.
 ///
 /// ```
 /// use kin_runtime::{Twist, subproblems::paden_kahan2};
@@ -39,28 +39,28 @@ pub fn paden_kahan1(xi: &Twist, p: [f64; 3], q: [f64; 3]) -> Answer<f64> {
 /// let yaw = Twist::revolute([0.0, 0.0, 1.0], shoulder);
 /// let pitch = Twist::revolute([-1.0, 0.0, 0.0], shoulder);
 /// // Two ways to point at a target: straight, and over the shoulder.
-/// let answer = paden_kahan2(&yaw, &pitch, [0.0, 1.0, 0.5], [0.6, 0.0, 1.3]);
-/// assert_eq!(answer.exact().len(), 2);
+/// let solutions = paden_kahan2(&yaw, &pitch, [0.0, 1.0, 0.5], [0.6, 0.0, 1.3]);
+/// assert_eq!(solutions.exact().len(), 2);
 /// ```
-pub fn paden_kahan2(xi1: &Twist, xi2: &Twist, p: [f64; 3], q: [f64; 3]) -> Answer<[f64; 2]> {
+pub fn paden_kahan2(xi1: &Twist, xi2: &Twist, p: [f64; 3], q: [f64; 3]) -> SolutionSet<[f64; 2]> {
     let r = meeting_point(xi1, xi2);
     let (from, to) = (sub(q, r), sub(p, r));
     // Undone from q, the first rotation turns backwards.
-    let answer =
+    let solutions =
         subproblem2(xi1.angular, xi2.angular, from, to).map(|[back, t2]| [math::wrap(-back), t2]);
     let gap = |[t1, t2]: [f64; 2]| {
         let moved = (Pose::exp(xi1, t1) * Pose::exp(xi2, t2)).transform_point(p);
         norm(sub(moved, q))
     };
-    let Some(&value) = answer.values().first() else {
-        return answer;
+    let Some(&value) = solutions.values().first() else {
+        return solutions;
     };
     let size = norm(from).max(norm(to)).max(norm(p)).max(norm(q));
     // Twice: once for the subproblem, once for the distance of the axes.
     if gap(value) <= 2.0 * SOLVED * size {
-        answer
+        solutions
     } else {
-        Answer::Closest {
+        SolutionSet::Closest {
             value,
             residual: gap(value),
         }
@@ -78,10 +78,10 @@ pub fn paden_kahan2(xi1: &Twist, xi2: &Twist, p: [f64; 3], q: [f64; 3]) -> Answe
 /// use kin_runtime::{Twist, subproblems::paden_kahan3};
 /// let elbow = Twist::revolute([-1.0, 0.0, 0.0], [0.0, 0.5, 0.0]);
 /// // Upper arm 0.5 m, forearm 0.4 m, hand 0.7 m from the shoulder.
-/// let answer = paden_kahan3(&elbow, [0.0, 0.9, 0.0], [0.0; 3], 0.7);
-/// assert_eq!(answer.exact().len(), 2);
+/// let solutions = paden_kahan3(&elbow, [0.0, 0.9, 0.0], [0.0; 3], 0.7);
+/// assert_eq!(solutions.exact().len(), 2);
 /// ```
-pub fn paden_kahan3(xi: &Twist, p: [f64; 3], q: [f64; 3], delta: f64) -> Answer<f64> {
+pub fn paden_kahan3(xi: &Twist, p: [f64; 3], q: [f64; 3], delta: f64) -> SolutionSet<f64> {
     let r = point_on(xi);
     subproblem3(xi.angular, sub(p, r), sub(q, r), delta)
 }

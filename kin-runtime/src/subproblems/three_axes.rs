@@ -3,7 +3,7 @@
 use super::radial::{Radial, toward, turned};
 use super::refine::{Local, Refined, refine};
 use super::torus::{Plane, meet};
-use super::{Answer, DOUBLE, SOLVED};
+use super::{DOUBLE, SOLVED, SolutionSet};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use core::f64::consts::FRAC_PI_4;
 
@@ -20,7 +20,7 @@ use core::f64::consts::FRAC_PI_4;
 /// Up to four solutions, a double root once. Infinitely many if an angle moves
 /// nothing (its vector lies on the axis, t₂ when both sides lie on k₂), if all
 /// axes are parallel and the arm is not stretched, or if the conics below
-/// coincide; then one member is given. Else none: [`Answer::None`].
+/// coincide; then one member is given. Else none: [`SolutionSet::None`].
 ///
 /// The rotation about k₂ changes neither the component along k₂ nor the
 /// length. Both are linear in the sines and cosines of t₁ and t₃, which makes
@@ -42,7 +42,7 @@ use core::f64::consts::FRAC_PI_4;
 /// let p = [[0.5, 0.0, 0.0], x, [0.0, 0.5, 0.0], x];
 /// assert_eq!(subproblem5([z, x, y], p).exact().len(), 4);
 /// ```
-pub fn subproblem5(k: [[f64; 3]; 3], p: [[f64; 3]; 4]) -> Answer<[f64; 3]> {
+pub fn subproblem5(k: [[f64; 3]; 3], p: [[f64; 3]; 4]) -> SolutionSet<[f64; 3]> {
     let size = p
         .as_flattened()
         .iter()
@@ -65,8 +65,8 @@ pub fn subproblem5(k: [[f64; 3]; 3], p: [[f64; 3]; 4]) -> Answer<[f64; 3]> {
     });
     let member = family.and_then(|pair| arm.starts(pair).find_map(|start| arm.land(start)));
     match member.map(|(t, _)| t).or(free) {
-        Some(member) => Answer::Any(member),
-        None => refined.answer(),
+        Some(member) => SolutionSet::Any(member),
+        None => refined.solutions(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Subproblems whose unknown is a translation.
 
-use super::{Answer, DOUBLE, ON_AXIS, SOLVED};
+use super::{DOUBLE, ON_AXIS, SOLVED, SolutionSet};
 use crate::linear::vector::{dot, norm, scale, sub};
 use crate::math;
 
@@ -13,10 +13,10 @@ use crate::math;
 ///
 /// ```
 /// use kin_runtime::subproblems::translation1;
-/// let answer = translation1([1.0, 0.0, 0.0], [0.0; 3], [4.0, 3.0, 0.0], 5.0);
-/// assert_eq!(answer.exact(), [0.0, 8.0]);
+/// let solutions = translation1([1.0, 0.0, 0.0], [0.0; 3], [4.0, 3.0, 0.0], 5.0);
+/// assert_eq!(solutions.exact(), [0.0, 8.0]);
 /// ```
-pub fn translation1(v: [f64; 3], p: [f64; 3], q: [f64; 3], d: f64) -> Answer<f64> {
+pub fn translation1(v: [f64; 3], p: [f64; 3], q: [f64; 3], d: f64) -> SolutionSet<f64> {
     let to_goal = sub(q, p);
     let foot = dot(v, to_goal);
     let height = norm(sub(to_goal, scale(foot, v)));
@@ -24,10 +24,10 @@ pub fn translation1(v: [f64; 3], p: [f64; 3], q: [f64; 3], d: f64) -> Answer<f64
     // d < 0 leaves a negative excess, hence no solution.
     let excess = d - height;
     if excess <= DOUBLE * size {
-        return Answer::one_or_closest(foot, (-excess).max(0.0), SOLVED * size);
+        return SolutionSet::one_or_closest(foot, (-excess).max(0.0), SOLVED * size);
     }
     let half_chord = math::sqrt(excess * (d + height));
-    Answer::two(foot - half_chord, foot + half_chord)
+    SolutionSet::two(foot - half_chord, foot + half_chord)
 }
 
 /// Translation to a given component: t, metres, with h · (p + t v) = d for the
@@ -41,11 +41,11 @@ pub fn translation1(v: [f64; 3], p: [f64; 3], q: [f64; 3], d: f64) -> Answer<f64
 /// let up = [0.0, 0.0, 1.0];
 /// assert_eq!(translation2(up, up, [0.3, 0.2, 0.1], 0.6).exact(), [0.5]);
 /// ```
-pub fn translation2(h: [f64; 3], v: [f64; 3], p: [f64; 3], d: f64) -> Answer<f64> {
+pub fn translation2(h: [f64; 3], v: [f64; 3], p: [f64; 3], d: f64) -> SolutionSet<f64> {
     let missing = d - dot(h, p);
     let slope = dot(h, v);
     if slope.abs() <= ON_AXIS {
-        return Answer::whatever(0.0, missing.abs(), SOLVED * (norm(p) + d.abs()));
+        return SolutionSet::whatever(0.0, missing.abs(), SOLVED * (norm(p) + d.abs()));
     }
-    Answer::one(missing / slope)
+    SolutionSet::one(missing / slope)
 }

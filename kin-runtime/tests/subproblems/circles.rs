@@ -32,7 +32,7 @@ impl Circles {
         ))
     }
 
-    fn answer(&self) -> Answer<[f64; 2]> {
+    fn solutions(&self) -> SolutionSet<[f64; 2]> {
         subproblem2e(self.k[0], self.k[1], self.p[0], self.p[1], self.p[2])
     }
 
@@ -73,21 +73,21 @@ fn subproblem2e_is_sound_complete_and_recovers_the_pair() {
         let k = [random.unit(), random.unit()];
         let t = [random.angle(), random.angle()];
         let circles = Circles::solved_by(k, random.vector(), random.vector(), &t);
-        let answer = circles.answer();
-        assert!(proper(answer.exact()));
-        for s in answer.exact() {
+        let solutions = circles.solutions();
+        assert!(proper(solutions.exact()));
+        for s in solutions.exact() {
             assert!(circles.residual(s) <= 1e-12, "{circles:?} {s:?}");
         }
         assert!(
-            nearest(answer.exact(), &t) < 1e-6,
-            "{circles:?} {t:?} {answer:?}"
+            nearest(solutions.exact(), &t) < 1e-6,
+            "{circles:?} {t:?} {solutions:?}"
         );
         if i < 300 {
             let expected = circles.scanned();
             assert_eq!(
-                answer.exact().len(),
+                solutions.exact().len(),
                 expected.len(),
-                "{circles:?} {answer:?}"
+                "{circles:?} {solutions:?}"
             );
         }
     }
@@ -109,24 +109,29 @@ fn subproblem2e_meets_twice() {
         let flat = Circles::solved_by([Z, Z], p1, random.vector(), &t);
         let opposed = Circles::solved_by([Z, times(-1.0, Z)], p1, random.vector(), &t);
         for circles in [apart, flat, opposed] {
-            let answer = circles.answer();
-            assert!(answer.exact().iter().all(|s| circles.residual(s) <= 1e-12));
+            let solutions = circles.solutions();
             assert!(
-                nearest(answer.exact(), &t) < 1e-6,
-                "{circles:?} {t:?} {answer:?}"
+                solutions
+                    .exact()
+                    .iter()
+                    .all(|s| circles.residual(s) <= 1e-12)
+            );
+            assert!(
+                nearest(solutions.exact(), &t) < 1e-6,
+                "{circles:?} {t:?} {solutions:?}"
             );
             if circles.area(&t) > 1e-3 {
-                assert_eq!(answer.exact().len(), 2, "{circles:?} {answer:?}");
+                assert_eq!(solutions.exact().len(), 2, "{circles:?} {solutions:?}");
             }
             // Minima a degree apart are one to the scan.
             if circles.area(&t) > 0.1 {
-                assert_eq!(circles.scanned().len(), 2, "{circles:?} {answer:?}");
+                assert_eq!(circles.scanned().len(), 2, "{circles:?} {solutions:?}");
             }
         }
         // The same as subproblem 2.
         let same = subproblem2(k[0], k[1], p1, on_sphere);
         for s in same.exact() {
-            assert!(nearest(apart.answer().exact(), s) < 1e-6);
+            assert!(nearest(apart.solutions().exact(), s) < 1e-6);
         }
     }
 }
@@ -145,20 +150,23 @@ fn subproblem2e_of_special_circles() {
                 .flat_map(|a| ANGLES.iter().map(move |b| [*a, *b]))
             {
                 let circles = Circles::solved_by([k1, k2], p1, p2, &t);
-                let answer = circles.answer();
-                match answer {
-                    Answer::Exact(roots) => {
+                let solutions = circles.solutions();
+                match solutions {
+                    SolutionSet::Exact(roots) => {
                         kinds[0] += 1;
                         assert!(roots.iter().all(|s| circles.residual(s) <= 1e-12));
-                        assert!(nearest(&roots, &t) < 1e-6, "{circles:?} {t:?} {answer:?}");
+                        assert!(
+                            nearest(&roots, &t) < 1e-6,
+                            "{circles:?} {t:?} {solutions:?}"
+                        );
                         assert!(roots.len() == 1 || apart(&roots[0], &roots[1]) > 1e-7);
                     }
-                    Answer::Any(member) => {
+                    SolutionSet::Any(member) => {
                         kinds[1] += 1;
                         assert!(circles.residual(&member) <= 1e-12);
-                        assert!(circles.area(&member) < 1e-9, "{circles:?} {answer:?}");
+                        assert!(circles.area(&member) < 1e-9, "{circles:?} {solutions:?}");
                     }
-                    _ => panic!("{circles:?} {t:?} {answer:?}"),
+                    _ => panic!("{circles:?} {t:?} {solutions:?}"),
                 }
             }
         }
@@ -180,56 +188,70 @@ fn subproblem2e_touching_nearly_and_missing() {
                 &[turn - 0.3, turn + gap - 0.5 * PI],
             )
         };
-        let answer = touch(0.0).answer();
-        assert_eq!(answer.exact().len(), 1, "{answer:?}");
-        assert!(nearest(answer.exact(), &[turn - 0.3, turn - 0.5 * PI]) < 1e-7);
+        let solutions = touch(0.0).solutions();
+        assert_eq!(solutions.exact().len(), 1, "{solutions:?}");
+        assert!(nearest(solutions.exact(), &[turn - 0.3, turn - 0.5 * PI]) < 1e-7);
         for power in 4..=12 {
             let circles = touch(10_f64.powi(-power));
             let t = [turn - 0.3, turn + 10_f64.powi(-power) - 0.5 * PI];
-            let answer = circles.answer();
-            assert!(answer.exact().iter().all(|s| circles.residual(s) <= 1e-9));
-            assert!(nearest(answer.exact(), &t) < 1e-5, "{power} {answer:?}");
-            assert!(power > 5 || answer.exact().len() == 2, "{power} {answer:?}");
+            let solutions = circles.solutions();
+            assert!(
+                solutions
+                    .exact()
+                    .iter()
+                    .all(|s| circles.residual(s) <= 1e-9)
+            );
+            assert!(
+                nearest(solutions.exact(), &t) < 1e-5,
+                "{power} {solutions:?}"
+            );
+            assert!(
+                power > 5 || solutions.exact().len() == 2,
+                "{power} {solutions:?}"
+            );
         }
         let mut missed = touch(0.0);
         missed.p[0] = plus(missed.p[0], times(1e-8, missed.p[0]));
         missed.p[0][2] += 1e-8;
-        assert_eq!(missed.answer(), Answer::None);
+        assert_eq!(missed.solutions(), SolutionSet::None);
     }
     // One of the two points of a planar pair, lifted off by a tilted axis.
     let tilted = Circles::solved_by([Z, [1e-7, 0.0, 1.0]], X, Y, &[0.3, 0.9]);
-    assert!(nearest(tilted.answer().exact(), &[0.3, 0.9]) < 1e-8);
+    assert!(nearest(tilted.solutions().exact(), &[0.3, 0.9]) < 1e-8);
 }
 
 #[test]
 fn subproblem2e_names_its_families() {
-    assert!(matches!(subproblem2e(Z, Z, [0.0; 3], X, Y), Answer::Any(_)));
+    assert!(matches!(
+        subproblem2e(Z, Z, [0.0; 3], X, Y),
+        SolutionSet::Any(_)
+    ));
     assert!(matches!(
         subproblem2e(Z, X, times(-1.0, Z), Z, [1.0, 0.0, 0.0]),
-        Answer::None | Answer::Closest { .. }
+        SolutionSet::None | SolutionSet::Closest { .. }
     ));
     assert!(matches!(
         subproblem2e(Z, X, minus(Y, Z), Z, Z),
-        Answer::Any([0.0, _])
+        SolutionSet::Any([0.0, _])
     ));
     assert!(matches!(
         subproblem2e(Z, X, minus(X, Y), X, X),
-        Answer::Any([_, 0.0])
+        SolutionSet::Any([_, 0.0])
     ));
     assert!(matches!(
         subproblem2e(Z, X, X, Z, X),
-        Answer::Closest { .. }
+        SolutionSet::Closest { .. }
     ));
     for p in [[Z, X, Y], [[0.0; 3], X, times(2.0, X)]] {
-        let answer = subproblem2e(Z, Z, p[0], p[1], p[2]);
+        let solutions = subproblem2e(Z, Z, p[0], p[1], p[2]);
         assert!(
-            matches!(answer, Answer::Closest { residual, .. } if (residual - 1.0).abs() < 1e-15)
+            matches!(solutions, SolutionSet::Closest { residual, .. } if (residual - 1.0).abs() < 1e-15)
         );
     }
-    assert_eq!(subproblem2e(Z, X, times(3.0, X), X, Y), Answer::None);
+    assert_eq!(subproblem2e(Z, X, times(3.0, X), X, Y), SolutionSet::None);
     // A vector that is nearly nothing, and on its axis to rounding.
     let tiny = subproblem2e(Z, X, [0.0, 1e-16, -1.0], Z, [1e-16, 0.0, 3e-16]);
-    assert!(matches!(tiny, Answer::Any(_)), "{tiny:?}");
+    assert!(matches!(tiny, SolutionSet::Any(_)), "{tiny:?}");
 }
 
 #[test]
@@ -241,15 +263,15 @@ fn subproblem2e_of_any_size() {
         let (p1, p2) = (random.vector(), random.vector());
         for scale in [1e-150, 1e-3, 1e3, 1e100] {
             let circles = Circles::solved_by(k, times(scale, p1), times(scale, p2), &t);
-            assert!(nearest(circles.answer().exact(), &t) < 1e-6);
+            assert!(nearest(circles.solutions().exact(), &t) < 1e-6);
         }
         // A small circle that meets a large one.
         for scale in [1e-3, 1e-6] {
             let circles = Circles::solved_by(k, p1, times(scale, p2), &t);
             assert!(
-                nearest(circles.answer().exact(), &t) < 1e-6,
+                nearest(circles.solutions().exact(), &t) < 1e-6,
                 "{circles:?} {:?}",
-                circles.answer()
+                circles.solutions()
             );
         }
     }

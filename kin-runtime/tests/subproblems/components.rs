@@ -52,7 +52,7 @@ impl Pair {
         (off[0].abs() / size(0)).max(off[1].abs() / size(1))
     }
 
-    fn answer(&self) -> Answer<[f64; 2]> {
+    fn solutions(&self) -> SolutionSet<[f64; 2]> {
         subproblem6(self.h, self.k, self.p, self.d)
     }
 
@@ -87,14 +87,14 @@ fn subproblem6_is_sound_and_recovers_the_pair() {
         let Pair { h, k, p, .. } = Pair::random(&mut random);
         let t = [random.angle(), random.angle()];
         let pair = Pair::solved_by(h, k, p, &t);
-        let answer = pair.answer();
-        assert!(proper(answer.exact()));
-        for s in answer.exact() {
+        let solutions = pair.solutions();
+        assert!(proper(solutions.exact()));
+        for s in solutions.exact() {
             assert!(pair.residual(s) <= 1e-12, "{pair:?} {s:?}");
         }
         assert!(
-            nearest(answer.exact(), &t) < 1e-6,
-            "{pair:?} {t:?} {answer:?}"
+            nearest(solutions.exact(), &t) < 1e-6,
+            "{pair:?} {t:?} {solutions:?}"
         );
     }
 }
@@ -112,10 +112,17 @@ fn subproblem6_finds_what_a_scan_finds() {
         let Some(expected) = pair.scanned() else {
             continue;
         };
-        let answer = pair.answer();
-        assert_eq!(answer.exact().len(), expected.len(), "{pair:?} {answer:?}");
+        let solutions = pair.solutions();
+        assert_eq!(
+            solutions.exact().len(),
+            expected.len(),
+            "{pair:?} {solutions:?}"
+        );
         for t in &expected {
-            assert!(nearest(answer.exact(), t) < 1e-6, "{pair:?} {answer:?}");
+            assert!(
+                nearest(solutions.exact(), t) < 1e-6,
+                "{pair:?} {solutions:?}"
+            );
         }
         counts[expected.len()] += 1;
     }
@@ -138,32 +145,36 @@ fn subproblem6_of_special_vectors() {
         let p = [0; 4].map(|_| points[pick(6)]);
         let t = [ANGLES[pick(5)], ANGLES[pick(5)]];
         let pair = Pair::solved_by(h, k, p, &t);
-        let answer = pair.answer();
-        match answer {
-            Answer::Exact(roots) => {
+        let solutions = pair.solutions();
+        match solutions {
+            SolutionSet::Exact(roots) => {
                 kinds[0] += 1;
                 assert!(
                     roots.iter().all(|s| pair.residual(s) <= 1e-12),
-                    "{pair:?} {answer:?}"
+                    "{pair:?} {solutions:?}"
                 );
                 // A double root is known to the square root of rounding.
-                assert!(nearest(&roots, &t) < 1e-6, "{pair:?} {t:?} {answer:?}");
+                assert!(nearest(&roots, &t) < 1e-6, "{pair:?} {t:?} {solutions:?}");
                 for (i, s) in roots.iter().enumerate() {
-                    assert!(nearest(&roots[..i], s) > 1e-7, "{pair:?} {answer:?}");
+                    assert!(nearest(&roots[..i], s) > 1e-7, "{pair:?} {solutions:?}");
                 }
             }
-            Answer::Any(member) => {
+            SolutionSet::Any(member) => {
                 kinds[1] += 1;
-                assert!(pair.residual(&member) <= 1e-12, "{pair:?} {answer:?}");
+                assert!(pair.residual(&member) <= 1e-12, "{pair:?} {solutions:?}");
             }
-            _ => panic!("{pair:?} {t:?} {answer:?}"),
+            _ => panic!("{pair:?} {t:?} {solutions:?}"),
         }
         // The scan cannot do with a singular block; those are for the others.
         let ([_, a, b], [_, c, d]) = (harmonic(|t| pair.term(1, t)), harmonic(|t| pair.term(3, t)));
-        let regular = (a * d - b * c).abs() > 1e-3 && matches!(answer, Answer::Exact(_));
+        let regular = (a * d - b * c).abs() > 1e-3 && matches!(solutions, SolutionSet::Exact(_));
         if let Some(expected) = regular.then(|| pair.scanned()).flatten() {
             kinds[2] += 1;
-            assert_eq!(answer.exact().len(), expected.len(), "{pair:?} {answer:?}");
+            assert_eq!(
+                solutions.exact().len(),
+                expected.len(),
+                "{pair:?} {solutions:?}"
+            );
         }
     }
     assert!(kinds.iter().all(|n| *n > 1000), "{kinds:?}");
@@ -174,23 +185,23 @@ fn subproblem6_of_special_vectors() {
 fn subproblem6_names_its_families() {
     // The same equation twice, and once doubled.
     let twice = Pair::solved_by([X; 4], [Z; 4], [X, Y, X, Y], &[0.3, 0.4]);
-    assert!(matches!(twice.answer(), Answer::Any(t) if twice.residual(&t) < 1e-14));
+    assert!(matches!(twice.solutions(), SolutionSet::Any(t) if twice.residual(&t) < 1e-14));
     let p = [X, Y, times(2.0, X), times(2.0, Y)];
     let double = Pair::solved_by([X; 4], [Z; 4], p, &[0.3, 0.4]);
-    assert!(matches!(double.answer(), Answer::Any(_)));
+    assert!(matches!(double.solutions(), SolutionSet::Any(_)));
     // Contradicting each other.
     let mut never = double;
     never.d[1] += 1e-6;
-    assert_eq!(never.answer(), Answer::None);
+    assert_eq!(never.solutions(), SolutionSet::None);
     // Only where both cosines are 1.
     let stretched = Pair::solved_by([X; 4], [Z; 4], [X; 4], &[0.0, 0.0]);
-    assert_eq!(stretched.answer().exact(), [[0.0, 0.0]]);
+    assert_eq!(stretched.solutions().exact(), [[0.0, 0.0]]);
     // t₂ in neither equation.
     let free = Pair::solved_by([X, Z, Y, Z], [Z; 4], [X, X, X, Y], &[0.3, 0.4]);
-    assert!(matches!(free.answer(), Answer::Any([t, _]) if (t - 0.3).abs() < 1e-12));
+    assert!(matches!(free.solutions(), SolutionSet::Any([t, _]) if (t - 0.3).abs() < 1e-12));
     let mut none = free;
     none.d[1] += 0.1;
-    assert_eq!(none.answer(), Answer::None);
+    assert_eq!(none.solutions(), SolutionSet::None);
     // The same ellipse twice: (cos, sin) t₁ = (cos, sin) t₂.
     let minus_x = times(-1.0, X);
     let same = Pair {
@@ -199,14 +210,14 @@ fn subproblem6_names_its_families() {
         p: [X, minus_x, X, minus_x],
         d: [0.0; 2],
     };
-    assert!(matches!(same.answer(), Answer::Any([a, b]) if (a - b).abs() < 1e-14));
+    assert!(matches!(same.solutions(), SolutionSet::Any([a, b]) if (a - b).abs() < 1e-14));
     assert!(matches!(
         subproblem6([X; 4], [Z; 4], [[0.0; 3]; 4], [0.0; 2]),
-        Answer::Any(_)
+        SolutionSet::Any(_)
     ));
     assert_eq!(
         subproblem6([X; 4], [Z; 4], [[0.0; 3]; 4], [0.0, 1.0]),
-        Answer::None
+        SolutionSet::None
     );
 }
 
@@ -217,9 +228,13 @@ fn subproblem6_decoupled() {
     for t in [[1.0, 2.0], [0.3, 3.0], [0.0, 1.0], [PI, 0.5], [0.0, PI]] {
         let pair = Pair::solved_by([X; 4], z4, [X, Z, Z, X], &t);
         let each = |t: f64| if t == 0.0 || t == PI { 1 } else { 2 };
-        let answer = pair.answer();
-        assert_eq!(answer.exact().len(), each(t[0]) * each(t[1]), "{answer:?}");
-        assert!(nearest(answer.exact(), &t) < 1e-7);
+        let solutions = pair.solutions();
+        assert_eq!(
+            solutions.exact().len(),
+            each(t[0]) * each(t[1]),
+            "{solutions:?}"
+        );
+        assert!(nearest(solutions.exact(), &t) < 1e-7);
     }
     // Nearly so: blocks of determinant 1e-3 to 1e-15.
     let mut random = stream();
@@ -229,16 +244,16 @@ fn subproblem6_decoupled() {
         let t = [random.angle(), random.angle()];
         let p = [X, lean(Z, X), lean(Z, Y), X];
         let pair = Pair::solved_by([X, Y, Y, X], z4, p, &t);
-        let answer = pair.answer();
-        assert!(answer.exact().iter().all(|s| pair.residual(s) <= 1e-12));
+        let solutions = pair.solutions();
+        assert!(solutions.exact().iter().all(|s| pair.residual(s) <= 1e-12));
         assert!(
-            nearest(answer.exact(), &t) < 1e-6,
-            "{tilt:e} {t:?} {answer:?}"
+            nearest(solutions.exact(), &t) < 1e-6,
+            "{tilt:e} {t:?} {solutions:?}"
         );
         let clear = t.iter().all(|t| t.sin().abs() > 0.1 && t.cos().abs() > 0.1);
         assert!(
-            !clear || answer.exact().len() == 4,
-            "{tilt:e} {t:?} {answer:?}"
+            !clear || solutions.exact().len() == 4,
+            "{tilt:e} {t:?} {solutions:?}"
         );
     }
 }
@@ -258,27 +273,30 @@ fn subproblem6_keeps_double_roots() {
     for _ in 0..2000 {
         let t = random.angle();
         let pair = arm(&[t, t]);
-        let answer = pair.answer();
-        assert_eq!(answer.exact().len(), 1, "{t} {answer:?}");
-        assert!(nearest(answer.exact(), &[t, t]) < 1e-7);
+        let solutions = pair.solutions();
+        assert_eq!(solutions.exact().len(), 1, "{t} {solutions:?}");
+        assert!(nearest(solutions.exact(), &[t, t]) < 1e-7);
         for power in 4..=12 {
             let gap = 10_f64.powi(-power);
             let near = [t, t + gap];
             let pair = arm(&near);
-            let answer = pair.answer();
-            assert!(answer.exact().iter().all(|s| pair.residual(s) <= 1e-9));
-            assert!(nearest(answer.exact(), &near) < 2e-6, "{gap:e} {answer:?}");
+            let solutions = pair.solutions();
+            assert!(solutions.exact().iter().all(|s| pair.residual(s) <= 1e-9));
+            assert!(
+                nearest(solutions.exact(), &near) < 2e-6,
+                "{gap:e} {solutions:?}"
+            );
             // Below, the equation cannot tell them apart.
             let expected = if power <= 5 { 2..=2 } else { 1..=2 };
             assert!(
-                expected.contains(&answer.exact().len()),
-                "{gap:e} {answer:?}"
+                expected.contains(&solutions.exact().len()),
+                "{gap:e} {solutions:?}"
             );
         }
         // Out of reach, by more than rounding.
         let mut far = pair;
         far.d = far.d.map(|d| d * (1.0 + 1e-8));
-        assert_eq!(far.answer(), Answer::None);
+        assert_eq!(far.solutions(), SolutionSet::None);
     }
 }
 
@@ -288,14 +306,14 @@ fn subproblem6_of_any_size() {
     for _ in 0..2000 {
         let Pair { h, k, p, .. } = Pair::random(&mut random);
         let t = [random.angle(), random.angle()];
-        let expected = Pair::solved_by(h, k, p, &t).answer();
+        let expected = Pair::solved_by(h, k, p, &t).solutions();
         for (first, second) in [(1e-3, 1e-3), (1e3, 1e3), (1e-3, 1e3), (1e-100, 1e100)] {
             let scales = [first, first, second, second];
             let p = core::array::from_fn(|i| times(scales[i], p[i]));
             let pair = Pair::solved_by(h, k, p, &t);
-            let answer = pair.answer();
-            assert_eq!(answer.exact().len(), expected.exact().len());
-            assert!(nearest(answer.exact(), &t) < 1e-6);
+            let solutions = pair.solutions();
+            assert_eq!(solutions.exact().len(), expected.exact().len());
+            assert!(nearest(solutions.exact(), &t) < 1e-6);
         }
     }
 }

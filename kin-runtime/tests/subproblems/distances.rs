@@ -54,7 +54,7 @@ impl Gimbal {
         (dot(r, a) * dot(s, b) - dot(r, b) * dot(s, a)).abs() / self.size().powi(4)
     }
 
-    fn answer(&self) -> Answer<[f64; 2]> {
+    fn solutions(&self) -> SolutionSet<[f64; 2]> {
         two_distances(self.k, self.p, self.q, self.d)
     }
 
@@ -92,14 +92,14 @@ fn two_distances_are_sound_and_recover_the_pair() {
         let q = [random.vector(), random.vector()];
         let t = [random.angle(), random.angle()];
         let gimbal = Gimbal::solved_by(k, random.vector(), q, &t);
-        let answer = gimbal.answer();
-        assert!(proper(answer.exact()));
-        for s in answer.exact() {
+        let solutions = gimbal.solutions();
+        assert!(proper(solutions.exact()));
+        for s in solutions.exact() {
             assert!(gimbal.residual(s) <= 1e-12, "{gimbal:?} {s:?}");
         }
         assert!(
-            nearest(answer.exact(), &t) < 1e-6,
-            "{gimbal:?} {t:?} {answer:?}"
+            nearest(solutions.exact(), &t) < 1e-6,
+            "{gimbal:?} {t:?} {solutions:?}"
         );
     }
 }
@@ -123,14 +123,17 @@ fn two_distances_find_what_a_scan_finds() {
         if expected.iter().any(|t| gimbal.residual(t) > 1e-6) {
             continue;
         }
-        let answer = gimbal.answer();
+        let solutions = gimbal.solutions();
         assert_eq!(
-            answer.exact().len(),
+            solutions.exact().len(),
             expected.len(),
-            "{gimbal:?} {answer:?} {expected:?}"
+            "{gimbal:?} {solutions:?} {expected:?}"
         );
         for t in &expected {
-            assert!(nearest(answer.exact(), t) < 1e-6, "{gimbal:?} {answer:?}");
+            assert!(
+                nearest(solutions.exact(), t) < 1e-6,
+                "{gimbal:?} {solutions:?}"
+            );
         }
         counts[expected.len()] += 1;
     }
@@ -151,22 +154,28 @@ fn two_distances_of_special_vectors() {
         let q = [0; 2].map(|_| points[pick(6)]);
         let t = [0; 2].map(|_| ANGLES[pick(5)]);
         let gimbal = Gimbal::solved_by(k, points[pick(6)], q, &t);
-        let answer = gimbal.answer();
-        match answer {
-            Answer::Exact(roots) => {
+        let solutions = gimbal.solutions();
+        match solutions {
+            SolutionSet::Exact(roots) => {
                 kinds[0] += 1;
                 for s in roots.iter() {
-                    assert!(gimbal.residual(s) <= 1e-12, "{gimbal:?} {answer:?}");
+                    assert!(gimbal.residual(s) <= 1e-12, "{gimbal:?} {solutions:?}");
                 }
                 let known = if gimbal.area(&t) > 1e-6 { 1e-9 } else { 1e-5 };
-                assert!(nearest(&roots, &t) < known, "{gimbal:?} {t:?} {answer:?}");
+                assert!(
+                    nearest(&roots, &t) < known,
+                    "{gimbal:?} {t:?} {solutions:?}"
+                );
             }
-            Answer::Any(member) => {
+            SolutionSet::Any(member) => {
                 kinds[1] += 1;
-                assert!(gimbal.residual(&member) <= 1e-12, "{gimbal:?} {answer:?}");
-                assert!(gimbal.area(&member) < 1e-9, "{gimbal:?} {answer:?}");
+                assert!(
+                    gimbal.residual(&member) <= 1e-12,
+                    "{gimbal:?} {solutions:?}"
+                );
+                assert!(gimbal.area(&member) < 1e-9, "{gimbal:?} {solutions:?}");
             }
-            _ => panic!("{gimbal:?} {t:?} {answer:?}"),
+            _ => panic!("{gimbal:?} {t:?} {solutions:?}"),
         }
     }
     assert!(kinds.iter().all(|n| *n > 1000), "{kinds:?}");
@@ -188,22 +197,22 @@ fn two_distances_keep_double_roots() {
         };
         for power in 4..=12 {
             let gap = 10_f64.powi(-power);
-            let answer = gimbal(gap).answer();
+            let solutions = gimbal(gap).solutions();
             assert!(
-                answer
+                solutions
                     .exact()
                     .iter()
                     .all(|s| gimbal(gap).residual(s) <= 1e-9)
             );
             assert!(
-                nearest(answer.exact(), &t) < 1e-5,
-                "{gap:e} {answer:?} {t:?}"
+                nearest(solutions.exact(), &t) < 1e-5,
+                "{gap:e} {solutions:?} {t:?}"
             );
         }
-        assert!(nearest(gimbal(0.0).answer().exact(), &t) < 1e-6);
+        assert!(nearest(gimbal(0.0).solutions().exact(), &t) < 1e-6);
         let mut missed = gimbal(0.0);
         missed.d[0] -= 1e-8;
-        assert_eq!(missed.answer(), Answer::None);
+        assert_eq!(missed.solutions(), SolutionSet::None);
     }
 }
 
@@ -218,10 +227,10 @@ fn two_distances_name_their_families() {
     let k = [Z, X];
     // q₁, q₂ and the origin in line: the spheres meet in a circle.
     let circle = Gimbal::solved_by(k, [0.3, 0.4, 0.5], [X, times(-2.0, X)], &[0.3, 0.4]);
-    assert!(matches!(circle.answer(), Answer::Any(t) if circle.residual(&t) < 1e-14));
+    assert!(matches!(circle.solutions(), SolutionSet::Any(t) if circle.residual(&t) < 1e-14));
     let mut never = circle;
     never.d[1] += 1e-3;
-    assert_eq!(never.answer(), Answer::None);
+    assert_eq!(never.solutions(), SolutionSet::None);
     // A circle that touches the heights within reach: one pair only.
     let p = [0.0, 1.0, 0.0];
     let x = [0.0, 0.0, 1.0];
@@ -232,12 +241,12 @@ fn two_distances_name_their_families() {
         d: [0.0, 1.0],
     };
     assert!(
-        pole.answer()
+        pole.solutions()
             .exact()
             .iter()
             .all(|t| pole.residual(t) < 1e-9)
     );
-    assert!(!pole.answer().exact().is_empty());
+    assert!(!pole.solutions().exact().is_empty());
     // Any direction whatever.
     let sphere = Gimbal {
         k,
@@ -245,7 +254,7 @@ fn two_distances_name_their_families() {
         q: [[0.0; 3]; 2],
         d: [1.0; 2],
     };
-    assert!(matches!(sphere.answer(), Answer::Any(_)));
+    assert!(matches!(sphere.solutions(), SolutionSet::Any(_)));
     // The target on k₁, and p on k₂.
     let on_first = Gimbal::solved_by(
         k,
@@ -253,10 +262,10 @@ fn two_distances_name_their_families() {
         [X, [0.0, 1.0, 1.0]],
         &[0.0, core::f64::consts::FRAC_PI_2],
     );
-    assert!(matches!(on_first.answer(), Answer::Any(t) if on_first.residual(&t) < 1e-12));
+    assert!(matches!(on_first.solutions(), SolutionSet::Any(t) if on_first.residual(&t) < 1e-12));
     let on_second = Gimbal::solved_by(k, X, [Y, Z], &[0.3, 0.4]);
-    assert!(matches!(on_second.answer(), Answer::Any(t) if on_second.residual(&t) < 1e-12));
-    assert_eq!(two_distances(k, Y, [X, Z], [-0.1, 1.0]), Answer::None);
+    assert!(matches!(on_second.solutions(), SolutionSet::Any(t) if on_second.residual(&t) < 1e-12));
+    assert_eq!(two_distances(k, Y, [X, Z], [-0.1, 1.0]), SolutionSet::None);
 }
 
 #[test]
@@ -269,7 +278,7 @@ fn two_distances_of_any_size() {
         for scale in [1e-100, 1e-3, 1e3, 1e100] {
             let q = q.map(|q| times(scale, q));
             let gimbal = Gimbal::solved_by(k, times(scale, p), q, &t);
-            assert!(nearest(gimbal.answer().exact(), &t) < 1e-6);
+            assert!(nearest(gimbal.solutions().exact(), &t) < 1e-6);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Input that means nothing, or hardly anything: no panic, and no answer that
+//! Input that means nothing, or hardly anything: no panic, and no solutions that
 //! is not a number.
 
 use crate::sampling::*;
@@ -20,11 +20,11 @@ const NUMBERS: [f64; 12] = [
     f64::NAN,
 ];
 
-fn sound<const N: usize>(answer: &Answer<[f64; N]>) -> bool {
-    match answer {
-        Answer::Exact(roots) => roots.as_flattened().iter().all(|t| t.is_finite()),
-        Answer::Any(value) => value.iter().all(|t| t.is_finite()),
-        Answer::Closest { .. } | Answer::None => true,
+fn sound<const N: usize>(solutions: &SolutionSet<[f64; N]>) -> bool {
+    match solutions {
+        SolutionSet::Exact(roots) => roots.as_flattened().iter().all(|t| t.is_finite()),
+        SolutionSet::Any(value) => value.iter().all(|t| t.is_finite()),
+        SolutionSet::Closest { .. } | SolutionSet::None => true,
     }
 }
 
@@ -46,13 +46,13 @@ fn no_input_panics_or_yields_nan() {
         let three = subproblem5([k[0], k[1], k[2]], p);
         assert!(sound(&three), "{k:?} {p:?} {three:?}");
         let twist = |k, p| Twist::revolute(k, p);
-        for answer in [
+        for solutions in [
             subproblem6(h, k, p, d),
             subproblem2e(k[0], k[1], p[0], p[1], p[2]),
             two_distances([k[0], k[1]], p[0], [p[1], p[2]], d),
             parallel_pair(&twist(k[0], p[0]), &twist(k[0], p[1]), p[2], p[3]),
         ] {
-            assert!(sound(&answer), "{h:?} {k:?} {p:?} {d:?} {answer:?}");
+            assert!(sound(&solutions), "{h:?} {k:?} {p:?} {d:?} {solutions:?}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Every subproblem: its answers solve it, the answer it was made from is among
+//! Every subproblem: its answers solve it, the solutions it was made from is among
 //! them, none is missing, and degenerate input is named as such.
 
 mod circles;

@@ -27,7 +27,7 @@ impl Elbow {
         norm(minus(moved(&self.axes, self.p, t), self.q))
     }
 
-    fn answer(&self) -> Answer<[f64; 2]> {
+    fn solutions(&self) -> SolutionSet<[f64; 2]> {
         parallel_pair(&self.axes[0], &self.axes[1], self.p, self.q)
     }
 
@@ -57,20 +57,24 @@ fn parallel_pair_is_sound_complete_and_recovers_the_pair() {
         let feet = [random.vector(), random.vector()];
         let t = [random.angle(), random.angle()];
         let elbow = Elbow::solved_by(random.unit(), sense, feet, random.vector(), &t);
-        let answer = elbow.answer();
-        assert!(proper(answer.exact()));
+        let solutions = elbow.solutions();
+        assert!(proper(solutions.exact()));
         assert!(
-            answer.exact().iter().all(|s| elbow.off(s) <= 1e-12),
-            "{elbow:?} {answer:?}"
+            solutions.exact().iter().all(|s| elbow.off(s) <= 1e-12),
+            "{elbow:?} {solutions:?}"
         );
         assert!(
-            nearest(answer.exact(), &t) < 1e-6,
-            "{elbow:?} {t:?} {answer:?}"
+            nearest(solutions.exact(), &t) < 1e-6,
+            "{elbow:?} {t:?} {solutions:?}"
         );
         if i < 500
             && let Some(expected) = elbow.scanned()
         {
-            assert_eq!(answer.exact().len(), expected.len(), "{elbow:?} {answer:?}");
+            assert_eq!(
+                solutions.exact().len(),
+                expected.len(),
+                "{elbow:?} {solutions:?}"
+            );
         }
     }
 }
@@ -87,21 +91,24 @@ fn parallel_pair_of_special_arms() {
                 {
                     for sense in [1.0, -1.0] {
                         let elbow = Elbow::solved_by(k, sense, [[0.0; 3], foot], p, &t);
-                        let answer = elbow.answer();
-                        match answer {
-                            Answer::Exact(roots) => {
+                        let solutions = elbow.solutions();
+                        match solutions {
+                            SolutionSet::Exact(roots) => {
                                 kinds[0] += 1;
                                 assert!(roots.iter().all(|s| elbow.off(s) <= 1e-12));
-                                assert!(nearest(&roots, &t) < 1e-6, "{elbow:?} {t:?} {answer:?}");
+                                assert!(
+                                    nearest(&roots, &t) < 1e-6,
+                                    "{elbow:?} {t:?} {solutions:?}"
+                                );
                             }
-                            Answer::Any(member) => {
+                            SolutionSet::Any(member) => {
                                 kinds[1] += 1;
                                 assert!(elbow.off(&member) <= 1e-12);
                                 let k = elbow.axes[0].angular;
                                 let on = |a: Vector, b: Vector| norm(cross(k, minus(a, b))) < 1e-9;
                                 assert!(on(elbow.q, [0.0; 3]) || on(p, foot) || on(foot, [0.0; 3]));
                             }
-                            _ => panic!("{elbow:?} {t:?} {answer:?}"),
+                            _ => panic!("{elbow:?} {t:?} {solutions:?}"),
                         }
                     }
                 }
@@ -122,18 +129,21 @@ fn parallel_pair_stretched_and_folded() {
                 let foot = [links[0], 0.0, 0.0];
                 Elbow::solved_by(Z, 1.0, [[0.0; 3], foot], p, &[turn, bend + gap])
             };
-            let answer = elbow(0.0).answer();
-            assert_eq!(answer.exact().len(), 1, "{answer:?}");
-            assert!(nearest(answer.exact(), &[turn, bend]) < 1e-6, "{answer:?}");
+            let solutions = elbow(0.0).solutions();
+            assert_eq!(solutions.exact().len(), 1, "{solutions:?}");
+            assert!(
+                nearest(solutions.exact(), &[turn, bend]) < 1e-6,
+                "{solutions:?}"
+            );
             for power in 4..=12 {
                 let gap = 10_f64.powi(-power);
-                let answer = elbow(gap).answer();
-                assert!(answer.exact().iter().all(|s| elbow(gap).off(s) <= 1e-9));
+                let solutions = elbow(gap).solutions();
+                assert!(solutions.exact().iter().all(|s| elbow(gap).off(s) <= 1e-9));
                 assert!(
-                    nearest(answer.exact(), &[turn, bend + gap]) < 3e-6,
-                    "{answer:?}"
+                    nearest(solutions.exact(), &[turn, bend + gap]) < 3e-6,
+                    "{solutions:?}"
                 );
-                assert!(power > 5 || answer.exact().len() == 2);
+                assert!(power > 5 || solutions.exact().len() == 2);
             }
         }
     }
@@ -153,8 +163,8 @@ fn parallel_pair_out_of_reach_comes_closest() {
             p: times(0.3, p),
             q: plus(q, times(2.0, X)),
         };
-        let Answer::Closest { value, residual } = elbow.answer() else {
-            panic!("{elbow:?} {:?}", elbow.answer())
+        let SolutionSet::Closest { value, residual } = elbow.solutions() else {
+            panic!("{elbow:?} {:?}", elbow.solutions())
         };
         assert!((elbow.off(&value) - residual).abs() < 1e-14);
         let steps = || (0..72).map(|i| f64::from(5 * i).to_radians());
@@ -166,24 +176,26 @@ fn parallel_pair_out_of_reach_comes_closest() {
 fn parallel_pair_names_its_families() {
     let (shoulder, elbow) = (Twist::revolute(Z, [0.0; 3]), Twist::revolute(Z, X));
     // Equal links folded onto the shoulder.
-    let answer = parallel_pair(&shoulder, &elbow, times(2.0, X), [0.0; 3]);
+    let solutions = parallel_pair(&shoulder, &elbow, times(2.0, X), [0.0; 3]);
     assert!(
-        matches!(answer, Answer::Any([_, t]) if (t.abs() - PI).abs() < 1e-7),
-        "{answer:?}"
+        matches!(solutions, SolutionSet::Any([_, t]) if (t.abs() - PI).abs() < 1e-7),
+        "{solutions:?}"
     );
     // The hand on the elbow's axis.
-    let answer = parallel_pair(&shoulder, &elbow, X, Y);
-    assert!(matches!(answer, Answer::Any([t, 0.0]) if (t - 0.5 * PI).abs() < 1e-15));
+    let solutions = parallel_pair(&shoulder, &elbow, X, Y);
+    assert!(matches!(solutions, SolutionSet::Any([t, 0.0]) if (t - 0.5 * PI).abs() < 1e-15));
     // One axis.
-    let answer = parallel_pair(&shoulder, &Twist::revolute(Z, Z), X, Y);
-    assert!(matches!(answer, Answer::Any(_)));
+    let solutions = parallel_pair(&shoulder, &Twist::revolute(Z, Z), X, Y);
+    assert!(matches!(solutions, SolutionSet::Any(_)));
     // Not parallel.
     let skew = Twist::revolute(X, Y);
-    let answer = parallel_pair(&shoulder, &skew, [1.0, 2.0, 0.0], [0.2, 0.3, 0.4]);
-    assert!(matches!(answer, Answer::Closest { .. }));
+    let solutions = parallel_pair(&shoulder, &skew, [1.0, 2.0, 0.0], [0.2, 0.3, 0.4]);
+    assert!(matches!(solutions, SolutionSet::Closest { .. }));
     // Heights that differ.
-    let answer = parallel_pair(&shoulder, &elbow, times(1.5, X), [1.0, 0.0, 0.1]);
-    assert!(matches!(answer, Answer::Closest { residual, .. } if (residual - 0.1).abs() < 1e-14));
+    let solutions = parallel_pair(&shoulder, &elbow, times(1.5, X), [1.0, 0.0, 0.1]);
+    assert!(
+        matches!(solutions, SolutionSet::Closest { residual, .. } if (residual - 0.1).abs() < 1e-14)
+    );
 }
 
 #[test]
@@ -199,7 +211,7 @@ fn parallel_pair_of_any_size() {
         for scale in [1e-3, 1.0, 1e3] {
             let feet = feet.map(|r| times(scale, r));
             let elbow = Elbow::solved_by(k, 1.0, feet, times(scale, p), &t);
-            assert!(nearest(elbow.answer().exact(), &t) < 1e-6);
+            assert!(nearest(elbow.solutions().exact(), &t) < 1e-6);
         }
     }
 }

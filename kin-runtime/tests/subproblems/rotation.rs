@@ -10,9 +10,9 @@ fn subproblem1_recovers_the_angle() {
     let mut random = stream();
     for _ in 0..SAMPLES {
         let (k, p, t) = (random.unit(), random.vector(), random.angle());
-        let answer = subproblem1(k, p, rotated(k, t, p));
-        assert_eq!(answer.exact().len(), 1);
-        assert!(contains(answer.exact(), t, 1e-13), "{answer:?} {t}");
+        let solutions = subproblem1(k, p, rotated(k, t, p));
+        assert_eq!(solutions.exact().len(), 1);
+        assert!(contains(solutions.exact(), t, 1e-13), "{solutions:?} {t}");
     }
 }
 
@@ -22,7 +22,7 @@ fn subproblem1_is_closest_where_no_angle_solves_it() {
     for _ in 0..200 {
         let (k, p, q) = (random.unit(), random.vector(), random.vector());
         let off = |t: f64| norm(minus(rotated(k, t, p), q));
-        let Answer::Closest { value, residual } = subproblem1(k, p, q) else {
+        let SolutionSet::Closest { value, residual } = subproblem1(k, p, q) else {
             panic!()
         };
         assert!((off(value) - residual).abs() < 1e-14);
@@ -32,16 +32,16 @@ fn subproblem1_is_closest_where_no_angle_solves_it() {
 
 #[test]
 fn subproblem1_on_the_axis_is_solved_by_any_angle() {
-    assert_eq!(subproblem1(Z, Z, Z), Answer::Any(0.0));
-    assert_eq!(subproblem1(Z, [0.0; 3], [0.0; 3]), Answer::Any(0.0));
+    assert_eq!(subproblem1(Z, Z, Z), SolutionSet::Any(0.0));
+    assert_eq!(subproblem1(Z, [0.0; 3], [0.0; 3]), SolutionSet::Any(0.0));
     assert_eq!(
         subproblem1(Z, Z, [0.0, 0.0, -1.0]),
-        Answer::Closest {
+        SolutionSet::Closest {
             value: 0.0,
             residual: 2.0
         }
     );
-    assert!(matches!(subproblem1(Z, X, Z), Answer::Closest { .. }));
+    assert!(matches!(subproblem1(Z, X, Z), SolutionSet::Closest { .. }));
 }
 
 #[test]
@@ -60,13 +60,17 @@ fn subproblem2_answers_are_sound_and_recover_the_pair() {
         let (k1, k2, p2) = (random.unit(), random.unit(), random.vector());
         let (t1, t2) = (random.angle(), random.angle());
         let p1 = rotated(k1, -t1, rotated(k2, t2, p2));
-        let answer = subproblem2(k1, k2, p1, p2);
-        for [s1, s2] in answer.exact() {
+        let solutions = subproblem2(k1, k2, p1, p2);
+        for [s1, s2] in solutions.exact() {
             let gap = norm(minus(rotated(k1, *s1, p1), rotated(k2, *s2, p2)));
             assert!(gap < 1e-12, "{gap:e}");
         }
         let pair = |s: &&[f64; 2]| wrap(s[0] - t1).abs().max(wrap(s[1] - t2).abs()) < 1e-6;
-        assert_eq!(answer.exact().iter().filter(pair).count(), 1, "{answer:?}");
+        assert_eq!(
+            solutions.exact().iter().filter(pair).count(),
+            1,
+            "{solutions:?}"
+        );
     }
 }
 
@@ -92,7 +96,7 @@ fn subproblem2_is_closest_where_no_pair_solves_it() {
             random.vector(),
         );
         let off = |t1: f64, t2: f64| norm(minus(rotated(k1, t1, p1), rotated(k2, t2, p2)));
-        let Answer::Closest { value, residual } = subproblem2(k1, k2, p1, p2) else {
+        let SolutionSet::Closest { value, residual } = subproblem2(k1, k2, p1, p2) else {
             panic!()
         };
         assert!((off(value[0], value[1]) - residual).abs() < 1e-13);
@@ -106,27 +110,30 @@ fn subproblem2_gives_touching_circles_once() {
     // Heights 60 degrees from x and 30 degrees from z touch in the plane between.
     let p1 = rotated(X, 1.0, [0.5, 0.0, 0.75_f64.sqrt()]);
     let p2 = rotated(Z, 2.0, [0.5, 0.0, 0.75_f64.sqrt()]);
-    let answer = subproblem2(X, Z, p1, p2);
-    assert_eq!(answer.exact().len(), 1, "{answer:?}");
-    assert!((answer.exact()[0][0] + 1.0).abs() < 1e-7);
+    let solutions = subproblem2(X, Z, p1, p2);
+    assert_eq!(solutions.exact().len(), 1, "{solutions:?}");
+    assert!((solutions.exact()[0][0] + 1.0).abs() < 1e-7);
 }
 
 #[test]
 fn subproblem2_names_its_families() {
     let minus_z = [0.0, 0.0, -1.0];
-    assert!(matches!(subproblem2(Z, Z, X, Y), Answer::Any([t, 0.0]) if t == FRAC_PI_2));
-    assert!(matches!(subproblem2(Z, minus_z, X, Y), Answer::Any(_)));
-    assert!(matches!(subproblem2(Z, X, Z, Y), Answer::Any([0.0, t]) if t == FRAC_PI_2));
-    assert!(matches!(subproblem2(X, Z, Y, Z), Answer::Any([t, 0.0]) if t == FRAC_PI_2));
+    assert!(matches!(subproblem2(Z, Z, X, Y), SolutionSet::Any([t, 0.0]) if t == FRAC_PI_2));
+    assert!(matches!(subproblem2(Z, minus_z, X, Y), SolutionSet::Any(_)));
+    assert!(matches!(subproblem2(Z, X, Z, Y), SolutionSet::Any([0.0, t]) if t == FRAC_PI_2));
+    assert!(matches!(subproblem2(X, Z, Y, Z), SolutionSet::Any([t, 0.0]) if t == FRAC_PI_2));
     assert!(matches!(
         subproblem2(X, Z, [0.0; 3], [0.0; 3]),
-        Answer::Any(_)
+        SolutionSet::Any(_)
     ));
     assert!(matches!(
         subproblem2(Z, Z, X, [2.0, 0.0, 0.0]),
-        Answer::Closest { residual: 1.0, .. }
+        SolutionSet::Closest { residual: 1.0, .. }
     ));
-    assert!(matches!(subproblem2(Z, X, Z, X), Answer::Closest { .. }));
+    assert!(matches!(
+        subproblem2(Z, X, Z, X),
+        SolutionSet::Closest { .. }
+    ));
 }
 
 #[test]
@@ -141,9 +148,14 @@ fn subproblem3_answers_are_sound_complete_and_recover_the_angle() {
         );
         let off = |t: f64| norm(minus(rotated(k, t, p), q));
         let d = off(t);
-        let answer = subproblem3(k, p, q, d);
-        assert!(answer.exact().iter().all(|&t| (off(t) - d).abs() < 1e-13));
-        assert!(contains(answer.exact(), t, 1e-6), "{answer:?} {t}");
+        let solutions = subproblem3(k, p, q, d);
+        assert!(
+            solutions
+                .exact()
+                .iter()
+                .all(|&t| (off(t) - d).abs() < 1e-13)
+        );
+        assert!(contains(solutions.exact(), t, 1e-6), "{solutions:?} {t}");
         let other = random.next().abs();
         let count = sign_changes(|t| off(t) - other);
         assert_eq!(subproblem3(k, p, q, other).exact().len(), count);
@@ -153,12 +165,12 @@ fn subproblem3_answers_are_sound_complete_and_recover_the_angle() {
 #[test]
 fn subproblem3_out_of_reach_comes_closest() {
     let q = [2.0, 0.0, 0.5];
-    let Answer::Closest { value, residual } = subproblem3(Z, Y, q, 4.0) else {
+    let SolutionSet::Closest { value, residual } = subproblem3(Z, Y, q, 4.0) else {
         panic!()
     };
     assert!((value - FRAC_PI_2).abs() < 1e-15);
     assert!((residual - (4.0 - 9.25_f64.sqrt())).abs() < 1e-15);
-    let Answer::Closest { value, .. } = subproblem3(Z, Y, q, 0.25) else {
+    let SolutionSet::Closest { value, .. } = subproblem3(Z, Y, q, 0.25) else {
         panic!()
     };
     assert!((value + FRAC_PI_2).abs() < 1e-15);
@@ -174,9 +186,9 @@ fn subproblem3_stretched_and_folded_are_double_roots() {
         let stretched = (0.09 + (reach + 0.8) * (reach + 0.8)).sqrt();
         let folded = (0.09 + (reach - 0.8) * (reach - 0.8)).sqrt();
         for (d, expected) in [(folded, t), (stretched, t + PI)] {
-            let answer = subproblem3(Z, [0.8, 0.0, 0.0], q, d);
-            assert_eq!(answer.exact().len(), 1);
-            assert!(contains(answer.exact(), expected, 1e-14));
+            let solutions = subproblem3(Z, [0.8, 0.0, 0.0], q, d);
+            assert_eq!(solutions.exact().len(), 1);
+            assert!(contains(solutions.exact(), expected, 1e-14));
         }
     }
 }
@@ -185,13 +197,16 @@ fn subproblem3_stretched_and_folded_are_double_roots() {
 fn subproblem3_on_the_axis_is_solved_by_any_angle_or_none() {
     assert_eq!(
         subproblem3(Z, [0.0, 0.0, 4.0], [3.0, 0.0, 0.0], 5.0),
-        Answer::Any(0.0)
+        SolutionSet::Any(0.0)
     );
     assert_eq!(
         subproblem3(Z, [3.0, 0.0, 0.0], [0.0, 0.0, 4.0], 5.0),
-        Answer::Any(0.0)
+        SolutionSet::Any(0.0)
     );
-    assert!(matches!(subproblem3(Z, Z, X, 5.0), Answer::Closest { .. }));
+    assert!(matches!(
+        subproblem3(Z, Z, X, 5.0),
+        SolutionSet::Closest { .. }
+    ));
 }
 
 #[test]
@@ -206,14 +221,14 @@ fn subproblem4_answers_are_sound_complete_and_recover_the_angle() {
         );
         let component = |t: f64| dot(h, rotated(k, t, p));
         let d = component(t);
-        let answer = subproblem4(h, k, p, d);
+        let solutions = subproblem4(h, k, p, d);
         assert!(
-            answer
+            solutions
                 .exact()
                 .iter()
                 .all(|&t| (component(t) - d).abs() < 1e-14)
         );
-        assert!(contains(answer.exact(), t, 1e-6), "{answer:?} {t}");
+        assert!(contains(solutions.exact(), t, 1e-6), "{solutions:?} {t}");
         let other = random.next();
         let count = sign_changes(|t| component(t) - other);
         assert_eq!(subproblem4(h, k, p, other).exact().len(), count);
@@ -234,16 +249,22 @@ fn subproblem4_extremes_are_double_roots() {
 
 #[test]
 fn subproblem4_degenerate_and_out_of_reach() {
-    assert_eq!(subproblem4(Z, Z, [0.3, 0.0, 0.4], 0.4), Answer::Any(0.0));
-    assert_eq!(subproblem4(X, Z, [0.0, 0.0, 0.4], 0.0), Answer::Any(0.0));
+    assert_eq!(
+        subproblem4(Z, Z, [0.3, 0.0, 0.4], 0.4),
+        SolutionSet::Any(0.0)
+    );
+    assert_eq!(
+        subproblem4(X, Z, [0.0, 0.0, 0.4], 0.0),
+        SolutionSet::Any(0.0)
+    );
     assert!(matches!(
         subproblem4(Z, Z, X, 0.4),
-        Answer::Closest { residual: 0.4, .. }
+        SolutionSet::Closest { residual: 0.4, .. }
     ));
     let low = subproblem4(X, Z, X, -1.5);
     assert_eq!(
         low,
-        Answer::Closest {
+        SolutionSet::Closest {
             value: PI,
             residual: 0.5
         }

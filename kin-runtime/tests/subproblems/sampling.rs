@@ -92,12 +92,12 @@ pub fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     (0..N).map(|i| wrap(a[i] - b[i]).abs()).fold(0.0, f64::max)
 }
 
-/// The distance of the answer nearest to the given angles.
+/// The distance of the solutions nearest to the given angles.
 pub fn nearest<const N: usize>(answers: &[[f64; N]], t: &[f64; N]) -> f64 {
     answers.iter().map(|a| apart(a, t)).fold(f64::MAX, f64::min)
 }
 
-/// Every answer is a proper angle.
+/// Every solutions is a proper angle.
 pub fn proper<const N: usize>(answers: &[[f64; N]]) -> bool {
     answers.iter().flatten().all(|t| *t > -PI && *t <= PI)
 }

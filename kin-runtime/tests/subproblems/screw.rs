@@ -14,15 +14,18 @@ fn screw_forms_recover_random_placements() {
         let xi2 = Twist::revolute(random.unit(), meeting);
         let (t1, t2) = (random.angle(), random.angle());
         let q = (Pose::exp(&xi1, t1) * Pose::exp(&xi2, t2)).transform_point(p);
-        let answer = paden_kahan2(&xi1, &xi2, p, q);
+        let solutions = paden_kahan2(&xi1, &xi2, p, q);
         let pair = |s: &[f64; 2]| wrap(s[0] - t1).abs().max(wrap(s[1] - t2).abs()) < 1e-6;
-        assert!(answer.exact().iter().any(pair), "{answer:?} {t1} {t2}");
+        assert!(
+            solutions.exact().iter().any(pair),
+            "{solutions:?} {t1} {t2}"
+        );
 
         let q = Pose::exp(&xi1, t1).transform_point(p);
         assert!(contains(paden_kahan1(&xi1, p, q).exact(), t1, 1e-12));
         let eye = random.vector();
-        let answer = paden_kahan3(&xi1, p, eye, norm(minus(q, eye)));
-        assert!(contains(answer.exact(), t1, 1e-6));
+        let solutions = paden_kahan3(&xi1, p, eye, norm(minus(q, eye)));
+        assert!(contains(solutions.exact(), t1, 1e-6));
     }
 }
 
@@ -33,13 +36,13 @@ fn screws_on_one_line_or_apart() {
     let (p, q) = ([2.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
     assert!(matches!(
         paden_kahan2(&hinge, &above, p, q),
-        Answer::Any([_, 0.0])
+        SolutionSet::Any([_, 0.0])
     ));
-    assert_eq!(paden_kahan1(&hinge, X, X), Answer::Any(0.0));
+    assert_eq!(paden_kahan1(&hinge, X, X), SolutionSet::Any(0.0));
     let skew = Twist::revolute(X, [0.0, 5.0, 0.0]);
     let q = (Pose::exp(&hinge, 0.3) * Pose::exp(&skew, 0.4)).transform_point(p);
     assert!(matches!(
         paden_kahan2(&hinge, &skew, p, q),
-        Answer::Closest { .. }
+        SolutionSet::Closest { .. }
     ));
 }

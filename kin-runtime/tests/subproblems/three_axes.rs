@@ -59,7 +59,7 @@ impl Arm {
         dot(first, cross(second, third)).abs() / self.size().powi(3)
     }
 
-    fn answer(&self) -> Answer<[f64; 3]> {
+    fn solutions(&self) -> SolutionSet<[f64; 3]> {
         subproblem5(self.k, self.p)
     }
 
@@ -96,14 +96,14 @@ fn subproblem5_is_sound_and_recovers_the_angles() {
         let Arm { k, p } = Arm::random(&mut random);
         let t = [0; 3].map(|_| random.angle());
         let arm = Arm::solved_by(k, [p[1], p[2], p[3]], &t);
-        let answer = arm.answer();
-        assert!(proper(answer.exact()));
-        for s in answer.exact() {
+        let solutions = arm.solutions();
+        assert!(proper(solutions.exact()));
+        for s in solutions.exact() {
             assert!(arm.residual(s) <= 1e-12, "{arm:?} {s:?}");
         }
         assert!(
-            nearest(answer.exact(), &t) < 1e-6,
-            "{arm:?} {t:?} {answer:?}"
+            nearest(solutions.exact(), &t) < 1e-6,
+            "{arm:?} {t:?} {solutions:?}"
         );
     }
 }
@@ -121,11 +121,15 @@ fn subproblem5_finds_what_a_scan_finds() {
         let Some(expected) = arm.scanned() else {
             continue;
         };
-        let answer = arm.answer();
-        assert_eq!(answer.exact().len(), expected.len(), "{arm:?} {answer:?}");
-        let pairs: Vec<[f64; 2]> = answer.exact().iter().map(|t| [t[0], t[1]]).collect();
+        let solutions = arm.solutions();
+        assert_eq!(
+            solutions.exact().len(),
+            expected.len(),
+            "{arm:?} {solutions:?}"
+        );
+        let pairs: Vec<[f64; 2]> = solutions.exact().iter().map(|t| [t[0], t[1]]).collect();
         for t in &expected {
-            assert!(nearest(&pairs, t) < 1e-6, "{arm:?} {answer:?} {t:?}");
+            assert!(nearest(&pairs, t) < 1e-6, "{arm:?} {solutions:?} {t:?}");
         }
         counts[expected.len()] += 1;
     }
@@ -147,26 +151,26 @@ fn subproblem5_of_special_arms() {
         let p = [0; 3].map(|_| points[pick(6)]);
         let t = [0; 3].map(|_| ANGLES[pick(5)]);
         let arm = Arm::solved_by(k, p, &t);
-        let answer = arm.answer();
-        match answer {
-            Answer::Exact(roots) => {
+        let solutions = arm.solutions();
+        match solutions {
+            SolutionSet::Exact(roots) => {
                 kinds[0] += 1;
                 assert!(
                     roots.iter().all(|s| arm.residual(s) <= 1e-12),
-                    "{arm:?} {answer:?}"
+                    "{arm:?} {solutions:?}"
                 );
                 let known = if arm.volume(&t) > 1e-6 { 1e-9 } else { 1e-5 };
-                assert!(nearest(&roots, &t) < known, "{arm:?} {t:?} {answer:?}");
+                assert!(nearest(&roots, &t) < known, "{arm:?} {t:?} {solutions:?}");
                 for (i, s) in roots.iter().enumerate() {
-                    assert!(nearest(&roots[..i], s) > 1e-7, "{arm:?} {answer:?}");
+                    assert!(nearest(&roots[..i], s) > 1e-7, "{arm:?} {solutions:?}");
                 }
             }
-            Answer::Any(member) => {
+            SolutionSet::Any(member) => {
                 kinds[1] += 1;
-                assert!(arm.residual(&member) <= 1e-12, "{arm:?} {answer:?}");
-                assert!(arm.volume(&member) < 1e-9, "{arm:?} {answer:?}");
+                assert!(arm.residual(&member) <= 1e-12, "{arm:?} {solutions:?}");
+                assert!(arm.volume(&member) < 1e-9, "{arm:?} {solutions:?}");
             }
-            _ => panic!("{arm:?} {t:?} {answer:?}"),
+            _ => panic!("{arm:?} {t:?} {solutions:?}"),
         }
     }
     assert!(kinds.iter().all(|n| *n > 1000), "{kinds:?}");
@@ -197,19 +201,22 @@ fn subproblem5_decoupled_and_biquadratic() {
             ] {
                 let t = [0; 3].map(|_| random.angle());
                 let arm = Arm::solved_by(k, p, &t);
-                let answer = arm.answer();
-                if let Answer::Any(member) = answer {
+                let solutions = arm.solutions();
+                if let SolutionSet::Any(member) = solutions {
                     assert!(arm.residual(&member) <= 1e-12);
-                    assert!(arm.volume(&member) < 1e-9, "{arm:?} {answer:?}");
+                    assert!(arm.volume(&member) < 1e-9, "{arm:?} {solutions:?}");
                     continue;
                 }
-                assert!(answer.exact().iter().all(|s| arm.residual(s) <= 1e-12));
+                assert!(solutions.exact().iter().all(|s| arm.residual(s) <= 1e-12));
                 assert!(
-                    nearest(answer.exact(), &t) < 1e-6,
-                    "{arm:?} {t:?} {answer:?}"
+                    nearest(solutions.exact(), &t) < 1e-6,
+                    "{arm:?} {t:?} {solutions:?}"
                 );
                 if let Some(expected) = arm.scanned() {
-                    assert!(answer.exact().len() >= expected.len(), "{arm:?} {answer:?}");
+                    assert!(
+                        solutions.exact().len() >= expected.len(),
+                        "{arm:?} {solutions:?}"
+                    );
                 }
             }
         }
@@ -220,37 +227,37 @@ fn subproblem5_decoupled_and_biquadratic() {
 fn subproblem5_names_its_families() {
     // A planar arm of three links; stretched it is rigid.
     let planar = Arm::solved_by([Z; 3], [X, X, X], &[0.3, 0.4, 0.5]);
-    assert!(matches!(planar.answer(), Answer::Any(t) if planar.residual(&t) < 1e-14));
+    assert!(matches!(planar.solutions(), SolutionSet::Any(t) if planar.residual(&t) < 1e-14));
     let stretched = Arm::solved_by([Z; 3], [times(-0.5, X), X, X], &[0.0; 3]);
-    assert!(nearest(stretched.answer().exact(), &[0.0; 3]) < 1e-7);
-    assert_eq!(stretched.answer().exact().len(), 1);
+    assert!(nearest(stretched.solutions().exact(), &[0.0; 3]) < 1e-7);
+    assert_eq!(stretched.solutions().exact().len(), 1);
     let mut never = planar;
     never.p[0][0] += 5.0;
-    assert_eq!(never.answer(), Answer::None);
+    assert_eq!(never.solutions(), SolutionSet::None);
     never.p[0] = plus(planar.p[0], Z);
-    assert_eq!(never.answer(), Answer::None);
+    assert_eq!(never.solutions(), SolutionSet::None);
     // p₁ on its axis, p₃ on its axis.
     for p in [[Z, X, Y], [X, Y, Z]] {
         let arm = Arm::solved_by([Z, X, Z], p, &[0.3, 0.4, 0.5]);
-        assert!(matches!(arm.answer(), Answer::Any(t) if arm.residual(&t) < 1e-14));
+        assert!(matches!(arm.solutions(), SolutionSet::Any(t) if arm.residual(&t) < 1e-14));
     }
     // Both sides on k₂, which turns nothing there.
     let shoulder = Arm {
         k: [X, Z, X],
         p: [Z, Y, Z, Y],
     };
-    let answer = subproblem5(shoulder.k, shoulder.p);
+    let solutions = subproblem5(shoulder.k, shoulder.p);
     assert!(
-        matches!(answer, Answer::Any(t) if shoulder.residual(&t) < 1e-14),
-        "{answer:?}"
+        matches!(solutions, SolutionSet::Any(t) if shoulder.residual(&t) < 1e-14),
+        "{solutions:?}"
     );
     assert!(matches!(
         subproblem5([X, Y, Z], [[0.0; 3]; 4]),
-        Answer::Any(_)
+        SolutionSet::Any(_)
     ));
     assert_eq!(
         subproblem5([X, Y, Z], [X, [0.0; 3], [0.0; 3], [0.0; 3]]),
-        Answer::None
+        SolutionSet::None
     );
 }
 
@@ -270,8 +277,8 @@ fn subproblem5_near_the_second_axis() {
             let spot = plus(times(height, k[1]), aside);
             let p2 = minus(spot, rotated(k[2], t[2], p3));
             let arm = Arm::solved_by(k, [p1, p2, p3], &t);
-            let answer = arm.answer();
-            for s in answer.exact() {
+            let solutions = arm.solutions();
+            for s in solutions.exact() {
                 assert!(
                     arm.residual(s) <= 1e-12,
                     "{power} {arm:?} {s:?} {:e}",
@@ -280,15 +287,15 @@ fn subproblem5_near_the_second_axis() {
             }
             if power <= 9 && arm.volume(&t) > 0.01 * 10_f64.powi(-power) {
                 assert!(
-                    nearest(answer.exact(), &t) < 1e-5,
-                    "{power} {arm:?} {t:?} {answer:?}"
+                    nearest(solutions.exact(), &t) < 1e-5,
+                    "{power} {arm:?} {t:?} {solutions:?}"
                 );
             }
         }
         let p2 = minus(times(height, k[1]), rotated(k[2], t[2], p3));
         let arm = Arm::solved_by(k, [p1, p2, p3], &t);
-        let Answer::Any(member) = arm.answer() else {
-            panic!("{arm:?} {:?}", arm.answer())
+        let SolutionSet::Any(member) = arm.solutions() else {
+            panic!("{arm:?} {:?}", arm.solutions())
         };
         assert!(arm.residual(&member) <= 1e-12 && arm.volume(&member) < 1e-12);
     }
@@ -310,16 +317,19 @@ fn subproblem5_keeps_double_roots() {
         for power in 4..=12 {
             let gap = 10_f64.powi(-power);
             let arm = bent(gap);
-            let answer = arm.answer();
-            assert!(answer.exact().iter().all(|s| arm.residual(s) <= 1e-9));
+            let solutions = arm.solutions();
+            assert!(solutions.exact().iter().all(|s| arm.residual(s) <= 1e-9));
             let t = [turn, 0.4, gap];
-            assert!(nearest(answer.exact(), &t) < 3e-6, "{gap:e} {answer:?}");
-            assert!(power > 5 || answer.exact().iter().any(|s| apart(s, &t) > gap));
+            assert!(
+                nearest(solutions.exact(), &t) < 3e-6,
+                "{gap:e} {solutions:?}"
+            );
+            assert!(power > 5 || solutions.exact().iter().any(|s| apart(s, &t) > gap));
         }
-        let answer = bent(0.0).answer();
+        let solutions = bent(0.0).solutions();
         assert!(
-            nearest(answer.exact(), &[turn, 0.4, 0.0]) < 1e-7,
-            "{answer:?}"
+            nearest(solutions.exact(), &[turn, 0.4, 0.0]) < 1e-7,
+            "{solutions:?}"
         );
     }
 }
@@ -331,11 +341,11 @@ fn subproblem5_of_any_size() {
         let Arm { k, p } = Arm::random(&mut random);
         let t = [0; 3].map(|_| random.angle());
         let arm = |s: f64| Arm::solved_by(k, [1, 2, 3].map(|i| times(s, p[i])), &t);
-        let expected = arm(1.0).answer();
+        let expected = arm(1.0).solutions();
         for scale in [1e-150, 1e-3, 1e3, 1e100] {
-            let answer = arm(scale).answer();
-            assert_eq!(answer.exact().len(), expected.exact().len());
-            assert!(nearest(answer.exact(), &t) < 1e-6);
+            let solutions = arm(scale).solutions();
+            assert_eq!(solutions.exact().len(), expected.exact().len());
+            assert!(nearest(solutions.exact(), &t) < 1e-6);
         }
     }
 }
@@ -349,7 +359,7 @@ fn subproblem5_at_half_turns() {
             let mut t = [0; 3].map(|_| random.angle());
             t[i] = PI;
             let arm = Arm::solved_by(k, [p[1], p[2], p[3]], &t);
-            assert!(nearest(arm.answer().exact(), &t) < 1e-6);
+            assert!(nearest(arm.solutions().exact(), &t) < 1e-6);
         }
     }
 }

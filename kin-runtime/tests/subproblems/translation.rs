@@ -14,16 +14,16 @@ fn translations_recover_the_travel() {
             random.next(),
         );
         let d = norm(minus(shifted(p, t, v), q));
-        let answer = translation1(v, p, q, d);
-        assert!(answer.exact().iter().any(|s| (s - t).abs() < 1e-6));
-        assert!(answer.exact().is_sorted());
-        for s in answer.exact() {
+        let solutions = translation1(v, p, q, d);
+        assert!(solutions.exact().iter().any(|s| (s - t).abs() < 1e-6));
+        assert!(solutions.exact().is_sorted());
+        for s in solutions.exact() {
             assert!((norm(minus(shifted(p, *s, v), q)) - d).abs() < 1e-13);
         }
         let h = random.unit();
         let d = dot(h, shifted(p, t, v));
-        let answer = translation2(h, v, p, d);
-        assert!((dot(h, shifted(p, answer.exact()[0], v)) - d).abs() < 1e-14);
+        let solutions = translation2(h, v, p, d);
+        assert!((dot(h, shifted(p, solutions.exact()[0], v)) - d).abs() < 1e-14);
     }
 }
 
@@ -33,16 +33,16 @@ fn translations_touch_miss_and_degenerate() {
     assert_eq!(translation1(X, [0.0; 3], q, 2.0).exact(), [1.0]);
     assert_eq!(
         translation1(X, [0.0; 3], q, 1.5),
-        Answer::Closest {
+        SolutionSet::Closest {
             value: 1.0,
             residual: 0.5
         }
     );
     assert!(translation1(X, [0.0; 3], X, -0.5).exact().is_empty());
-    assert_eq!(translation2(Z, X, q, 0.0), Answer::Any(0.0));
+    assert_eq!(translation2(Z, X, q, 0.0), SolutionSet::Any(0.0));
     assert_eq!(
         translation2(Z, X, q, 0.5),
-        Answer::Closest {
+        SolutionSet::Closest {
             value: 0.0,
             residual: 0.5
         }

@@ -82,7 +82,7 @@ fn the_platform_never_turns() {
 
 /// The rods' upper ends, less the arms of the platform, are the centres.
 #[test]
-fn assemblies_lie_on_three_spheres() {
+fn assembly_modes_lie_on_three_spheres() {
     let mut random = Random::new(13);
     let mut both = 0;
     for _ in 0..1000 {
@@ -106,7 +106,7 @@ fn assemblies_lie_on_three_spheres() {
 
 /// Spheres of one size meet where the circle through their centres is smaller.
 #[test]
-fn motors_that_no_platform_fits_have_no_assemblies() {
+fn motors_that_no_platform_fits_have_no_assembly_modes() {
     let mut random = Random::new(15);
     let mut without = 0;
     for _ in 0..3000 {

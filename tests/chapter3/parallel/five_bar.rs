@@ -30,7 +30,7 @@ fn circles(motors: [f64; 2]) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn assemblies_are_where_two_circles_meet() {
+fn assembly_modes_are_where_two_circles_meet() {
     let mut random = Random::new(5);
     let mut without = 0;
     for _ in 0..2000 {

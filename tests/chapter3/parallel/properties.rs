@@ -189,9 +189,9 @@ fn closed_forms_return_to_where_they_came_from() {
     returns!(Delta, 0.7);
 }
 
-/// Beside all assemblies that many starts of Newton's method find.
+/// Beside all assembly modes that many starts of Newton's method find.
 #[test]
-fn closed_forms_find_all_assemblies() {
+fn closed_forms_find_all_assembly_modes() {
     let mut random = Random::new(7);
     for _ in 0..10 {
         let crank = [random.angle()];

@@ -1,5 +1,5 @@
 //! Joints by frames relative to the parent link, and the chain of rows that
-//! the other ways are turned into as well.
+//! the other conventions are turned into as well.
 
 use super::fields::{Fields, Reader};
 use super::node::Node;

@@ -1,4 +1,4 @@
-//! What a joint has in each of the four ways.
+//! What a joint has in each of the four conventions.
 
 use super::fields::{Fields, Reader};
 use super::node::{Node, Value};
@@ -15,7 +15,12 @@ const COMMON: [&str; 7] = [
 ];
 
 /// Reads all entries of a list; `None` if one cannot be read.
-pub(super) fn rows(list: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Vec<Row>> {
+pub(super) fn rows(
+    list: &Node,
+    convention: &str,
+    units: &Units,
+    reader: &mut Reader,
+) -> Option<Vec<Row>> {
     let nodes = reader.list(list)?;
     if nodes.is_empty() {
         reader.at(
@@ -27,15 +32,15 @@ pub(super) fn rows(list: &Node, way: &str, units: &Units, reader: &mut Reader) -
     }
     let rows: Vec<_> = nodes
         .iter()
-        .map(|node| row(node, way, units, reader))
+        .map(|node| row(node, convention, units, reader))
         .collect();
     let mut rows = rows.into_iter().collect::<Option<Vec<Row>>>()?;
     convert_multipliers(&mut rows, units);
     Some(rows)
 }
 
-fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row> {
-    let special: &[&str] = match way {
+fn row(node: &Node, convention: &str, units: &Units, reader: &mut Reader) -> Option<Row> {
+    let special: &[&str] = match convention {
         "screws" => &screws::KEYS,
         "joints" => &frames::KEYS,
         _ => &denavit_hartenberg::KEYS,
@@ -49,11 +54,11 @@ fn row(node: &Node, way: &str, units: &Units, reader: &mut Reader) -> Option<Row
     let name = fields
         .required("name", reader)
         .and_then(|node| reader.name(node));
-    let kind = kind(&fields, way, reader);
+    let kind = kind(&fields, convention, reader);
     // The rest has its meaning, and its units, by the kind.
     let kind = kind?;
     refuse_motion_of_fixed(&fields, kind, reader);
-    let geometry = match way {
+    let geometry = match convention {
         "screws" => screws::read(&fields, kind, units, reader),
         "dh" => denavit_hartenberg::standard(&fields, kind, units, reader),
         "mdh" => denavit_hartenberg::modified(&fields, kind, units, reader),
@@ -99,11 +104,11 @@ fn refuse_motion_of_fixed(fields: &Fields, kind: JointType, reader: &mut Reader)
     }
 }
 
-fn kind(fields: &Fields, way: &str, reader: &mut Reader) -> Option<JointType> {
+fn kind(fields: &Fields, convention: &str, reader: &mut Reader) -> Option<JointType> {
     let Some(node) = fields.get("type") else {
         return Some(JointType::Revolute);
     };
-    let known: &[&str] = if way == "joints" {
+    let known: &[&str] = if convention == "joints" {
         &["revolute", "prismatic", "fixed"]
     } else {
         &["revolute", "prismatic"]

@@ -28,7 +28,7 @@
 //! | `platform` | the name of the link that all chains end at; `platform` by default |
 //! | `home` | the [pose](super#poses) of the platform with all joint values 0; required with `screws` |
 //!
-//! A chain has a `name`, its joints in one of the [four ways](super#the-four-ways),
+//! A chain has a `name`, its joints in one of the [four conventions](super#the-four-conventions),
 //! and, but with `screws`, may have a `base` and a `tip` of poses alone: where
 //! its first joint's frame lies in the base link, and the platform in the last
 //! joint's link. Joint names are unique in the whole file. A joint that is
@@ -40,7 +40,7 @@
 use super::fields::{Fields, Reader};
 use super::node::{Node, Value};
 use super::units::{self, Units};
-use super::{End, WAYS, frames, joint, pose};
+use super::{CONVENTIONS, End, frames, joint, pose};
 use crate::spec::tree::{self, Draft, Name};
 use crate::spec::{ChainSpec, MechanismSpec, Source, Topology, bounds};
 use kin_runtime::Pose;
@@ -161,17 +161,17 @@ fn chain(
     source: &Source,
     reader: &mut Reader,
 ) -> Option<ChainSpec> {
-    let keys = [&["name", "base", "tip"][..], &WAYS].concat();
+    let keys = [&["name", "base", "tip"][..], &CONVENTIONS].concat();
     let fields = reader.fields(node, "chain", &keys)?;
     let name = fields
         .required("name", reader)
         .and_then(|node| reader.name(node));
-    let (way, list) = super::way(&fields, reader)?;
-    let base = end(&fields, "base", way, units, reader);
-    let tip = end(&fields, "tip", way, units, reader);
-    let rows = joint::rows(list, way, units, reader);
+    let (convention, list) = super::convention(&fields, reader)?;
+    let base = end(&fields, "base", convention, units, reader);
+    let tip = end(&fields, "tip", convention, units, reader);
+    let rows = joint::rows(list, convention, units, reader);
     let (name, base, mut tip, rows) = (name?, base?, tip?, rows?);
-    if way == "screws" {
+    if convention == "screws" {
         if ends.home.is_none() {
             let reason = "`screws` say how the platform moves, not where it is: `home` is missing";
             let remedy = "add `home` to `mechanism`, the pose of the platform with all joint \
@@ -220,14 +220,14 @@ fn chain(
 fn end(
     fields: &Fields,
     key: &str,
-    way: &str,
+    convention: &str,
     units: &Units,
     reader: &mut Reader,
 ) -> Option<Option<Pose>> {
     let Some(node) = fields.get(key) else {
         return Some(None);
     };
-    if way == "screws" {
+    if convention == "screws" {
         let reason = format!("`{key}` has no meaning with `screws`, which are in base coordinates");
         reader.at(fields.key(key), reason, "remove it");
         return None;

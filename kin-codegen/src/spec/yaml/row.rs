@@ -1,4 +1,4 @@
-//! A joint as the file lists it: the same for the four ways.
+//! A joint as the file lists it: the same for the four conventions.
 
 use super::fields::{Fields, Reader};
 use super::pose;

@@ -1,22 +1,22 @@
 //! What a subproblem yields.
 
-/// The answer to a subproblem whose unknown is a `T`: an angle, a translation,
+/// The solution set of a subproblem whose unknown is a `T`: an angle, a translation,
 /// or two or three angles.
 ///
 /// The cases are kept apart so that neither a member of a family nor a best
 /// approximation can be mistaken for a solution.
 ///
 /// ```
-/// use kin_runtime::subproblems::{Answer, subproblem4};
+/// use kin_runtime::subproblems::{SolutionSet, subproblem4};
 /// let (z, x) = ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
 /// // x turned about z has the x component 0.5 at ±60 degrees, 2 never, and
 /// // the z component 0 always.
 /// assert_eq!(subproblem4(x, z, x, 0.5).exact().len(), 2);
-/// assert!(matches!(subproblem4(x, z, x, 2.0), Answer::Closest { residual: 1.0, .. }));
-/// assert!(matches!(subproblem4(z, z, x, 0.0), Answer::Any(_)));
+/// assert!(matches!(subproblem4(x, z, x, 2.0), SolutionSet::Closest { residual: 1.0, .. }));
+/// assert!(matches!(subproblem4(z, z, x, 0.0), SolutionSet::Any(_)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Answer<T> {
+pub enum SolutionSet<T> {
     /// One to four isolated solutions. A double root is given once.
     Exact(Roots<T>),
     /// Infinitely many solutions, of which this is one. Isolated solutions that
@@ -33,12 +33,12 @@ pub enum Answer<T> {
     None,
 }
 
-impl<T> Answer<T> {
-    /// The isolated solutions; empty unless the answer is [`Answer::Exact`].
+impl<T> SolutionSet<T> {
+    /// The isolated solutions; empty unless the solutions is [`SolutionSet::Exact`].
     pub fn exact(&self) -> &[T] {
         match self {
-            Answer::Exact(roots) => roots,
-            Answer::Any(_) | Answer::Closest { .. } | Answer::None => &[],
+            SolutionSet::Exact(roots) => roots,
+            SolutionSet::Any(_) | SolutionSet::Closest { .. } | SolutionSet::None => &[],
         }
     }
 }
@@ -68,21 +68,21 @@ impl<T> core::ops::Deref for Roots<T> {
     }
 }
 
-impl<T> Answer<T> {
+impl<T> SolutionSet<T> {
     pub(crate) fn one(root: T) -> Self {
-        Answer::Exact(Roots::One([root]))
+        SolutionSet::Exact(Roots::One([root]))
     }
 
     pub(crate) fn two(first: T, second: T) -> Self {
-        Answer::Exact(Roots::Two([first, second]))
+        SolutionSet::Exact(Roots::Two([first, second]))
     }
 
     /// A solution if the residual is within the tolerance, else the closest.
     pub(crate) fn one_or_closest(value: T, residual: f64, tolerance: f64) -> Self {
         if residual <= tolerance {
-            Answer::one(value)
+            SolutionSet::one(value)
         } else {
-            Answer::Closest { value, residual }
+            SolutionSet::Closest { value, residual }
         }
     }
 
@@ -90,24 +90,26 @@ impl<T> Answer<T> {
     /// within the tolerance, else none.
     pub(crate) fn whatever(value: T, residual: f64, tolerance: f64) -> Self {
         if residual <= tolerance {
-            Answer::Any(value)
+            SolutionSet::Any(value)
         } else {
-            Answer::Closest { value, residual }
+            SolutionSet::Closest { value, residual }
         }
     }
 
-    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Answer<U> {
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> SolutionSet<U> {
         match self {
-            Answer::Exact(Roots::One(root)) => Answer::Exact(Roots::One(root.map(f))),
-            Answer::Exact(Roots::Two(roots)) => Answer::Exact(Roots::Two(roots.map(f))),
-            Answer::Exact(Roots::Three(roots)) => Answer::Exact(Roots::Three(roots.map(f))),
-            Answer::Exact(Roots::Four(roots)) => Answer::Exact(Roots::Four(roots.map(f))),
-            Answer::Any(value) => Answer::Any(f(value)),
-            Answer::Closest { value, residual } => Answer::Closest {
+            SolutionSet::Exact(Roots::One(root)) => SolutionSet::Exact(Roots::One(root.map(f))),
+            SolutionSet::Exact(Roots::Two(roots)) => SolutionSet::Exact(Roots::Two(roots.map(f))),
+            SolutionSet::Exact(Roots::Three(roots)) => {
+                SolutionSet::Exact(Roots::Three(roots.map(f)))
+            }
+            SolutionSet::Exact(Roots::Four(roots)) => SolutionSet::Exact(Roots::Four(roots.map(f))),
+            SolutionSet::Any(value) => SolutionSet::Any(f(value)),
+            SolutionSet::Closest { value, residual } => SolutionSet::Closest {
                 value: f(value),
                 residual,
             },
-            Answer::None => Answer::None,
+            SolutionSet::None => SolutionSet::None,
         }
     }
 
@@ -115,9 +117,11 @@ impl<T> Answer<T> {
     /// from.
     pub(crate) fn values(&self) -> &[T] {
         match self {
-            Answer::Exact(roots) => roots,
-            Answer::Any(value) | Answer::Closest { value, .. } => core::slice::from_ref(value),
-            Answer::None => &[],
+            SolutionSet::Exact(roots) => roots,
+            SolutionSet::Any(value) | SolutionSet::Closest { value, .. } => {
+                core::slice::from_ref(value)
+            }
+            SolutionSet::None => &[],
         }
     }
 }
