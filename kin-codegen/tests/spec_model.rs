@@ -127,6 +127,24 @@ fn a_continuous_joint_has_no_limits_even_if_the_file_gives_some() {
     assert_eq!(model.variables[0].limits, None);
 }
 
+#[test]
+fn a_bound_that_is_left_out_is_zero_before_version_1_2() {
+    let limit = r#"<limit upper="1.5"/>"#;
+    let text = urdf("base tool", &joint("j", "revolute", "base", "tool", limit));
+    for version in ["", "version=\"1.0\" ", "version=\"1.1\" "] {
+        let model = accept(&text.replace("<robot ", &format!("<robot {version}")));
+        assert_eq!(model.variables[0].limits, Some([0.0, 1.5]), "{version}");
+    }
+    // A joint without stops needs none.
+    let limit = r#"<limit velocity="2"/>"#;
+    let text = urdf(
+        "base tool",
+        &joint("j", "continuous", "base", "tool", limit),
+    );
+    let model = accept(&text.replace("<robot ", "<robot version=\"1.2\" "));
+    assert_eq!(model.variables[0].limits, None);
+}
+
 fn three(mimic1: &str, mimic2: &str, mimic3: &str) -> String {
     let rest = |mimic: &str| format!("<axis xyz=\"0 0 1\"/>{LIMIT}{mimic}");
     urdf(

@@ -46,6 +46,26 @@ pub(super) fn read(node: Node, diagnostics: &mut Collector) -> Option<DraftJoint
     })
 }
 
+/// Whether a bound that is left out of a limit is no 0: urdfdom 6 requires both
+/// of a joint with stops from URDF 1.2 on, and elsewhere takes infinity.
+fn has_two_bounds(limit: Node) -> bool {
+    let root = limit.document().root_element();
+    origin::number(origin::version(root)) >= vec![1, 2]
+}
+
+fn refuse_missing_bound(limit: Node, name: &str, diagnostics: &mut Collector) {
+    let root = limit.document().root_element();
+    let reason = format!(
+        "<limit> without `{name}` in a URDF of version {}: from version 1.2 on it is no longer 0",
+        origin::version(root)
+    );
+    let remedy = format!(
+        "add {name}=\"...\", or make the joint continuous if it turns freely (for the 0 of older \
+         versions, {name}=\"0\")"
+    );
+    diagnostics.at(place(limit, diagnostics), reason, remedy);
+}
+
 fn kind(word: &Name, diagnostics: &mut Collector) -> Option<JointType> {
     let kind = vocabulary::joint_type(&word.text);
     if kind.is_none() {
@@ -169,10 +189,9 @@ impl<'a, 'i> Parts<'a, 'i> {
         continuous: bool,
         diagnostics: &mut Collector,
     ) -> Option<(Limits, Rating)> {
+        let stops = matches!(kind, Some(JointType::Revolute | JointType::Prismatic)) && !continuous;
         let Some(node) = self.find("limit") else {
-            let needs_them =
-                matches!(kind, Some(JointType::Revolute | JointType::Prismatic)) && !continuous;
-            let limits = match needs_them {
+            let limits = match stops {
                 true => Limits::Missing,
                 false => Limits::Unlimited,
             };
@@ -180,6 +199,10 @@ impl<'a, 'i> Parts<'a, 'i> {
         };
         let bound = |name, diagnostics: &mut Collector| match node.attribute_node(name) {
             Some(attribute) => numbers::read::<1>(&attribute, diagnostics).map(|[x]| x),
+            None if stops && has_two_bounds(node) => {
+                refuse_missing_bound(node, name, diagnostics);
+                None
+            }
             None => Some(0.0),
         };
         let (lower, upper) = (bound("lower", diagnostics), bound("upper", diagnostics));

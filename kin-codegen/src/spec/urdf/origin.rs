@@ -57,12 +57,21 @@ fn angles(rpy: &Attribute, diagnostics: &mut Collector) -> Option<Rotation> {
     Some(orientation::from_rpy(angles))
 }
 
+/// What the file says which URDF it is.
+pub(super) fn version<'a>(root: Node<'a, '_>) -> &'a str {
+    root.attribute("version").unwrap_or("1.0").trim()
+}
+
+/// A version's parts, to be compared.
+pub(super) fn number(version: &str) -> Vec<u32> {
+    version.split('.').map_while(|it| it.parse().ok()).collect()
+}
+
 /// URDF 1.1. In files of an older version urdfdom and Pinocchio do not read it.
 fn quaternion(xyzw: &Attribute, root: Node, diagnostics: &mut Collector) -> Option<Rotation> {
     let quaternion: [f64; 4] = numbers::read(xyzw, diagnostics)?;
-    let version = root.attribute("version").unwrap_or("1.0").trim();
-    let number: Vec<u32> = version.split('.').map_while(|it| it.parse().ok()).collect();
-    if number < vec![1, 1] {
+    let version = version(root);
+    if number(version) < vec![1, 1] {
         let at = diagnostics.place(xyzw.range().start);
         let reason = format!(
             "quat_xyzw in a URDF of version {version}: it came with version 1.1, and other \
