@@ -32,7 +32,8 @@ pub struct Model {
     /// g_st(0).
     pub home: Pose,
     /// The links that do not move against the base or a link that a joint of the
-    /// chain moves, other than these; in the order of the file.
+    /// chain moves, other than the base and the links of coordinates; in the
+    /// order of the file.
     pub frames: Vec<Frame>,
     /// What the file has that is odd, and changes nothing that is here.
     pub warnings: Vec<Diagnostic>,
@@ -142,6 +143,12 @@ impl Model {
             .unwrap_or(0)
     }
 
+    /// Whether the link of a joint stands for the joint's coordinate: whether
+    /// the joint follows no other.
+    pub fn leads(&self, joint: usize) -> bool {
+        self.joint_of(self.joints[joint].variable) == joint
+    }
+
     /// Whether a coordinate of q is an angle.
     pub fn turns(&self, variable: usize) -> bool {
         let mut joints = self.joints.iter();
@@ -216,16 +223,18 @@ fn build(
     let drives = mimic::resolve(spec, &chain.joints, diagnostics)?;
     let variables = limits::variables(spec, &drives, diagnostics);
     let (joints, home) = compose(spec, &chain, &drives);
-    Some(Model {
+    let mut model = Model {
         name: spec.name.clone(),
         base: spec.links[chain.base].name.clone(),
         tip: spec.links[chain.tip].name.clone(),
         joints,
         variables,
         home,
-        frames: frames::fixed(spec, &chain),
+        frames: Vec::new(),
         warnings: Vec::new(),
-    })
+    };
+    model.frames = frames::fixed(spec, &chain, |joint| model.leads(joint));
+    Some(model)
 }
 
 /// Every joint is fixed, or moves in one way, and one moves at least.

@@ -47,7 +47,7 @@ pub use analysis::{
 #[cfg(feature = "alloc")]
 pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
 pub use parallel::{ParallelKinematics, Postures};
-pub use robot::{Body, Frame, Kinematics, WithBase, WithTool};
+pub use robot::{Body, Following, Frame, Kinematics, WithBase, WithTool};
 #[cfg(feature = "alloc")]
 pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,

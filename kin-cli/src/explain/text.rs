@@ -54,10 +54,10 @@ fn fixed_frames(frames: &[FixedFrame], f: &mut Formatter<'_>) -> fmt::Result {
         return Ok(());
     }
     writeln!(f, "Fixed frames, each in that of its link")?;
-    let name = |frame: &FixedFrame| frame.name.chars().count();
+    let name = |frame: &FixedFrame| one_line(&frame.name).chars().count();
     let width = frames.iter().map(name).max().unwrap_or(0);
     for frame in frames {
-        let FixedFrame { name, link, .. } = frame;
+        let [name, link] = [&frame.name, &frame.link].map(|name| one_line(name));
         let at = vector(frame.translation);
         writeln!(f, "  {name:width$}  at {at}  on {link}")?;
     }

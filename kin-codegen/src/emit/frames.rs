@@ -2,15 +2,14 @@
 
 use super::straight::signed;
 use super::{matrix, text};
-use crate::model::{Frame, Model};
+use crate::model::{Frame, Joint, Model};
 use kin_runtime::Pose;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// `FRAMES`, in the order of the file. Behind a joint that follows others there
-/// is no link to refer to but the tip.
+/// `FRAMES`, in the order of the file.
 pub fn constant(model: &Model) -> TokenStream {
-    let frames = model.frames.iter().filter_map(|frame| one(model, frame));
+    let frames = model.frames.iter().map(|frame| one(model, frame));
     quote! {
         /// The other links that do not move against the base or one of
         /// [`Self::LINK_NAMES`]: see [`Self::fk_frame`].
@@ -18,21 +17,52 @@ pub fn constant(model: &Model) -> TokenStream {
     }
 }
 
-fn one(model: &Model, frame: &Frame) -> Option<TokenStream> {
+fn one(model: &Model, frame: &Frame) -> TokenStream {
     let name = text::literal(&frame.name);
     let Some(joint) = frame.joint else {
         let pose = pose(&frame.pose);
-        return Some(quote!(Frame::on_base(#name, #pose)));
+        return quote!(Frame::on_base(#name, #pose));
     };
-    let variable = model.joints[joint].variable;
-    if model.joint_of(variable) == joint {
-        let (link, pose) = (Literal::usize_unsuffixed(variable), pose(&frame.pose));
-        return Some(quote!(Frame::on_link(#name, #link, #pose)));
+    if model.leads(joint) {
+        let link = Literal::usize_unsuffixed(model.joints[joint].variable);
+        let pose = pose(&frame.pose);
+        return quote!(Frame::on_link(#name, #link, #pose));
     }
-    let is_last = joint + 1 == model.joints.len();
-    let at_tip = model.home.inverse() * model.joints[joint].frame * frame.pose;
-    let pose = pose(&at_tip);
-    is_last.then(|| quote!(Frame::on_tip(#name, #pose)))
+    let home = model.joints[joint].frame * frame.pose;
+    if joint + 1 == model.joints.len() {
+        let pose = pose(&(model.home.inverse() * home));
+        return quote!(Frame::on_tip(#name, #pose));
+    }
+    let before = (0..joint).rev().find(|&j| model.leads(j));
+    let (from, link) = match before {
+        Some(j) => {
+            let link = Literal::usize_unsuffixed(model.joints[j].variable);
+            (model.joints[j].frame, quote!(Some(#link)))
+        }
+        None => (Pose::IDENTITY, quote!(None)),
+    };
+    let joints = &model.joints[before.map_or(0, |j| j + 1)..=joint];
+    let joints = joints.iter().map(|joint| following(joint, &from));
+    let pose = pose(&(from.inverse() * home));
+    quote!(Frame::following(#name, #link, &[#(#joints),*], #pose))
+}
+
+/// A joint that follows others, in the frame `from`.
+fn following(joint: &Joint, from: &Pose) -> TokenStream {
+    let twist = from.adjoint_inverse(&joint.twist());
+    let [linear, angular] = [twist.linear, twist.angular].map(|v| {
+        let cleaned = crate::geometry::without_noise(&Pose::from_translation(v));
+        let [x, y, z] = cleaned.translation.map(signed);
+        quote!([#x, #y, #z])
+    });
+    let coordinate = Literal::usize_unsuffixed(joint.variable);
+    let (multiplier, offset) = (signed(joint.multiplier), signed(joint.offset));
+    quote!(Following {
+        twist: Twist { linear: #linear, angular: #angular },
+        coordinate: #coordinate,
+        multiplier: #multiplier,
+        offset: #offset
+    })
 }
 
 /// A pose without the digits that composing frames has left behind.

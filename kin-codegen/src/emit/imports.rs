@@ -5,7 +5,8 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What generated code can name and users can, too.
-const PUBLIC: [&str; 13] = [
+const PUBLIC: [&str; 14] = [
+    "Following",
     "Frame",
     "Hessian",
     "Jacobian",

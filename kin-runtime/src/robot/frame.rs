@@ -1,6 +1,6 @@
 //! Frames that are fixed to a robot's bodies.
 
-use crate::Pose;
+use crate::{Pose, Twist};
 
 /// A link of a robot file that does not move against the body that carries it:
 /// a camera, a flange, a tool changer.
@@ -24,7 +24,7 @@ pub struct Frame {
 }
 
 /// What carries a [`Frame`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Body {
     /// The base.
     Base,
@@ -33,6 +33,39 @@ pub enum Body {
     /// The tip, where the last link is none of these because its joint follows
     /// others.
     Tip,
+    /// A link inside the chain whose joint follows others, so that none of
+    /// [`Kinematics::fk_links`](crate::Kinematics::fk_links) is its.
+    Following {
+        /// The last link before it of which there is one; none for the base.
+        link: Option<usize>,
+        /// The joints from there on, all of which follow coordinates.
+        joints: &'static [Following],
+    },
+}
+
+/// A joint that follows a coordinate of the configuration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Following {
+    /// The joint's unit twist at home, in the frame of the link that
+    /// [`Body::Following`] begins at; metres.
+    pub twist: Twist,
+    /// The coordinate of q that it follows.
+    pub coordinate: usize,
+    /// Its value is `multiplier * q[coordinate] + offset`; radians or metres.
+    pub multiplier: f64,
+    /// See `multiplier`.
+    pub offset: f64,
+}
+
+impl Following {
+    /// How such joints move what is behind them, one after the other (MLS
+    /// section 3.2.1).
+    pub(crate) fn displacement(joints: &[Following], q: &[f64]) -> Pose {
+        joints.iter().fold(Pose::IDENTITY, |moved, joint| {
+            let value = joint.multiplier * q[joint.coordinate] + joint.offset;
+            moved * Pose::exp(&joint.twist, value)
+        })
+    }
 }
 
 impl Frame {
@@ -51,6 +84,18 @@ impl Frame {
     /// A frame at `pose` in the tip frame.
     pub const fn on_tip(name: &'static str, pose: Pose) -> Frame {
         let body = Body::Tip;
+        Frame { name, body, pose }
+    }
+
+    /// A frame on a link whose joint follows others; at `pose` in the frame of
+    /// `link`, or of the base, while all of `joints` are at zero.
+    pub const fn following(
+        name: &'static str,
+        link: Option<usize>,
+        joints: &'static [Following],
+        pose: Pose,
+    ) -> Frame {
+        let body = Body::Following { link, joints };
         Frame { name, body, pose }
     }
 }

@@ -1,7 +1,7 @@
 //! What every generated robot can do.
 
 use crate::types::hessian::Change;
-use crate::{Body, Frame, Jacobian, JointLimit, Pose, Singularities, Solutions};
+use crate::{Body, Following, Frame, Jacobian, JointLimit, Pose, Singularities, Solutions};
 
 macro_rules! define_kinematics {
     ([$n:ident]

@@ -181,6 +181,10 @@ macro_rules! kinematics_methods {
                         Body::Base => frame.pose,
                         Body::Link(link) => self.fk_links(q)[link] * frame.pose,
                         Body::Tip => self.fk(q) * frame.pose,
+                        Body::Following { link, joints } => {
+                            let start = link.map_or(Pose::IDENTITY, |i| self.fk_links(q)[i]);
+                            start * Following::displacement(joints, q) * frame.pose
+                        }
                     }
                 }
 

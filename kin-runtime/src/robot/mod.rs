@@ -6,7 +6,7 @@ mod kinematics;
 mod methods;
 mod placement;
 
-pub use frame::{Body, Frame};
+pub use frame::{Body, Following, Frame};
 pub use kinematics::Kinematics;
 pub(crate) use kinematics::define_kinematics;
 pub use placement::{WithBase, WithTool};
