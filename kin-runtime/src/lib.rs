@@ -37,6 +37,7 @@ mod types;
 #[cfg(feature = "alloc")]
 mod workspace;
 
+use parallel::define_parallel_kinematics;
 use robot::define_kinematics;
 use scalar::math;
 

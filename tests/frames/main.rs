@@ -1,7 +1,9 @@
 //! The frames of links that do not move against those of the chain, against
 //! the robot file put together a second time, by urdf-rs and nalgebra.
 
-use kinematics::{Body, Following, Frame, Kinematics, Pose, Twist, WithBase, WithTool};
+use kinematics::{
+    Body, Following, Frame, Kinematics, ParallelKinematics, Pose, Twist, WithBase, WithTool,
+};
 use nalgebra::{Isometry3, Matrix4, Translation3, Unit, UnitQuaternion, Vector3};
 use std::path::Path;
 
@@ -21,6 +23,8 @@ kinematics::kinematics!(
     tip = "tool0",
     ik = none
 );
+// Ratings of the drives, and none of a joint that closes a loop.
+kinematics::kinematics!("frames/rated.urdf", tip = "coupler");
 kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/kr6_r900.yaml");
 
@@ -248,4 +252,19 @@ fn the_tip_of_a_ur5e_and_of_a_kr_6_is_a_frame_of_the_last_link() {
             "{found:?} {tip:?}"
         );
     }
+}
+
+#[test]
+fn mechanisms_have_the_ratings_of_their_joints() {
+    assert_eq!(
+        Rated::JOINT_NAMES,
+        ["driven", "pin", "following", "closing"]
+    );
+    const NONE: f64 = f64::INFINITY;
+    assert_eq!(Rated::VELOCITY_LIMITS, [2.5, 3.0, NONE, NONE]);
+    assert_eq!(Rated::EFFORT_LIMITS, [40.0, NONE, NONE, NONE]);
+    fn seen<P: ParallelKinematics<4, 1, 2>>(_: P) -> [[f64; 4]; 2] {
+        [P::VELOCITY_LIMITS, P::EFFORT_LIMITS]
+    }
+    assert_eq!(seen(Rated), [Rated::VELOCITY_LIMITS, Rated::EFFORT_LIMITS]);
 }

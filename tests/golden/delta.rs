@@ -2113,6 +2113,8 @@ mod __Delta {
             JointLimit::Continuous,
         ];
 
+        const VELOCITY_LIMITS: [f64; 15] = [f64::INFINITY; 15];
+        const EFFORT_LIMITS: [f64; 15] = [f64::INFINITY; 15];
         const CHAINS: [[usize; 2]; 3] = [[0, 5], [5, 10], [10, 15]];
         const ACTUATED: [usize; 3] = [0, 5, 10];
         const BASE: &'static str = "frame";
@@ -2279,9 +2281,9 @@ mod __Delta {
             )
         }
     }
-    ::kinematics::__private::inherent_parallel_methods!(Delta, 15, 3, 3);
-    ::kinematics::__private::inherent_parallel_methods!(ik : Delta, 15, 3, 3);
-    ::kinematics::__private::inherent_parallel_methods!(fk : Delta, 15, 3, 3);
+    ::kinematics::__private::inherent_parallel_methods! {
+        Delta, 15, 3, 3, inverse : own, forward : own
+    }
 }
 
 #[allow(unused_imports)]

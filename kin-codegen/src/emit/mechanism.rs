@@ -4,14 +4,14 @@
 
 use super::comment::comment;
 use super::imports::imports;
-use super::robot::{generated_by, in_module, limit};
+use super::robot::{generated_by, in_module, limit, rated};
 use super::straight::signed;
 use super::{Names, documentation, forward, inverse, matrix, text};
 use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Loop, Rod};
 use crate::model::JointKind;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The items that a mechanism becomes.
@@ -26,12 +26,8 @@ pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
     let chains = chains(compiled, &sizes);
     let ik = ik(compiled, &sizes);
     let fk = fk(compiled, &sizes);
-    let ik_inherent = ik
-        .is_some()
-        .then(|| quote!(#runtime::__private::inherent_parallel_methods!(ik: #name, #n, #m, #k);));
-    let fk_inherent = fk
-        .is_some()
-        .then(|| quote!(#runtime::__private::inherent_parallel_methods!(fk: #name, #n, #m, #k);));
+    let own = |is_own: bool| Ident::new(if is_own { "own" } else { "none" }, Span::call_site());
+    let (inverse, forward) = (own(ik.is_some()), own(fk.is_some()));
     let generated_by = generated_by(runtime);
     let items = quote! {
         // Constants are written with the digits that they have.
@@ -63,9 +59,9 @@ pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
 
             #items
 
-            #runtime::__private::inherent_parallel_methods!(#name, #n, #m, #k);
-            #ik_inherent
-            #fk_inherent
+            #runtime::__private::inherent_parallel_methods! {
+                #name, #n, #m, #k, inverse: #inverse, forward: #forward
+            }
         },
     )
 }
@@ -95,6 +91,9 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
     let legs = &mechanism.legs;
     let names = legs.iter().flat_map(|leg| &leg.model.variables);
     let names = names.map(|variable| text::literal(&variable.name));
+    let variables = || legs.iter().flat_map(|leg| &leg.model.variables);
+    let velocities = rated(variables(), n, |rating| rating.velocity);
+    let efforts = rated(variables(), n, |rating| rating.effort);
     let limits = legs.iter().flat_map(|leg| {
         let variables = leg.model.variables.iter().enumerate();
         variables.map(|(i, variable)| limit(&leg.model, i, variable))
@@ -121,6 +120,8 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
     quote! {
         const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
         const LIMITS: [JointLimit; #n] = [#(#limits),*];
+        const VELOCITY_LIMITS: [f64; #n] = #velocities;
+        const EFFORT_LIMITS: [f64; #n] = #efforts;
         const CHAINS: [[usize; 2]; #k] = [#(#ranges),*];
         const ACTUATED: [usize; #m] = [#(#actuated),*];
         const BASE: &'static str = #base;

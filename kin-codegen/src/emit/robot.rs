@@ -90,13 +90,8 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         .iter()
         .map(|variable| text::literal(&variable.name));
     let limits = (0..model.variables.len()).map(|i| limit(model, i, &model.variables[i]));
-    let rated = |of: fn(&Rating) -> Option<f64>| {
-        let ratings = model.variables.iter().map(|variable| &variable.rating);
-        let known = ratings.map(|rating| of(rating).unwrap_or(f64::INFINITY));
-        same_or_all(&known.collect::<Vec<f64>>(), n)
-    };
-    let velocities = rated(|rating| rating.velocity);
-    let efforts = rated(|rating| rating.effort);
+    let velocities = rated(&model.variables, n, |rating| rating.velocity);
+    let efforts = rated(&model.variables, n, |rating| rating.effort);
     let links =
         (0..model.variables.len()).map(|i| text::literal(&model.joints[model.joint_of(i)].link));
     let (base, tip) = (text::literal(&model.base), text::literal(&model.tip));
@@ -141,6 +136,18 @@ pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream
         (false, Some(_)) => quote!(JointLimit::revolute(#lower, #upper)),
         (false, None) => quote!(JointLimit::Continuous),
     }
+}
+
+/// What the drives of `n` coordinates are rated for; infinity where that is not
+/// known.
+pub(super) fn rated<'a>(
+    variables: impl IntoIterator<Item = &'a Variable>,
+    n: &Literal,
+    of: fn(&Rating) -> Option<f64>,
+) -> TokenStream {
+    let ratings = variables.into_iter().map(|variable| of(&variable.rating));
+    let known: Vec<f64> = ratings.map(|it| it.unwrap_or(f64::INFINITY)).collect();
+    same_or_all(&known, n)
 }
 
 /// `[x; n]`, or the values one by one where they differ.

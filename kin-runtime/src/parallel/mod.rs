@@ -25,16 +25,19 @@
 //! | `posture` | one configuration: gaps, rates, Jacobians, measures of singularity |
 //! | `newton` | from a seed to the configuration with given actuated joints |
 //! | `postures` | the solutions of inverse kinematics, chain by chain |
-//! | `kinematics` | [`ParallelKinematics`], what generated mechanisms can do |
+//! | `kinematics`, `methods` | [`ParallelKinematics`], what generated mechanisms can do |
+//! | `inherent` | the same without an import |
 //! | `spheres` | where three spheres meet, which is a Delta's forward kinematics |
 
 mod inherent;
 mod kinematics;
+mod methods;
 pub(crate) mod newton;
 pub(crate) mod posture;
 mod postures;
 mod spheres;
 
 pub use kinematics::ParallelKinematics;
+pub(crate) use kinematics::define_parallel_kinematics;
 pub use postures::Postures;
 pub use spheres::three_spheres;

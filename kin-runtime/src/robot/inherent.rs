@@ -92,9 +92,11 @@ macro_rules! implement_kinematics {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl $robot {
-            $crate::pass_on! { from $robot, $n: with $inverse $reachable }
-            $crate::pass_on! { from $robot, $n: $derivatives $derivative_methods }
-            $crate::pass_on! { from $robot, $n: provided $provided }
+            $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): with $inverse $reachable }
+            $crate::pass_on! {
+                from $robot as ($crate::Kinematics<$n>): $derivatives $derivative_methods
+            }
+            $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): provided $provided }
         }
     };
 }
@@ -123,7 +125,18 @@ macro_rules! pass_on {
             $robot::$method($self $(, $argument)*).into()
         }
     )* };
-    (from $robot:ident, $n:tt: provided { $(
+    (from $robot:ident as ($trait:path): required { $(
+        $(#[$attribute:meta])*
+        fn $method:ident(&$self:ident $(, $argument:ident: $type:ty)*) -> $result:ty;
+    )* }) => { $(
+        $(#[$attribute])*
+        #[inline]
+        #[must_use]
+        pub fn $method(&$self $(, $argument: $type)*) -> $result {
+            <Self as $trait>::$method($self $(, $argument)*)
+        }
+    )* };
+    (from $robot:ident as ($trait:path): provided { $(
         $(#[$attribute:meta])*
         fn $method:ident(&$self:ident $(, $argument:ident: $type:ty)*) -> $result:ty $body:block
     )* }) => { $(
@@ -131,13 +144,13 @@ macro_rules! pass_on {
         #[inline]
         #[must_use]
         pub fn $method(&$self $(, $argument: $type)*) -> $result {
-            <Self as $crate::Kinematics<$n>>::$method($self $(, $argument)*)
+            <Self as $trait>::$method($self $(, $argument)*)
         }
     )* };
-    (from $robot:ident, $n:tt: with own $group:tt) => {
-        $crate::pass_on! { from $robot, $n: provided $group }
+    (from $robot:ident as ($trait:path): with own $group:tt) => {
+        $crate::pass_on! { from $robot as ($trait): provided $group }
     };
     (to $robot:ident: $other:ident $group:tt) => {};
-    (from $robot:ident, $n:tt: $other:ident $group:tt) => {};
-    (from $robot:ident, $n:tt: with $other:ident $group:tt) => {};
+    (from $robot:ident as ($trait:path): $other:ident $group:tt) => {};
+    (from $robot:ident as ($trait:path): with $other:ident $group:tt) => {};
 }
