@@ -2,6 +2,7 @@
 
 use crate::arguments::{Generate, read};
 use crate::{Done, Exit};
+use kin_codegen::spec::one_line;
 use kin_codegen::{Diagnostics, Options, generate};
 use std::fs;
 use std::path::Path;
@@ -34,7 +35,7 @@ pub fn run(arguments: &Generate) -> Done {
 }
 
 fn check(output: &Path, code: &str) -> Done {
-    let shown = output.display();
+    let shown = one_line(&output.to_string_lossy());
     match fs::read_to_string(output) {
         Ok(found) if found == code => Done::printing(""),
         Ok(_) => Done::failing(
@@ -50,7 +51,10 @@ fn write(output: &Path, code: &str) -> Done {
         Ok(()) => Done::printing(""),
         Err(error) => Done::failing(
             Exit::Broken,
-            format!("cannot write {}: {error}", output.display()),
+            format!(
+                "cannot write {}: {error}",
+                one_line(&output.to_string_lossy())
+            ),
         ),
     }
 }

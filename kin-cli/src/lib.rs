@@ -11,6 +11,7 @@ pub mod check;
 mod exit;
 pub mod explain;
 mod generate;
+mod json;
 pub mod sweep;
 mod workspace;
 

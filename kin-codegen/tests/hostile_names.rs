@@ -5,6 +5,7 @@ use kin_codegen::{Error, Generated, Ik, Options, Source, generate};
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use proptest::prelude::*;
 use quote::ToTokens;
+use std::sync::LazyLock;
 use syn::LitStr;
 
 const NAMES: [&str; 7] = [
@@ -155,11 +156,33 @@ fn urdf(name: &str) -> Source {
     Source { path, text }
 }
 
+/// Two cranks that hold a platform: of everything that has a name, the name.
+fn mechanism(name: &str) -> Source {
+    let quoted: String = name
+        .chars()
+        .map(|c| format!("\\U{:08x}", u32::from(c)))
+        .collect();
+    let screw = |joint: &str, point: &str| {
+        format!("        - {{name: \"{quoted} {joint}\", axis: [0, 0, 1], point: [{point}]}}\n")
+    };
+    let text = format!(
+        "robot: \"{quoted}\"\nunits: {{angle: rad, length: m}}\nbase: \"{quoted}\"\nmechanism:\n  \
+         platform: \"{quoted} platform\"\n  home: {{xyz: [1, 1, 0]}}\n  chains:\n    \
+         - name: \"{quoted} left\"\n      screws:\n{}{}    - name: \"{quoted} right\"\n      screws:\n{}{}",
+        screw("crank", "0, 0, 0").replace("axis", "actuated: true, axis"),
+        screw("pin", "0, 1, 0"),
+        screw("rocker", "2, 0, 0"),
+        screw("other pin", "2, 1, 0"),
+    );
+    let path = "mechanism.yaml".into();
+    Source { path, text }
+}
+
 /// The items in print and as tokens, without the text of literals and
 /// documentation, and how many literals hold the name.
-fn items(source: &Source, name: &str) -> (String, usize) {
+fn items(source: &Source, ik: Ik, name: &str) -> (String, usize) {
     let options = Options {
-        ik: Ik::None,
+        ik,
         ..Options::default()
     };
     let generated = generate(source, &options).unwrap();
@@ -194,24 +217,38 @@ fn without_text(tokens: TokenStream, name: &str, held: &mut usize) -> TokenStrea
     trees.into_iter().collect()
 }
 
+type Named = (fn(&str) -> Source, Ik, usize);
+
+/// Files by their names, and how many literals hold the name.
+const SOURCES: [Named; 4] = [
+    (yaml, Ik::None, 4),
+    (yaml, Ik::ClosedForm, 4),
+    (urdf, Ik::ClosedForm, 4),
+    (mechanism, Ik::ClosedForm, 2),
+];
+
+static TAME: LazyLock<Vec<(String, usize)>> = LazyLock::new(|| {
+    let tame = |(source, ik, _): Named| items(&source("tame"), ik, "tame");
+    SOURCES.into_iter().map(tame).collect()
+});
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(48) })]
 
     #[test]
     fn hostile_names_make_the_items_of_tame_ones(name in hostile_name()) {
         let name = in_xml(&name);
-        for source in [yaml, urdf] {
+        for ((source, ik, literals), (expected, tame)) in SOURCES.into_iter().zip(&*TAME) {
             if let Err(Error::Broken(told)) = generate(&source(&name), &Options::default()) {
                 // Refused, and shown on lines of their own.
                 let told = told.to_string();
                 prop_assert!(!told.chars().any(|c| c.is_control() && c != '\n'), "{told:?}");
                 continue;
             }
-            let (expected, tame) = items(&source("tame"), "tame");
-            let (found, held) = items(&source(&name), &name);
-            prop_assert!(found == expected, "{found}");
+            let (found, held) = items(&source(&name), ik, &name);
+            prop_assert!(&found == expected, "{found}");
             // The joint's and the base's, in print and in tokens.
-            prop_assert_eq!((held, tame), (4, 4));
+            prop_assert_eq!((held, *tame), (literals, literals));
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::sweep::{Draw, Replay, Settings, Tally, sweep};
 use crate::{Done, Exit};
+use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Diagnostics, Options};
 
 pub fn run(arguments: &arguments::Check) -> Done {
@@ -38,7 +39,10 @@ pub fn run(arguments: &arguments::Check) -> Done {
         all.push(checked);
     }
     done.stdout = if arguments.json {
-        report::json(&all)
+        match report::json(&all) {
+            Ok(json) => json,
+            Err(error) => return Done::failing(Exit::Broken, error),
+        }
     } else {
         all.iter().map(report::text).collect()
     };
@@ -71,7 +75,7 @@ impl Checked {
             Compiled::Mechanism(_) if arguments.targets > 0 || arguments.at.is_some() => {
                 return Err(format!(
                     "{}: --targets and --at try an arm, and this is a mechanism",
-                    self.check.path
+                    one_line(&self.check.path)
                 ));
             }
             Compiled::Mechanism(_) => return Ok(()),

@@ -1,6 +1,7 @@
 //! What was checked, as text and as JSON.
 
 use super::verdict::{Check, Verdict};
+use crate::json::pretty;
 use crate::sweep::{Replay, Tally};
 use serde_json::{Value, json};
 
@@ -28,9 +29,9 @@ pub fn text(checked: &Checked) -> String {
 }
 
 /// All files in one object.
-pub fn json(all: &[Checked]) -> String {
+pub fn json(all: &[Checked]) -> Result<String, serde_json::Error> {
     let files: Vec<Value> = all.iter().map(file).collect();
-    format!("{:#}\n", json!({"schema": SCHEMA, "files": files}))
+    pretty(&json!({"schema": SCHEMA, "files": files}))
 }
 
 fn file(checked: &Checked) -> Value {

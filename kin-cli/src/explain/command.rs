@@ -2,7 +2,7 @@
 
 use super::explain;
 use crate::arguments::{Explain, read};
-use crate::{Done, Exit};
+use crate::{Done, Exit, json};
 use kin_codegen::Error;
 
 pub fn run(arguments: &Explain) -> Done {
@@ -12,8 +12,8 @@ pub fn run(arguments: &Explain) -> Done {
         .and_then(|source| explain(&source, &options));
     match told {
         Err(error) => Done::failing(Exit::from(&error), error),
-        Ok(explanation) if arguments.json => match serde_json::to_string_pretty(&explanation) {
-            Ok(json) => Done::printing(json + "\n"),
+        Ok(explanation) if arguments.json => match json::pretty(&explanation) {
+            Ok(json) => Done::printing(json),
             Err(error) => Done::failing(Exit::Broken, error),
         },
         Ok(explanation) => Done::printing(explanation.to_string()),

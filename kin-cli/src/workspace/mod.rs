@@ -9,12 +9,13 @@ mod picture;
 use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::{Done, Exit};
+use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Ik, compile};
 use map::{Map, Sampling};
 use serde_json::json;
 use std::fs;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub fn run(arguments: &arguments::Workspace) -> Done {
     let options = arguments.options.options();
@@ -41,7 +42,7 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         Some(sampling) => draw(arguments, name, &sampling),
         None => Done::failing(
             Exit::Usage,
-            format!("{}: {}", arguments.file, placeless(&robot)),
+            format!("{}: {}", one_line(&arguments.file), placeless(&robot)),
         ),
     }
 }
@@ -67,9 +68,24 @@ fn draw(arguments: &arguments::Workspace, name: &str, sampling: &Sampling) -> Do
         Ok(files) => Done::printing(report(sampling, &map, &files)),
         Err((path, error)) => Done::failing(
             Exit::Broken,
-            format!("cannot write {}: {error}", path.display()),
+            format!("cannot write {}: {error}", shown(&path)),
         ),
     }
+}
+
+/// A robot's name as the beginning of a file's: the file is data of a stranger, and
+/// must not choose the folder.
+fn in_file_name(robot: &str) -> String {
+    let stays = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_');
+    let name = robot.chars().take(LONGEST_NAME);
+    name.map(|c| if stays(c) { c } else { '_' }).collect()
+}
+
+/// File systems take names of 255 bytes, four of which a character may have.
+const LONGEST_NAME: usize = 50;
+
+fn shown(path: &Path) -> String {
+    one_line(&path.to_string_lossy())
 }
 
 /// Writes all files and tells which.
@@ -79,7 +95,7 @@ fn write(
     sampling: &Sampling,
     map: &Map,
 ) -> Result<Vec<PathBuf>, (PathBuf, io::Error)> {
-    let folder = &arguments.out;
+    let (folder, robot) = (&arguments.out, in_file_name(robot));
     fs::create_dir_all(folder).map_err(|error| (folder.clone(), error))?;
     let mut files = Vec::new();
     let mut file = |name: &str, content: io::Result<Vec<u8>>| {
@@ -160,7 +176,7 @@ fn report(sampling: &Sampling, map: &Map, files: &[PathBuf]) -> String {
         );
     }
     for file in files {
-        text += &format!("{}\n", file.display());
+        text += &format!("{}\n", shown(file));
     }
     text
 }

@@ -29,8 +29,8 @@ pub mod yaml;
 pub(crate) use collector::Collector;
 pub use diagnostic::{Diagnostic, Diagnostics, Location, Severity};
 pub use mechanism::{ChainSpec, LoopedTree, MechanismSpec, Topology};
-pub use one_line::one_line;
-pub(crate) use one_line::{escaped, is_shown};
+pub(crate) use one_line::escaped;
+pub use one_line::{is_shown, one_line};
 pub use source::Source;
 pub(crate) use suggest::{did_you_mean, list as list_names};
 

@@ -3,7 +3,7 @@
 
 /// Whether a character shows itself: it neither ends a line, nor is a control
 /// character, nor turns the direction of its text.
-pub(crate) fn is_shown(c: char) -> bool {
+pub fn is_shown(c: char) -> bool {
     let turns = matches!(
         c,
         '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
