@@ -56,6 +56,8 @@ pub mod singularity;
 #[doc(hidden)]
 pub mod solver;
 #[doc(hidden)]
+pub mod univariate;
+#[doc(hidden)]
 pub mod vector;
 
 pub use compile::compile;

@@ -7,4 +7,5 @@ pub mod branches;
 pub mod free_angle;
 pub mod lanes;
 pub mod refinement;
+pub mod univariate;
 mod version;

@@ -8,7 +8,7 @@ use crate::math::sqrt;
 /// V Π = Q R: the vectors, in another order, are upper triangular in an
 /// orthonormal basis, whose further vectors span what is at right angles to all
 /// of them.
-pub(crate) struct Span<const D: usize> {
+pub struct Span<const D: usize> {
     /// How many of the vectors are independent.
     pub rank: usize,
     /// Which these are, in the order in which they were taken.

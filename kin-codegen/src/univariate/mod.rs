@@ -1,0 +1,10 @@
+//! The last resort of the plan: one joint is kept, all others are eliminated.
+
+mod choose;
+mod eliminate;
+mod frames;
+mod order;
+
+pub use choose::{Kept, choose};
+pub use eliminate::eliminate;
+pub use frames::{forward, frames};

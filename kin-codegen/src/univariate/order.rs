@@ -1,0 +1,134 @@
+//! Which equations become rows of the matrix, and in which order rows and columns
+//! are eliminated.
+
+use kin_runtime::__private::univariate::Elimination;
+use kin_runtime::Pose;
+
+use super::frames::forward;
+use crate::random::Random;
+use std::f64::consts::PI;
+
+/// Targets and angles at which pivots are looked at.
+const SAMPLES: usize = 24;
+/// Rows whose pivots would be below this depend on those taken.
+const DEPENDENT: f64 = 1e-6;
+const SIZE: usize = 16;
+
+/// A candidate row: which functional, and times which half tangents.
+type Row = [u8; 2];
+
+/// Chooses rows and columns by elimination at sample targets: next is always the
+/// pivot that is largest on the average, of the functionals that raise the degree
+/// least.
+pub fn order(elimination: &mut Elimination, frames: &[Pose; 7]) -> Option<()> {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let candidates: Vec<Row> = (0..6)
+        .flat_map(|f| (0..4).map(move |shift| [f, shift]))
+        .collect();
+    let samples: Vec<Vec<[f64; SIZE]>> = (0..SAMPLES)
+        .map(|_| {
+            let q = std::array::from_fn(|_| random.between(-PI, PI));
+            let kept = random.between(-PI, PI);
+            let equations = elimination.coefficients(frames, &forward(frames, &q), kept);
+            candidates
+                .iter()
+                .map(|&row| spread(&equations, row))
+                .collect()
+        })
+        .collect();
+    let costs = candidates
+        .iter()
+        .map(|&[functional, _]| cost(elimination, functional.into()));
+    let costs: Vec<usize> = costs.collect();
+    let halves =
+        |(rows, _): &(Vec<usize>, Vec<usize>)| rows.iter().filter(|&&row| costs[row] == 1).count();
+    let mut chosen = pivots(samples.clone(), &costs, SIZE)?;
+    // With an odd number of them the determinant would change its sign in a turn.
+    if halves(&chosen) % 2 == 1 {
+        chosen = pivots(samples, &costs, halves(&chosen) - 1)?;
+    }
+    let (rows, columns) = chosen;
+    elimination.degree = (rows.iter().map(|&row| costs[row]).sum::<usize>() / 2) as u8;
+    for (place, row) in rows.into_iter().enumerate() {
+        elimination.rows[place] = candidates[row];
+    }
+    for (place, column) in columns.into_iter().enumerate() {
+        elimination.columns[column] = place as u8;
+    }
+    Some(())
+}
+
+/// By how many halves a functional raises the degree.
+fn cost(elimination: &Elimination, functional: usize) -> usize {
+    let [_, cosine, sine] = &elimination.functionals[functional];
+    let turns = cosine.iter().chain(sine).any(|x| *x != 0.0);
+    match (functional < usize::from(elimination.half), turns) {
+        (true, _) => 1,
+        (false, false) => 0,
+        (false, true) => 2,
+    }
+}
+
+/// A row of the matrix: the coefficients of an equation, shifted by the half
+/// tangents that it is multiplied by.
+fn spread(equations: &[[f64; 9]; 6], [functional, shift]: Row) -> [f64; SIZE] {
+    let mut out = [0.0; SIZE];
+    let (i0, j0) = (usize::from(shift & 1), usize::from(shift >> 1));
+    for (k, x) in equations[usize::from(functional)].iter().enumerate() {
+        out[k / 3 + i0 + 4 * (k % 3 + j0)] = *x;
+    }
+    out
+}
+
+/// Rows and columns in the order of elimination, with at most so many rows of half
+/// angles; none where fewer than sixteen rows are independent.
+fn pivots(
+    mut samples: Vec<Vec<[f64; SIZE]>>,
+    costs: &[usize],
+    most_half: usize,
+) -> Option<(Vec<usize>, Vec<usize>)> {
+    let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = Default::default();
+    while rows.len() < SIZE {
+        let half_left = rows.iter().filter(|&&row| costs[row] == 1).count() < most_half;
+        let allowed = [0, 1, 2].into_iter().filter(|&cost| cost != 1 || half_left);
+        let (row, column) = allowed
+            .filter_map(|cost| {
+                let open =
+                    (0..costs.len()).filter(|row| costs[*row] == cost && !rows.contains(row));
+                largest(&samples, open, &columns)
+            })
+            .next()?;
+        for m in &mut samples {
+            let pivot = m[row];
+            for other in (0..m.len()).filter(|other| *other != row && !rows.contains(other)) {
+                let factor = m[other][column] / pivot[column];
+                for (x, p) in m[other].iter_mut().zip(&pivot) {
+                    *x -= factor * p;
+                }
+                m[other][column] = 0.0;
+            }
+        }
+        rows.push(row);
+        columns.push(column);
+    }
+    Some((rows, columns))
+}
+
+/// The pivot whose logarithm is largest on the average; none where it is rounding.
+fn largest(
+    samples: &[Vec<[f64; SIZE]>],
+    rows: impl Iterator<Item = usize>,
+    columns: &[usize],
+) -> Option<(usize, usize)> {
+    let mut best = (DEPENDENT.ln(), None);
+    for row in rows {
+        for column in (0..SIZE).filter(|column| !columns.contains(column)) {
+            let size = |m: &Vec<[f64; SIZE]>| (m[row][column].abs() + f64::MIN_POSITIVE).ln();
+            let mean = samples.iter().map(size).sum::<f64>() / samples.len() as f64;
+            if mean > best.0 {
+                best = (mean, Some((row, column)));
+            }
+        }
+    }
+    best.1
+}

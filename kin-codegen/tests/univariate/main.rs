@@ -1,0 +1,212 @@
+//! Six revolute joints without a closed form: the constants of the elimination, and
+//! what they are good for at run time, against the generic search.
+
+mod arms;
+
+use arms::{
+    Neighbour, anywhere, chain, least_singular_value, miss, near_singular, patterns, random_arm,
+};
+use kin_codegen::random::Random;
+use kin_codegen::univariate::{choose, eliminate, forward};
+use kin_runtime::__private::univariate::{Elimination, Univariate};
+use kin_runtime::{Pose, SearchOptions, Solutions};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+const GENERAL: [Neighbour; 5] = [Neighbour::General; 5];
+
+fn solutions(frames: &[Pose; 7], eliminations: &[Elimination], target: &Pose) -> Solutions<6> {
+    let arm = Univariate {
+        frames: *frames,
+        size: 2.0,
+        eliminations,
+    };
+    arm.solutions(target)
+}
+
+fn chosen(frames: &[Pose; 7]) -> Vec<Elimination> {
+    choose(frames).iter().map(|kept| kept.elimination).collect()
+}
+
+fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
+    let turn = |a: f64, b: f64| {
+        let d = (a - b).abs() % TAU;
+        d.min(TAU - d)
+    };
+    (0..6).map(|i| turn(a[i], b[i])).fold(0.0, f64::max)
+}
+
+/// Whether a configuration is among the solutions, which all reach the target, once.
+fn check(frames: &[Pose; 7], found: &Solutions<6>, q: &[f64; 6], tolerance: f64) -> bool {
+    let target = forward(frames, q);
+    for (i, solution) in found.iter().enumerate() {
+        let miss = miss(frames, &solution.q, &target);
+        assert!(miss < 1e-11, "{q:?}: {:?} misses by {miss:e}", solution.q);
+        assert!(solution.q.iter().all(|q| (-PI..=PI).contains(q)));
+        if !solution.singular {
+            let double = found[..i]
+                .iter()
+                .find(|other| apart(&other.q, &solution.q) < 1e-7);
+            assert!(double.is_none(), "{q:?}: {:?} comes twice", solution.q);
+        }
+    }
+    found
+        .iter()
+        .any(|solution| apart(&solution.q, q) < tolerance)
+}
+
+#[test]
+fn functionals_vanish_along_the_loop() {
+    let mut random = Random(11);
+    for pattern in [GENERAL].into_iter().chain(patterns().step_by(7)) {
+        let frames = random_arm(&pattern, &mut random);
+        for elimination in (0..6).filter_map(|kept| eliminate(&frames, kept)) {
+            let q = anywhere(&mut random);
+            let joints = elimination.joints.map(usize::from);
+            let along = joints.map(|joint| {
+                if elimination.backwards {
+                    -q[joint]
+                } else {
+                    q[joint]
+                }
+            });
+            let coefficients = elimination.coefficients(&frames, &forward(&frames, &q), along[0]);
+            let [ta, tb] = [along[5], along[4]].map(|angle: f64| (0.5 * angle).tan());
+            let scale = (1.0 + ta * ta) * (1.0 + tb * tb);
+            for row in coefficients {
+                let powers = |k: usize| ta.powi(k as i32 / 3) * tb.powi(k as i32 % 3);
+                let value: f64 = (0..9).map(|k| row[k] * powers(k)).sum();
+                assert!(
+                    value.abs() < 1e-11 * scale,
+                    "{pattern:?} {joints:?}: {value:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn harmonics_above_the_degree_vanish() {
+    let mut random = Random(12);
+    for pattern in [GENERAL].into_iter().chain(patterns().step_by(7)) {
+        let frames = random_arm(&pattern, &mut random);
+        for elimination in (0..6).filter_map(|kept| eliminate(&frames, kept)) {
+            let arm = Univariate {
+                frames,
+                size: 2.0,
+                eliminations: &[],
+            };
+            let mut noises: Vec<f64> = (0..9)
+                .map(|_| {
+                    arm.told(&elimination, &forward(&frames, &anywhere(&mut random)))
+                        .noise
+                })
+                .collect();
+            noises.sort_by(f64::total_cmp);
+            assert!(
+                noises[4] < 1e-9,
+                "{pattern:?} {:?}: {noises:?}",
+                elimination.joints
+            );
+        }
+    }
+}
+
+#[test]
+fn a_general_arm_has_the_solutions_that_the_search_finds() {
+    let mut random = Random(13);
+    for _ in 0..24 {
+        let frames = random_arm(&GENERAL, &mut random);
+        let (chain, eliminations) = (chain(&frames), chosen(&frames));
+        assert_eq!(eliminations[0].degree, 8);
+        for _ in 0..3 {
+            let q = anywhere(&mut random);
+            let target = forward(&frames, &q);
+            let found = solutions(&frames, &eliminations, &target);
+            assert!(check(&frames, &found, &q, 1e-6), "{q:?} is lost");
+            let expected = chain.ik_all(&target, &SearchOptions::default());
+            assert_eq!(found.len(), expected.len(), "{q:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_lost_on_any_pattern_of_neighbours() {
+    let mut random = Random(14);
+    for pattern in patterns() {
+        let frames = random_arm(&pattern, &mut random);
+        let eliminations = chosen(&frames);
+        // Four parallel axes are singular in every configuration; three at either end
+        // are solved in closed form.
+        let parallel = |rows: &[Neighbour]| rows.iter().all(|row| *row == Neighbour::Parallel);
+        let refused = pattern.windows(3).any(parallel)
+            || [&pattern[..2], &pattern[3..]]
+                .iter()
+                .all(|row| parallel(row));
+        assert_eq!(eliminations.is_empty(), refused, "{pattern:?}");
+        for _ in 0..if refused { 0 } else { 8 } {
+            let q = anywhere(&mut random);
+            let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+            let sigma = least_singular_value(&frames, &q);
+            let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
+            assert!(
+                sigma < 1e-5 || check(&frames, &found, &q, tolerance),
+                "{pattern:?} lost {q:?}, σ {sigma:.1e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn pairs_that_have_nearly_met_are_both_found() {
+    let mut random = Random(15);
+    let mut lost = 0;
+    for _ in 0..12 {
+        let frames = random_arm(&GENERAL, &mut random);
+        let eliminations = chosen(&frames);
+        for k in 0..60 {
+            let distance = 10_f64.powi(-1 - k % 5);
+            let q = near_singular(&frames, distance, &mut random);
+            let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+            let sigma = least_singular_value(&frames, &q);
+            let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
+            lost += usize::from(sigma > 1e-5 && !check(&frames, &found, &q, tolerance));
+        }
+    }
+    assert_eq!(lost, 0);
+}
+
+#[test]
+fn aligned_configurations_are_found() {
+    let mut random = Random(16);
+    let aligned = [0.0, FRAC_PI_2, -FRAC_PI_2, PI];
+    for _ in 0..12 {
+        let frames = random_arm(&GENERAL, &mut random);
+        let eliminations = chosen(&frames);
+        for _ in 0..40 {
+            let q = std::array::from_fn(|_| aligned[random.below(4)]);
+            let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+            assert!(check(&frames, &found, &q, 1e-6), "{q:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_pose_or_out_of_reach_has_no_solutions() {
+    let mut random = Random(17);
+    let frames = random_arm(&GENERAL, &mut random);
+    let eliminations = chosen(&frames);
+    let far = Pose::from_translation([100.0, 0.0, 0.0]);
+    let nothing = Pose::from_translation([f64::NAN, 0.0, 0.0]);
+    let infinite = Pose::from_translation([f64::INFINITY, 0.0, 0.0]);
+    let none = Pose {
+        rotation: [[0.0; 3]; 3],
+        translation: [0.3; 3],
+    };
+    let huge = Pose {
+        rotation: [[1e300; 3]; 3],
+        translation: [1e300; 3],
+    };
+    for target in [far, nothing, infinite, none, huge] {
+        assert!(solutions(&frames, &eliminations, &target).is_empty());
+    }
+}

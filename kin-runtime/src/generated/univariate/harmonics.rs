@@ -1,0 +1,135 @@
+//! A trigonometric polynomial from its values at equal distances.
+
+use super::turn::{cosine_of_turn, sine_of_turn};
+
+/// The highest degree that is solved.
+pub(super) const DEGREE: usize = 12;
+
+/// Samples of a polynomial of the highest degree.
+pub(super) const MOST_SAMPLES: usize = 32;
+
+/// f(θ) = Σ aₖ cos kθ + bₖ sin kθ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Harmonics {
+    pub degree: usize,
+    pub cosines: [f64; DEGREE + 1],
+    pub sines: [f64; DEGREE + 1],
+    /// How far values are off by rounding: as large as the harmonics are that
+    /// have to vanish.
+    pub noise: f64,
+}
+
+/// A turn in `MOST_SAMPLES · 3` parts: 24 and 32 samples are on it.
+const PARTS: usize = 96;
+const COSINES: [f64; PARTS] = {
+    let mut table = [0.0; PARTS];
+    let mut i = 0;
+    while i < PARTS {
+        table[i] = cosine_of_turn(i, PARTS);
+        i += 1;
+    }
+    table
+};
+
+/// How many samples a polynomial takes: enough that some harmonics have to
+/// vanish.
+pub(super) const fn samples(degree: usize) -> usize {
+    if degree <= 8 { 24 } else { MOST_SAMPLES }
+}
+
+impl Harmonics {
+    /// From values at 2πj/n; the largest harmonic becomes 1.
+    pub fn new(degree: usize, values: &[f64]) -> Self {
+        let mut out = Self {
+            degree,
+            cosines: [0.0; DEGREE + 1],
+            sines: [0.0; DEGREE + 1],
+            noise: 0.0,
+        };
+        let n = values.len();
+        let step = PARTS / n;
+        let half = n / 2;
+        // Values mirrored at 0 and half a turn: even and odd parts.
+        let mut even = [0.0; MOST_SAMPLES / 2 + 1];
+        let mut odd = [0.0; MOST_SAMPLES / 2 + 1];
+        (even[0], even[half]) = (values[0], values[half]);
+        for j in 1..half {
+            even[j] = values[j] + values[n - j];
+            odd[j] = values[j] - values[n - j];
+        }
+        let mut largest: f64 = 0.0;
+        let mut vanishing = 0.0;
+        for k in 0..=half {
+            let (mut a, mut b) = (0.0, 0.0);
+            for j in 0..=half {
+                let angle = k * j * step % PARTS;
+                a += even[j] * COSINES[angle];
+                b += odd[j] * COSINES[(angle + 3 * PARTS / 4) % PARTS];
+            }
+            if k <= degree {
+                let share = if k == 0 { 1.0 } else { 2.0 };
+                (out.cosines[k], out.sines[k]) = (share * a, share * b);
+                largest = largest.max(a.abs()).max(b.abs());
+            } else {
+                vanishing += a * a + b * b;
+            }
+        }
+        let scale = 1.0 / largest;
+        out.cosines = out.cosines.map(|a| a * scale);
+        out.sines = out.sines.map(|b| b * scale);
+        out.noise = crate::math::sqrt(vanishing) * scale + f64::EPSILON;
+        out
+    }
+}
+
+/// Sines and cosines of half the angles of the samples.
+pub(super) const HALF_ANGLES: [[f64; 2]; PARTS] = {
+    let mut table = [[0.0; 2]; PARTS];
+    let mut i = 0;
+    while i < PARTS {
+        table[i] = [cosine_of_turn(i, 2 * PARTS), sine_of_turn(i, 2 * PARTS)];
+        i += 1;
+    }
+    table
+};
+
+impl Harmonics {
+    /// f and f′ at some angles, radians: Horner's rule in e^{iθ}.
+    #[inline(always)]
+    pub fn value_and_slope<const L: usize>(&self, angles: &[f64; L]) -> ([f64; L], [f64; L]) {
+        let (sine, cosine) = crate::generated::lanes::sin_cos(*angles);
+        let (mut f, mut g) = ([[0.0; L]; 2], [[0.0; L]; 2]);
+        for k in (1..=self.degree).rev() {
+            let (a, b) = (self.cosines[k], -self.sines[k]);
+            let order = k as f64;
+            for lane in 0..L {
+                let (c, s) = (cosine[lane], sine[lane]);
+                let (x, y) = (f[0][lane] + a, f[1][lane] + b);
+                f[0][lane] = x * c - y * s;
+                f[1][lane] = x * s + y * c;
+                let (x, y) = (g[0][lane] - order * b, g[1][lane] + order * a);
+                g[0][lane] = x * c - y * s;
+                g[1][lane] = x * s + y * c;
+            }
+        }
+        let mut value = f[0];
+        value.iter_mut().for_each(|x| *x += self.cosines[0]);
+        (value, g[0])
+    }
+
+    /// f, f′ and f″ at an angle, radians.
+    pub fn derivatives(&self, angle: f64) -> [f64; 3] {
+        let (sine, cosine) = crate::math::sin_cos(angle);
+        let (mut c, mut s) = (1.0, 0.0);
+        let mut out = [self.cosines[0], 0.0, 0.0];
+        for k in 1..=self.degree {
+            (c, s) = (c * cosine - s * sine, s * cosine + c * sine);
+            let order = k as f64;
+            let (a, b) = (self.cosines[k], self.sines[k]);
+            out[0] += a * c + b * s;
+            out[1] += order * (b * c - a * s);
+            out[2] -= order * order * (a * c + b * s);
+        }
+        out
+    }
+}

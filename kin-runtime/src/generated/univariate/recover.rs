@@ -1,0 +1,156 @@
+//! The other joints from a value of the kept one.
+
+use super::LANES;
+use super::determinant::{
+    Vectors, eliminate, null_vector_of_factors, null_vector_of_triangle, reflect, times,
+};
+use super::elimination::{Elimination, Equations, Loop};
+use super::line::{ENTRIES, Lines};
+use crate::generated::lanes::{angle, sin_cos};
+use crate::math;
+
+type Lanes = [f64; LANES];
+
+/// A null vector that misses zero by more than this was spoilt by a small pivot.
+const SPOILT: f64 = 1e-9;
+
+/// Configurations as array lanes, radians, by joint of the arm.
+pub(super) struct Starts {
+    pub q: [Lanes; 6],
+    /// How far two cosines and sines are from being of an angle: what an
+    /// extraneous root shows itself by.
+    pub inconsistency: Lanes,
+}
+
+/// One elimination at one target.
+pub(super) struct Recovery<'a> {
+    pub elimination: &'a Elimination,
+    pub round: &'a Loop,
+    pub far_side: &'a Lines<9>,
+    pub equations: &'a Equations,
+}
+
+impl Recovery<'_> {
+    /// The joints that go with values of the kept one.
+    pub fn joints(&self, kept: &Lanes) -> Starts {
+        let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
+        let null = self.null_vectors(&cosine, &sine);
+        let (mut last, mut before) = ([0.0; LANES], [0.0; LANES]);
+        let entry = |i: usize, j: usize| {
+            &null[usize::from(self.elimination.columns[(i + 4 * j) & 15] & 15)]
+        };
+        let half_tangent = |at: &dyn Fn(usize, usize) -> (usize, usize)| -> Lanes {
+            let (mut y, mut x) = ([0.0; LANES], [0.0; LANES]);
+            for i in 0..3 {
+                for j in 0..4 {
+                    let ((a, b), (c, d)) = (at(i, j), at(i + 1, j));
+                    let (low, high) = (entry(a, b), entry(c, d));
+                    for k in 0..LANES {
+                        y[k] += 2.0 * low[k] * high[k];
+                        x[k] += (low[k] - high[k]) * (low[k] + high[k]);
+                    }
+                }
+            }
+            core::array::from_fn(|k| angle(y[k], x[k]))
+        };
+        last.copy_from_slice(&half_tangent(&|i, j| (i, j)));
+        before.copy_from_slice(&half_tangent(&|i, j| (j, i)));
+        self.rest(kept, &before, &last)
+    }
+
+    fn null_vectors(&self, cosine: &Lanes, sine: &Lanes) -> Vectors<LANES> {
+        let matrix = self.equations.matrix(self.elimination, cosine, sine);
+        let mut factors = matrix;
+        eliminate(&mut factors);
+        let null = null_vector_of_factors(&factors);
+        let miss = times(&matrix, &null);
+        let worst = miss
+            .iter()
+            .flatten()
+            .fold(0.0, |a, &b: &f64| math::max(a, b.abs()));
+        let is_number = null.iter().flatten().all(|x| x.is_finite());
+        if is_number && worst < SPOILT {
+            return null;
+        }
+        let mut factors = matrix;
+        reflect(&mut factors);
+        null_vector_of_triangle(&factors)
+    }
+
+    fn rest(&self, kept: &Lanes, before: &Lanes, last: &Lanes) -> Starts {
+        let (sk, ck) = sin_cos(*kept);
+        let (sb, cb) = sin_cos(*before);
+        let (sl, cl) = sin_cos(*last);
+        let mut line = [[0.0; LANES]; ENTRIES];
+        for (line, far) in line.iter_mut().zip(self.far_side) {
+            for k in 0..LANES {
+                let of = |i: usize| far[i] + far[i + 1] * cb[k] + far[i + 2] * sb[k];
+                line[k] = of(0) + of(3) * cl[k] + of(6) * sl[k];
+            }
+        }
+        for v in [0, 3, 6, 9] {
+            for k in 0..LANES {
+                let (x, y) = (line[v][k], line[v + 1][k]);
+                line[v][k] = x * ck[k] + y * sk[k];
+                line[v + 1][k] = y * ck[k] - x * sk[k];
+            }
+        }
+        let mut pair = [[0.0; LANES]; 4];
+        for (out, functional) in pair.iter_mut().zip(&self.elimination.pair) {
+            for (f, line) in functional.iter().zip(&line) {
+                for k in 0..LANES {
+                    out[k] += f * line[k];
+                }
+            }
+        }
+        let mut inconsistency = [0.0; LANES];
+        let [mut second, mut third] = [[0.0; LANES]; 2];
+        for k in 0..LANES {
+            let [c2, s2, c3, s3] = pair.map(|x| x[k]);
+            let off = |c: f64, s: f64| (c * c + s * s - 1.0).abs();
+            inconsistency[k] = math::max(off(c2, s2), off(c3, s3));
+            (second[k], third[k]) = (angle(s2, c2), angle(s3, c3));
+        }
+        let angles = [*kept, second, third, [0.0; LANES], *before, *last];
+        let fourth = self.fourth(&angles);
+        let mut q = [[0.0; LANES]; 6];
+        let sign = if self.elimination.backwards {
+            -1.0
+        } else {
+            1.0
+        };
+        for (i, joint) in self.elimination.joints.iter().enumerate() {
+            let angles = if i == 3 { &fourth } else { &angles[i] };
+            q[usize::from(*joint) % 6] = angles.map(|x| sign * x);
+        }
+        Starts { q, inconsistency }
+    }
+
+    /// The joint whose axis was followed: where its x axis goes the other way
+    /// round.
+    fn fourth(&self, angles: &[Lanes; 6]) -> Lanes {
+        let mut x = [[1.0; LANES], [0.0; LANES], [0.0; LANES]];
+        for i in [3, 4, 5, 0, 1, 2] {
+            x = rotated_back(&self.round.behind[i].rotation, &x);
+            if i != 2 {
+                x = turned_back(&x, &angles[(i + 1) % 6]);
+            }
+        }
+        core::array::from_fn(|k| angle(x[1][k], x[0][k]))
+    }
+}
+
+fn rotated_back(r: &[[f64; 3]; 3], x: &[Lanes; 3]) -> [Lanes; 3] {
+    core::array::from_fn(|i| {
+        core::array::from_fn(|k| r[0][i] * x[0][k] + r[1][i] * x[1][k] + r[2][i] * x[2][k])
+    })
+}
+
+fn turned_back(x: &[Lanes; 3], angles: &Lanes) -> [Lanes; 3] {
+    let (s, c) = sin_cos(*angles);
+    [
+        core::array::from_fn(|k| c[k] * x[0][k] + s[k] * x[1][k]),
+        core::array::from_fn(|k| c[k] * x[1][k] - s[k] * x[0][k]),
+        x[2],
+    ]
+}

@@ -1,0 +1,304 @@
+//! All real roots of a trigonometric polynomial.
+//!
+//! Descartes' rule of signs in Bernstein's basis bounds the number of roots on
+//! an interval and has its parity (G. E. Collins and A. G. Akritas, SYMSAC
+//! 1976; J. M. Lane and R. F. Riesenfeld, BIT 21, 1981): no change of sign means
+//! none, one means one. Halving does the rest, with a bound on its steps;
+//! intervals on which the signs are those of rounding end at a width at which
+//! two terms of Taylor's series tell all.
+
+use super::bernstein::{ARCS, COEFFICIENTS, REACH, middle, on_arcs};
+use super::harmonics::Harmonics;
+use crate::math;
+
+/// Candidates at most: more than a polynomial of the highest degree has roots.
+pub(super) const MOST: usize = 32;
+
+/// Halvings at most, in all: roots that are near each other take ten for each
+/// pair, and no polynomial has more than twelve.
+const HALVINGS: usize = 192;
+
+/// Intervals that wait at a time: one of each halving on the way.
+const WAITING: usize = 16;
+
+/// In multiples of the noise, what a coefficient may be without having a sign.
+const UNSIGNED: f64 = 16.0;
+
+/// Below this an interval, in radians, is told by Taylor's series.
+const NARROW: f64 = 4e-4;
+
+/// Two roots that are nearer to each other than twice the root of this are one
+/// candidate, radians².
+const CLOSE: f64 = 1e-12;
+
+/// Roots are found to this, radians: Newton's method on the arm does the rest.
+const ROOT: f64 = 1e-9;
+
+/// Steps towards a root: a bracket of an arc is halved thirty times at most, and
+/// between two halvings there may be a step of Newton's.
+const STEPS: usize = 60;
+
+/// Where an arm may have a solution.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Roots {
+    pub angles: [f64; MOST],
+    pub count: usize,
+    /// Bit i is set where candidate i may be two or more.
+    pub double: u32,
+    /// Whether the polynomial is not well enough known to tell its roots.
+    pub uncertain: bool,
+}
+
+impl Roots {
+    fn push(&mut self, angle: f64, double: bool) {
+        if self.count == MOST {
+            self.uncertain = true;
+            return;
+        }
+        self.angles[self.count] = angle;
+        self.double |= u32::from(double) << self.count;
+        self.count += 1;
+    }
+}
+
+/// An interval with one root, radians, and where it may be.
+#[derive(Clone, Copy)]
+struct Bracket {
+    ends: [f64; 2],
+    guess: f64,
+    rises: bool,
+}
+
+/// What the coefficients say.
+enum Signs {
+    None,
+    /// One root, at about this share of the interval.
+    One(f64),
+    Many,
+}
+
+fn signs(coefficients: &[f64], noise: f64) -> Signs {
+    let last = coefficients.len() - 1;
+    let unsigned = |x: f64| x.is_nan() || x.abs() <= noise;
+    if unsigned(coefficients[0]) || unsigned(coefficients[last]) {
+        return Signs::Many;
+    }
+    let mut before = 0;
+    let mut found = None;
+    for i in 1..=last {
+        let (a, b) = (coefficients[before], coefficients[i]);
+        if unsigned(b) {
+            continue;
+        }
+        if a * b < 0.0 {
+            if found.is_some() {
+                return Signs::Many;
+            }
+            let share = a / (a - b);
+            found = Some((before as f64 + share * (i - before) as f64) / last as f64);
+        } else if i > before + 1 {
+            return Signs::Many;
+        }
+        before = i;
+    }
+    found.map_or(Signs::None, Signs::One)
+}
+
+/// Part of an arc.
+#[derive(Clone, Copy)]
+struct Interval {
+    coefficients: [f64; COEFFICIENTS],
+    /// From middle + 2 atan t.
+    t: [f64; 2],
+}
+
+impl Interval {
+    /// The two parts, by de Casteljau's algorithm; not quite halves, since roots
+    /// like to be in the middle.
+    fn halved(&self, n: usize) -> [Self; 2] {
+        const SHARE: f64 = 0.4871;
+        let cut = self.t[0] + SHARE * (self.t[1] - self.t[0]);
+        let mut low = *self;
+        let mut high = *self;
+        (low.t[1], high.t[0]) = (cut, cut);
+        for i in 0..n {
+            low.coefficients[i] = high.coefficients[0];
+            for j in 0..n - 1 - i {
+                let (a, b) = (high.coefficients[j], high.coefficients[j + 1]);
+                high.coefficients[j] = a + SHARE * (b - a);
+            }
+        }
+        [low, high]
+    }
+}
+
+/// The roots, in no order, in (−π, 2π] radians; a few that are none may be with
+/// them.
+pub(super) fn roots(f: &Harmonics) -> Roots {
+    let mut found = Roots {
+        angles: [0.0; MOST],
+        count: 0,
+        double: 0,
+        uncertain: false,
+    };
+    let mut search = Search {
+        f,
+        noise: UNSIGNED * f.noise,
+        brackets: [Bracket {
+            ends: [0.0; 2],
+            guess: 0.0,
+            rises: true,
+        }; MOST],
+        count: 0,
+        halvings: 0,
+    };
+    let (coefficients, n) = on_arcs(f);
+    for arc in 0..ARCS {
+        let mut own = [0.0; COEFFICIENTS];
+        for i in 0..n {
+            own[i] = coefficients[i][arc];
+        }
+        let whole = Interval {
+            coefficients: own,
+            t: [-REACH, REACH],
+        };
+        search.on_arc(middle(arc), whole, n, &mut found);
+    }
+    search.simple(&mut found);
+    found
+}
+
+struct Search<'a> {
+    f: &'a Harmonics,
+    noise: f64,
+    brackets: [Bracket; MOST],
+    count: usize,
+    halvings: usize,
+}
+
+impl Search<'_> {
+    fn on_arc(&mut self, middle: f64, whole: Interval, n: usize, found: &mut Roots) {
+        let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
+        let mut waiting = [whole; WAITING];
+        let mut count = 1;
+        while count > 0 {
+            count -= 1;
+            let interval = waiting[count];
+            let [low, high] = interval.t;
+            match signs(&interval.coefficients[..n], self.noise) {
+                Signs::None => {}
+                Signs::One(share) => {
+                    let rises = interval.coefficients[0] < 0.0;
+                    let guess = angle(low + share * (high - low));
+                    self.bracket(
+                        Bracket {
+                            ends: [angle(low), angle(high)],
+                            guess,
+                            rises,
+                        },
+                        found,
+                    );
+                }
+                Signs::Many if 2.0 * (high - low) < NARROW => {
+                    self.narrow([angle(low), angle(high)], found);
+                }
+                Signs::Many if self.halvings == HALVINGS || count + 2 > WAITING => {
+                    found.uncertain = true;
+                    found.push(angle(0.5 * (low + high)), true);
+                }
+                Signs::Many => {
+                    self.halvings += 1;
+                    waiting[count..count + 2].copy_from_slice(&interval.halved(n));
+                    count += 2;
+                }
+            }
+        }
+    }
+
+    fn bracket(&mut self, bracket: Bracket, found: &mut Roots) {
+        match self.brackets.get_mut(self.count) {
+            Some(place) => {
+                *place = bracket;
+                self.count += 1;
+            }
+            None => found.uncertain = true,
+        }
+    }
+
+    /// The roots on an interval on which f is a parabola.
+    fn narrow(&mut self, [low, high]: [f64; 2], found: &mut Roots) {
+        let width = high - low;
+        let mut at = 0.5 * (low + high);
+        let mut values = [0.0; 3];
+        for _ in 0..6 {
+            values = self.f.derivatives(at);
+            let step = values[1] / values[2];
+            if step.is_nan() || (at - step - 0.5 * (low + high)).abs() > 1.5 * width {
+                break;
+            }
+            at -= step;
+            if step.abs() < 1e-12 {
+                break;
+            }
+        }
+        values = if (at - 0.5 * (low + high)).abs() <= 1.5 * width {
+            self.f.derivatives(at)
+        } else {
+            values
+        };
+        let square = -2.0 * values[0] / values[2];
+        let blur = CLOSE + 4.0 * self.noise / values[2].abs();
+        let flat = (values[1] / values[2]).abs() < width;
+        if flat && square > blur {
+            let apart = math::sqrt(square);
+            found.push(at - apart, false);
+            found.push(at + apart, false);
+        } else if flat && square > -blur || square.is_nan() {
+            found.push(at, true);
+            found.uncertain = true;
+        } else {
+            let [a, b] = [low, high].map(|at| self.f.derivatives(at)[0]);
+            if a * b <= 0.0 || a.abs().min(b.abs()) <= self.noise {
+                let guess = if a == b {
+                    low
+                } else {
+                    low + width * (a / (a - b)).clamp(0.0, 1.0)
+                };
+                found.push(guess, false);
+            }
+        }
+    }
+
+    /// Newton's method on all brackets at once, halving where it leaves them.
+    fn simple(&self, found: &mut Roots) {
+        const LANES: usize = 8;
+        for chunk in self.brackets[..self.count].chunks(LANES) {
+            let at = |k: usize| chunk[k.min(chunk.len() - 1)];
+            let mut x: [f64; LANES] = core::array::from_fn(|k| at(k).guess);
+            let mut low: [f64; LANES] = core::array::from_fn(|k| at(k).ends[0]);
+            let mut high: [f64; LANES] = core::array::from_fn(|k| at(k).ends[1]);
+            let rises: [f64; LANES] =
+                core::array::from_fn(|k| if at(k).rises { 1.0 } else { -1.0 });
+            for _ in 0..STEPS {
+                let (value, slope) = self.f.value_and_slope(&x);
+                let mut largest: f64 = 0.0;
+                for k in 0..LANES {
+                    let above = value[k] * rises[k] > 0.0;
+                    low[k] = math::select(above, low[k], x[k]);
+                    high[k] = math::select(above, x[k], high[k]);
+                    let newton = x[k] - value[k] / slope[k];
+                    let inside = (newton >= low[k]) & (newton <= high[k]);
+                    let next = math::select(inside, newton, 0.5 * (low[k] + high[k]));
+                    largest = math::max(largest, (next - x[k]).abs());
+                    x[k] = next;
+                }
+                if largest < ROOT {
+                    break;
+                }
+            }
+            for &x in &x[..chunk.len()] {
+                found.push(x, false);
+            }
+        }
+    }
+}
