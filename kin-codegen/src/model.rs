@@ -143,10 +143,20 @@ impl Model {
             .unwrap_or(0)
     }
 
-    /// Whether the link of a joint stands for the joint's coordinate: whether
-    /// the joint follows no other.
-    pub fn leads(&self, joint: usize) -> bool {
-        self.joint_of(self.joints[joint].variable) == joint
+    /// Of every joint, whether its link stands for its coordinate: whether it
+    /// is [`Model::joint_of`] that.
+    pub fn leaders(&self) -> Vec<bool> {
+        let mut leaders = vec![None; self.variables.len()];
+        for (j, joint) in self.joints.iter().enumerate() {
+            let leader = leaders[joint.variable].get_or_insert(j);
+            let own = |j: usize| self.joints[j].is_coordinate(joint.variable);
+            if own(j) && !own(*leader) {
+                *leader = j;
+            }
+        }
+        let mut leads = vec![false; self.joints.len()];
+        leaders.into_iter().flatten().for_each(|j| leads[j] = true);
+        leads
     }
 
     /// Whether a coordinate of q is an angle.
@@ -233,7 +243,7 @@ fn build(
         frames: Vec::new(),
         warnings: Vec::new(),
     };
-    model.frames = frames::fixed(spec, &chain, |joint| model.leads(joint));
+    model.frames = frames::fixed(spec, &chain, &model.leaders());
     Some(model)
 }
 

@@ -7,9 +7,11 @@ mod readers;
 
 use kin_codegen::random::Random;
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 use std::fs;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// Robot files of both formats: those of the project, and those that the fuzz
 /// targets begin with.
@@ -161,6 +163,7 @@ fn executions() -> u64 {
 fn robots_with_a_few_words_and_lines_in_other_places() {
     let seeds = [seeds(), all_seeds()];
     let mut robots = 0;
+    let mut spent = BTreeMap::<String, (u64, Duration)>::new();
     for seed in 1..=executions() {
         let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
         let mut pick = || {
@@ -169,10 +172,17 @@ fn robots_with_a_few_words_and_lines_in_other_places() {
         };
         let ((path, text), (_, other)) = (pick(), pick());
         let text = mutation::mutate(text, other, &mut random);
+        let start = Instant::now();
         match catch_unwind(|| readers::read(path, &text)) {
             Ok(robot) => robots += u64::from(robot),
             Err(_) => panic!("{path} of seed {seed}:\n{text}"),
         }
+        let format = path.rsplit('.').next().unwrap_or(path).to_owned();
+        let (files, time) = spent.entry(format).or_default();
+        (*files, *time) = (*files + 1, *time + start.elapsed());
+    }
+    for (format, (files, time)) in spent {
+        println!("{format}: {:.0} files/s", files as f64 / time.as_secs_f64());
     }
     // Neither are all still robots, nor none of them.
     let part = executions() / 20;

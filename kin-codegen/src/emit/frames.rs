@@ -9,7 +9,8 @@ use quote::quote;
 
 /// `FRAMES`, in the order of the file.
 pub fn constant(model: &Model) -> TokenStream {
-    let frames = model.frames.iter().map(|frame| one(model, frame));
+    let leads = model.leaders();
+    let frames = model.frames.iter().map(|frame| one(model, &leads, frame));
     quote! {
         /// The other links that do not move against the base or one of
         /// [`Self::LINK_NAMES`]: see [`Self::fk_frame`].
@@ -17,13 +18,13 @@ pub fn constant(model: &Model) -> TokenStream {
     }
 }
 
-fn one(model: &Model, frame: &Frame) -> TokenStream {
+fn one(model: &Model, leads: &[bool], frame: &Frame) -> TokenStream {
     let name = text::literal(&frame.name);
     let Some(joint) = frame.joint else {
         let pose = pose(&frame.pose);
         return quote!(Frame::on_base(#name, #pose));
     };
-    if model.leads(joint) {
+    if leads[joint] {
         let link = Literal::usize_unsuffixed(model.joints[joint].variable);
         let pose = pose(&frame.pose);
         return quote!(Frame::on_link(#name, #link, #pose));
@@ -33,7 +34,7 @@ fn one(model: &Model, frame: &Frame) -> TokenStream {
         let pose = pose(&(model.home.inverse() * home));
         return quote!(Frame::on_tip(#name, #pose));
     }
-    let before = (0..joint).rev().find(|&j| model.leads(j));
+    let before = (0..joint).rev().find(|&j| leads[j]);
     let (from, link) = match before {
         Some(j) => {
             let link = Literal::usize_unsuffixed(model.joints[j].variable);

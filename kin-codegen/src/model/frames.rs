@@ -5,9 +5,9 @@ use super::chain::Chain;
 use crate::spec::{ArmSpec, JointType};
 use kin_runtime::Pose;
 
-/// The links of an arm beside its base and those that `leads` says stand for
-/// coordinates, with what carries them; in the order of the file.
-pub(super) fn fixed(spec: &ArmSpec, chain: &Chain, leads: impl Fn(usize) -> bool) -> Vec<Frame> {
+/// The links of an arm beside its base and those of joints that lead, with what
+/// carries them; in the order of the file.
+pub(super) fn fixed(spec: &ArmSpec, chain: &Chain, leads: &[bool]) -> Vec<Frame> {
     let mut beside = vec![Vec::new(); spec.links.len()];
     // What is wrong with a joint, or moves it, ends what can be said.
     let joints = spec.joints.iter();
@@ -36,7 +36,7 @@ pub(super) fn fixed(spec: &ArmSpec, chain: &Chain, leads: impl Fn(usize) -> bool
         }
     }
     for (i, &body) in bodies.iter().enumerate() {
-        if i.checked_sub(1).is_none_or(&leads) || body == chain.tip {
+        if i.checked_sub(1).is_none_or(|joint| leads[joint]) || body == chain.tip {
             placed[body] = None;
         }
     }
