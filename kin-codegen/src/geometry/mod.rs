@@ -99,7 +99,8 @@ pub fn axes(model: &Model) -> Vec<Line> {
 }
 
 /// The arm's size, metres: how far the tip can be from the first axis if
-/// every link were stretched. Lengths are judged relative to it.
+/// every link were stretched. Lengths are judged relative to it. What an angle is
+/// worth beside a length is another number: see the runtime's characteristic length.
 ///
 /// Offsets along an axis of rotation count once, however they are split
 /// between the links that share the axis.

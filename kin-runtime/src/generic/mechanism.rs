@@ -2,6 +2,8 @@
 
 use alloc::{vec, vec::Vec};
 
+use super::characteristic_length::characteristic_length;
+
 use crate::linear::span::Span;
 use crate::linear::vector::norm;
 use crate::parallel::newton::{Task, close};
@@ -57,7 +59,7 @@ impl Mechanism {
         }
         assert!(actuated.iter().all(|&joint| joint < first), "no such joint");
         let twists: Vec<Twist> = chains.iter().flat_map(Chain::twists).copied().collect();
-        let length = posture::length(&twists, chains[0].home());
+        let length = characteristic_length(&twists, chains[0].home());
         Mechanism {
             chains,
             ranges,
@@ -81,7 +83,7 @@ impl Mechanism {
         self.ranges.last().map_or(0, |range| range[1])
     }
 
-    /// What an angle of one radian is worth beside lengths: the distance of
+    /// The characteristic length, which an angle of one radian is worth: the distance of
     /// the platform from the farthest axis at home, metres.
     pub fn length(&self) -> f64 {
         self.length

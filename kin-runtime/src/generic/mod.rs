@@ -3,6 +3,7 @@
 
 mod assembly_modes;
 pub(crate) mod chain;
+mod characteristic_length;
 mod descent;
 mod mechanism;
 mod search;

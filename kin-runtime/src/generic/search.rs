@@ -4,8 +4,9 @@ use alloc::{vec, vec::Vec};
 use core::f64::consts::PI;
 
 use super::chain::is_prismatic;
+use super::characteristic_length::characteristic_length;
 use super::descent::{Descent, Task};
-use crate::linear::vector::{cross, norm, sub};
+use crate::linear::vector::norm;
 use crate::{Chain, Pose, Target, Twist, math};
 
 /// How [`Chain::ik_all`] searches. The defaults suit arms of up to six
@@ -86,7 +87,7 @@ impl Chain {
     /// assert!(planar.ik_all(&target, &SearchOptions::default()).is_empty());
     /// ```
     pub fn ik_all(&self, target: &Pose, options: &SearchOptions) -> Vec<ChainSolution> {
-        let length = self.size();
+        let length = self.length();
         let mut descent = Descent::new(self.task(target, options.target));
         let mut starts = Starts::new(self.twists(), length + norm(target.translation));
         let mut found: Vec<ChainSolution> = Vec::new();
@@ -149,25 +150,13 @@ impl Chain {
             chain: self,
             target: counts.stands_for(target, axis, self.home()),
             counts,
-            length: self.size(),
+            length: self.length(),
         }
     }
 
-    /// A length that weighs rotations against translations: the farthest that
-    /// any axis or the tip lies from the base axis, at home. Metres.
-    fn size(&self) -> f64 {
-        let on_axis = |twist: &Twist| cross(twist.angular, twist.linear);
-        let first = self.twists().first().map_or([0.0; 3], on_axis);
-        let points = self
-            .twists()
-            .iter()
-            .filter(|twist| !is_prismatic(twist))
-            .map(on_axis);
-        let points = points.chain([self.home().translation]);
-        let size = points
-            .map(|point| norm(sub(point, first)))
-            .fold(0.0, f64::max);
-        if size > 0.0 { size } else { 1.0 }
+    /// What an angle of one radian is worth in a descent, metres.
+    fn length(&self) -> f64 {
+        characteristic_length(self.twists(), self.home())
     }
 
     /// Adds the configuration that the descent arrived at, unless it is known.

@@ -32,7 +32,8 @@ macro_rules! parallel_methods {
                 const BASE: &'static str;
                 /// The frame that poses are of.
                 const PLATFORM: &'static str;
-                /// What an angle of one radian is worth beside lengths, metres.
+                /// The characteristic length, which an angle of one radian is worth: how
+                /// far the platform is at home from the farthest axis, metres.
                 const LENGTH: f64;
                 /// How many independent motions the mechanism has where it is regular.
                 const MOBILITY: usize;

@@ -227,14 +227,3 @@ pub(crate) fn back_substitute(r: &[[f64; 6]; 6], b: impl Fn(usize) -> f64) -> Ve
     }
     x
 }
-
-/// The distance from the first axis to the farthest, or to the platform, at
-/// home: what an angle of one radian is worth. Metres.
-#[cfg(feature = "alloc")]
-pub(crate) fn length(twists: &[Twist], platform: &Pose) -> f64 {
-    let turning = twists.iter().filter(|twist| twist.angular != [0.0; 3]);
-    let points = turning.map(|twist| cross(twist.angular, twist.linear));
-    let from = |point: [f64; 3]| crate::linear::vector::norm(sub(point, platform.translation));
-    let length = points.map(from).fold(0.0, f64::max);
-    if length > 0.0 { length } else { 1.0 }
-}
