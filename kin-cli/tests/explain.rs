@@ -100,6 +100,7 @@ fn wrists_and_shoulders_have_their_names() {
 #[test]
 fn branches_share_work() {
     let cost = told(&robot("ur5e.urdf")).inverse.unwrap().cost;
+    let cost = cost.unwrap();
     let (one, all) = (cost.one_branch, cost.all_branches);
     assert!(all.multiplications > one.multiplications);
     assert!(all.multiplications < 8 * one.multiplications);
@@ -138,7 +139,7 @@ fn forward_kinematics_alone_is_no_refusal() {
 
 #[test]
 fn a_broken_file_is_told_from_an_arm_without_closed_form() {
-    let general = chain(&[[0.1, 0.2, 70.0]; 6]);
+    let general = chain(&[[0.1, 0.2, 70.0]; 7]);
     let broken = Source {
         text: general.text.replace("70", "7O"),
         ..general.clone()

@@ -2,7 +2,8 @@
 
 use kin_cli::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::arm::CompiledArm;
-use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::closed_form::{ClosedForm, Inverse};
+use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::expr::{Choice, Node};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
@@ -164,12 +165,20 @@ fn a_refinement_onto_another_arm_is_unsound() {
     assert!(tally.unsound > SETTINGS.targets, "{tally}");
 }
 
+fn expressions(form: &mut ClosedForm) -> &mut InverseGraph {
+    match &mut form.inverse {
+        Inverse::Expressions(inverse) => inverse,
+        Inverse::Univariate(_) => panic!("the plan is of subproblems"),
+    }
+}
+
 #[test]
 fn a_branch_left_out_is_lost_and_missing() {
     let (model, mut form) = arm("robots/puma560.yaml");
     // +1 where the first choice is a plus.
     let plus = Node::Sign(Choice(0));
-    form.inverse.invalid = form.inverse.graph.find(plus).unwrap();
+    let inverse = expressions(&mut form);
+    inverse.invalid = inverse.graph.find(plus).unwrap();
     let tally = swept(&(model, form));
     assert_eq!(tally.solutions[&4], SETTINGS.targets, "{tally}");
     let half = SETTINGS.targets / 2;
@@ -197,7 +206,8 @@ fn a_choice_without_effect_doubles() {
 fn faults_can_be_replayed() {
     let (model, mut form) = arm("robots/puma560.yaml");
     let plus = Node::Sign(Choice(0));
-    form.inverse.invalid = form.inverse.graph.find(plus).unwrap();
+    let inverse = expressions(&mut form);
+    inverse.invalid = inverse.graph.find(plus).unwrap();
     let tally = swept(&(model.clone(), form.clone()));
     let lost = |kind| tally.faults.iter().filter(move |fault| fault.kind == kind);
     assert_eq!(lost(Kind::Lost).count(), 5, "the first few");
@@ -251,7 +261,8 @@ fn a_configuration_of_another_length_is_not_replayed() {
 #[test]
 fn a_target_without_answers_is_told_from_a_lost_configuration() {
     let (model, mut form) = arm("robots/scara.yaml");
-    form.inverse.invalid = form.inverse.graph.one();
+    let inverse = expressions(&mut form);
+    inverse.invalid = inverse.graph.one();
     let tally = swept(&(model, form));
     assert_eq!(tally.solutions[&0], SETTINGS.targets, "{tally}");
     assert_eq!(tally.lost.regular, SETTINGS.targets, "{tally}");

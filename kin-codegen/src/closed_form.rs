@@ -5,6 +5,7 @@ use crate::expr::inverse::InverseGraph;
 use crate::geometry::{Idealized, Linkage};
 use crate::model::JointKind;
 use crate::plan::Plan;
+use crate::univariate;
 use kin_runtime::__private::Acceptance;
 use kin_runtime::__private::free_angle::{SAMPLES, roomiest_turn};
 use kin_runtime::__private::refinement::{Problem, refine_branches};
@@ -19,6 +20,15 @@ pub const TOLERANCE: f64 = 1e-9;
 /// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
 
+/// What computes the branches of a plan.
+#[derive(Clone, Debug)]
+pub enum Inverse {
+    /// Expressions for its subproblems.
+    Expressions(Box<InverseGraph>),
+    /// A polynomial in one joint.
+    Univariate(Box<univariate::Arm>),
+}
+
 /// A closed form.
 #[derive(Clone, Debug)]
 pub struct ClosedForm {
@@ -31,8 +41,8 @@ pub struct ClosedForm {
     pub given: Linkage,
     /// The plan.
     pub plan: Plan,
-    /// The plan as expressions.
-    pub inverse: InverseGraph,
+    /// The plan as it is run.
+    pub inverse: Inverse,
     /// How far the idealized arm's tip is from the given one's, metres.
     pub tip_shift: f64,
     /// Newton steps at most that refine every branch onto the arm as given; 0
@@ -53,6 +63,17 @@ pub struct BranchSolution {
     pub singular: bool,
 }
 
+impl BranchSolution {
+    fn of<const N: usize>(found: &Solution<N>) -> Self {
+        Self {
+            q: found.q.to_vec(),
+            residual: found.residual,
+            branch: found.branch,
+            singular: found.singular,
+        }
+    }
+}
+
 impl ClosedForm {
     /// Whether the arm as given has the relations exactly, so that no branch
     /// needs refinement.
@@ -62,6 +83,10 @@ impl ClosedForm {
 
     /// What the generated function will return, computed by the interpreter.
     pub fn solutions(&self, target: &Pose) -> Vec<BranchSolution> {
+        if let Inverse::Univariate(arm) = &self.inverse {
+            let found = arm.solutions(target);
+            return found.iter().map(BranchSolution::of).collect();
+        }
         let mut branches = self.branches(target);
         if self.is_exact() {
             let tolerance = self.acceptance().tolerance;
@@ -78,49 +103,22 @@ impl ClosedForm {
         }
     }
 
-    /// The branches of the plan that exist.
+    /// The plan as expressions, if it is run by them.
+    pub fn expressions(&self) -> Option<&InverseGraph> {
+        match &self.inverse {
+            Inverse::Expressions(graph) => Some(graph),
+            Inverse::Univariate(_) => None,
+        }
+    }
+
+    /// The branches of the plan that exist, if it is run by expressions.
     pub(crate) fn branches(&self, target: &Pose) -> Vec<BranchSolution> {
         let branches = 0..self.plan.branches() as u32;
-        branches
-            .filter_map(|branch| self.branch(target, branch))
+        let inverse = self.expressions().into_iter();
+        inverse
+            .flat_map(|inverse| branches.clone().filter_map(|k| branch(inverse, target, k)))
             .collect()
     }
-
-    fn branch(&self, target: &Pose, branch: u32) -> Option<BranchSolution> {
-        let inverse = &self.inverse;
-        let mut values = self.evaluate(target, branch, 0.0);
-        if let Some(free) = inverse.free_angle
-            && values[free.no_root.index()] > 0.0
-        {
-            let level = |turn| self.evaluate(target, branch, turn)[free.level.index()];
-            let turn = roomiest_turn(SAMPLES.map(level));
-            values = self.evaluate(target, branch, turn);
-        }
-        let of = |e: crate::expr::Expr| values[e.index()];
-        (of(inverse.invalid) <= 0.0).then(|| BranchSolution {
-            q: inverse.q.iter().map(|&e| of(e)).collect(),
-            residual: of(inverse.residual),
-            singular: of(inverse.singular) > 0.0,
-            branch,
-        })
-    }
-
-    /// The values of a branch for a seed of zeros, but for a turn of the angle
-    /// that may be free.
-    fn evaluate(&self, target: &Pose, branch: u32, turn: f64) -> Vec<f64> {
-        let inverse = &self.inverse;
-        let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
-        inputs.extend(target.translation);
-        let seed = inputs.len();
-        inputs.resize(usize::from(inverse.graph.inputs()), 0.0);
-        if let Some(free) = inverse.free_angle {
-            inputs[seed + free.coordinate] = turn;
-        }
-        let mut values = Vec::new();
-        inverse.graph.evaluate(&inputs, branch, &mut values);
-        values
-    }
-
     /// The branches, refined onto the arm as given.
     fn refined<const N: usize>(
         &self,
@@ -142,12 +140,7 @@ impl ClosedForm {
         let starts = branches.iter().map(start);
         refine_branches(&problem, starts, &self.acceptance(), self.refinement)
             .iter()
-            .map(|found| BranchSolution {
-                q: found.q.to_vec(),
-                residual: found.residual,
-                branch: found.branch,
-                singular: found.singular,
-            })
+            .map(BranchSolution::of)
             .collect()
     }
 
@@ -177,4 +170,37 @@ impl ClosedForm {
                 .sum(),
         }
     }
+}
+
+fn branch(inverse: &InverseGraph, target: &Pose, branch: u32) -> Option<BranchSolution> {
+    let mut values = evaluate(inverse, target, branch, 0.0);
+    if let Some(free) = inverse.free_angle
+        && values[free.no_root.index()] > 0.0
+    {
+        let level = |turn| evaluate(inverse, target, branch, turn)[free.level.index()];
+        let turn = roomiest_turn(SAMPLES.map(level));
+        values = evaluate(inverse, target, branch, turn);
+    }
+    let of = |e: crate::expr::Expr| values[e.index()];
+    (of(inverse.invalid) <= 0.0).then(|| BranchSolution {
+        q: inverse.q.iter().map(|&e| of(e)).collect(),
+        residual: of(inverse.residual),
+        singular: of(inverse.singular) > 0.0,
+        branch,
+    })
+}
+
+/// The values of a branch for a seed of zeros, but for a turn of the angle
+/// that may be free.
+fn evaluate(inverse: &InverseGraph, target: &Pose, branch: u32, turn: f64) -> Vec<f64> {
+    let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
+    inputs.extend(target.translation);
+    let seed = inputs.len();
+    inputs.resize(usize::from(inverse.graph.inputs()), 0.0);
+    if let Some(free) = inverse.free_angle {
+        inputs[seed + free.coordinate] = turn;
+    }
+    let mut values = Vec::new();
+    inverse.graph.evaluate(&inputs, branch, &mut values);
+    values
 }

@@ -2,13 +2,14 @@
 //! tolerance, and the plans for them certified, until one stands.
 
 use crate::certificate::{Certificate, Failure, Trials, certify};
-use crate::closed_form::ClosedForm;
+use crate::closed_form::{ClosedForm, Inverse};
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate, size,
 };
 use crate::model::Model;
-use crate::plan::{Plan, Target, search};
+use crate::plan::{Atom, Plan, Step, Subproblem, Target, search};
+use crate::univariate;
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
@@ -108,7 +109,56 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             Err(other) => refusal = other,
         }
     }
-    best.ok_or(refusal)
+    best.map_or_else(|| last_resort(&trials, target, refusal), Ok)
+}
+
+/// A polynomial in one joint, for an arm that the subproblems do not solve.
+fn last_resort(
+    trials: &Trials,
+    target: Target,
+    refusal: NoClosedForm,
+) -> Result<Certified, NoClosedForm> {
+    let linkage = trials.linkage();
+    let arm = match target {
+        Target::Pose => univariate::Arm::new(linkage),
+        _ => None,
+    };
+    let Some(arm) = arm else {
+        return Err(refusal);
+    };
+    let joints = arm.kept[0].elimination.joints;
+    let step = Step {
+        subproblem: Subproblem::Univariate,
+        unknowns: joints.map(|joint| Atom::Joint(joint.into())).to_vec(),
+        relations: Vec::new(),
+    };
+    let form = ClosedForm {
+        idealized: Idealized {
+            model: trials.model().clone(),
+            moved: Vec::new(),
+            tolerance: 0.0,
+        },
+        linkage: linkage.clone(),
+        given: linkage.clone(),
+        plan: Plan {
+            steps: vec![step],
+            target,
+        },
+        inverse: Inverse::Univariate(Box::new(arm)),
+        tip_shift: 0.0,
+        refinement: 0,
+    };
+    match certify(trials, &form) {
+        Ok(certificate) => Ok(Certified {
+            form,
+            certificate,
+            alternatives: Vec::new(),
+        }),
+        Err(failure) => Err(NoClosedForm::Uncertified {
+            plan: form.plan.to_string(),
+            failure,
+        }),
+    }
 }
 
 /// Two neighbours on one axis.
@@ -152,7 +202,12 @@ fn solve_idealized(
             linkage: linkage.clone(),
             given: trials.linkage().clone(),
             plan: plan.clone(),
-            inverse: inverse(&linkage, plan, DomainMargin(margin), free),
+            inverse: Inverse::Expressions(Box::new(inverse(
+                &linkage,
+                plan,
+                DomainMargin(margin),
+                free,
+            ))),
             tip_shift,
             refinement,
         };

@@ -62,7 +62,7 @@ fn a_free_angle_costs_regular_targets_two_selections() {
         let source = Source::read(file, &root).unwrap();
         let compiled = compile(&source, &Options::default()).unwrap();
         let form = compiled.arm().unwrap().form();
-        let inverse = &form.unwrap().inverse;
+        let inverse = form.unwrap().expressions().unwrap();
         let [with, without] = [true, false].map(|kept| {
             let free_angle = inverse.free_angle.filter(|_| kept);
             let inverse = InverseGraph {

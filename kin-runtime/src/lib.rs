@@ -68,7 +68,8 @@ pub mod __private {
     pub use crate::generated::branches::Branches;
     pub use crate::generated::free_angle::{self, FreeAngle};
     pub use crate::generated::lanes::{self, widen};
-    pub use crate::generated::{refinement, univariate};
+    pub use crate::generated::refinement;
+    pub use crate::generated::univariate::{self, Elimination, Univariate};
     pub use crate::linear::span::Span;
     pub use crate::parallel::three_spheres;
     pub use crate::scalar::math;

@@ -41,6 +41,7 @@ robots! {
     tx60 Tx60 "../robots/tx60.yaml"
     ur10e Ur10e "../robots/ur10e.yaml"
     ur5e Ur5e "../robots/ur5e.urdf"
+    xarm6 Xarm6 "../robots/xarm6.yaml"
 }
 
 robots! {

@@ -3,9 +3,11 @@
 use super::{Idealization, Step};
 use kin_codegen::Target;
 use kin_codegen::certificate::Certificate;
-use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::closed_form::Inverse as Solved;
 use kin_codegen::expr::Operations;
+use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::solver::Certified;
+use kin_codegen::univariate::Kept;
 use serde::Serialize;
 
 /// Other plans told of.
@@ -26,10 +28,27 @@ pub struct Inverse {
     pub branches: usize,
     /// Other plans that the search came by, the cheapest first, in short.
     pub others: Vec<String>,
-    /// What computing the branches takes.
-    pub cost: LaneCost,
+    /// What computing the branches takes; none of a univariate step.
+    pub cost: Option<LaneCost>,
+    /// The joints that a univariate step keeps, in the order in which they are asked;
+    /// empty where subproblems solve the chain.
+    pub kept: Vec<KeptJoint>,
     /// What was seen when the plan was run.
     pub certificate: Certificate,
+}
+
+/// A joint that is kept while all others are eliminated.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptJoint {
+    /// `q4`.
+    pub unknown: String,
+    /// The degree of the trigonometric polynomial in it.
+    pub degree: u8,
+    /// On how many of a hundred random targets it was not sure to tell all solutions.
+    pub unsure: f64,
+    /// The noise of the polynomial, relative to its largest coefficient, at 95 of a
+    /// hundred random targets.
+    pub noise: f64,
 }
 
 /// What inverse kinematics takes, without the refinement.
@@ -56,7 +75,11 @@ impl Inverse {
                 .take(ALTERNATIVES)
                 .map(ToString::to_string)
                 .collect(),
-            cost: LaneCost::of(form),
+            cost: form.expressions().map(LaneCost::of),
+            kept: match &form.inverse {
+                Solved::Expressions(_) => Vec::new(),
+                Solved::Univariate(arm) => arm.kept.iter().map(KeptJoint::of).collect(),
+            },
             certificate: certified.certificate,
         }
     }
@@ -70,11 +93,22 @@ impl Inverse {
     }
 }
 
+impl KeptJoint {
+    fn of(kept: &Kept) -> Self {
+        Self {
+            unknown: format!("q{}", kept.elimination.joints[0] + 1),
+            degree: kept.elimination.degree,
+            unsure: kept.unsure,
+            noise: kept.noise,
+        }
+    }
+}
+
 impl LaneCost {
     /// An expression behind the k-th choice is computed in 2ᵏ lanes.
-    fn of(form: &ClosedForm) -> Self {
-        let graph = &form.inverse.graph;
-        let outputs = form.inverse.outputs();
+    fn of(inverse: &InverseGraph) -> Self {
+        let graph = &inverse.graph;
+        let outputs = inverse.outputs();
         let levels = graph.levels();
         let needed = graph.reachable(&outputs);
         let up_to = |level: u8| {

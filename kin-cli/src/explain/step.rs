@@ -80,7 +80,7 @@ impl Step {
             subproblem: step.subproblem.to_string(),
             unknowns: step.unknowns.iter().map(Atom::to_string).collect(),
             given: given.into_iter().collect(),
-            roots: 1 << step.subproblem.choices(),
+            roots: step.subproblem.roots(),
             text: sentence(step, linkage, &objects),
             objects,
             relations: step.relations.len(),
@@ -136,6 +136,11 @@ fn sentence(step: &plan::Step, linkage: &Linkage, objects: &[Object]) -> String 
     match (step.subproblem, objects) {
         (Subproblem::Sum, _) => {
             format!("{unknowns} is what the other angles leave of the sum of parallel joints")
+        }
+        (Subproblem::Univariate, _) => {
+            "no sequence of subproblems solves the chain; a polynomial in the first joint has \
+             the solutions, and the others follow from its roots"
+                .into()
         }
         (_, [one]) => format!(
             "{verb} {unknowns} until {} is where the target has it",

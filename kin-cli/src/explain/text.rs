@@ -2,7 +2,7 @@
 
 use super::singular::NOT_SQUARE;
 use super::{
-    ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, Step,
+    ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, KeptJoint, Step,
     write_warnings,
 };
 use kin_codegen::spec::one_line;
@@ -145,13 +145,23 @@ impl Display for Inverse {
         }
         let es = if self.branches == 1 { "" } else { "es" };
         writeln!(f, "  {} branch{es}.", self.branches)?;
-        writeln!(f, "  {}", degeneracy(&self.steps))?;
-        match &self.others[..] {
-            [] => writeln!(f, "  The search found no other plan.")?,
-            others => writeln!(f, "  Other plans found: {}.", others.join("; "))?,
+        if let Some(cost) = &self.cost {
+            writeln!(f, "  {}", degeneracy(&self.steps))?;
+            match &self.others[..] {
+                [] => writeln!(f, "  The search found no other plan.")?,
+                others => writeln!(f, "  Other plans found: {}.", others.join("; "))?,
+            }
+            writeln!(f, "  One branch: {}", cost.one_branch)?;
+            writeln!(f, "  All of them: {}", cost.all_branches)?;
         }
-        writeln!(f, "  One branch: {}", self.cost.one_branch)?;
-        writeln!(f, "  All of them: {}", self.cost.all_branches)?;
+        for (i, kept) in self.kept.iter().enumerate() {
+            let when = if i == 0 {
+                "Kept is"
+            } else {
+                "Where that is not sure, so is"
+            };
+            writeln!(f, "  {when} {kept}.")?;
+        }
         let seen = &self.certificate;
         writeln!(
             f,
@@ -166,6 +176,17 @@ impl Display for Inverse {
                 0 => "every configuration was recovered".into(),
                 unanswered => format!("{unanswered} of the singular ones got no representative"),
             }
+        )
+    }
+}
+
+impl Display for KeptJoint {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{}: degree {}, noise {:.0e} at 95 of 100 random targets, not sure of all solutions \
+             at {:.1} of 100",
+            self.unknown, self.degree, self.noise, self.unsure
         )
     }
 }

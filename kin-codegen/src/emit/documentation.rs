@@ -5,7 +5,7 @@ use super::headings::{does, steps};
 use super::postures::Postures;
 use super::text::{code, degrees, number, one_line};
 use crate::arm::CompiledArm;
-use crate::closed_form::ClosedForm;
+use crate::closed_form::{ClosedForm, Inverse};
 use crate::geometry::structure;
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};
@@ -13,6 +13,7 @@ use crate::plan::Target;
 use crate::random::Random;
 use crate::solver::Certified;
 use crate::spec::Diagnostic;
+use crate::univariate::Arm;
 use kin_runtime::Pose;
 use proc_macro2::Ident;
 
@@ -204,9 +205,14 @@ fn inverse(certified: &Certified) -> Vec<String> {
         ));
         lines.push(String::new());
     }
-    let sentences = steps(plan, &solver.linkage, &solver.inverse.parts);
-    for (i, (step, sentence)) in plan.steps.iter().zip(sentences).enumerate() {
-        lines.push(format!("{}. {sentence}{}", i + 1, does(step.subproblem)));
+    match &solver.inverse {
+        Inverse::Expressions(inverse) => {
+            let sentences = steps(plan, &solver.linkage, &inverse.parts);
+            for (i, (step, sentence)) in plan.steps.iter().zip(sentences).enumerate() {
+                lines.push(format!("{}. {sentence}{}", i + 1, does(step.subproblem)));
+            }
+        }
+        Inverse::Univariate(arm) => lines.push(univariate(arm)),
     }
     lines.push(String::new());
     lines.push(format!(
@@ -240,8 +246,33 @@ fn inverse(certified: &Certified) -> Vec<String> {
     lines
 }
 
+/// Which joint is kept, and how well that does.
+fn univariate(arm: &Arm) -> String {
+    let mut kept = arm.kept.iter().map(|kept| kept.elimination);
+    let (joint, degree) = kept
+        .next()
+        .map_or((0, 0), |first| (first.joints[0] + 1, first.degree));
+    let others: Vec<String> = kept
+        .map(|next| format!("q{}", next.joints[0] + 1))
+        .collect();
+    let others = match others.is_empty() {
+        true => String::new(),
+        false => format!(
+            "; where that is not sure to tell all solutions, {} is kept",
+            others.join(", then ")
+        ),
+    };
+    format!(
+        "No sequence of subproblems solves the chain. All joints but q{joint} are eliminated, \
+         which leaves a trigonometric polynomial of degree {degree} in it{others}."
+    )
+}
+
 /// The number of every branch, with the words for its postures.
 fn branches(solver: &ClosedForm) -> Vec<String> {
+    if let Inverse::Univariate(_) = &solver.inverse {
+        return vec!["A solution's number is its place in the answer.".into()];
+    }
     let postures = Postures::of(solver);
     if postures.columns.is_empty() {
         return vec!["There is one: a target has at most one solution.".into()];

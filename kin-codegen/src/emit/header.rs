@@ -115,9 +115,12 @@ pub fn arm(compiled: &CompiledArm) -> Vec<String> {
     ];
     if let Some(solver) = compiled.form() {
         let branches = solver.plan.branches();
-        let cost = solver.inverse.graph.operations(&solver.inverse.outputs());
+        let cost = solver.expressions().map_or_else(String::new, |inverse| {
+            let cost = inverse.graph.operations(&inverse.outputs());
+            format!("; one branch: {cost}")
+        });
         lines.push(format!(
-            "Inverse kinematics: {}, {branches} branches; one branch: {cost}.",
+            "Inverse kinematics: {}, {branches} branches{cost}.",
             solver.plan
         ));
     }

@@ -45,6 +45,7 @@ pub fn does(subproblem: Subproblem) -> &'static str {
         Subproblem::Sp6 => ": two relations in two angles, a quartic",
         Subproblem::T1 => ": slide a point to a distance",
         Subproblem::T2 => ": slide a point to a height",
+        Subproblem::Univariate => ": a trigonometric polynomial in the first of them",
     }
 }
 

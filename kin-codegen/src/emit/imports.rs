@@ -23,10 +23,12 @@ const PUBLIC: [&str; 14] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 8] = [
+const PRIVATE: [&str; 10] = [
     "Acceptance",
     "Branches",
+    "Elimination",
     "FreeAngle",
+    "Univariate",
     "lanes",
     "math",
     "three_spheres",

@@ -3,7 +3,9 @@
 use super::comment::comment;
 use super::lanes::lanes;
 use super::straight::literal;
-use crate::closed_form::ClosedForm;
+use super::univariate;
+use crate::closed_form::{ClosedForm, Inverse};
+use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
 use kin_runtime::__private::Acceptance;
@@ -12,8 +14,12 @@ use quote::{format_ident, quote};
 
 /// The methods that solve for joint values.
 pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let inverse: &InverseGraph = match &solver.inverse {
+        Inverse::Expressions(inverse) => inverse,
+        Inverse::Univariate(arm) => return univariate::methods(arm),
+    };
     let n = Literal::usize_unsuffixed(model.variables.len());
-    let branches = branches(model, solver);
+    let branches = branches(model, solver, inverse);
     let accept = acceptance(solver);
     let sorted = sorted(solver);
     let closest = closest(model, solver);
@@ -63,7 +69,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
 }
 
 /// The private method `branches`, which `ik` and its like share.
-fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
+fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
     let width = Literal::usize_unsuffixed(solver.plan.branches());
     let target = target_names();
@@ -72,7 +78,7 @@ fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
         quote!(seed[#i])
     });
     let names: Vec<TokenStream> = target.iter().cloned().chain(seed).collect();
-    let lanes = lanes(solver, &names);
+    let lanes = lanes(solver, inverse, &names);
     let entries = target_pattern(&target, &lanes.inputs);
     let (statements, q) = (&lanes.statements, &lanes.q);
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
@@ -91,7 +97,7 @@ fn branches(model: &Model, solver: &ClosedForm) -> TokenStream {
             singular: #singular,
         }
     };
-    let Some((free, said)) = solver.inverse.free_angle.zip(lanes.free_angle) else {
+    let Some((free, said)) = inverse.free_angle.zip(lanes.free_angle) else {
         return quote! {
             /// All branches of the plan as lanes, those that do not exist
             /// marked.

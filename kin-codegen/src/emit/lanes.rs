@@ -45,8 +45,7 @@ fn loops(choices: u8) -> Vec<u8> {
 }
 
 /// Writes all lanes of a closed form. `inputs` are the names of its inputs.
-pub fn lanes(solver: &ClosedForm, inputs: &[TokenStream]) -> Lanes {
-    let inverse = &solver.inverse;
+pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]) -> Lanes {
     let g = &inverse.graph;
     let headings = Headings::new(&solver.plan, &solver.linkage, inverse);
     let outputs = inverse.outputs();

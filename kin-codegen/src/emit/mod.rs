@@ -15,6 +15,7 @@ mod robot;
 mod singular;
 mod straight;
 mod text;
+mod univariate;
 
 pub(crate) use comment::{print, without_comments};
 pub(crate) use imports::is_taken;

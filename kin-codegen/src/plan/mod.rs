@@ -12,6 +12,7 @@ mod relation;
 mod search;
 
 pub use invariant::{Invariant, Kind};
+use kin_runtime::Solutions;
 pub use kin_runtime::Target;
 pub use relation::{Atom, Relation};
 pub use search::search;
@@ -40,9 +41,20 @@ pub enum Subproblem {
     T1,
     /// Slide a point to a height.
     T2,
+    /// The last resort: one joint from a trigonometric polynomial, and all others
+    /// with it.
+    Univariate,
 }
 
 impl Subproblem {
+    /// How many solutions it has at most.
+    pub fn roots(self) -> usize {
+        match self {
+            Subproblem::Univariate => Solutions::<6>::CAPACITY,
+            other => 1 << other.choices(),
+        }
+    }
+
     /// How many binary choices its solution leaves open.
     pub fn choices(self) -> u8 {
         match self {
@@ -65,6 +77,7 @@ impl fmt::Display for Subproblem {
             Subproblem::Slide => "slide",
             Subproblem::T1 => "T1",
             Subproblem::T2 => "T2",
+            Subproblem::Univariate => "univariate",
         })
     }
 }
@@ -74,7 +87,8 @@ impl fmt::Display for Subproblem {
 pub struct Step {
     /// The subproblem.
     pub subproblem: Subproblem,
-    /// What it solves: one atom, or two in the order of the loop for SP2.
+    /// What it solves: one atom, two in the order of the loop for SP2, or all joints,
+    /// the one that is kept first.
     pub unknowns: Vec<Atom>,
     /// Relations that pose it, each sufficient; empty for a sum.
     pub relations: Vec<Relation>,
@@ -90,9 +104,10 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// How many branches the plan enumerates: 2 to the number of its choices.
+    /// How many branches the plan enumerates.
     pub fn branches(&self) -> usize {
-        1 << self.choices()
+        let steps = self.steps.iter();
+        steps.map(|step| step.subproblem.roots()).product()
     }
 
     /// The number of square roots whose sign is free.

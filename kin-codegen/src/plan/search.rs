@@ -270,6 +270,8 @@ impl Partial {
             Subproblem::Sp4 | Subproblem::T1 => 40,
             Subproblem::Sp3 => 46,
             Subproblem::Sp2 | Subproblem::Sp6 => 64,
+            // No relation poses it: it is what is left when the search finds nothing.
+            Subproblem::Univariate => 1000,
         };
         let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
         let unknowns = unknown.iter().map(|d| d.atom).collect();

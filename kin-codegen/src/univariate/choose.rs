@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 const TARGETS: usize = 64;
 /// Eliminations at most: the second and third are asked where the first is not
 /// sure of its answer.
-const MOST: usize = 3;
+const MOST: usize = 6;
 
 /// An elimination, and how it did on random targets.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! The constants of an elimination: what vanishes on one side of the loop.
 
 use super::order::order;
+use super::turning::turns;
 use kin_runtime::__private::Span;
 use kin_runtime::__private::univariate::{ENTRIES, Elimination, Z_AXIS, moved, turned_back};
 use kin_runtime::Pose;
@@ -80,15 +81,14 @@ fn pair(span: &Span<ENTRIES>) -> [Functional; 4] {
     [3, 6, 1, 2].map(|j| inverse[j])
 }
 
-/// The functionals as coefficients of 1, the cosine and the sine of the kept
-/// joint, in the order of the degree that they give the polynomial; the first so
-/// many, which half the angle is enough for, of its cosine and sine.
+/// The functionals again, those first for which half the kept joint's angle is
+/// enough, and how many these are.
 ///
 /// About the kept axis a line has parts that turn with e^{iθ}, with e^{−iθ} and
 /// not at all. Six functionals have four combinations at most that see the second
 /// part, so that two at least, and their conjugates, are u + v e^{iθ}: times
 /// e^{−iθ/2}, linear in cos θ/2 and sin θ/2.
-fn split(vanishing: &[Functional]) -> ([[Functional; 3]; FUNCTIONALS], usize) {
+fn split(vanishing: &[Functional]) -> ([Functional; FUNCTIONALS], usize) {
     let turning = |v: usize, i: usize| -> Weights { array(|j| vanishing[j][v + i]) };
     let pairs = [0, 3, 6, 9].map(|v| [turning(v, 0), turning(v, 1)]);
     let flat = flat(&pairs);
@@ -101,19 +101,21 @@ fn split(vanishing: &[Functional]) -> ([[Functional; 3]; FUNCTIONALS], usize) {
     let combined = |weights: &Weights| -> Functional {
         array(|i| (0..FUNCTIONALS).map(|j| weights[j] * vanishing[j][i]).sum())
     };
-    let mut rows: Vec<[Functional; 3]> = Vec::new();
-    for [re, im] in &half {
-        rows.extend(half_angle(combined(re), combined(im)));
-    }
-    let count = rows.len();
-    rows.extend(flat.iter().map(|weights| [combined(weights), NONE, NONE]));
-    rows.extend(full.iter().map(|weights| whole_angle(combined(weights))));
-    (array(|i| rows[i]), count)
+    let mut rows: Vec<Functional> = half.iter().flatten().map(combined).collect();
+    rows.extend(
+        flat.iter()
+            .map(|weights| without_turning(combined(weights))),
+    );
+    rows.extend(full.iter().map(combined));
+    (array(|i| rows[i]), 2 * half.len())
+}
+
+fn without_turning(functional: Functional) -> Functional {
+    array(|i| if turns(i) { 0.0 } else { functional[i] })
 }
 
 /// What a functional sees of a line's parts that turn, below this, is rounding.
 const SEEN: f64 = 1e-10;
-const NONE: Functional = [0.0; ENTRIES];
 
 /// How much of each vanishing functional.
 type Weights = [f64; FUNCTIONALS];
@@ -164,28 +166,4 @@ fn unseen(pairs: &[[Weights; 2]; 4], flat: &[Weights]) -> Vec<[Weights; 2]> {
         taken.extend([next, complex(&b.map(|b| -b), &a)]);
         found.push([a, b]);
     }
-}
-
-/// u + v e^{iθ}, given by real and imaginary part, as the coefficients of the cosine
-/// and sine of θ/2 in e^{−iθ/2} u + e^{iθ/2} v = (u + v) cos θ/2 + i (v − u) sin θ/2.
-fn half_angle(re: Functional, im: Functional) -> [[Functional; 3]; 2] {
-    let sine =
-        |x: Functional, sign: f64| array(|i| if turns(i) { sign * x[i] } else { -sign * x[i] });
-    [[re, sine(im, -1.0), NONE], [im, sine(re, 1.0), NONE]]
-}
-
-/// The coefficients of 1, the cosine and the sine of θ.
-fn whole_angle(whole: Functional) -> [Functional; 3] {
-    let part = |turning: bool| array(|i| if turns(i) == turning { whole[i] } else { 0.0 });
-    let sine = array(|i| match i % 3 {
-        0 if turns(i) => -whole[i + 1],
-        1 if turns(i) => whole[i - 1],
-        _ => 0.0,
-    });
-    [part(false), part(true), sine]
-}
-
-/// Whether an entry of a line turns with the kept joint.
-fn turns(i: usize) -> bool {
-    i < 12 && i % 3 < 2
 }

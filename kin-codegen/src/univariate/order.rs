@@ -5,6 +5,7 @@ use kin_runtime::__private::univariate::Elimination;
 use kin_runtime::Pose;
 
 use super::frames::forward;
+use super::turning::turns;
 use crate::random::Random;
 use std::f64::consts::PI;
 
@@ -42,10 +43,21 @@ pub fn order(elimination: &mut Elimination, frames: &[Pose; 7]) -> Option<()> {
     let costs: Vec<usize> = costs.collect();
     let halves =
         |(rows, _): &(Vec<usize>, Vec<usize>)| rows.iter().filter(|&&row| costs[row] == 1).count();
-    let mut chosen = pivots(samples.clone(), &costs, SIZE)?;
+    let pivots = |most_half: usize| {
+        let order = Order {
+            candidates: &candidates,
+            costs: &costs,
+            samples: samples.clone(),
+            most_half,
+            rows: Vec::new(),
+            columns: Vec::new(),
+        };
+        order.run()
+    };
+    let mut chosen = pivots(SIZE)?;
     // With an odd number of them the determinant would change its sign in a turn.
     if halves(&chosen) % 2 == 1 {
-        chosen = pivots(samples, &costs, halves(&chosen) - 1)?;
+        chosen = pivots(halves(&chosen) - 1)?;
     }
     let (rows, columns) = chosen;
     elimination.degree = (rows.iter().map(|&row| costs[row]).sum::<usize>() / 2) as u8;
@@ -60,8 +72,8 @@ pub fn order(elimination: &mut Elimination, frames: &[Pose; 7]) -> Option<()> {
 
 /// By how many halves a functional raises the degree.
 fn cost(elimination: &Elimination, functional: usize) -> usize {
-    let [_, cosine, sine] = &elimination.functionals[functional];
-    let turns = cosine.iter().chain(sine).any(|x| *x != 0.0);
+    let mut entries = elimination.functionals[functional].iter().enumerate();
+    let turns = entries.any(|(i, x)| turns(i) && *x != 0.0);
     match (functional < usize::from(elimination.half), turns) {
         (true, _) => 1,
         (false, false) => 0,
@@ -80,27 +92,62 @@ fn spread(equations: &[[f64; 9]; 6], [functional, shift]: Row) -> [f64; SIZE] {
     out
 }
 
-/// Rows and columns in the order of elimination, with at most so many rows of half
-/// angles; none where fewer than sixteen rows are independent.
-fn pivots(
-    mut samples: Vec<Vec<[f64; SIZE]>>,
-    costs: &[usize],
+/// The order of elimination: the pivots so far, and what is left of the samples.
+struct Order<'a> {
+    candidates: &'a [Row],
+    costs: &'a [usize],
+    samples: Vec<Vec<[f64; SIZE]>>,
+    /// So many rows of half angles are allowed.
     most_half: usize,
-) -> Option<(Vec<usize>, Vec<usize>)> {
-    let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = Default::default();
-    while rows.len() < SIZE {
-        let half_left = rows.iter().filter(|&&row| costs[row] == 1).count() < most_half;
-        let allowed = [0, 1, 2].into_iter().filter(|&cost| cost != 1 || half_left);
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+}
+
+impl Order<'_> {
+    /// First the monomials that only rows have which are not multiplied by the last
+    /// joint's half tangent, then those that only the others have, then the rest: four,
+    /// four and eight pivots. None where fewer than sixteen rows are independent.
+    fn run(mut self) -> Option<(Vec<usize>, Vec<usize>)> {
+        let shifted = |row: Row| row[1] & 1 == 1;
+        let power = |column: usize| column % 4;
+        for _ in 0..4 {
+            self.next(|row| !shifted(row), |column| power(column) == 0)?;
+        }
+        for _ in 0..4 {
+            self.next(shifted, |column| power(column) == 3)?;
+        }
+        for _ in 0..8 {
+            self.next(|_| true, |column| power(column) % 3 != 0)?;
+        }
+        Some((self.rows, self.columns))
+    }
+
+    /// Takes the largest pivot of the rows that raise the degree least.
+    fn next(&mut self, rows: impl Fn(Row) -> bool, columns: impl Fn(usize) -> bool) -> Option<()> {
+        let halves = self
+            .rows
+            .iter()
+            .filter(|&&row| self.costs[row] == 1)
+            .count();
+        let allowed = [0, 1, 2]
+            .into_iter()
+            .filter(|&cost| cost != 1 || halves < self.most_half);
+        let columns: Vec<usize> = (0..SIZE)
+            .filter(|column| columns(*column) && !self.columns.contains(column))
+            .collect();
         let (row, column) = allowed
             .filter_map(|cost| {
-                let open =
-                    (0..costs.len()).filter(|row| costs[*row] == cost && !rows.contains(row));
-                largest(&samples, open, &columns)
+                let open = (0..self.costs.len()).filter(|row| {
+                    self.costs[*row] == cost
+                        && rows(self.candidates[*row])
+                        && !self.rows.contains(row)
+                });
+                largest(&self.samples, open, &columns)
             })
             .next()?;
-        for m in &mut samples {
+        for m in &mut self.samples {
             let pivot = m[row];
-            for other in (0..m.len()).filter(|other| *other != row && !rows.contains(other)) {
+            for other in (0..m.len()).filter(|other| *other != row && !self.rows.contains(other)) {
                 let factor = m[other][column] / pivot[column];
                 for (x, p) in m[other].iter_mut().zip(&pivot) {
                     *x -= factor * p;
@@ -108,10 +155,10 @@ fn pivots(
                 m[other][column] = 0.0;
             }
         }
-        rows.push(row);
-        columns.push(column);
+        self.rows.push(row);
+        self.columns.push(column);
+        Some(())
     }
-    Some((rows, columns))
 }
 
 /// The pivot whose logarithm is largest on the average; none where it is rounding.
@@ -122,7 +169,7 @@ fn largest(
 ) -> Option<(usize, usize)> {
     let mut best = (DEPENDENT.ln(), None);
     for row in rows {
-        for column in (0..SIZE).filter(|column| !columns.contains(column)) {
+        for &column in columns {
             let size = |m: &Vec<[f64; SIZE]>| (m[row][column].abs() + f64::MIN_POSITIVE).ln();
             let mean = samples.iter().map(size).sum::<f64>() / samples.len() as f64;
             if mean > best.0 {

@@ -214,7 +214,9 @@ fn one(
             let level = sense * posed.value();
             roots(translation2(normal, k, sub(point, foot), level), single)
         }
-        Subproblem::Sum | Subproblem::Sp2 | Subproblem::Sp6 => panic!("{which} has two unknowns"),
+        Subproblem::Univariate | Subproblem::Sum | Subproblem::Sp2 | Subproblem::Sp6 => {
+            panic!("{which} is not of one unknown")
+        }
     }
 }
 

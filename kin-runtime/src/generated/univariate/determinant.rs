@@ -3,6 +3,7 @@
 
 use super::elimination::SIZE;
 use crate::math;
+use core::ops::Range;
 
 /// Square matrices by row and column.
 pub(super) type Matrices<const L: usize> = [[[f64; L]; SIZE]; SIZE];
@@ -17,38 +18,65 @@ const LEAST_PIVOT: f64 = 1e-150;
 /// the arm, and how far it can be trusted at a target is seen in what comes out.
 /// L has ones on its diagonal and takes the place below that of U.
 ///
-/// Two pivots are taken at a time, so that the matrices are read and written
-/// half as often.
+/// The first four columns are of monomials that no shifted row has, the next four of
+/// those that no other row has: half of the work is on zeros, and left out. `shifted`
+/// tells the rows.
 #[inline(always)]
-pub(super) fn eliminate<const L: usize>(m: &mut Matrices<L>) {
-    for k in (0..SIZE).step_by(2) {
-        let first = m[k];
-        let mut second = m[k + 1];
-        let mut inverses = [[0.0; L]; 2];
+pub(super) fn eliminate<const L: usize>(m: &mut Matrices<L>, shifted: impl Fn(usize) -> bool) {
+    for k in (0..4).step_by(2) {
+        let rest = (8..SIZE).filter(|&i| !shifted(i));
+        pivots(m, k, k + 2..4, (k + 2..4).chain(rest));
+    }
+    for k in (4..8).step_by(2) {
+        let rest = (8..SIZE).filter(|&i| shifted(i));
+        pivots(m, k, k + 2..8, (k + 2..8).chain(rest));
+    }
+    for k in (8..SIZE).step_by(2) {
+        pivots(m, k, k + 2..8, k + 2..SIZE);
+    }
+}
+
+/// Two pivots at a time, so that the matrices are read and written half as often.
+/// They have entries in the columns given, and from the eighth on.
+#[inline(always)]
+fn pivots<const L: usize>(
+    m: &mut Matrices<L>,
+    k: usize,
+    near: Range<usize>,
+    rows: impl Iterator<Item = usize>,
+) {
+    let from = 8.max(k + 2);
+    let first = m[k];
+    let mut second = m[k + 1];
+    let mut inverses = [[0.0; L]; 2];
+    for lane in 0..L {
+        inverses[0][lane] = 1.0 / pivot(first[k][lane]);
+        second[k][lane] *= inverses[0][lane];
+        second[k + 1][lane] -= second[k][lane] * first[k + 1][lane];
+        inverses[1][lane] = 1.0 / pivot(second[k + 1][lane]);
+    }
+    for j in near.clone().chain(from..SIZE) {
         for lane in 0..L {
-            inverses[0][lane] = 1.0 / pivot(first[k][lane]);
-            second[k][lane] *= inverses[0][lane];
+            second[j][lane] -= second[k][lane] * first[j][lane];
         }
-        for j in k + 1..SIZE {
+    }
+    m[k + 1] = second;
+    for i in rows {
+        let row = &mut m[i];
+        let (mut a, mut b) = ([0.0; L], [0.0; L]);
+        for lane in 0..L {
+            a[lane] = row[k][lane] * inverses[0][lane];
+            b[lane] = (row[k + 1][lane] - a[lane] * first[k + 1][lane]) * inverses[1][lane];
+        }
+        (row[k], row[k + 1]) = (a, b);
+        for j in near.clone() {
             for lane in 0..L {
-                second[j][lane] -= second[k][lane] * first[j][lane];
+                row[j][lane] -= a[lane] * first[j][lane] + b[lane] * second[j][lane];
             }
         }
-        for lane in 0..L {
-            inverses[1][lane] = 1.0 / pivot(second[k + 1][lane]);
-        }
-        m[k + 1] = second;
-        for row in &mut m[k + 2..] {
+        for j in from..SIZE {
             for lane in 0..L {
-                row[k][lane] *= inverses[0][lane];
-                row[k + 1][lane] -= row[k][lane] * first[k + 1][lane];
-                row[k + 1][lane] *= inverses[1][lane];
-            }
-            let (a, b) = (row[k], row[k + 1]);
-            for j in k + 2..SIZE {
-                for lane in 0..L {
-                    row[j][lane] -= a[lane] * first[j][lane] + b[lane] * second[j][lane];
-                }
+                row[j][lane] -= a[lane] * first[j][lane] + b[lane] * second[j][lane];
             }
         }
     }
@@ -129,19 +157,50 @@ pub(super) fn null_vector_of_factors<const L: usize>(m: &Matrices<L>) -> Vectors
 pub(super) fn null_vector_of_triangle<const L: usize>(m: &Matrices<L>) -> Vectors<L> {
     let mut x = unit(&back_substituted(m, [[1.0; L]; SIZE]));
     for _ in 0..2 {
-        for i in 0..SIZE {
-            for j in 0..i {
-                for lane in 0..L {
-                    x[i][lane] -= m[j][i][lane] * x[j][lane];
-                }
-            }
-            for lane in 0..L {
-                x[i][lane] /= pivot(m[i][i][lane]);
-            }
-        }
-        x = unit(&back_substituted(m, unit(&x)));
+        x = improved(m, x);
     }
     x
+}
+
+/// An orthonormal basis, by lane, of what Q R nearly takes to zero, if all lanes are
+/// one matrix: the least right singular vectors, by subspace iteration.
+pub(super) fn null_space_of_triangle<const L: usize>(m: &Matrices<L>) -> Vectors<L> {
+    let mut x = [[0.0; L]; SIZE];
+    for i in 0..SIZE {
+        for lane in 0..L {
+            // Starts that no arm is square to.
+            x[i][lane] = math::sin_cos((1 + i * (lane + 1)) as f64).0;
+        }
+    }
+    for _ in 0..3 {
+        x = improved(m, x);
+        for lane in 0..L {
+            for before in 0..lane {
+                let along: f64 = x.iter().map(|x| x[before] * x[lane]).sum();
+                x.iter_mut().for_each(|x| x[lane] -= along * x[before]);
+            }
+            let square: f64 = x.iter().map(|x| x[lane] * x[lane]).sum();
+            let share = 1.0 / math::max(math::sqrt(square), LEAST_PIVOT);
+            x.iter_mut().for_each(|x| x[lane] *= share);
+        }
+    }
+    x
+}
+
+/// One step of inverse iteration on Rᵀ R.
+#[inline(always)]
+fn improved<const L: usize>(m: &Matrices<L>, mut x: Vectors<L>) -> Vectors<L> {
+    for i in 0..SIZE {
+        for j in 0..i {
+            for lane in 0..L {
+                x[i][lane] -= m[j][i][lane] * x[j][lane];
+            }
+        }
+        for lane in 0..L {
+            x[i][lane] /= pivot(m[i][i][lane]);
+        }
+    }
+    unit(&back_substituted(m, unit(&x)))
 }
 
 /// U⁻¹ x.

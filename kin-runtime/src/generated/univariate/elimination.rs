@@ -21,24 +21,32 @@ pub struct Elimination {
     pub backwards: bool,
     /// The degree of the polynomial in the kept joint.
     pub degree: u8,
-    /// The six functionals as coefficients of 1, the cosine and the sine of the
-    /// kept joint; of the first ones, of the cosine and sine of its half, and 0.
-    pub functionals: [[[f64; ENTRIES]; 3]; 6],
-    /// How many of the functionals need only half the angle.
+    /// Six functionals in the frame of the kept joint, whose axis is z. The first
+    /// ones are the real and imaginary parts, in turn, of those that do not see what
+    /// turns with e^{−iθ}.
+    pub functionals: [[f64; ENTRIES]; 6],
+    /// How many these are.
     pub half: u8,
     /// Functionals that give the cosine and sine of the second joint, and of the
     /// third.
     pub pair: [[f64; ENTRIES]; 4],
     /// Rows of the matrix: which functional, and by which half tangents it
     /// is multiplied: bit 0 of the last joint, bit 1 of
-    /// the last but one.
+    /// the last but one. Of the first eight, four are not multiplied by the last joint's,
+    /// and then four are.
     pub rows: [[u8; 2]; SIZE],
     /// In which column the monomial i + 4 j stands: the i-th power of the last
-    /// joint's half tangent times the j-th of the last but one.
+    /// joint's half tangent times the j-th of the last but one. First those with i = 0,
+    /// then those with i = 3.
     pub columns: [u8; SIZE],
 }
 
 impl Elimination {
+    /// Whether a row is multiplied by the last joint's half tangent.
+    pub(super) fn is_shifted(&self, row: usize) -> bool {
+        self.rows[row][1] & 1 == 1
+    }
+
     /// The functionals at a value of the kept joint, radians, along the other
     /// side of the loop at a target: by functional, the coefficients of the
     /// monomials i + 4 j of the half tangents at 3 i + j. Lengths as in `frames`.
@@ -83,7 +91,8 @@ impl Loop {
 }
 
 /// The equations at one target: by functional, the coefficients of the half
-/// tangents' monomials, as far as they depend on the kept joint.
+/// tangents' monomials, times 1, the cosine and the sine of the kept joint; of the
+/// first ones, multiplied by e^{−iθ/2}, times the cosine and sine of its half.
 pub(super) struct Equations {
     functionals: [[[f64; 9]; 3]; 6],
     half: usize,
@@ -91,12 +100,25 @@ pub(super) struct Equations {
 
 impl Equations {
     pub fn new(elimination: &Elimination, far_side: &Lines<9>) -> Self {
-        let on = |functional: &[f64; ENTRIES]| half_tangents(&apply(functional, far_side));
-        let functionals = elimination.functionals.each_ref();
-        Self {
-            functionals: functionals.map(|row| row.each_ref().map(on)),
-            half: usize::from(elimination.half),
+        let half = usize::from(elimination.half.min(6));
+        let mut functionals = [[[0.0; 9]; 3]; 6];
+        let (halves, wholes) = functionals.split_at_mut(half);
+        let (pairs, others) = elimination.functionals.split_at(half);
+        for (rows, pair) in halves.chunks_exact_mut(2).zip(pairs.chunks_exact(2)) {
+            let [re, im] = [0, 1].map(|i| Parts::of(&pair[i], far_side));
+            rows[0] = [re.plus(1.0), im.plus(-1.0), [0.0; 9]];
+            rows[1] = [im.plus(1.0), re.plus(-1.0).map(|x| -x), [0.0; 9]];
         }
+        for (row, functional) in wholes.iter_mut().zip(others) {
+            let Parts {
+                fixed,
+                turning,
+                ahead,
+            } = Parts::of(functional, far_side);
+            *row = [fixed, turning, ahead];
+        }
+        let functionals = functionals.map(|row| row.each_ref().map(half_tangents));
+        Self { functionals, half }
     }
 
     /// The six equations at values of the kept joint, as array lanes of the
@@ -146,16 +168,43 @@ impl Equations {
     }
 }
 
-/// A functional on each lane.
-#[inline(always)]
-fn apply<const L: usize>(functional: &[f64; ENTRIES], lines: &Lines<L>) -> [f64; L] {
-    let mut out = [0.0; L];
-    for (f, line) in functional.iter().zip(lines) {
-        for k in 0..L {
-            out[k] += f * line[k];
+/// A functional on lines that turn back with the kept joint.
+struct Parts {
+    /// What does not turn.
+    fixed: [f64; 9],
+    /// The coefficient of the cosine, and that of the sine: a quarter turn ahead.
+    turning: [f64; 9],
+    ahead: [f64; 9],
+}
+
+impl Parts {
+    #[inline(always)]
+    fn of(functional: &[f64; ENTRIES], lines: &Lines<9>) -> Self {
+        let mut parts = Self {
+            fixed: [0.0; 9],
+            turning: [0.0; 9],
+            ahead: [0.0; 9],
+        };
+        for v in [0, 3, 6, 9] {
+            let (a, b) = (functional[v], functional[v + 1]);
+            for k in 0..9 {
+                let (x, y) = (lines[v][k], lines[v + 1][k]);
+                parts.turning[k] += a * x + b * y;
+                parts.ahead[k] += a * y - b * x;
+            }
         }
+        for i in [2, 5, 8, 11, 12, 13, 14] {
+            for k in 0..9 {
+                parts.fixed[k] += functional[i] * lines[i][k];
+            }
+        }
+        parts
     }
-    out
+
+    /// What does not turn, and that many times what does.
+    fn plus(&self, share: f64) -> [f64; 9] {
+        core::array::from_fn(|k| self.fixed[k] + share * self.turning[k])
+    }
 }
 
 /// From (1, cos a, sin a) × (1, cos b, sin b) to the monomials of the half

@@ -2,10 +2,12 @@
 
 use super::LANES;
 use super::determinant::{
-    Vectors, eliminate, null_vector_of_factors, null_vector_of_triangle, reflect, times,
+    Vectors, eliminate, null_space_of_triangle, null_vector_of_factors, null_vector_of_triangle,
+    reflect, times,
 };
-use super::elimination::{Elimination, Equations, Loop};
+use super::elimination::{Elimination, Equations, Loop, SIZE};
 use super::line::{ENTRIES, Lines};
+use super::sharing::{SHARING, monomial_vectors};
 use crate::generated::lanes::{angle, sin_cos};
 use crate::math;
 
@@ -35,16 +37,43 @@ impl Recovery<'_> {
     pub fn joints(&self, kept: &Lanes) -> Starts {
         let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
         let null = self.null_vectors(&cosine, &sine);
-        let (mut last, mut before) = ([0.0; LANES], [0.0; LANES]);
-        let entry = |i: usize, j: usize| {
-            &null[usize::from(self.elimination.columns[(i + 4 * j) & 15] & 15)]
-        };
-        let half_tangent = |at: &dyn Fn(usize, usize) -> (usize, usize)| -> Lanes {
+        self.of_null_vectors(kept, &null)
+    }
+
+    /// The joints of several configurations that share a value of the kept joint: of
+    /// vectors that are nearly taken to zero, those that are monomials.
+    pub fn sharing(&self, kept: f64) -> Starts {
+        let (sine, cosine) = math::sin_cos(0.5 * kept);
+        let mut factors =
+            self.equations
+                .matrix(self.elimination, &[cosine; SHARING], &[sine; SHARING]);
+        reflect(&mut factors);
+        let space = null_space_of_triangle(&factors);
+        let monomials = |i: usize, j: usize| &space[self.column(i, j)];
+        let weights = monomial_vectors(&monomials);
+        let mut null = [[0.0; LANES]; SIZE];
+        for (out, space) in null.iter_mut().zip(&space) {
+            for k in 0..LANES {
+                let weights = &weights[k % SHARING];
+                out[k] = (0..SHARING).map(|i| space[i] * weights[i]).sum();
+            }
+        }
+        self.of_null_vectors(&[kept; LANES], &null)
+    }
+
+    /// Where a monomial of the half tangents stands.
+    fn column(&self, i: usize, j: usize) -> usize {
+        usize::from(self.elimination.columns[(i + 4 * j) & 15] & 15)
+    }
+
+    fn of_null_vectors(&self, kept: &Lanes, null: &Vectors<LANES>) -> Starts {
+        // tan is the share of two neighbouring powers, and sine and cosine are had
+        // without dividing.
+        let half_tangent = |at: &dyn Fn(usize, usize) -> usize| -> Lanes {
             let (mut y, mut x) = ([0.0; LANES], [0.0; LANES]);
             for i in 0..3 {
                 for j in 0..4 {
-                    let ((a, b), (c, d)) = (at(i, j), at(i + 1, j));
-                    let (low, high) = (entry(a, b), entry(c, d));
+                    let (low, high) = (&null[at(i, j)], &null[at(i + 1, j)]);
                     for k in 0..LANES {
                         y[k] += 2.0 * low[k] * high[k];
                         x[k] += (low[k] - high[k]) * (low[k] + high[k]);
@@ -53,15 +82,15 @@ impl Recovery<'_> {
             }
             core::array::from_fn(|k| angle(y[k], x[k]))
         };
-        last.copy_from_slice(&half_tangent(&|i, j| (i, j)));
-        before.copy_from_slice(&half_tangent(&|i, j| (j, i)));
+        let last = half_tangent(&|i, j| self.column(i, j));
+        let before = half_tangent(&|i, j| self.column(j, i));
         self.rest(kept, &before, &last)
     }
 
     fn null_vectors(&self, cosine: &Lanes, sine: &Lanes) -> Vectors<LANES> {
         let matrix = self.equations.matrix(self.elimination, cosine, sine);
         let mut factors = matrix;
-        eliminate(&mut factors);
+        eliminate(&mut factors, |row| self.elimination.is_shifted(row));
         let null = null_vector_of_factors(&factors);
         let miss = times(&matrix, &null);
         let worst = miss

@@ -27,9 +27,16 @@ const UNSIGNED: f64 = 16.0;
 /// Below this an interval, in radians, is told by Taylor's series.
 const NARROW: f64 = 4e-4;
 
+/// Clusters that are nearer to each other are one, radians.
+pub(super) const CLUSTER: f64 = 5e-3;
+
 /// Two roots that are nearer to each other than twice the root of this are one
 /// candidate, radians².
 const CLOSE: f64 = 1e-12;
+
+/// Where f″ is above this, relative to the largest harmonic, two roots are no more than
+/// two: of three or more, it would be what rounding leaves.
+const CURVED: f64 = 1e-4;
 
 /// Roots are found to this, radians: Newton's method on the arm does the rest.
 const ROOT: f64 = 1e-9;
@@ -43,21 +50,46 @@ const STEPS: usize = 60;
 pub(super) struct Roots {
     pub angles: [f64; MOST],
     pub count: usize,
-    /// Bit i is set where candidate i may be two or more.
-    pub double: u32,
-    /// Whether the polynomial is not well enough known to tell its roots.
-    pub uncertain: bool,
+    /// Bit i is set where candidate i is two.
+    double: u32,
+    /// Bit i is set where candidate i may be none, or any number.
+    several: u32,
+    /// Whether there was no place for all of them.
+    pub incomplete: bool,
 }
 
 impl Roots {
-    fn push(&mut self, angle: f64, double: bool) {
+    /// Whether a candidate is two.
+    pub fn is_double(&self, i: usize) -> bool {
+        self.double >> i & 1 == 1
+    }
+
+    /// Whether a candidate may be none, or any number.
+    pub fn is_several(&self, i: usize) -> bool {
+        self.several >> i & 1 == 1
+    }
+
+    fn push(&mut self, angle: f64) {
         if self.count == MOST {
-            self.uncertain = true;
+            self.incomplete = true;
             return;
         }
         self.angles[self.count] = angle;
-        self.double |= u32::from(double) << self.count;
         self.count += 1;
+    }
+
+    /// Where there are several, nobody knows how many, unless a neighbour tells of them.
+    fn push_cluster(&mut self, angle: f64) {
+        let near = |i: usize| self.is_several(i) && (self.angles[i] - angle).abs() < CLUSTER;
+        if !(0..self.count).any(near) {
+            self.several |= 1 << (self.count % MOST);
+            self.push(angle);
+        }
+    }
+
+    fn push_double(&mut self, angle: f64) {
+        self.double |= 1 << (self.count % MOST);
+        self.push(angle);
     }
 }
 
@@ -74,6 +106,8 @@ enum Signs {
     None,
     /// One root, at about this share of the interval.
     One(f64),
+    /// Two or none.
+    Two,
     Many,
 }
 
@@ -83,25 +117,26 @@ fn signs(coefficients: &[f64], noise: f64) -> Signs {
     if unsigned(coefficients[0]) || unsigned(coefficients[last]) {
         return Signs::Many;
     }
-    let mut before = 0;
-    let mut found = None;
+    let (mut before, mut changes, mut share) = (0, 0, 0.0);
     for i in 1..=last {
         let (a, b) = (coefficients[before], coefficients[i]);
         if unsigned(b) {
             continue;
         }
         if a * b < 0.0 {
-            if found.is_some() {
-                return Signs::Many;
-            }
-            let share = a / (a - b);
-            found = Some((before as f64 + share * (i - before) as f64) / last as f64);
+            changes += 1;
+            share = (before as f64 + a / (a - b) * (i - before) as f64) / last as f64;
         } else if i > before + 1 {
             return Signs::Many;
         }
         before = i;
     }
-    found.map_or(Signs::None, Signs::One)
+    match changes {
+        0 => Signs::None,
+        1 => Signs::One(share),
+        2 => Signs::Two,
+        _ => Signs::Many,
+    }
 }
 
 /// Part of an arc.
@@ -139,7 +174,8 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
         angles: [0.0; MOST],
         count: 0,
         double: 0,
-        uncertain: false,
+        several: 0,
+        incomplete: false,
     };
     let mut search = Search {
         f,
@@ -199,14 +235,16 @@ impl Search<'_> {
                         found,
                     );
                 }
-                Signs::Many if 2.0 * (high - low) < NARROW => {
+                Signs::Two if 2.0 * (high - low) < NARROW => {
                     self.narrow([angle(low), angle(high)], found);
                 }
-                Signs::Many if self.halvings == HALVINGS || count + 2 > WAITING => {
-                    found.uncertain = true;
-                    found.push(angle(0.5 * (low + high)), true);
+                Signs::Many if 2.0 * (high - low) < NARROW => {
+                    found.push_cluster(angle(0.5 * (low + high)));
                 }
-                Signs::Many => {
+                Signs::Two | Signs::Many if self.halvings == HALVINGS || count + 2 > WAITING => {
+                    found.push_cluster(angle(0.5 * (low + high)));
+                }
+                Signs::Two | Signs::Many => {
                     self.halvings += 1;
                     waiting[count..count + 2].copy_from_slice(&interval.halved(n));
                     count += 2;
@@ -221,7 +259,7 @@ impl Search<'_> {
                 *place = bracket;
                 self.count += 1;
             }
-            None => found.uncertain = true,
+            None => found.incomplete = true,
         }
     }
 
@@ -251,11 +289,13 @@ impl Search<'_> {
         let flat = (values[1] / values[2]).abs() < width;
         if flat && square > blur {
             let apart = math::sqrt(square);
-            found.push(at - apart, false);
-            found.push(at + apart, false);
+            found.push(at - apart);
+            found.push(at + apart);
         } else if flat && square > -blur || square.is_nan() {
-            found.push(at, true);
-            found.uncertain = true;
+            match values[2].abs() > CURVED {
+                true => found.push_double(at),
+                false => found.push_cluster(at),
+            }
         } else {
             let [a, b] = [low, high].map(|at| self.f.derivatives(at)[0]);
             if a * b <= 0.0 || a.abs().min(b.abs()) <= self.noise {
@@ -264,7 +304,7 @@ impl Search<'_> {
                 } else {
                     low + width * (a / (a - b)).clamp(0.0, 1.0)
                 };
-                found.push(guess, false);
+                found.push(guess);
             }
         }
     }
@@ -297,7 +337,7 @@ impl Search<'_> {
                 }
             }
             for &x in &x[..chunk.len()] {
-                found.push(x, false);
+                found.push(x);
             }
         }
     }

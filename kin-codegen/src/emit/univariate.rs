@@ -1,0 +1,117 @@
+//! Inverse kinematics by a polynomial in one joint: the arm's numbers, and calls of
+//! what is the same for every arm.
+
+use super::straight::{literal, signed};
+use crate::univariate::Arm;
+use kin_runtime::__private::univariate::Elimination;
+use kin_runtime::Pose;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The methods that solve for joint values.
+pub fn methods(arm: &Arm) -> TokenStream {
+    let constant = constant(arm);
+    let joint = arm.kept[0].elimination.joints[0] + 1;
+    let order = format!(
+        " A general arm has up to sixteen solutions. They come in the order of q{joint}, those of \
+         singular targets last, and [`Solution::branch`] is their place: it changes where two \
+         solutions meet."
+    );
+    quote! {
+        #constant
+
+        /// All joint values that put the tip at `pose` in the base frame, metres.
+        ///
+        #[doc = #order]
+        ///
+        /// Angles are in (−π, π]; limits are not applied, see
+        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// of reach has no solutions, and neither has one of which an entry is not
+        /// finite. A singular target has some members of each family of solutions.
+        ///
+        /// A matrix whose distance from a rotation is more than 1e-9 has no solutions.
+        #[must_use]
+        pub fn ik(&self, pose: &Pose) -> Solutions<6> {
+            Self::UNIVARIATE.solutions(pose)
+        }
+
+        /// As [`Self::ik`]; if `seed` (radians) is a singular solution, it is among them.
+        #[must_use]
+        pub fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
+            Self::UNIVARIATE.solutions_near(pose, seed)
+        }
+
+        /// A solution if there is one, and for a target out of reach a configuration
+        /// of which no small motion comes nearer, with its distance (metres) as the
+        /// residual. None if `pose` is not a number.
+        #[must_use]
+        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
+            Self::UNIVARIATE.closest(pose)
+        }
+    }
+}
+
+fn constant(arm: &Arm) -> TokenStream {
+    let frames = arm.frames.iter().map(pose);
+    let size = literal(arm.size);
+    let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));
+    quote! {
+        /// The arm, lengths in units of half its size, and what is left of it when
+        /// all joints but one are eliminated: the best to be kept first.
+        const UNIVARIATE: Univariate<'static> = Univariate {
+            frames: [#(#frames),*],
+            size: #size,
+            eliminations: &[#(#eliminations),*],
+        };
+    }
+}
+
+fn pose(pose: &Pose) -> TokenStream {
+    let rows = pose.rotation.iter().map(|row| numbers(row));
+    let translation = numbers(&pose.translation);
+    quote!(Pose { rotation: [#(#rows),*], translation: #translation })
+}
+
+fn elimination(elimination: &Elimination) -> TokenStream {
+    let Elimination {
+        joints,
+        backwards,
+        degree,
+        functionals,
+        half,
+        pair,
+        rows,
+        columns,
+    } = elimination;
+    let integers = |all: &[u8]| {
+        let all = all.iter().map(|&x| Literal::u8_unsuffixed(x));
+        quote!([#(#all),*])
+    };
+    let [degree, half] = [degree, half].map(|&x| Literal::u8_unsuffixed(x));
+    let (joints, columns) = (integers(joints), integers(columns));
+    let rows = rows.iter().map(|row| integers(row));
+    let functionals = functionals.iter().map(|functional| numbers(functional));
+    let pair = pair.iter().map(|functional| numbers(functional));
+    quote! {
+        Elimination {
+            joints: #joints,
+            backwards: #backwards,
+            degree: #degree,
+            functionals: [#(#functionals),*],
+            half: #half,
+            pair: [#(#pair),*],
+            rows: [#(#rows),*],
+            columns: #columns,
+        }
+    }
+}
+
+/// `[0.0; n]`, or the values one by one.
+fn numbers(values: &[f64]) -> TokenStream {
+    if values.iter().all(|x| *x == 0.0) {
+        let n = Literal::usize_unsuffixed(values.len());
+        return quote!([0.0; #n]);
+    }
+    let values = values.iter().map(|&x| signed(x));
+    quote!([#(#values),*])
+}

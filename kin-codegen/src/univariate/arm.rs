@@ -1,0 +1,41 @@
+//! An arm that is solved by a polynomial in one joint.
+
+use super::choose::{Kept, choose};
+use super::frames::frames;
+use crate::geometry::Linkage;
+use kin_runtime::__private::univariate::{Elimination, Univariate};
+use kin_runtime::{Pose, Solutions};
+
+/// An arm of six revolute joints, and the joints that are kept.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arm {
+    /// A₀ … A₆ of the arm A₀ Rz(q₁) A₁ … Rz(q₆) A₆; lengths in units of half the
+    /// size.
+    pub frames: [Pose; 7],
+    /// The arm's size, metres.
+    pub size: f64,
+    /// The eliminations, the best first; one at least.
+    pub kept: Vec<Kept>,
+}
+
+impl Arm {
+    /// None if the arm has not six joints that turn, or no joint can be kept.
+    pub fn new(linkage: &Linkage) -> Option<Self> {
+        let frames = frames(linkage)?;
+        let kept = choose(&frames);
+        let size = linkage.size;
+        (!kept.is_empty()).then_some(Self { frames, size, kept })
+    }
+
+    /// What generated code computes for a target.
+    pub fn solutions(&self, target: &Pose) -> Solutions<6> {
+        let eliminations: Vec<Elimination> =
+            self.kept.iter().map(|kept| kept.elimination).collect();
+        let arm = Univariate {
+            frames: self.frames,
+            size: self.size,
+            eliminations: &eliminations,
+        };
+        arm.solutions(target)
+    }
+}

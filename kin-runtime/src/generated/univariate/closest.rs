@@ -1,0 +1,121 @@
+//! What comes nearest to a target out of reach.
+
+use super::search::Search;
+use super::{LANES, Univariate};
+use crate::linear::cholesky;
+use crate::linear::vector::{norm, sub};
+use crate::{Jacobian, Pose, Solution, Target, Twist, math};
+
+/// Steps of a descent at most.
+const STEPS: usize = 60;
+
+/// A descent ends where a step gains less than this share.
+const GAIN: f64 = 1e-9;
+
+/// The best that descents arrive at from configurations all round the joint that is
+/// kept; none if the target is not a number.
+pub(super) fn closest(arm: &Univariate, target: &Pose) -> Option<Solution<6>> {
+    let frames = arm.frames.map(|frame| Pose {
+        translation: frame.translation.map(|x| 0.5 * arm.size * x),
+        ..frame
+    });
+    let task = Task {
+        frames,
+        target,
+        size: arm.size,
+    };
+    let elimination = arm.eliminations.first()?;
+    let starts = Search::new(arm, target).all_round(elimination);
+    let arrived = (0..LANES).map(|k| task.descended(starts.map(|q| q[k])));
+    let numbers = arrived.filter(|(_, missing)| missing.is_finite());
+    let (q, _) = numbers.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    Some(Solution {
+        q: q.map(math::wrap),
+        residual: Target::Pose.distance(&task.fk_jacobian(&q).0, target, arm.size),
+        branch: 0,
+        singular: false,
+    })
+}
+
+struct Task<'a> {
+    /// Lengths in metres.
+    frames: [Pose; 7],
+    target: &'a Pose,
+    size: f64,
+}
+
+impl Task<'_> {
+    /// The pose of the tip, and the spatial Jacobian.
+    fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
+        let mut pose = self.frames[0];
+        let columns = core::array::from_fn(|i| {
+            let axis = [0, 1, 2].map(|row| pose.rotation[row][2]);
+            let twist = Twist::revolute(axis, pose.translation);
+            let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[i], [0.0; 3]);
+            pose = pose * turn * self.frames[i + 1];
+            twist
+        });
+        (pose, Jacobian::from_columns(columns))
+    }
+
+    /// What is missing, and the rows of the Jacobian that make it, lengths in units of
+    /// the arm's size. Half a turn off, the sine of the angle is zero: the angle counts.
+    fn missing(&self, q: &[f64; 6]) -> ([f64; 6], [[f64; 6]; 6]) {
+        let (pose, spatial) = self.fk_jacobian(q);
+        let mut rows = spatial.spatial_to_geometric(&pose).rows;
+        let shift = sub(self.target.translation, pose.translation).map(|x| x / self.size);
+        let turn = Target::Pose.missing(&pose, self.target).angular;
+        let angle = pose.rotation_distance(self.target);
+        let turn = turn.map(|x| x * (angle / math::max(norm(turn), f64::MIN_POSITIVE)));
+        for row in &mut rows[..3] {
+            *row = row.map(|x| x / self.size);
+        }
+        (
+            [shift[0], shift[1], shift[2], turn[0], turn[1], turn[2]],
+            rows,
+        )
+    }
+
+    /// Where the Levenberg-Marquardt method arrives, and how far from the target.
+    fn descended(&self, mut q: [f64; 6]) -> ([f64; 6], f64) {
+        let (mut missing, mut rows) = self.missing(&q);
+        let mut damping = 1e-3;
+        for _ in 0..STEPS {
+            let step = damped(&rows, &missing, damping);
+            let next = core::array::from_fn(|i| q[i] + step[i]);
+            let (left, next_rows) = self.missing(&next);
+            let gained = norm(missing) - norm(left);
+            if gained > 0.0 {
+                let done = gained < GAIN * norm(missing);
+                (q, missing, rows) = (next, left, next_rows);
+                damping = math::max(0.2 * damping, 1e-9);
+                if done {
+                    break;
+                }
+            } else {
+                damping *= 4.0;
+            }
+        }
+        (q, norm(missing))
+    }
+}
+
+/// (JᵀJ + μ)⁻¹ Jᵀ e.
+fn damped(rows: &[[f64; 6]; 6], missing: &[f64; 6], damping: f64) -> [f64; 6] {
+    let mut gram = [[0.0; 6]; 6];
+    let mut slope = [0.0; 6];
+    for (row, e) in rows.iter().zip(missing) {
+        for i in 0..6 {
+            slope[i] += row[i] * e;
+            for j in 0..6 {
+                gram[i][j] += row[i] * row[j];
+            }
+        }
+    }
+    for i in 0..6 {
+        gram[i][i] += damping;
+    }
+    cholesky::factor(gram.as_flattened_mut(), 6, 1e-20);
+    cholesky::solve(gram.as_flattened(), &mut slope);
+    slope
+}
