@@ -20,6 +20,10 @@ const PLANS: usize = 8;
 /// the given one to rounding.
 const UNMOVED: f64 = 1e-13;
 
+/// An arm whose tip is this far from that of one with exact relations, relative to
+/// its size, was designed so: it is no noise, and solved without them if it can be.
+const DESIGNED: f64 = 5e-3;
+
 /// Newton doubles the digits: two or three steps do at a regular
 /// configuration. Near a singular one the first steps have to find the way.
 const REFINEMENT: usize = 24;
@@ -109,7 +113,13 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             Err(other) => refusal = other,
         }
     }
-    best.map_or_else(|| last_resort(&trials, target, refusal), Ok)
+    match best {
+        Some(best) if best.form.tip_shift > DESIGNED * linkage.size => {
+            Ok(last_resort(&trials, target, refusal).unwrap_or(best))
+        }
+        Some(best) => Ok(best),
+        None => last_resort(&trials, target, refusal),
+    }
 }
 
 /// A polynomial in one joint, for an arm that the subproblems do not solve.

@@ -8,6 +8,7 @@ use arms::{
 };
 use kin_codegen::random::Random;
 use kin_codegen::univariate::{choose, eliminate, forward};
+use kin_codegen::{Options, Source, compile};
 use kin_runtime::__private::univariate::{Elimination, Univariate};
 use kin_runtime::{Pose, SearchOptions, Solutions};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -209,4 +210,36 @@ fn what_is_no_pose_or_out_of_reach_has_no_solutions() {
     for target in [far, nothing, infinite, none, huge] {
         assert!(solutions(&frames, &eliminations, &target).is_empty());
     }
+}
+
+/// An elbow arm with a wrist whose last axis passes the others' point by so much.
+fn offset_wrist(offset: f64) -> Source {
+    let text = format!(
+        "robot: arm\nunits: {{angle: deg, length: m}}\nscrews:\n\
+         - {{name: a, axis: [0, 0, 1], point: [0, 0, 0]}}\n\
+         - {{name: b, axis: [0, 1, 0], point: [0.07, 0, 0.35]}}\n\
+         - {{name: c, axis: [0, 1, 0], point: [0.07, 0, 0.71]}}\n\
+         - {{name: d, axis: [1, 0, 0], point: [0.07, 0, 0.71]}}\n\
+         - {{name: e, axis: [0, 1, 0], point: [0.45, 0, 0.71]}}\n\
+         - {{name: f, axis: [1, 0, 0], point: [0.45, 0, {}]}}\n\
+         home: {{xyz: [0.52, 0, 0.71]}}\n",
+        0.71 + offset
+    );
+    Source {
+        path: "arm.yaml".into(),
+        text,
+    }
+}
+
+/// As the IRB 140 of some files, whose wrist misses its point by two centimetres.
+#[test]
+fn an_offset_that_was_designed_is_no_noise() {
+    let plan = |offset: f64| {
+        let compiled = compile(&offset_wrist(offset), &Options::default()).unwrap();
+        let form = compiled.arm().unwrap().form().unwrap().clone();
+        (form.expressions().is_some(), form.is_exact())
+    };
+    assert_eq!(plan(0.0), (true, true));
+    assert_eq!(plan(1e-4), (true, false), "noise");
+    assert_eq!(plan(0.02), (false, true));
 }

@@ -145,16 +145,17 @@ impl Equations {
         out
     }
 
-    /// The matrix at values of the kept joint.
+    /// Writes the matrix at values of the kept joint into zeros, or another of the same
+    /// elimination that was not factored.
     #[inline(always)]
-    pub fn matrix<const L: usize>(
+    pub fn write<const L: usize>(
         &self,
         elimination: &Elimination,
         cosine: &[f64; L],
         sine: &[f64; L],
-    ) -> [[[f64; L]; SIZE]; SIZE] {
+        matrix: &mut [[[f64; L]; SIZE]; SIZE],
+    ) {
         let equations = self.at(cosine, sine);
-        let mut matrix = [[[0.0; L]; SIZE]; SIZE];
         for (row, &[equation, shift]) in matrix.iter_mut().zip(&elimination.rows) {
             let (i0, j0) = (usize::from(shift & 1), usize::from(shift >> 1));
             for i in 0..3 {
@@ -164,7 +165,6 @@ impl Equations {
                 }
             }
         }
-        matrix
     }
 }
 

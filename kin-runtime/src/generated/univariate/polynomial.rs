@@ -2,7 +2,7 @@
 
 use super::LANES;
 use super::determinant::{Matrices, eliminate, product, reflect};
-use super::elimination::{Elimination, Equations};
+use super::elimination::{Elimination, Equations, SIZE};
 use super::harmonics::{HALF_ANGLES, Harmonics, MOST_SAMPLES, samples};
 
 /// Above this noise, relative to the largest harmonic, no pivot can be trusted that was
@@ -38,7 +38,8 @@ fn sample(
         let angle = |k: usize| HALF_ANGLES[step * (LANES * chunk + k)];
         let cosine: [f64; LANES] = core::array::from_fn(|k| angle(k)[0]);
         let sine: [f64; LANES] = core::array::from_fn(|k| angle(k)[1]);
-        let mut matrix = equations.matrix(elimination, &cosine, &sine);
+        let mut matrix = [[[0.0; LANES]; SIZE]; SIZE];
+        equations.write(elimination, &cosine, &sine, &mut matrix);
         factor(&mut matrix);
         values.copy_from_slice(&product(&matrix)[..values.len()]);
     }

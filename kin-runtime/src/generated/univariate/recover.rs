@@ -44,9 +44,10 @@ impl Recovery<'_> {
     /// vectors that are nearly taken to zero, those that are monomials.
     pub fn sharing(&self, kept: f64) -> Starts {
         let (sine, cosine) = math::sin_cos(0.5 * kept);
-        let mut factors =
-            self.equations
-                .matrix(self.elimination, &[cosine; SHARING], &[sine; SHARING]);
+        let mut factors = [[[0.0; SHARING]; SIZE]; SIZE];
+        let (cosine, sine) = ([cosine; SHARING], [sine; SHARING]);
+        self.equations
+            .write(self.elimination, &cosine, &sine, &mut factors);
         reflect(&mut factors);
         let space = null_space_of_triangle(&factors);
         let monomials = |i: usize, j: usize| &space[self.column(i, j)];
@@ -88,7 +89,9 @@ impl Recovery<'_> {
     }
 
     fn null_vectors(&self, cosine: &Lanes, sine: &Lanes) -> Vectors<LANES> {
-        let matrix = self.equations.matrix(self.elimination, cosine, sine);
+        let mut matrix = [[[0.0; LANES]; SIZE]; SIZE];
+        self.equations
+            .write(self.elimination, cosine, sine, &mut matrix);
         let mut factors = matrix;
         eliminate(&mut factors, |row| self.elimination.is_shifted(row));
         let null = null_vector_of_factors(&factors);
@@ -101,9 +104,8 @@ impl Recovery<'_> {
         if is_number && worst < SPOILT {
             return null;
         }
-        let mut factors = matrix;
-        reflect(&mut factors);
-        null_vector_of_triangle(&factors)
+        reflect(&mut matrix);
+        null_vector_of_triangle(&matrix)
     }
 
     fn rest(&self, kept: &Lanes, before: &Lanes, last: &Lanes) -> Starts {
