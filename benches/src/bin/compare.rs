@@ -1,7 +1,7 @@
 //! Forward kinematics, Jacobians and inverse kinematics beside other crates.
 
 use kin_codegen::{Options, Source, compile};
-use kinematics::{Chain, Kinematics, Pose, math};
+use kinematics::{Chain, Kinematics, Pose};
 use kinematics_benches::contest::Contest;
 use kinematics_benches::inputs::{configurations, targets};
 use kinematics_benches::peers::{self, ByHand, InK};
@@ -9,6 +9,7 @@ use rs_opw_kinematics::kinematic_traits::Kinematics as _;
 
 kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/kr6_r900.yaml");
+kinematics::kinematics!("../robots/xarm6.yaml");
 
 const UR5E: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/ur5e.urdf");
 
@@ -18,6 +19,7 @@ fn main() {
     jacobian_ur5e();
     inverse_ur5e();
     inverse_kr6();
+    inverse_xarm6();
 }
 
 fn forward_ur5e() {
@@ -119,6 +121,27 @@ fn inverse_kr6() {
     contest.run();
 }
 
+/// Beside the eigenvalues of a matrix as large as that of the usual elimination: what
+/// other solvers of such arms take, and about the same for every matrix.
+fn inverse_xarm6() {
+    let inputs = targets(&Xarm6);
+    let random = |i: usize, j: usize| (1.0 + (37 * i + 101 * j * j) as f64).sin();
+    let matrix = nalgebra::DMatrix::from_fn(24, 24, random);
+    let eigenvalues = |p: &Pose| {
+        let mut matrix = matrix.clone();
+        for (j, entry) in p.rotation.as_flattened().iter().enumerate() {
+            matrix[(0, j)] = *entry;
+        }
+        matrix.complex_eigenvalues()
+    };
+    Contest::new("xArm 6, all solutions", &inputs)
+        .with("generated", |p| Xarm6.ik(p), |s| s[0].q[0])
+        .with("nalgebra, eigenvalues of a 24×24", eigenvalues, |e| {
+            e[0].re
+        })
+        .run();
+}
+
 /// A first joint angle, or 0 where a peer finds nothing.
 fn first(solutions: &[[f64; 6]]) -> f64 {
     solutions.first().map_or(0.0, |q| q[0])
@@ -179,5 +202,7 @@ fn solve_alike(
 }
 
 fn near(a: &[f64; 6], b: &[f64; 6]) -> bool {
-    a.iter().zip(b).all(|(a, b)| math::wrap(a - b).abs() < 1e-5)
+    a.iter()
+        .zip(b)
+        .all(|(a, b)| kinematics::__private::math::wrap(a - b).abs() < 1e-5)
 }
