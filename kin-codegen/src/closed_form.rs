@@ -1,14 +1,15 @@
 //! The closed form of an arm: the relations that were read into its axes, the
 //! plan, its expressions, and the refinement onto the arm as given.
 
-use crate::expr::inverse::InverseGraph;
+use crate::expr::Values;
+use crate::expr::inverse::{FreeAngle, InverseGraph};
 use crate::geometry::{Idealized, Linkage};
 use crate::model::JointKind;
 use crate::plan::Plan;
 use crate::univariate;
 use kin_runtime::__private::Acceptance;
-use kin_runtime::__private::free_angle::{SAMPLES, roomiest_turn};
-use kin_runtime::__private::refinement::{Problem, refine_branches};
+use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE, SAMPLES, roomiest_turn};
+use kin_runtime::__private::refinement::{Problem, correct_branches, refine_branches};
 use kin_runtime::{Pose, Solution};
 
 /// Solutions reach the target to this, relative to the arm's size.
@@ -88,7 +89,7 @@ impl ClosedForm {
             return found.iter().map(BranchSolution::of).collect();
         }
         let mut branches = self.branches(target);
-        if self.is_exact() {
+        if self.plan.target.is_projected() {
             let tolerance = self.acceptance().tolerance;
             branches.retain(|solution| solution.residual <= tolerance);
             return branches;
@@ -113,13 +114,29 @@ impl ClosedForm {
 
     /// The branches of the plan that exist, if it is run by expressions.
     pub(crate) fn branches(&self, target: &Pose) -> Vec<BranchSolution> {
+        let Some(inverse) = self.expressions() else {
+            return Vec::new();
+        };
+        let values = evaluate(inverse, target, FREE_BELOW, 0.0);
         let branches = 0..self.plan.branches() as u32;
-        let inverse = self.expressions().into_iter();
-        inverse
-            .flat_map(|inverse| branches.clone().filter_map(|k| branch(inverse, target, k)))
-            .collect()
+        let exists = |branch: u32| {
+            let turned = inverse.free_angle.and_then(|free| {
+                let no_root = values.at(free.no_root, branch) > 0.0;
+                no_root.then(|| turned(inverse, target, branch, free))
+            });
+            let values = turned.as_ref().unwrap_or(&values);
+            let of = |e| values.at(e, branch);
+            (of(inverse.invalid) <= 0.0).then(|| BranchSolution {
+                q: inverse.q.iter().map(|&e| of(e)).collect(),
+                residual: of(inverse.residual),
+                singular: of(inverse.singular) > 0.0,
+                branch,
+            })
+        };
+        branches.filter_map(exists).collect()
     }
-    /// The branches, refined onto the arm as given.
+
+    /// The branches, corrected or refined onto the arm as given.
     fn refined<const N: usize>(
         &self,
         target: &Pose,
@@ -138,10 +155,12 @@ impl ClosedForm {
             singular: branch.singular,
         };
         let starts = branches.iter().map(start);
-        refine_branches(&problem, starts, &self.acceptance(), self.refinement)
-            .iter()
-            .map(BranchSolution::of)
-            .collect()
+        let accept = self.acceptance();
+        let found = match self.is_exact() {
+            true => correct_branches(&problem, starts, &accept),
+            false => refine_branches(&problem, starts, &accept, self.refinement),
+        };
+        found.iter().map(BranchSolution::of).collect()
     }
 
     /// Below this conditioning of the Jacobian the branches of the idealized arm
@@ -172,35 +191,33 @@ impl ClosedForm {
     }
 }
 
-fn branch(inverse: &InverseGraph, target: &Pose, branch: u32) -> Option<BranchSolution> {
-    let mut values = evaluate(inverse, target, branch, 0.0);
-    if let Some(free) = inverse.free_angle
-        && values[free.no_root.index()] > 0.0
-    {
-        let level = |turn| evaluate(inverse, target, branch, turn)[free.level.index()];
-        let turn = roomiest_turn(SAMPLES.map(level));
-        values = evaluate(inverse, target, branch, turn);
-    }
-    let of = |e: crate::expr::Expr| values[e.index()];
-    (of(inverse.invalid) <= 0.0).then(|| BranchSolution {
-        q: inverse.q.iter().map(|&e| of(e)).collect(),
-        residual: of(inverse.residual),
-        singular: of(inverse.singular) > 0.0,
-        branch,
-    })
+/// The values with the free angle of a branch turned.
+fn turned<'a>(
+    inverse: &'a InverseGraph,
+    target: &Pose,
+    branch: u32,
+    free: FreeAngle,
+) -> Values<'a> {
+    let turned = |turn| evaluate(inverse, target, NEARLY_FREE, turn);
+    let level = |turn| turned(turn).at(free.level, branch);
+    turned(roomiest_turn(SAMPLES.map(level)))
 }
 
-/// The values of a branch for a seed of zeros, but for a turn of the angle
-/// that may be free.
-fn evaluate(inverse: &InverseGraph, target: &Pose, branch: u32, turn: f64) -> Vec<f64> {
+/// The values for a seed of zeros, but for a turn of the angle that is free
+/// below a threshold.
+fn evaluate<'a>(
+    inverse: &'a InverseGraph,
+    target: &Pose,
+    free_below: f64,
+    turn: f64,
+) -> Values<'a> {
     let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
     inputs.extend(target.translation);
     let seed = inputs.len();
-    inputs.resize(usize::from(inverse.graph.inputs()), 0.0);
+    inputs.resize(seed + inverse.q.len(), 0.0);
     if let Some(free) = inverse.free_angle {
         inputs[seed + free.coordinate] = turn;
     }
-    let mut values = Vec::new();
-    inverse.graph.evaluate(&inputs, branch, &mut values);
-    values
+    inputs.push(free_below);
+    inverse.graph.evaluate_all(&inverse.schedule, &inputs)
 }

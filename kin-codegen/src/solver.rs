@@ -8,17 +8,25 @@ use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate, size,
 };
 use crate::model::Model;
-use crate::plan::{Atom, Plan, Step, Subproblem, Target, search};
+use crate::plan::{Atom, Plan, Plans, Step, Subproblem, Target};
 use crate::univariate;
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
 const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
-/// Plans tried at one tolerance before the next.
-const PLANS: usize = 8;
+/// Plans tried at one tolerance before the next: the cheap ones of an arm with
+/// aligned or meeting axes may degenerate where the arm does not.
+const PLANS: usize = 200;
+/// Plans of which the one with the fewest operations is tried first.
+const COMPARED: usize = 4;
+/// As [`CERTIFIED`], on an idealized arm: refinement makes a certificate dear.
+const REFINED: usize = 2;
+/// Plans tried from the first on that is certified but leaves singular targets
+/// unanswered.
+const CERTIFIED: usize = 8;
 /// An idealized arm whose tip moved less than this, relative to its size, is
 /// the given one to rounding.
-const UNMOVED: f64 = 1e-13;
+const UNMOVED: f64 = 1e-12;
 
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
@@ -39,8 +47,6 @@ pub struct Certified {
     pub form: ClosedForm,
     /// What was seen when it was run.
     pub certificate: Certificate,
-    /// The other plans that the search came by, the cheapest first.
-    pub alternatives: Vec<Plan>,
 }
 
 /// Why an arm has none.
@@ -103,7 +109,7 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             Ok(found) => {
                 // The reading that answers more singular targets wins; one
                 // that is exact or answers all cannot be beaten.
-                let done = found.form.is_exact() || found.certificate.unanswered == 0;
+                let done = found.form.is_exact() || found.certificate.is_complete();
                 best = better(best, found);
                 if done {
                     break;
@@ -141,6 +147,7 @@ fn last_resort(
         subproblem: Subproblem::Univariate,
         unknowns: joints.map(|joint| Atom::Joint(joint.into())).to_vec(),
         relations: Vec::new(),
+        complement: None,
     };
     let form = ClosedForm {
         idealized: Idealized {
@@ -158,12 +165,8 @@ fn last_resort(
         tip_shift: 0.0,
         refinement: 0,
     };
-    match certify(trials, &form) {
-        Ok(certificate) => Ok(Certified {
-            form,
-            certificate,
-            alternatives: Vec::new(),
-        }),
+    match certify(trials, &form, usize::MAX) {
+        Ok(certificate) => Ok(Certified { form, certificate }),
         Err(failure) => Err(NoClosedForm::Uncertified {
             plan: form.plan.to_string(),
             failure,
@@ -180,10 +183,11 @@ fn coaxial(model: &Model) -> Option<[String; 2]> {
     Some([i, i + 1].map(|j| model.joints[j].name.clone()))
 }
 
+/// The one that loses fewer regular targets, then fewer singular ones.
 fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
-    let unanswered = |found: &Certified| found.certificate.unanswered;
+    let missing = |found: &Certified| (found.certificate.lost, found.certificate.unanswered);
     match best {
-        Some(best) if unanswered(&best) <= unanswered(&other) => Some(best),
+        Some(best) if missing(&best) <= missing(&other) => Some(best),
         _ => Some(other),
     }
 }
@@ -193,8 +197,7 @@ fn solve_idealized(
     idealized: Idealized,
     target: Target,
 ) -> Result<Certified, NoClosedForm> {
-    let linkage = Linkage::new(&idealized.model);
-    let plans = search(&linkage, target, PLANS);
+    let linkage = Linkage::for_target(&idealized.model, target);
     let tip_shift = tip_shift(trials.model(), &idealized.model);
     let exact = tip_shift < UNMOVED * linkage.size;
     if !exact && target.is_projected() {
@@ -204,48 +207,75 @@ fn solve_idealized(
         true => (0, 0.0),
         false => (REFINEMENT, DOMAIN_MARGIN * tip_shift / linkage.size),
     };
+    let form = |plan: &Plan, free: FreeAngles| ClosedForm {
+        idealized: idealized.clone(),
+        linkage: linkage.clone(),
+        given: trials.linkage().clone(),
+        plan: plan.clone(),
+        inverse: Inverse::Expressions(Box::new(inverse(
+            &linkage,
+            plan,
+            DomainMargin(margin),
+            free,
+        ))),
+        tip_shift,
+        refinement,
+    };
+    let mut plans = Plans::new(&linkage, target);
+    // The search estimates what a plan costs; of those that it comes by first, the
+    // one that needs the fewest operations is tried first.
+    let mut first: Vec<ClosedForm> = plans
+        .by_ref()
+        .take(COMPARED)
+        .map(|plan| form(&plan, FreeAngles::Seeded))
+        .collect();
+    if exact && linkage.variables() == target.coordinates() {
+        first.sort_by_key(|form| {
+            let inverse = form.expressions();
+            inverse.map(|inverse| inverse.all_branches().weight())
+        });
+    }
+    let later = plans.map(|plan| form(&plan, FreeAngles::Seeded));
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
-    let mut attempt = |plan: &Plan, free: FreeAngles| {
-        let form = ClosedForm {
-            idealized: idealized.clone(),
-            linkage: linkage.clone(),
-            given: trials.linkage().clone(),
-            plan: plan.clone(),
-            inverse: Inverse::Expressions(Box::new(inverse(
-                &linkage,
-                plan,
-                DomainMargin(margin),
-                free,
-            ))),
-            tip_shift,
-            refinement,
+    let mut certified = 0;
+    for (tried, seeded) in first.into_iter().chain(later).take(PLANS).enumerate() {
+        let plan = seeded.plan.clone();
+        // To turn a free angle costs operations: only where it is seen to lose
+        // targets, and not for plans that cost more than one that stands.
+        let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
+        let turned = if stands && tried >= COMPARED {
+            0..0
+        } else {
+            0..plan.steps.len()
         };
-        match certify(trials, &form) {
-            Ok(certificate) => {
-                let others = plans.iter().filter(|other| *other != plan);
-                let found = Certified {
-                    form,
-                    certificate,
-                    alternatives: others.cloned().collect(),
-                };
-                best = better(best.take(), found);
-            }
-            Err(failure) => {
-                let plan = plan.to_string();
-                refusal = NoClosedForm::Uncertified { plan, failure };
+        let turned = turned.map(FreeAngles::TurnedAt);
+        let turned = turned.filter(|free| free.may_help(&plan));
+        for form in std::iter::once(seeded).chain(turned.map(|free| form(&plan, free))) {
+            let losses = best
+                .as_ref()
+                .map_or(usize::MAX, |best| best.certificate.lost);
+            match certify(trials, &form, losses) {
+                Ok(certificate) => {
+                    let found = Certified { form, certificate };
+                    let done = found.certificate.is_complete();
+                    best = better(best, found);
+                    if done {
+                        return best.ok_or(refusal);
+                    }
+                }
+                Err(failure) => {
+                    let plan = plan.to_string();
+                    refusal = NoClosedForm::Uncertified { plan, failure };
+                    break;
+                }
             }
         }
-        best.as_ref()
-            .is_some_and(|best| best.certificate.unanswered == 0)
-    };
-    let done = plans.iter().any(|plan| attempt(plan, FreeAngles::Seeded));
-    // To turn a free angle costs operations: only where it is seen to lose targets.
-    if let (false, Some(plan)) = (done, plans.first()) {
-        let turned = (0..plan.steps.len()).map(FreeAngles::TurnedAt);
-        let _ = turned
-            .filter(|free| free.may_help(plan))
-            .any(|free| attempt(plan, free));
+        let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
+        certified += usize::from(stands);
+        if certified == if exact { CERTIFIED } else { REFINED } {
+            break;
+        }
     }
     best.ok_or(refusal)
 }

@@ -2,8 +2,9 @@
 // Robot file: FNV-1a 64 e675d638f2dcefe2.
 // Options: name = Delta, base = "frame", tip = "effector", ik = closed_form.
 // frame to effector, 3 chains, 15 joints, 3 actuated.
-// Inverse kinematics: arm1 by SP3(q1) SP2(q2,q3), then SP1(q1) SP1(q2); arm2 by SP3(q1)
-// SP2(q2,q3), then SP2(q1,q2); arm3 by SP3(q1) SP2(q2,q3), then SP2(q1,q2).
+// Inverse kinematics: arm1 by SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm2 by
+// SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2); arm3 by SP3(q1) SP4(q3) SP1(q2), then
+// SP2(q1,q2).
 // Forward kinematics: closed form: the platform translates at 0.2320 m, 0.2320 m,
 // 0.2320 m from points that the actuators place, so its position is where three spheres
 // meet (assembly modes with the platform turned, in another mode of its joints, are
@@ -62,9 +63,9 @@ mod __Delta {
     ///
     /// Targets are positions of the platform, which does not turn: the rotation of a target is not read.
     ///
-    /// - `arm1`: SP3(q1) SP2(q2,q3), then SP1(q1) SP1(q2)
-    /// - `arm2`: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
-    /// - `arm3`: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
+    /// - `arm1`: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
+    /// - `arm2`: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
+    /// - `arm3`: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
     ///
     /// # Forward kinematics
     ///
@@ -287,7 +288,7 @@ mod __Delta {
             ///
             /// Solutions reach the position to 3.4e-10 m.
             ///
-            /// Solved by SP3(q1) SP2(q2,q3).
+            /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
                 self.ik_near(pose, &[0.0; 3])
@@ -300,7 +301,13 @@ mod __Delta {
             #[must_use]
             pub fn ik_near(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 let branches = self.branches(pose, seed);
-                branches.solutions(&Self::ACCEPT)
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Position,
+                        &Self::ACCEPT,
+                    )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -327,30 +334,43 @@ mod __Delta {
                 let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
                 // 1. q1 by SP3 (what all branches share)
                 let t6 = px - 0.132011139050208;
-                let t7 = 0.5 * (py * py + (pz * pz + t6 * t6) + 0.012544000000000003)
+                let t7 = pz * pz;
+                let t8 = py * py;
+                let t9 = 0.5 * (t8 + (t7 + t6 * t6) + 0.012544000000000003)
                     - 0.026912000000000016;
-                let t8 = 0.11200000000000002 * t6;
-                let t9 = 0.11200000000000002 * pz;
-                let t10 = t8 * t8 + t9 * t9;
-                let t11 = t10 - t7 * t7;
-                let t12 = 1e-13 * t10;
-                let t13 = -(1e-8 * t10);
-                let t14 = math::sqrt(math::select(t11 < t12, 0.0, t11));
-                let t15 = -math::sqrt(t10);
-                let t16 = math::max(t15, -math::max(t15, -t7));
-                let t17 = t8 * t16;
-                let t18 = t9 * t16;
-                let t19 = math::max(
-                    math::select(t11 < t12, 1.0, 0.0),
-                    math::select(t10 < 1.4003408895999933e-26, 1.0, 0.0),
+                let t10 = 0.11200000000000002 * t6;
+                let t11 = 0.11200000000000002 * pz;
+                let t12 = t10 * t10 + t11 * t11;
+                let t13 = t12 - t9 * t9;
+                let t14 = 1e-13 * t12;
+                let t15 = math::sqrt(math::select(t13 < t14, 0.0, t13));
+                let t16 = -math::sqrt(t12);
+                let t17 = math::max(t16, -math::max(t16, -t9));
+                let t18 = t10 * t17;
+                let t19 = t11 * t17;
+                let t20 = 1.0 / t12;
+                // 2. q3 by SP4 (what all branches share)
+                let t21 = 0.05382400000000003 - t8;
+                let t22 = math::max(
+                    math::max(
+                        math::select(t13 < t14, 1.0, 0.0),
+                        math::select(t12 < 1.4003408895999933e-26, 1.0, 0.0),
+                    ),
+                    math::select(t21 < 5.382400000000003e-15, 1.0, 0.0),
                 );
-                let t20 = 1.0 / t10;
-                // 2. q2 and q3 by SP2, given q1 (what all branches share)
-                let s3 = 4.3103448275862055 * py;
+                let t23 = math::sqrt(
+                    math::select(t21 < 5.382400000000003e-15, 0.0, t21),
+                );
+                let t24 = math::max(
+                    -0.23200000000000007,
+                    -math::max(-0.23200000000000007, -py),
+                );
+                let s3 = 4.3103448275862055 * t24;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t21 = 0.9999999999999998 * py - py;
-                let t22 = t21 * t21;
+                let t25 = 4.930380657631324e-32 * (t7 + (t8 + px * px));
+                let t26 = 0.9999999999999998 * t24 - py;
+                let t27 = t26 * t26;
                 // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
                 let e1 = [1.0, -1.0, 1.0, -1.0];
                 let e2 = [1.0, 1.0, -1.0, -1.0];
@@ -362,64 +382,54 @@ mod __Delta {
                 let mut q3_ = [0.0; 4];
                 for k in 0..4 {
                     // 1. q1 by SP3
-                    let t23 = -e1[k];
-                    let t24 = e1[k] * t14;
+                    let t28 = -e1[k];
+                    let t29 = e1[k] * t15;
                     let s1 = math::select(
-                        t10 < 1.4003408895999933e-26,
+                        t12 < 1.4003408895999933e-26,
                         t2,
-                        (t8 * t24 - t18) * t20,
+                        (t10 * t29 - t19) * t20,
                     );
                     let c1 = math::select(
-                        t10 < 1.4003408895999933e-26,
+                        t12 < 1.4003408895999933e-26,
                         t4,
-                        (t17 + t9 * t24) * t20,
+                        (t18 + t11 * t29) * t20,
                     );
-                    // 2. q2 and q3 by SP2, given q1
-                    let t25 = pz * c1 + t6 * s1;
-                    let t26 = t6 * c1 - pz * s1 - 0.112;
-                    let t27 = t25 * t25 + t26 * t26;
+                    // 2. q3 by SP4
                     let invalid = math::max(
                         math::max(
-                            math::select(
-                                t11 < t12,
-                                math::select(t11 < t13, 1.0, t23),
-                                0.0,
-                            ),
-                            math::select(t10 < 1.4003408895999933e-26, t23, 0.0),
+                            math::select(t13 < t14, t28, 0.0),
+                            math::select(t12 < 1.4003408895999933e-26, t28, 0.0),
                         ),
-                        math::select(t27 < 5.382400000000003e-26, -e2[k], 0.0),
+                        math::select(t21 < 5.382400000000003e-15, -e2[k], 0.0),
                     );
-                    let t28 = e2[k]
-                        * math::sqrt(
-                            math::select(t27 < 5.382400000000003e-26, 0.0, t27),
-                        );
-                    let t29 = 4.3103448275862055 * t28;
-                    let c3 = -t29;
-                    let t30 = math::sqrt(t27 * (t28 * t28));
+                    let t30 = e2[k] * t23;
+                    let t31 = 4.3103448275862055 * t30;
+                    let c3 = -t31;
+                    // 3. q2 by SP1, given q1 and q3
+                    let t32 = pz * c1 + t6 * s1;
+                    let t33 = t6 * c1 - pz * s1 - 0.112;
+                    let t34 = math::sqrt((t32 * t32 + t33 * t33) * (t30 * t30));
                     let singular = math::max(
-                        math::max(
-                            t19,
-                            math::select(t27 < 5.382400000000003e-15, 1.0, 0.0),
-                        ),
-                        math::select(t30 < 5.382400000000003e-28, 1.0, 0.0),
+                        t22,
+                        math::select(t34 < 1.1833599999999972e-25, 1.0, 0.0),
                     );
-                    let t31 = 1.0 / t30;
+                    let t35 = 1.0 / t34;
                     let s2 = math::select(
-                        t30 < 5.382400000000003e-28,
+                        t34 < 1.1833599999999972e-25,
                         t3,
-                        -(t26 * t28 * t31),
+                        -(t30 * t33 * t35),
                     );
                     let c2 = math::select(
-                        t30 < 5.382400000000003e-28,
+                        t34 < 1.1833599999999972e-25,
                         t5,
-                        -(t25 * t28 * t31),
+                        -(t30 * t32 * t35),
                     );
                     // Residual: forward kinematics against the target
-                    let t32 = 0.112 * c1 + 0.132011139050208
-                        - 0.232 * (t29 * (s1 * c2 + c1 * s2));
-                    let t33 = t32 - px;
-                    let t34 = 0.232 * (t29 * (s1 * s2 - c1 * c2)) - 0.112 * s1 - pz;
-                    let residual = math::sqrt(t34 * t34 + (t33 * t33 + t22));
+                    let t36 = 0.112 * c1 + 0.132011139050208
+                        - 0.232 * (t31 * (s1 * c2 + c1 * s2));
+                    let t37 = t36 - px;
+                    let t38 = 0.232 * (t31 * (s1 * s2 - c1 * c2)) - 0.112 * s1 - pz;
+                    let residual = math::sqrt(t25 + (t38 * t38 + (t37 * t37 + t27)));
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
                     let q2 = math::wrap(lanes::angle(s2, c2) + 2.0014839778199303);
@@ -527,7 +537,7 @@ mod __Delta {
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
             ///
-            /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size, so that a matrix that is no rotation to that accuracy has no solutions.
+            /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
             /// Solved by SP1(q1) SP1(q2).
             #[must_use]
@@ -542,7 +552,13 @@ mod __Delta {
             #[must_use]
             pub fn ik_near(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 let branches = self.branches(pose, seed);
-                branches.solutions(&Self::ACCEPT)
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Orientation,
+                        &Self::ACCEPT,
+                    )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -576,17 +592,26 @@ mod __Delta {
                 // Residual: forward kinematics against the target
                 let t3 = 0.9086788731543293 * r22;
                 let t4 = 0.4174957550478551 * r22;
-                let t5 = c2 * t3 + 0.4174957550478549 * t1 - r11;
-                let t6 = 0.9086788731543293 * s1 - r12;
-                let t7 = s2 * t3 - 0.4174957550478549 * t2 - r13;
-                let t8 = r21 + s1 * c2;
-                let t9 = r23 + s1 * s2;
-                let t10 = c2 * t4 - 0.9086788731543288 * t1 - r31;
+                let t5 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                let t6 = 0.5 * (r32 * r32 + (r22 * r22 + r12 * r12) - 1.0);
+                let t7 = r31 * r32 + (r11 * r12 + r21 * r22);
+                let t8 = r13 - (r21 * r32 - r22 * r31);
+                let t9 = r23 - (r12 * r31 - r11 * r32);
+                let t10 = r33 - (r11 * r22 - r12 * r21);
                 let t11 = t5 * t5 + t6 * t6 + t7 * t7 + t8 * t8 + t9 * t9 + t10 * t10;
-                let t12 = 0.4174957550478551 * s1 - r32;
-                let t13 = s2 * t4 + 0.9086788731543288 * t2 - r33;
+                let t12 = c2 * t3 + 0.4174957550478549 * t1 - r11;
+                let t13 = 0.9086788731543293 * s1 - r12;
+                let t14 = s2 * t3 - 0.4174957550478549 * t2 - r13;
+                let t15 = r21 + s1 * c2;
+                let t16 = r23 + s1 * s2;
+                let t17 = c2 * t4 - 0.9086788731543288 * t1 - r31;
+                let t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16
+                    + t17 * t17;
+                let t19 = 0.4174957550478551 * s1 - r32;
+                let t20 = s2 * t4 + 0.9086788731543288 * t2 - r33;
                 let residual = math::sqrt(
-                    0.005241876076624586 * (t11 + t12 * t12 + t13 * t13),
+                    0.010483752153249173 * t11
+                        + 0.005241876076624586 * (t18 + t19 * t19 + t20 * t20),
                 );
                 // Joint values: angles from sines and cosines, in (−π, π]
                 let q1 = math::wrap(math::atan2(s1, r22));
@@ -887,7 +912,7 @@ mod __Delta {
             ///
             /// Solutions reach the position to 3.4e-10 m.
             ///
-            /// Solved by SP3(q1) SP2(q2,q3).
+            /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
                 self.ik_near(pose, &[0.0; 3])
@@ -900,7 +925,13 @@ mod __Delta {
             #[must_use]
             pub fn ik_near(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 let branches = self.branches(pose, seed);
-                branches.solutions(&Self::ACCEPT)
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Position,
+                        &Self::ACCEPT,
+                    )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -930,30 +961,43 @@ mod __Delta {
                 let t7 = py - 0.114325;
                 let t8 = 0.49999999999999983 * t6 - 0.8660254037844388 * t7;
                 let t9 = 0.8660254037844387 * t6 + 0.4999999999999998 * t7;
-                let t10 = 0.5 * (t9 * t9 + (t8 * t8 + pz * pz) + 0.012544000000000003)
+                let t10 = pz * pz;
+                let t11 = 0.5 * (t9 * t9 + (t8 * t8 + t10) + 0.012544000000000003)
                     - 0.026912000000000016;
-                let t11 = 0.11200000000000002 * t8;
-                let t12 = 0.11200000000000002 * pz;
-                let t13 = t11 * t11 + t12 * t12;
-                let t14 = t13 - t10 * t10;
-                let t15 = 1e-13 * t13;
-                let t16 = -(1e-8 * t13);
-                let t17 = math::sqrt(math::select(t14 < t15, 0.0, t14));
-                let t18 = -math::sqrt(t13);
-                let t19 = math::max(t18, -math::max(t18, -t10));
-                let t20 = t11 * t19;
-                let t21 = t12 * t19;
-                let t22 = math::max(
-                    math::select(t14 < t15, 1.0, 0.0),
-                    math::select(t13 < 1.4003408895999933e-26, 1.0, 0.0),
+                let t12 = 0.11200000000000002 * t8;
+                let t13 = 0.11200000000000002 * pz;
+                let t14 = t12 * t12 + t13 * t13;
+                let t15 = t14 - t11 * t11;
+                let t16 = 1e-13 * t14;
+                let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
+                let t18 = -math::sqrt(t14);
+                let t19 = math::max(t18, -math::max(t18, -t11));
+                let t20 = t12 * t19;
+                let t21 = t13 * t19;
+                let t22 = 1.0 / t14;
+                // 2. q3 by SP4 (what all branches share)
+                let t23 = 0.9999999999999999 * t9;
+                let t24 = 0.05382400000000002 - t23 * t23;
+                let t25 = math::max(
+                    math::max(
+                        math::select(t15 < t16, 1.0, 0.0),
+                        math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                    ),
+                    math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
                 );
-                let t23 = 1.0 / t13;
-                // 2. q2 and q3 by SP2, given q1 (what all branches share)
-                let s3 = -(4.3103448275862055 * t9);
+                let t26 = math::sqrt(
+                    math::select(t24 < 5.382400000000002e-15, 0.0, t24),
+                );
+                let t27 = math::max(
+                    -0.23200000000000004,
+                    -math::max(t23, -0.23200000000000004),
+                );
+                let s3 = 4.310344827586206 * t27;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t24 = 0.8660254037844385 * t9;
-                let t25 = 0.49999999999999967 * t9;
+                let t28 = 0.8660254037844386 * t27;
+                let t29 = 0.4999999999999997 * t27;
+                let t30 = 4.930380657631324e-32 * (t10 + (px * px + py * py));
                 // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
                 let e1 = [1.0, -1.0, 1.0, -1.0];
                 let e2 = [1.0, 1.0, -1.0, -1.0];
@@ -965,64 +1009,58 @@ mod __Delta {
                 let mut q3_ = [0.0; 4];
                 for k in 0..4 {
                     // 1. q1 by SP3
-                    let t26 = -e1[k];
-                    let t27 = e1[k] * t17;
+                    let t31 = -e1[k];
+                    let t32 = e1[k] * t17;
                     let s1 = math::select(
-                        t13 < 1.4003408895999933e-26,
+                        t14 < 1.4003408895999933e-26,
                         t2,
-                        -((t21 + t11 * t27) * t23),
+                        -((t21 + t12 * t32) * t22),
                     );
                     let c1 = math::select(
-                        t13 < 1.4003408895999933e-26,
+                        t14 < 1.4003408895999933e-26,
                         t4,
-                        (t12 * t27 - t20) * t23,
+                        (t13 * t32 - t20) * t22,
                     );
-                    // 2. q2 and q3 by SP2, given q1
-                    let t28 = pz * c1 - t8 * s1;
-                    let t29 = t8 * c1 + pz * s1 + 0.112;
-                    let t30 = t29 * t29 + t28 * t28;
+                    // 2. q3 by SP4
                     let invalid = math::max(
                         math::max(
-                            math::select(
-                                t14 < t15,
-                                math::select(t14 < t16, 1.0, t26),
-                                0.0,
-                            ),
-                            math::select(t13 < 1.4003408895999933e-26, t26, 0.0),
+                            math::select(t15 < t16, t31, 0.0),
+                            math::select(t14 < 1.4003408895999933e-26, t31, 0.0),
                         ),
-                        math::select(t30 < 5.382400000000003e-26, -e2[k], 0.0),
+                        math::select(t24 < 5.382400000000002e-15, -e2[k], 0.0),
                     );
-                    let t31 = e2[k]
-                        * math::sqrt(
-                            math::select(t30 < 5.382400000000003e-26, 0.0, t30),
-                        );
-                    let c3 = -(4.3103448275862055 * t31);
-                    let t32 = math::sqrt(t30 * (t31 * t31));
+                    let t33 = e2[k] * t26;
+                    let c3 = -(4.310344827586206 * t33);
+                    // 3. q2 by SP1, given q1 and q3
+                    let t34 = pz * c1 - t8 * s1;
+                    let t35 = t8 * c1 + pz * s1 + 0.112;
+                    let t36 = 1.0000000000000002 * t33;
+                    let t37 = math::sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
                     let singular = math::max(
-                        math::max(
-                            t22,
-                            math::select(t30 < 5.382400000000003e-15, 1.0, 0.0),
-                        ),
-                        math::select(t32 < 5.382400000000003e-28, 1.0, 0.0),
+                        t25,
+                        math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
                     );
-                    let t33 = 1.0 / t32;
+                    let t38 = 1.0 / t37;
                     let s2 = math::select(
-                        t32 < 5.382400000000003e-28,
+                        t37 < 1.1833599999999972e-25,
                         t3,
-                        -(t28 * t31 * t33),
+                        -(t34 * t36 * t38),
                     );
                     let c2 = math::select(
-                        t32 < 5.382400000000003e-28,
+                        t37 < 1.1833599999999972e-25,
                         t5,
-                        -(t29 * t31 * t33),
+                        -(t35 * t36 * t38),
                     );
                     // Residual: forward kinematics against the target
-                    let t34 = 0.9999999999999998 * t31;
-                    let t35 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t34;
-                    let t36 = t24 - 0.49999999999999983 * t35 - 0.066005569525104 - px;
-                    let t37 = 0.8660254037844388 * t35 + t25 + 0.114325 - py;
-                    let t38 = pz + (0.112 * s1 + (s1 * c2 + c1 * s2) * t34);
-                    let residual = math::sqrt(t38 * t38 + (t36 * t36 + t37 * t37));
+                    let t39 = 0.9999999999999999 * t33;
+                    let t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
+                    let t41 = -0.066005569525104 - (0.49999999999999983 * t40 + t28)
+                        - px;
+                    let t42 = 0.8660254037844388 * t40 - t29 + 0.114325 - py;
+                    let t43 = pz + (0.112 * s1 + (s1 * c2 + c1 * s2) * t39);
+                    let residual = math::sqrt(
+                        t30 + (t43 * t43 + (t41 * t41 + t42 * t42)),
+                    );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
                     let q2 = math::wrap(lanes::angle(s2, c2) + 0.4306876510250337);
@@ -1149,7 +1187,7 @@ mod __Delta {
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
             ///
-            /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size, so that a matrix that is no rotation to that accuracy has no solutions.
+            /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
             /// Solved by SP2(q1,q2).
             #[must_use]
@@ -1164,7 +1202,13 @@ mod __Delta {
             #[must_use]
             pub fn ik_near(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 let branches = self.branches(pose, seed);
-                branches.solutions(&Self::ACCEPT)
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Orientation,
+                        &Self::ACCEPT,
+                    )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1206,6 +1250,15 @@ mod __Delta {
                 let t12 = 0.20874787752392746 * t7;
                 let t13 = 0.3615619298436078 * t7;
                 let t14 = 0.9086788731543293 * t7;
+                let t15 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                let t16 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                let t17 = r31 * r32 + (r11 * r12 + r21 * r22);
+                let t18 = r13 - (r21 * r32 - r22 * r31);
+                let t19 = r23 - (r12 * r31 - r11 * r32);
+                let t20 = r33 - (r11 * r22 - r12 * r21);
+                let t21 = t15 * t15 + t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19
+                    + t20 * t20;
+                let t22 = 0.01048375215324917 * t21;
                 // 2 lanes, by the signs of the roots: e1 of step 1
                 let e1 = [1.0, -1.0];
                 let mut invalid_ = [0.0; 2];
@@ -1215,37 +1268,39 @@ mod __Delta {
                 for k in 0..2 {
                     // 1. q1 and q2 by SP2
                     let invalid = math::select(t8 < 1e-24, -e1[k], 0.0);
-                    let t15 = e1[k] * t9;
-                    let s2 = -t15;
-                    let s1 = math::select(t8 < 1e-24, t1, -(t3 * t15 * t10));
-                    let c1 = math::select(t8 < 1e-24, t2, -(t4 * t15 * t10));
+                    let t23 = e1[k] * t9;
+                    let s2 = -t23;
+                    let s1 = math::select(t8 < 1e-24, t1, -(t3 * t23 * t10));
+                    let c1 = math::select(t8 < 1e-24, t2, -(t4 * t23 * t10));
                     // Residual: forward kinematics against the target
-                    let t16 = 0.49999999999999983 * c1 + s1 * t11;
-                    let t17 = c1 * t11 - 0.49999999999999983 * s1;
-                    let t18 = 0.18078096492180382 * t15
-                        + (0.8660254037844388 * t16 - 0.4543394365771645 * t17);
-                    let t19 = 0.4999999999999999 * t16 + 0.7869389880338669 * t17
-                        - 0.3131218162858913 * t15;
-                    let t20 = 0.4174957550478551 * t17 + 0.7869389880338666 * t15;
-                    let t21 = t15 * c1;
-                    let t22 = t15 * s1;
-                    let t23 = 0.4543394365771645 * t21 - 0.8660254037844388 * t22 - t12;
-                    let t24 = t13
-                        - (0.4999999999999999 * t22 + 0.7869389880338669 * t21);
-                    let t25 = 0.4174957550478551 * t21 + t14;
-                    let t26 = r11 + (t19 * t25 + t20 * t24);
-                    let t27 = t18 - r12;
-                    let t28 = t23 - r13;
-                    let t29 = t20 * t23 + t18 * t25 - r21;
-                    let t30 = t19 - r22;
-                    let t31 = t24 - r23;
-                    let t32 = t26 * t26 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
-                        + t31 * t31;
-                    let t33 = t18 * t24 - t19 * t23 - r31;
-                    let t34 = t20 - r32;
-                    let t35 = r33 + t25;
+                    let t24 = 0.49999999999999983 * c1 + s1 * t11;
+                    let t25 = c1 * t11 - 0.49999999999999983 * s1;
+                    let t26 = 0.18078096492180382 * t23
+                        + (0.8660254037844388 * t24 - 0.4543394365771645 * t25);
+                    let t27 = 0.4999999999999999 * t24 + 0.7869389880338669 * t25
+                        - 0.3131218162858913 * t23;
+                    let t28 = 0.4174957550478551 * t25 + 0.7869389880338666 * t23;
+                    let t29 = t23 * c1;
+                    let t30 = t23 * s1;
+                    let t31 = 0.4543394365771645 * t29 - 0.8660254037844388 * t30 - t12;
+                    let t32 = t13
+                        - (0.4999999999999999 * t30 + 0.7869389880338669 * t29);
+                    let t33 = 0.4174957550478551 * t29 + t14;
+                    let t34 = r11 + (t27 * t33 + t28 * t32);
+                    let t35 = t26 - r12;
+                    let t36 = t31 - r13;
+                    let t37 = t28 * t31 + t26 * t33 - r21;
+                    let t38 = t27 - r22;
+                    let t39 = t32 - r23;
+                    let t40 = t34 * t34 + t35 * t35 + t36 * t36 + t37 * t37 + t38 * t38
+                        + t39 * t39;
+                    let t41 = t26 * t32 - t27 * t31 - r31;
+                    let t42 = t28 - r32;
+                    let t43 = r33 + t33;
                     let residual = math::sqrt(
-                        0.005241876076624585 * (t32 + t33 * t33 + t34 * t34 + t35 * t35),
+                        t22
+                            + 0.005241876076624585
+                                * (t40 + t41 * t41 + t42 * t42 + t43 * t43),
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
@@ -1548,7 +1603,7 @@ mod __Delta {
             ///
             /// Solutions reach the position to 3.4e-10 m.
             ///
-            /// Solved by SP3(q1) SP2(q2,q3).
+            /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
                 self.ik_near(pose, &[0.0; 3])
@@ -1561,7 +1616,13 @@ mod __Delta {
             #[must_use]
             pub fn ik_near(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 let branches = self.branches(pose, seed);
-                branches.solutions(&Self::ACCEPT)
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Position,
+                        &Self::ACCEPT,
+                    )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1591,30 +1652,43 @@ mod __Delta {
                 let t7 = py + 0.114325;
                 let t8 = 0.49999999999999983 * t6 + 0.8660254037844388 * t7;
                 let t9 = 0.8660254037844387 * t6 - 0.4999999999999998 * t7;
-                let t10 = 0.5 * (t9 * t9 + (t8 * t8 + pz * pz) + 0.012544000000000003)
+                let t10 = pz * pz;
+                let t11 = 0.5 * (t9 * t9 + (t8 * t8 + t10) + 0.012544000000000003)
                     - 0.026912000000000016;
-                let t11 = 0.11200000000000002 * t8;
-                let t12 = 0.11200000000000002 * pz;
-                let t13 = t11 * t11 + t12 * t12;
-                let t14 = t13 - t10 * t10;
-                let t15 = 1e-13 * t13;
-                let t16 = -(1e-8 * t13);
-                let t17 = math::sqrt(math::select(t14 < t15, 0.0, t14));
-                let t18 = -math::sqrt(t13);
-                let t19 = math::max(t18, -math::max(t18, -t10));
-                let t20 = t11 * t19;
-                let t21 = t12 * t19;
-                let t22 = math::max(
-                    math::select(t14 < t15, 1.0, 0.0),
-                    math::select(t13 < 1.4003408895999933e-26, 1.0, 0.0),
+                let t12 = 0.11200000000000002 * t8;
+                let t13 = 0.11200000000000002 * pz;
+                let t14 = t12 * t12 + t13 * t13;
+                let t15 = t14 - t11 * t11;
+                let t16 = 1e-13 * t14;
+                let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
+                let t18 = -math::sqrt(t14);
+                let t19 = math::max(t18, -math::max(t18, -t11));
+                let t20 = t12 * t19;
+                let t21 = t13 * t19;
+                let t22 = 1.0 / t14;
+                // 2. q3 by SP4 (what all branches share)
+                let t23 = 0.9999999999999999 * t9;
+                let t24 = 0.05382400000000002 - t23 * t23;
+                let t25 = math::max(
+                    math::max(
+                        math::select(t15 < t16, 1.0, 0.0),
+                        math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                    ),
+                    math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
                 );
-                let t23 = 1.0 / t13;
-                // 2. q2 and q3 by SP2, given q1 (what all branches share)
-                let s3 = 4.3103448275862055 * t9;
+                let t26 = math::sqrt(
+                    math::select(t24 < 5.382400000000002e-15, 0.0, t24),
+                );
+                let t27 = math::max(
+                    -0.23200000000000004,
+                    -math::max(-0.23200000000000004, -t23),
+                );
+                let s3 = 4.310344827586206 * t27;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t24 = 0.8660254037844385 * t9;
-                let t25 = 0.49999999999999967 * t9;
+                let t28 = 0.8660254037844386 * t27;
+                let t29 = 0.4999999999999997 * t27;
+                let t30 = 4.930380657631324e-32 * (t10 + (px * px + py * py));
                 // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
                 let e1 = [1.0, -1.0, 1.0, -1.0];
                 let e2 = [1.0, 1.0, -1.0, -1.0];
@@ -1626,64 +1700,57 @@ mod __Delta {
                 let mut q3_ = [0.0; 4];
                 for k in 0..4 {
                     // 1. q1 by SP3
-                    let t26 = -e1[k];
-                    let t27 = e1[k] * t17;
+                    let t31 = -e1[k];
+                    let t32 = e1[k] * t17;
                     let s1 = math::select(
-                        t13 < 1.4003408895999933e-26,
+                        t14 < 1.4003408895999933e-26,
                         t2,
-                        -((t21 + t11 * t27) * t23),
+                        -((t21 + t12 * t32) * t22),
                     );
                     let c1 = math::select(
-                        t13 < 1.4003408895999933e-26,
+                        t14 < 1.4003408895999933e-26,
                         t4,
-                        (t12 * t27 - t20) * t23,
+                        (t13 * t32 - t20) * t22,
                     );
-                    // 2. q2 and q3 by SP2, given q1
-                    let t28 = pz * c1 - t8 * s1;
-                    let t29 = t8 * c1 + pz * s1 + 0.112;
-                    let t30 = t29 * t29 + t28 * t28;
+                    // 2. q3 by SP4
                     let invalid = math::max(
                         math::max(
-                            math::select(
-                                t14 < t15,
-                                math::select(t14 < t16, 1.0, t26),
-                                0.0,
-                            ),
-                            math::select(t13 < 1.4003408895999933e-26, t26, 0.0),
+                            math::select(t15 < t16, t31, 0.0),
+                            math::select(t14 < 1.4003408895999933e-26, t31, 0.0),
                         ),
-                        math::select(t30 < 5.382400000000003e-26, -e2[k], 0.0),
+                        math::select(t24 < 5.382400000000002e-15, -e2[k], 0.0),
                     );
-                    let t31 = e2[k]
-                        * math::sqrt(
-                            math::select(t30 < 5.382400000000003e-26, 0.0, t30),
-                        );
-                    let c3 = -(4.3103448275862055 * t31);
-                    let t32 = math::sqrt(t30 * (t31 * t31));
+                    let t33 = e2[k] * t26;
+                    let c3 = -(4.310344827586206 * t33);
+                    // 3. q2 by SP1, given q1 and q3
+                    let t34 = pz * c1 - t8 * s1;
+                    let t35 = t8 * c1 + pz * s1 + 0.112;
+                    let t36 = 1.0000000000000002 * t33;
+                    let t37 = math::sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
                     let singular = math::max(
-                        math::max(
-                            t22,
-                            math::select(t30 < 5.382400000000003e-15, 1.0, 0.0),
-                        ),
-                        math::select(t32 < 5.382400000000003e-28, 1.0, 0.0),
+                        t25,
+                        math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
                     );
-                    let t33 = 1.0 / t32;
+                    let t38 = 1.0 / t37;
                     let s2 = math::select(
-                        t32 < 5.382400000000003e-28,
+                        t37 < 1.1833599999999972e-25,
                         t3,
-                        -(t28 * t31 * t33),
+                        -(t34 * t36 * t38),
                     );
                     let c2 = math::select(
-                        t32 < 5.382400000000003e-28,
+                        t37 < 1.1833599999999972e-25,
                         t5,
-                        -(t29 * t31 * t33),
+                        -(t35 * t36 * t38),
                     );
                     // Residual: forward kinematics against the target
-                    let t34 = 0.9999999999999998 * t31;
-                    let t35 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t34;
-                    let t36 = t24 - 0.49999999999999983 * t35 - 0.066005569525104 - px;
-                    let t37 = -0.114325 - (0.8660254037844388 * t35 + t25) - py;
-                    let t38 = pz + (0.112 * s1 + (s1 * c2 + c1 * s2) * t34);
-                    let residual = math::sqrt(t38 * t38 + (t36 * t36 + t37 * t37));
+                    let t39 = 0.9999999999999999 * t33;
+                    let t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
+                    let t41 = t28 - 0.49999999999999983 * t40 - 0.066005569525104 - px;
+                    let t42 = -0.114325 - (0.8660254037844388 * t40 + t29) - py;
+                    let t43 = pz + (0.112 * s1 + (s1 * c2 + c1 * s2) * t39);
+                    let residual = math::sqrt(
+                        t30 + (t43 * t43 + (t41 * t41 + t42 * t42)),
+                    );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
                     let q2 = math::wrap(lanes::angle(s2, c2) + 0.4306876510250337);
@@ -1810,7 +1877,7 @@ mod __Delta {
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
             ///
-            /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size, so that a matrix that is no rotation to that accuracy has no solutions.
+            /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
             /// Solved by SP2(q1,q2).
             #[must_use]
@@ -1825,7 +1892,13 @@ mod __Delta {
             #[must_use]
             pub fn ik_near(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 let branches = self.branches(pose, seed);
-                branches.solutions(&Self::ACCEPT)
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Orientation,
+                        &Self::ACCEPT,
+                    )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1865,6 +1938,15 @@ mod __Delta {
                 let t9 = 0.20874787752392746 * c2;
                 let t10 = 0.3615619298436078 * c2;
                 let t11 = 0.9086788731543293 * c2;
+                let t12 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                let t13 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                let t14 = r31 * r32 + (r11 * r12 + r21 * r22);
+                let t15 = r13 - (r21 * r32 - r22 * r31);
+                let t16 = r23 - (r12 * r31 - r11 * r32);
+                let t17 = r33 - (r11 * r22 - r12 * r21);
+                let t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16
+                    + t17 * t17;
+                let t19 = 0.01048375215324917 * t18;
                 // 2 lanes, by the signs of the roots: e1 of step 1
                 let e1 = [1.0, -1.0];
                 let mut invalid_ = [0.0; 2];
@@ -1874,37 +1956,39 @@ mod __Delta {
                 for k in 0..2 {
                     // 1. q1 and q2 by SP2
                     let invalid = math::select(t5 < 1e-24, -e1[k], 0.0);
-                    let t12 = e1[k] * t6;
-                    let s2 = -t12;
-                    let s1 = math::select(t5 < 1e-24, t1, t3 * t12 * t7);
-                    let c1 = math::select(t5 < 1e-24, t2, -(t4 * t12 * t7));
+                    let t20 = e1[k] * t6;
+                    let s2 = -t20;
+                    let s1 = math::select(t5 < 1e-24, t1, t3 * t20 * t7);
+                    let c1 = math::select(t5 < 1e-24, t2, -(t4 * t20 * t7));
                     // Residual: forward kinematics against the target
-                    let t13 = s1 * t8 - 0.49999999999999983 * c1;
-                    let t14 = 0.49999999999999983 * s1 + c1 * t8;
-                    let t15 = 0.8660254037844388 * t13 + 0.4543394365771645 * t14
-                        - 0.18078096492180382 * t12;
-                    let t16 = 0.7869389880338669 * t14 - 0.4999999999999999 * t13
-                        - 0.3131218162858913 * t12;
-                    let t17 = 0.4174957550478551 * t14 + 0.7869389880338666 * t12;
-                    let t18 = t12 * c1;
-                    let t19 = t12 * s1;
-                    let t20 = t9 + (0.8660254037844388 * t19 + 0.4543394365771645 * t18);
-                    let t21 = t10
-                        + (0.7869389880338669 * t18 - 0.4999999999999999 * t19);
-                    let t22 = t11 - 0.4174957550478551 * t18;
-                    let t23 = t16 * t22 + t17 * t21 - r11;
-                    let t24 = t15 - r12;
-                    let t25 = t20 - r13;
-                    let t26 = r21 + (t17 * t20 + t15 * t22);
-                    let t27 = t16 - r22;
-                    let t28 = t21 - r23;
-                    let t29 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27
-                        + t28 * t28;
-                    let t30 = t15 * t21 - t16 * t20 - r31;
-                    let t31 = r32 + t17;
-                    let t32 = t22 - r33;
+                    let t21 = s1 * t8 - 0.49999999999999983 * c1;
+                    let t22 = 0.49999999999999983 * s1 + c1 * t8;
+                    let t23 = 0.8660254037844388 * t21 + 0.4543394365771645 * t22
+                        - 0.18078096492180382 * t20;
+                    let t24 = 0.7869389880338669 * t22 - 0.4999999999999999 * t21
+                        - 0.3131218162858913 * t20;
+                    let t25 = 0.4174957550478551 * t22 + 0.7869389880338666 * t20;
+                    let t26 = t20 * c1;
+                    let t27 = t20 * s1;
+                    let t28 = t9 + (0.8660254037844388 * t27 + 0.4543394365771645 * t26);
+                    let t29 = t10
+                        + (0.7869389880338669 * t26 - 0.4999999999999999 * t27);
+                    let t30 = t11 - 0.4174957550478551 * t26;
+                    let t31 = t24 * t30 + t25 * t29 - r11;
+                    let t32 = t23 - r12;
+                    let t33 = t28 - r13;
+                    let t34 = r21 + (t25 * t28 + t23 * t30);
+                    let t35 = t24 - r22;
+                    let t36 = t29 - r23;
+                    let t37 = t31 * t31 + t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35
+                        + t36 * t36;
+                    let t38 = t23 * t29 - t24 * t28 - r31;
+                    let t39 = r32 + t25;
+                    let t40 = t30 - r33;
                     let residual = math::sqrt(
-                        0.005241876076624585 * (t29 + t30 * t30 + t31 * t31 + t32 * t32),
+                        t19
+                            + 0.005241876076624585
+                                * (t37 + t38 * t38 + t39 * t39 + t40 * t40),
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
@@ -2160,7 +2244,7 @@ mod __Delta {
                 rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
                 ..*target
             };
-            // arm1: SP3(q1) SP2(q2,q3), then SP1(q1) SP1(q2)
+            // arm1: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
             let point = Pose::from_translation(
                 target.transform_point([0.0331976404784035, 0.0, 0.0]),
             );
@@ -2171,7 +2255,7 @@ mod __Delta {
                     postures.push(0, 0, &q);
                 }
             }
-            // arm2: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
+            // arm2: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, 0.028750000000000442, 0.0]),
@@ -2183,7 +2267,7 @@ mod __Delta {
                     postures.push(1, 0, &q);
                 }
             }
-            // arm3: SP3(q1) SP2(q2,q3), then SP2(q1,q2)
+            // arm3: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, -0.028750000000000442, 0.0]),

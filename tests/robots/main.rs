@@ -21,6 +21,7 @@ mod malformed;
 mod near;
 mod noisy;
 mod recovered;
+mod rounded;
 mod sound;
 mod table;
 mod targets;

@@ -58,6 +58,9 @@ robots! {
     concurrent_345 Concurrent345 "robots/table/concurrent_345.yaml"
     parallel_123 Parallel123 "robots/table/parallel_123.yaml"
     parallel_234 Parallel234 "robots/table/parallel_234.yaml"
+    slide_of_rrp SlideOfRrp "robots/table/slide_of_rrp.yaml"
+    slides_of_prp SlidesOfPrp "robots/table/slides_of_prp.yaml"
+    three_slides ThreeSlides "robots/table/three_slides.yaml"
     wrist_alone WristAlone "robots/table/wrist_alone.yaml"
 }
 
@@ -67,6 +70,10 @@ robots! {
     welder Welder "robots/targets/welder.yaml" => position_axis
     welder_pose WelderPose "robots/targets/welder.yaml" => pose
     sprayer_pose SprayerPose "robots/targets/sprayer.yaml" => pose
+    polar Polar "robots/targets/polar.yaml"
+    skew_tool SkewTool "robots/targets/skew_tool.yaml" => position_axis
+    bent_2r Bent2r "robots/targets/bent_2r.yaml"
+    five_joints FiveJoints "robots/targets/five_joints.yaml"
     antenna Antenna "robots/targets/antenna.yaml" => direction
     gimbal Gimbal "robots/targets/gimbal.yaml" => orientation
     scara_yaw ScaraYaw "../robots/scara.yaml" => position_yaw

@@ -104,12 +104,25 @@ fn of_arm(arm: &CompiledArm) -> String {
     match &arm.inverse {
         Some(Certified {
             form, certificate, ..
-        }) => format!(
-            "{}, {} branches, worst residual {:.1e} m",
-            form.plan,
-            form.plan.branches(),
-            certificate.worst_residual
-        ),
+        }) => {
+            let branches = form.plan.branches();
+            let worst = certificate.worst_residual;
+            let mut line = format!(
+                "{}, {branches} branches, worst residual {worst:.1e} m",
+                form.plan
+            );
+            if certificate.excused > 0 {
+                line += &format!(", {:.1} % excused", 100.0 * certificate.excused_share);
+            }
+            if certificate.lost > 0 {
+                let all = certificate.configurations;
+                line += &format!(
+                    ", {} of {all} lost or misjudged where a step degenerates",
+                    certificate.lost
+                );
+            }
+            line
+        }
         None => FORWARD_ALONE.into(),
     }
 }

@@ -6,6 +6,7 @@ use kin_codegen::certificate::Certificate;
 use kin_codegen::closed_form::Inverse as Solved;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::InverseGraph;
+use kin_codegen::plan::Plans;
 use kin_codegen::solver::Certified;
 use kin_codegen::univariate::Kept;
 use serde::Serialize;
@@ -71,9 +72,10 @@ impl Inverse {
             plan: plan.to_string(),
             steps: steps.map(|step| Step::of(step, &form.linkage)).collect(),
             branches: plan.branches(),
-            others: (certified.alternatives.iter())
+            others: Plans::new(&form.linkage, plan.target)
+                .filter(|other| other != plan)
                 .take(ALTERNATIVES)
-                .map(ToString::to_string)
+                .map(|other| other.to_string())
                 .collect(),
             cost: form.expressions().map(LaneCost::of),
             kept: match &form.inverse {
@@ -105,28 +107,10 @@ impl KeptJoint {
 }
 
 impl LaneCost {
-    /// An expression behind the k-th choice is computed in 2ᵏ lanes.
     fn of(inverse: &InverseGraph) -> Self {
-        let graph = &inverse.graph;
-        let outputs = inverse.outputs();
-        let levels = graph.levels();
-        let needed = graph.reachable(&outputs);
-        let up_to = |level: u8| {
-            let within = |&i: &usize| needed[i] && levels[i] <= level;
-            let nodes: Vec<_> = (0..levels.len()).filter(within).collect();
-            let nodes: Vec<_> = nodes.into_iter().map(|i| graph.at(i)).collect();
-            graph.operations(&nodes)
-        };
-        let mut all_branches = Operations::default();
-        let mut below = Operations::default();
-        for level in 0..=graph.choices() {
-            let cost = up_to(level);
-            all_branches += (1 << level) * (cost - below);
-            below = cost;
-        }
         Self {
-            one_branch: graph.operations(&outputs),
-            all_branches,
+            one_branch: inverse.one_branch(),
+            all_branches: inverse.all_branches(),
         }
     }
 }

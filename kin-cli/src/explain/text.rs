@@ -176,7 +176,9 @@ impl Display for Inverse {
                 0 => "every configuration was recovered".into(),
                 unanswered => format!("{unanswered} of the singular ones got no representative"),
             }
-        )
+        )?;
+        let mut reservations = seen.reservations().into_iter();
+        reservations.try_for_each(|reservation| writeln!(f, "  {reservation}"))
     }
 }
 

@@ -214,21 +214,34 @@ fn inverse(certified: &Certified) -> Vec<String> {
         }
         Inverse::Univariate(arm) => lines.push(univariate(arm)),
     }
+    if solver.linkage.has_free_turn {
+        lines.push(String::new());
+        lines.push(format!(
+            "q{} is the turn about the tip's z axis that a target leaves free.",
+            solver.linkage.links.len()
+        ));
+    }
     lines.push(String::new());
     lines.push(format!(
-        "{} branches. Verified on {} configurations: all recovered, {} solutions, the worst {:.1e} \
+        "{} branches. Verified on {} configurations: {} recovered, {} solutions, the worst {:.1e} \
          m from its target.",
         plan.branches(),
         seen.configurations,
+        match seen.lost {
+            0 => "all".into(),
+            lost => format!("all but {lost}"),
+        },
         seen.solutions,
         seen.worst_residual,
     ));
     if seen.unanswered > 0 {
         lines.push(format!(
             "Of {} singular configurations, {} got no representative.",
-            seen.singular, seen.unanswered
+            seen.singular + seen.excused,
+            seen.unanswered
         ));
     }
+    lines.extend(seen.reservations());
     if !solver.is_exact() {
         lines.push(String::new());
         lines.push(format!(

@@ -116,8 +116,7 @@ pub fn arm(compiled: &CompiledArm) -> Vec<String> {
     if let Some(solver) = compiled.form() {
         let branches = solver.plan.branches();
         let cost = solver.expressions().map_or_else(String::new, |inverse| {
-            let cost = inverse.graph.operations(&inverse.outputs());
-            format!("; one branch: {cost}")
+            format!("; one branch: {}", inverse.one_branch())
         });
         lines.push(format!(
             "Inverse kinematics: {}, {branches} branches{cost}.",

@@ -46,6 +46,9 @@ pub fn does(subproblem: Subproblem) -> &'static str {
         Subproblem::T1 => ": slide a point to a distance",
         Subproblem::T2 => ": slide a point to a height",
         Subproblem::Univariate => ": a trigonometric polynomial in the first of them",
+        Subproblem::Slides => ": slide a point onto another in several directions",
+        Subproblem::Lines => ": slide, turn and slide a point onto another",
+        Subproblem::Hyperboloid => ": turn a point onto a line that turns too, a quartic",
     }
 }
 
@@ -181,7 +184,9 @@ pub fn lanes(plan: &Plan, read: &BTreeSet<u8>, signs: u8) -> TokenStream {
         let names = list(names.map(|choice| sign_name(choice).to_string()));
         said.extend(match (&names[..], step.subproblem) {
             ("", _) => None,
-            (_, Subproblem::Sp6) => Some(format!("{names} number those of step {}", i + 1)),
+            (_, Subproblem::Sp6 | Subproblem::Hyperboloid) => {
+                Some(format!("{names} number those of step {}", i + 1))
+            }
             _ => Some(format!("{names} of step {}", i + 1)),
         });
     }

@@ -23,10 +23,11 @@ const PUBLIC: [&str; 14] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 10] = [
+const PRIVATE: [&str; 11] = [
     "Acceptance",
     "Branches",
     "Elimination",
+    "FREE_BELOW",
     "FreeAngle",
     "Univariate",
     "lanes",

@@ -77,7 +77,8 @@ fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> Token
         let i = Literal::usize_unsuffixed(i);
         quote!(seed[#i])
     });
-    let names: Vec<TokenStream> = target.iter().cloned().chain(seed).collect();
+    let free = [quote!(free)];
+    let names: Vec<TokenStream> = target.iter().cloned().chain(seed).chain(free).collect();
     let lanes = lanes(solver, inverse, &names);
     let entries = target_pattern(&target, &lanes.inputs);
     let (statements, q) = (&lanes.statements, &lanes.q);
@@ -117,23 +118,25 @@ fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> Token
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
-            let (mut branches, free_angle) = self.seeded(pose, seed);
+            let (branches, free_angle) = self.seeded(pose, seed, FREE_BELOW);
             #where_it_goes
             if free_angle.leaves_no_root() {
-                branches = Branches::with_free_angle(seed, #coordinate, |seed| {
-                    self.seeded(pose, seed)
+                return branches.with_free_angle(&free_angle, seed, #coordinate, |seed, free| {
+                    self.seeded(pose, seed, free)
                 });
             }
             branches
         }
 
         /// The branches, with the seed's value for an angle that is free, and
-        /// what a later step's root says of that.
+        /// what a later step's root says of that. Vectors whose square is below
+        /// `free` tell no angle.
         #[inline]
         fn seeded(
             &self,
             pose: &Pose,
             seed: &[f64; #n],
+            free: f64,
         ) -> (Branches<#n, #width>, FreeAngle<#width>) {
             #statements
             (#branches, #said)
@@ -162,11 +165,16 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 
 /// How the branches become solutions.
 fn sorted(solver: &ClosedForm) -> TokenStream {
-    if solver.is_exact() {
+    let target = solver.plan.target;
+    if target.is_projected() {
         return quote!(branches.solutions(&Self::ACCEPT));
     }
-    let target = solver.plan.target;
     let target = format_ident!("{target:?}");
+    if solver.is_exact() {
+        return quote! {
+            branches.corrected(|q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT)
+        };
+    }
     let steps = Literal::usize_unsuffixed(solver.refinement);
     quote! {
         branches.refined(|q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT)
@@ -227,8 +235,10 @@ fn assumes(solver: &ClosedForm) -> String {
         }
         _ => format!(
             " The rotation of `pose` is taken as it is: a solution's pose differs from it by at \
-             most {tolerance:.1e} m, radians counted at the distance of the arm's size, so that a \
-             matrix that is no rotation to that accuracy has no solutions."
+             most {tolerance:.1e} m, radians counted at the distance of the arm's size. A matrix \
+             that is no rotation to that accuracy has no solutions, in reach or not: \
+             [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and \
+             [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones."
         ),
     }
 }

@@ -20,7 +20,7 @@ pub mod jacobian;
 pub mod linear;
 
 pub use count::Operations;
-pub use interpret::Lane;
+pub use interpret::{Lane, Schedule, Values};
 use std::collections::HashMap;
 
 /// A node of a [`Graph`].
@@ -306,12 +306,6 @@ impl Graph {
             _ => {}
         }
         self.intern(Node::Sub(a, b))
-    }
-
-    /// 0 · a, not simplified: 0 where a is finite, and NaN where it is not.
-    pub fn nothing_of(&mut self, a: Expr) -> Expr {
-        let zero = self.zero();
-        self.intern(Node::Mul(zero, a))
     }
 
     /// −a.

@@ -16,7 +16,7 @@
 
 use super::{Line, Vec3, along, cross, dot, norm, size, sub, unit};
 use crate::model::{Joint, JointKind, Model};
-use kin_runtime::{Jacobian, Pose, Twist};
+use kin_runtime::{Jacobian, Pose, Target, Twist};
 use std::ops::Range;
 
 /// Entries of a constant motion below this (relative to the arm's size) are
@@ -40,6 +40,9 @@ pub struct Linkage {
     pub runs: Vec<Run>,
     /// The arm's size, metres.
     pub size: f64,
+    /// Whether the last joint is none of the arm's, but the turn about the
+    /// tip's z axis that a target leaves free.
+    pub has_free_turn: bool,
 }
 
 /// A joint and the constant motion behind it.
@@ -76,6 +79,32 @@ pub struct Run {
 }
 
 impl Linkage {
+    /// The linkage of an arm that is asked for a part of poses: where it leaves
+    /// the turn about the tip's z axis free, that turn is one more joint, and
+    /// the target a whole pose.
+    pub fn for_target(model: &Model, target: Target) -> Self {
+        if target != Target::PositionAxis {
+            return Self::new(model);
+        }
+        let mut longer = model.clone();
+        longer.joints.push(Joint {
+            name: "free turn".into(),
+            kind: JointKind::Revolute,
+            axis: column(&model.home, 2),
+            point: model.home.translation,
+            link: model.tip.clone(),
+            frame: model.home,
+            variable: model.variables.len(),
+            multiplier: 1.0,
+            offset: 0.0,
+        });
+        Self {
+            size: size(model),
+            has_free_turn: true,
+            ..Self::new(&longer)
+        }
+    }
+
     /// Chooses the frames.
     pub fn new(model: &Model) -> Self {
         let size = size(model);
@@ -128,16 +157,15 @@ impl Linkage {
             links,
             runs,
             size,
+            has_free_turn: false,
         }
     }
 
     /// The number of coordinates of q.
     pub fn variables(&self) -> usize {
-        self.links
-            .iter()
-            .map(|link| link.variable + 1)
-            .max()
-            .unwrap_or(0)
+        let own = self.links.len() - usize::from(self.has_free_turn);
+        let variables = self.links[..own].iter().map(|link| link.variable + 1);
+        variables.max().unwrap_or(0)
     }
 
     /// The tip's pose and the spatial Jacobian at `q`, in plain numbers.

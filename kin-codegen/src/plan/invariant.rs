@@ -8,6 +8,9 @@ use std::ops::Range;
 /// far below any dimension. Radians, and multiples of the arm's size.
 const EXACT: f64 = 1e-11;
 
+/// Directions with a larger sine between them span a plane.
+const SKEW: f64 = 1e-3;
+
 /// What kind of thing is left alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -47,9 +50,10 @@ pub fn invariants(linkage: &Linkage, target: Target) -> Vec<Invariant> {
             found.extend(common_direction(linkage, &axes, row.clone()));
             found.extend(common_plane(linkage, &axes, row));
         }
+        found.extend(along_slide(linkage, &axes, start));
     }
     attached(linkage, 0, &mut found);
-    if target.is_free() {
+    if target.is_free() && !linkage.has_free_turn {
         left_alone(linkage, &axes, target, &mut found);
     } else {
         attached(linkage, n, &mut found);
@@ -123,6 +127,29 @@ fn across_slides(linkage: &Linkage, axes: &[Line], joints: Range<usize>) -> Opti
     (norm(normal) > EXACT).then(|| unit(normal))
 }
 
+/// Of a prismatic joint, two planes of the pencil that it leaves alone; across
+/// a neighbour if they can be, so that their normals are simple in its frame.
+fn along_slide(linkage: &Linkage, axes: &[Line], joint: usize) -> Vec<Invariant> {
+    let Line { direction, point } = axes[joint];
+    let neighbours = [joint.wrapping_sub(1), joint + 1].into_iter();
+    let neighbours = neighbours
+        .filter_map(|i| axes.get(i))
+        .map(|line| line.direction);
+    let any = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let normals = neighbours.chain(any).map(|other| cross(direction, other));
+    let normal = normals.into_iter().find(|&normal| norm(normal) > SKEW);
+    let Some(normal) = normal.filter(|_| slides(linkage, joint)).map(unit) else {
+        return Vec::new();
+    };
+    let plane = |direction| Invariant {
+        kind: Kind::Plane,
+        joints: joint..joint + 1,
+        point,
+        direction,
+    };
+    vec![plane(normal), plane(cross(direction, normal))]
+}
+
 /// Objects fixed in one link alone: the origin and the axes of its frame.
 fn attached(linkage: &Linkage, body: usize, found: &mut Vec<Invariant>) {
     let frame = match body {
@@ -181,25 +208,6 @@ fn left_alone(linkage: &Linkage, axes: &[Line], target: Target, found: &mut Vec<
             direction,
         });
     }
-    if target == Target::PositionAxis {
-        let direction = column(2);
-        found.extend(points_of_axis(linkage, axes, Line { direction, point }));
-        let across = |j: usize| {
-            let sliding = dot(axes[j].direction, direction).abs() < EXACT;
-            if slides(linkage, j) {
-                sliding
-            } else {
-                along(direction)(j)
-            }
-        };
-        let joints = row(&across);
-        found.push(Invariant {
-            kind: Kind::Plane,
-            joints,
-            point,
-            direction,
-        });
-    }
     if target == Target::Orientation {
         for direction in [0, 1, 2].map(column) {
             let joints = row(&along(direction));
@@ -211,25 +219,4 @@ fn left_alone(linkage: &Linkage, axes: &[Line], target: Target, found: &mut Vec<
             });
         }
     }
-}
-
-/// Points of the tip's z axis that the last joints leave alone as well: the
-/// centre of a wrist that the tool points away from.
-fn points_of_axis(linkage: &Linkage, axes: &[Line], tool: Line) -> Vec<Invariant> {
-    let n = axes.len();
-    let turning = (0..n).rev().take_while(|&j| !slides(linkage, j)).count();
-    (n - turning..n)
-        .filter_map(|start| {
-            let mut lines = axes[start..].to_vec();
-            lines.push(tool);
-            let point = concurrency(&lines, EXACT, EXACT * linkage.size)?;
-            let joints = start..n + 1;
-            Some(Invariant {
-                kind: Kind::Point,
-                joints,
-                point,
-                direction: [0.0; 3],
-            })
-        })
-        .collect()
 }

@@ -15,7 +15,7 @@ pub use invariant::{Invariant, Kind};
 use kin_runtime::Solutions;
 pub use kin_runtime::Target;
 pub use relation::{Atom, Relation};
-pub use search::search;
+pub use search::Plans;
 
 use std::fmt;
 
@@ -44,6 +44,14 @@ pub enum Subproblem {
     /// The last resort: one joint from a trigonometric polynomial, and all others
     /// with it.
     Univariate,
+    /// Slide a point onto another in two or three directions: linear.
+    Slides,
+    /// Slide a point, turn it and slide it onto another: two lines of known
+    /// directions have to meet.
+    Lines,
+    /// Turn a point about two axes and slide it onto another, or the reverse: a
+    /// circle meets the hyperboloid that a line sweeps.
+    Hyperboloid,
 }
 
 impl Subproblem {
@@ -58,8 +66,12 @@ impl Subproblem {
     /// How many binary choices its solution leaves open.
     pub fn choices(self) -> u8 {
         match self {
-            Subproblem::Sp2 | Subproblem::Sp3 | Subproblem::Sp4 | Subproblem::T1 => 1,
-            Subproblem::Sp6 => 2,
+            Subproblem::Sp2
+            | Subproblem::Sp3
+            | Subproblem::Sp4
+            | Subproblem::T1
+            | Subproblem::Lines => 1,
+            Subproblem::Sp6 | Subproblem::Hyperboloid => 2,
             _ => 0,
         }
     }
@@ -78,6 +90,9 @@ impl fmt::Display for Subproblem {
             Subproblem::T1 => "T1",
             Subproblem::T2 => "T2",
             Subproblem::Univariate => "univariate",
+            Subproblem::Slides => "slides",
+            Subproblem::Lines => "lines",
+            Subproblem::Hyperboloid => "hyperboloid",
         })
     }
 }
@@ -87,11 +102,14 @@ impl fmt::Display for Subproblem {
 pub struct Step {
     /// The subproblem.
     pub subproblem: Subproblem,
-    /// What it solves: one atom, two in the order of the loop for SP2, or all joints,
-    /// the one that is kept first.
+    /// What it solves, in the order of the loop; of a univariate step all joints, the
+    /// one that is kept first.
     pub unknowns: Vec<Atom>,
     /// Relations that pose it, each sufficient; empty for a sum.
     pub relations: Vec<Relation>,
+    /// A relation of the same unknown that is strong where those are weak: of
+    /// the two, every target takes the one that tells the angle better.
+    pub complement: Option<Relation>,
 }
 
 /// A sequence of subproblems that solves every joint.

@@ -291,6 +291,25 @@ impl Relation {
     }
 }
 
+impl Relation {
+    /// Whether a relation of the same unknown is strong at other places than
+    /// this: the slopes of the two are not proportional.
+    pub fn complements(&self, other: &Relation, atom: Atom) -> bool {
+        let find = |relation: &Relation| {
+            let mut depends = relation.depends.iter();
+            depends.find(|d| d.atom == atom).copied()
+        };
+        let (Some(a), Some(b)) = (find(self), find(other)) else {
+            return false;
+        };
+        let ratio = |k: usize| a.derivatives[k][0].abs() / b.derivatives[k][0].abs();
+        let all: [f64; SAMPLES] = std::array::from_fn(ratio);
+        let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = all.iter().copied().fold(0.0, f64::max);
+        most - least > 1e-6 * most
+    }
+}
+
 /// Directions see a run of parallel joints as one rotation.
 fn atom_of(linkage: &Linkage, joint: usize, directional: bool) -> Atom {
     let run = linkage.run_of(joint);

@@ -3,7 +3,7 @@
 use super::invariant::invariants;
 use super::relation::{Dependence, Samples};
 use super::{Atom, Kind, Plan, Relation, Step, Subproblem, Target};
-use crate::geometry::{Linkage, cross, norm};
+use crate::geometry::{Linkage, cross, dot, norm};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -13,60 +13,100 @@ const ALTERNATIVES: usize = 6;
 /// More choices than this would need more branches than any serial arm has.
 const MOST_CHOICES: u8 = 4;
 /// How often one set of solved joints is expanded.
-const REVISITS: usize = 4;
+const REVISITS: usize = 16;
+/// Complements tried for a step.
+const COMPLEMENTS: usize = 3;
 /// Plans kept that open alike: what fails one is likely to fail all.
-const ALIKE: usize = 2;
+const ALIKE: usize = 8;
 /// Steps that may degenerate where the arm itself is regular cost this much
 /// more.
 const MAY_DEGENERATE: u32 = 60;
 
+/// A line sweeps a hyperboloid about an axis where the cosine between them is
+/// larger, and otherwise a plane with a hole, of which other relations know.
+const ALONG: f64 = 1e-3;
 /// Relations whose dependence on an unknown is weaker than this cannot
 /// determine it.
 const WEAK: f64 = 1e-6;
 /// Two relations more alike than this cannot determine two unknowns.
 const DEPENDENT: f64 = 1e-4;
 
-/// Finds up to `limit` plans, the cheapest first.
+/// Plans for a linkage, the cheapest first, each found when it is asked for.
 ///
-/// The cost counts
-/// subproblems by the work that they are, times the branches that have to do
-/// it, and prefers relations whose amplitude is a constant of the arm: those
-/// cannot degenerate.
-pub fn search(linkage: &Linkage, target: Target, limit: usize) -> Vec<Plan> {
-    let relations = relations(linkage, target);
-    let n = linkage.links.len();
-    let determined = linkage.variables() == target.coordinates();
-    let start = Partial {
-        cost: 0,
-        solved: Solved::default(),
-        steps: Vec::new(),
-        choices: 0,
-    };
-    let mut queue = BinaryHeap::from([start]);
-    let mut visits: BTreeMap<Solved, usize> = BTreeMap::new();
-    let mut plans: Vec<Plan> = Vec::new();
-    while let Some(partial) = queue.pop() {
-        if partial.solved.all(n) {
-            let alike = |plan: &&Plan| opening(&plan.steps) == opening(&partial.steps);
-            if plans.iter().filter(alike).count() < ALIKE {
-                plans.push(Plan {
-                    steps: partial.steps,
-                    target,
+/// The cost counts subproblems by the work that they are, times the branches
+/// that have to do it, and prefers relations whose amplitude is a constant of
+/// the arm: those cannot degenerate.
+pub struct Plans<'a> {
+    linkage: &'a Linkage,
+    target: Target,
+    relations: Vec<Relation>,
+    queue: BinaryHeap<Partial>,
+    /// How often a set of solved joints was expanded, by those that were solved
+    /// with a complement.
+    visits: BTreeMap<(Solved, Solved), usize>,
+    /// By their first steps, how many plans were found.
+    openings: BTreeMap<Opening, usize>,
+}
+
+impl<'a> Plans<'a> {
+    /// Nothing is searched yet.
+    pub fn new(linkage: &'a Linkage, target: Target) -> Self {
+        let start = Partial {
+            cost: 0,
+            solved: Solved::default(),
+            complemented: Solved::default(),
+            steps: Vec::new(),
+            choices: 0,
+        };
+        Self {
+            linkage,
+            target,
+            relations: relations(linkage, target),
+            queue: BinaryHeap::from([start]),
+            visits: BTreeMap::new(),
+            openings: BTreeMap::new(),
+        }
+    }
+
+    /// Whether too many plans already began like this one.
+    fn is_alike(&mut self, steps: &[Step]) -> bool {
+        let count = self.openings.entry(opening(steps)).or_default();
+        *count += 1;
+        *count > ALIKE
+    }
+}
+
+impl Iterator for Plans<'_> {
+    type Item = Plan;
+
+    fn next(&mut self) -> Option<Plan> {
+        while let Some(partial) = self.queue.pop() {
+            if partial.solved.all(self.linkage.links.len()) {
+                if self.is_alike(&partial.steps) {
+                    continue;
+                }
+                let mut steps = partial.steps;
+                if self.linkage.has_free_turn {
+                    // Nobody asks for its angle.
+                    let turn = [Atom::Joint(self.linkage.links.len() - 1)];
+                    let _ = steps.pop_if(|last| last.unknowns == turn);
+                }
+                return Some(Plan {
+                    steps,
+                    target: self.target,
                 });
             }
-            if plans.len() == limit {
-                break;
+            let visit = self.visits.entry((partial.solved, partial.complemented));
+            let visit = visit.or_default();
+            *visit += 1;
+            if *visit <= REVISITS {
+                let determined = self.linkage.variables() == self.target.coordinates();
+                let successors = partial.successors(self.linkage, &self.relations, determined);
+                self.queue.extend(successors);
             }
-            continue;
         }
-        let visit = visits.entry(partial.solved).or_default();
-        *visit += 1;
-        if *visit > REVISITS {
-            continue;
-        }
-        queue.extend(partial.successors(linkage, &relations, determined));
+        None
     }
-    plans
 }
 
 /// Every relation of the loop.
@@ -77,7 +117,10 @@ fn relations(linkage: &Linkage, target: Target) -> Vec<Relation> {
     // A free part of the target can only be crossed by what it leaves alone.
     let crosses = |relation: &Relation| {
         let ends = |x: &super::Invariant| x.joints.end == n + 1;
-        !target.is_free() || ends(&relation.from) || relation.to.as_ref().is_some_and(ends)
+        !target.is_free()
+            || linkage.has_free_turn
+            || ends(&relation.from)
+            || relation.to.as_ref().is_some_and(ends)
     };
     let mut out = Vec::new();
     for a in &invariants {
@@ -147,6 +190,7 @@ impl Solved {
                         subproblem: Subproblem::Sum,
                         unknowns: vec![Atom::Joint(joint)],
                         relations: Vec::new(),
+                        complement: None,
                     });
                 }
                 _ => {}
@@ -161,6 +205,8 @@ impl Solved {
 struct Partial {
     cost: u32,
     solved: Solved,
+    /// What was solved with a complement.
+    complemented: Solved,
     steps: Vec<Step>,
     choices: u8,
 }
@@ -201,11 +247,28 @@ impl Candidate<'_> {
     }
 }
 
-/// What a plan begins with.
-fn opening(steps: &[Step]) -> Vec<(Subproblem, &[Atom])> {
+/// The candidates by subproblem and unknowns, the cheapest first.
+type Candidates<'a> = BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate<'a>>>;
+
+/// The subproblems whose roots can stand in for each other.
+fn complementary(subproblem: Subproblem) -> &'static [Subproblem] {
+    match subproblem {
+        Subproblem::Sp1 => &[Subproblem::Sp1],
+        Subproblem::Sp3 | Subproblem::Sp4 => &[Subproblem::Sp3, Subproblem::Sp4],
+        _ => &[],
+    }
+}
+
+/// What a plan begins with: its first steps, and whether they have a complement.
+type Opening = Vec<(Subproblem, Vec<Atom>, bool)>;
+
+fn opening(steps: &[Step]) -> Opening {
     let first = steps.iter().take(2);
     first
-        .map(|step| (step.subproblem, &step.unknowns[..]))
+        .map(|step| {
+            let complemented = step.complement.is_some();
+            (step.subproblem, step.unknowns.clone(), complemented)
+        })
         .collect()
 }
 
@@ -216,7 +279,7 @@ impl Partial {
         relations: &[Relation],
         determined: bool,
     ) -> Vec<Partial> {
-        let mut steps: BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate>> = BTreeMap::new();
+        let mut steps = Candidates::new();
         for relation in relations {
             if let Some(candidate) = self.pose(linkage, relation, determined) {
                 let key = (candidate.subproblem, candidate.unknowns.clone());
@@ -227,9 +290,12 @@ impl Partial {
             let key = (candidate.subproblem, candidate.unknowns.clone());
             steps.entry(key).or_default().push(candidate);
         }
+        for candidates in steps.values_mut() {
+            candidates.sort_by_key(|candidate| candidate.cost);
+        }
         steps
-            .into_values()
-            .filter_map(|candidates| self.take(linkage, candidates))
+            .values()
+            .flat_map(|candidates| self.take(linkage, candidates, &steps, determined))
             .collect()
     }
 
@@ -251,7 +317,7 @@ impl Partial {
             [a, b] if relation.to.is_none() && pair(linkage, relation, a.atom, b.atom) => {
                 Subproblem::Sp2
             }
-            _ => return None,
+            _ => with_slides(linkage, relation, &unknown)?,
         };
         if unknown.iter().any(|d| d.weakest < WEAK) {
             return None;
@@ -269,7 +335,9 @@ impl Partial {
             Subproblem::Sp1 => 30,
             Subproblem::Sp4 | Subproblem::T1 => 40,
             Subproblem::Sp3 => 46,
-            Subproblem::Sp2 | Subproblem::Sp6 => 64,
+            Subproblem::Sp2 | Subproblem::Slides => 64,
+            Subproblem::Lines => 90,
+            Subproblem::Sp6 | Subproblem::Hyperboloid => 300,
             // No relation poses it: it is what is left when the search finds nothing.
             Subproblem::Univariate => 1000,
         };
@@ -342,34 +410,67 @@ impl Partial {
         })
     }
 
-    fn take(&self, linkage: &Linkage, mut candidates: Vec<Candidate>) -> Option<Partial> {
-        candidates.sort_by_key(|candidate| candidate.cost);
-        candidates.truncate(ALTERNATIVES);
-        let best = candidates.first()?;
-        let (subproblem, unknowns, work) = (best.subproblem, best.unknowns.clone(), best.cost);
+    /// What follows if a step is taken: with the relations that pose it best,
+    /// and with a complement where these can degenerate.
+    fn take(
+        &self,
+        linkage: &Linkage,
+        candidates: &[Candidate],
+        all: &Candidates,
+        determined: bool,
+    ) -> Vec<Partial> {
+        let Some(best) = candidates.first() else {
+            return Vec::new();
+        };
+        let (subproblem, unknowns) = (best.subproblem, &best.unknowns);
         let choices = self.choices + subproblem.choices();
         if choices > MOST_CHOICES {
-            return None;
+            return Vec::new();
         }
-        let mut next = self.clone();
-        for &atom in &unknowns {
-            next.solved.insert(atom);
-        }
-        let least = best.cost;
+        let step = |cost: u32, relations: Vec<Relation>, complement: Option<Relation>| {
+            let mut next = self.clone();
+            for &atom in unknowns {
+                next.solved.insert(atom);
+                if complement.is_some() {
+                    next.complemented.insert(atom);
+                }
+            }
+            next.steps.push(Step {
+                subproblem,
+                unknowns: unknowns.clone(),
+                relations,
+                complement,
+            });
+            next.steps.extend(next.solved.conclude(linkage));
+            next.choices = choices;
+            next.cost += cost << choices;
+            next
+        };
         let relations = candidates
             .iter()
-            .filter(|c| c.cost < least + MAY_DEGENERATE)
+            .take(ALTERNATIVES)
+            .filter(|c| c.cost < best.cost + MAY_DEGENERATE)
             .map(Candidate::posed)
             .collect();
-        next.steps.push(Step {
-            subproblem,
-            unknowns,
-            relations,
-        });
-        next.steps.extend(next.solved.conclude(linkage));
-        next.choices = choices;
-        next.cost += work << choices;
-        Some(next)
+        let mut taken = vec![step(best.cost, relations, None)];
+        let can_degenerate = !determined || best.cost >= MAY_DEGENERATE;
+        if let ([atom], true) = (&unknowns[..], can_degenerate) {
+            let mut different = vec![best];
+            let others = complementary(subproblem)
+                .iter()
+                .filter_map(|other| all.get(&(*other, unknowns.clone())))
+                .flatten();
+            for other in others {
+                let differs =
+                    |known: &&Candidate| other.relation.complements(known.relation, *atom);
+                if different.len() <= COMPLEMENTS && different.iter().all(differs) {
+                    different.push(other);
+                    let cost = best.cost + other.cost % MAY_DEGENERATE;
+                    taken.push(step(cost, vec![best.posed()], Some(other.posed())));
+                }
+            }
+        }
+        taken
     }
 }
 
@@ -389,6 +490,35 @@ fn single(linkage: &Linkage, relation: &Relation, atom: Atom) -> Subproblem {
         ((Kind::Point, Some(Kind::Point)), false) => Subproblem::Sp3,
         (_, true) => Subproblem::T2,
         (_, false) => Subproblem::Sp4,
+    }
+}
+
+/// The subproblem of a point whose unknowns turn and slide it.
+fn with_slides(
+    linkage: &Linkage,
+    relation: &Relation,
+    unknown: &[&Dependence],
+) -> Option<Subproblem> {
+    if relation.to.is_some() || relation.from.kind != Kind::Point {
+        return None;
+    }
+    let is_slide: Vec<bool> = unknown.iter().map(|d| slides(linkage, d.atom)).collect();
+    let tilted = |slide: &Dependence, turn: &Dependence| {
+        let (Atom::Joint(slide), Atom::Joint(turn)) = (slide.atom, turn.atom) else {
+            return false;
+        };
+        let [v, axis] = [slide, turn].map(|joint| linkage.axis(joint).direction);
+        slide.abs_diff(turn) == 1 && dot(v, axis).abs() > ALONG
+    };
+    match (&is_slide[..], unknown) {
+        ([true, true] | [true, true, true], _) => Some(Subproblem::Slides),
+        ([true, false, true], _) => Some(Subproblem::Lines),
+        ([false, false, true], [_, turn, slide]) | ([true, false, false], [slide, turn, _])
+            if tilted(slide, turn) =>
+        {
+            Some(Subproblem::Hyperboloid)
+        }
+        _ => None,
     }
 }
 

@@ -38,6 +38,17 @@ targets! {
     four_axes_and_a_swing: PositionAxis, [SKEW, MEET, PARALLEL, PARALLEL, MEET];
     gantry_with_two_turns: PositionAxis, [SLIDE, SLIDE, SLIDE, SKEW, MEET];
     rail_under_four: PositionAxis, [SLIDE, SKEW, MEET, PARALLEL, PARALLEL];
+    three_parallel_and_two: PositionAxis, [SKEW, PARALLEL, PARALLEL, SKEW, SKEW];
+    a_wrist_in_front: PositionAxis, [SKEW, MEET, MEET_THERE, SKEW, SKEW];
+    a_wrist_behind: PositionAxis, [SKEW, SKEW, SKEW, MEET, MEET_THERE];
+    slide_behind_two_turns: Position, [SKEW, SKEW, SLIDE];
+    slide_between_two_turns: Position, [SKEW, SLIDE, SKEW];
+    slide_before_two_turns: Position, [SLIDE, SKEW, SKEW];
+    turn_between_two_slides: Position, [SLIDE, SKEW, SLIDE];
+    one_turn: Pose, [SKEW];
+    two_turns: Pose, [SKEW, SKEW];
+    three_turns: Pose, [SKEW, SKEW, SKEW];
+    four_turns: Pose, [SKEW, SKEW, SKEW, SKEW];
     scara: PositionYaw, [SKEW, PARALLEL, PARALLEL, SLIDE_ALONG];
     planar: Planar, [SKEW, PARALLEL, PARALLEL];
 }

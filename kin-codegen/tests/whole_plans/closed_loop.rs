@@ -95,6 +95,10 @@ impl<'a> ClosedLoop<'a> {
         }
     }
 
+    pub fn has_free_turn(&self) -> bool {
+        self.linkage.has_free_turn
+    }
+
     pub fn joints(&self) -> usize {
         self.q.len()
     }

@@ -1,6 +1,7 @@
 //! A plan, step by step, by the subproblems of the runtime.
 
 use crate::closed_loop::{Arc, ClosedLoop, Factor, Object, Vec3, dot, sub, wrapped};
+use crate::point::point;
 use kin_codegen::plan::{Atom, Kind, Plan, Relation, Step, Subproblem};
 use kin_runtime::Twist;
 use kin_runtime::subproblems::{
@@ -19,7 +20,10 @@ pub fn execute(mut closed: ClosedLoop, plan: &Plan, relation: usize) -> Vec<Vec<
 fn descend(closed: &mut ClosedLoop, steps: &[Step], relation: usize, found: &mut Vec<Vec<f64>>) {
     let Some((step, later)) = steps.split_first() else {
         let value = |joint: usize| {
-            let q = closed.q[joint].expect("the plan solves every joint");
+            // The turn that a target leaves free need not be solved.
+            let free = closed.has_free_turn() && joint + 1 == closed.joints();
+            let q = closed.q[joint].or(free.then_some(0.0));
+            let q = q.expect("the plan solves every joint");
             if closed.turns(joint) { wrapped(q) } else { q }
         };
         return found.push((0..closed.joints()).map(value).collect());
@@ -58,11 +62,35 @@ fn solve(closed: &ClosedLoop, step: &Step, relation: usize) -> Vec<Vec<f64>> {
         return vec![vec![closed.rest(joint)]];
     }
     let relation = &step.relations[relation % step.relations.len()];
-    match step.unknowns[..] {
+    let mut values = match step.unknowns[..] {
+        ref unknowns
+            if matches!(
+                step.subproblem,
+                Subproblem::Slides | Subproblem::Lines | Subproblem::Hyperboloid
+            ) =>
+        {
+            point(closed, relation, unknowns)
+        }
         [outer, inner] if step.subproblem == Subproblem::Sp6 => sp6(closed, relation, outer, inner),
         [first, second] => sp2(closed, relation, first, second),
         [unknown] => one(closed, step.subproblem, relation, unknown),
         _ => panic!("a subproblem has one unknown or two"),
+    };
+    // Where the one relation degenerates the other has the roots.
+    if let (Some(complement), [unknown]) = (&step.complement, &step.unknowns[..]) {
+        let subproblem = complementary(step.subproblem, complement);
+        values.extend(one(closed, subproblem, complement, *unknown));
+    }
+    values
+}
+
+/// The subproblem that the complement of a step poses.
+fn complementary(subproblem: Subproblem, complement: &Relation) -> Subproblem {
+    let to = complement.to.as_ref().map(|to| to.kind);
+    match (subproblem, complement.from.kind, to) {
+        (Subproblem::Sp1, ..) => Subproblem::Sp1,
+        (_, Kind::Point, Some(Kind::Point)) => Subproblem::Sp3,
+        _ => Subproblem::Sp4,
     }
 }
 
@@ -214,9 +242,7 @@ fn one(
             let level = sense * posed.value();
             roots(translation2(normal, k, sub(point, foot), level), single)
         }
-        Subproblem::Univariate | Subproblem::Sum | Subproblem::Sp2 | Subproblem::Sp6 => {
-            panic!("{which} is not of one unknown")
-        }
+        _ => panic!("{which} has several unknowns"),
     }
 }
 

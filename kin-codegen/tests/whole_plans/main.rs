@@ -5,6 +5,7 @@
 mod arms;
 mod closed_loop;
 mod execute;
+mod point;
 
 use arms::{Arm, every_arm};
 use closed_loop::{ClosedLoop, wrapped};
@@ -29,6 +30,8 @@ const SAME: f64 = 1e-6;
 struct Case {
     name: String,
     chain: Chain,
+    /// With the turn that the target leaves free as one more joint.
+    closing: Chain,
     model: Model,
     closed_form: ClosedForm,
 }
@@ -55,9 +58,16 @@ impl Case {
         assert!(closed_form.is_exact(), "{name}");
         let model = closed_form.idealized.model.clone();
         let chain = model.chain();
+        let linkage = &closed_form.linkage;
+        let twists = (0..linkage.links.len()).map(|joint| linkage.twist(joint));
+        let closing = match linkage.has_free_turn {
+            true => Chain::new(twists.collect(), *chain.home()),
+            false => chain.clone(),
+        };
         Case {
             name,
             chain,
+            closing,
             model,
             closed_form,
         }
@@ -66,14 +76,23 @@ impl Case {
     /// What the subproblems find and forward kinematics confirms.
     fn executed(&self, target: &Pose, relation: usize) -> Vec<Vec<f64>> {
         let ClosedForm { linkage, plan, .. } = &self.closed_form;
-        let closed = ClosedLoop::new(&self.chain, linkage, target);
+        let closed = ClosedLoop::new(&self.closing, linkage, target);
         let mut found = execute(closed, plan, relation);
+        found
+            .iter_mut()
+            .for_each(|q| q.truncate(self.model.joints.len()));
         let off = |q: &[f64]| {
             plan.target
                 .distance(&self.chain.fk(q), target, linkage.size)
         };
         found.retain(|q| off(q) < SOUND * linkage.size);
-        found
+        let mut distinct: Vec<Vec<f64>> = Vec::new();
+        for q in found {
+            if !distinct.iter().any(|known| self.same(known, &q)) {
+                distinct.push(q);
+            }
+        }
+        distinct
     }
 
     fn same(&self, a: &[f64], b: &[f64]) -> bool {
@@ -101,6 +120,10 @@ impl Case {
     /// the one run is one of the other, and there are as many. Whether the target
     /// was compared, and is not singular.
     fn compare(&self, q: &[f64], context: &str) -> bool {
+        let ClosedForm { linkage, plan, .. } = &self.closed_form;
+        if conditioning(&self.chain, q, linkage.size, plan.target) < SINGULAR {
+            return false;
+        }
         let target = self.chain.fk(q);
         let solutions = self.closed_form.solutions(&target);
         if solutions.iter().any(|solution| self.is_singular(solution)) {
@@ -174,8 +197,9 @@ fn structured_targets_have_the_same_branches() {
 
 #[test]
 fn every_subproblem_is_run() {
-    use Subproblem::{Slide, Sp1, Sp2, Sp3, Sp4, Sp6, Sum, T1, T2};
+    use Subproblem::{Hyperboloid, Lines, Slide, Slides, Sp1, Sp2, Sp3, Sp4, Sp6, Sum, T1, T2};
     let mut missing = vec![Sum, Sp1, Sp2, Sp3, Sp4, Sp6, Slide, T1, T2];
+    missing.extend([Slides, Lines, Hyperboloid]);
     for case in &*CASES {
         let steps = &case.closed_form.plan.steps;
         missing.retain(|which| steps.iter().all(|step| step.subproblem != *which));

@@ -1,7 +1,7 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
 use super::acceptance::Acceptance;
-use super::refinement::{Problem, refine_branches};
+use super::refinement::{NEARLY, Problem, correct_branches, refine_branches};
 use crate::{Jacobian, Pose, Solution, Solutions, Target};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
@@ -39,6 +39,48 @@ impl<const N: usize, const L: usize> Branches<N, L> {
                 solutions.push_if(reaches, self.lane(k));
             }
         })
+    }
+
+    /// The branches that reach the target, those that rounding keeps from it
+    /// after a correction; see [`correct_branches`]. The arm is given by its pose
+    /// and spatial Jacobian.
+    #[inline(always)]
+    pub fn corrected(
+        &self,
+        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        target: &Pose,
+        counts: Target,
+        accept: &Acceptance,
+    ) -> Solutions<N> {
+        let mut nearly = false;
+        for k in 0..L {
+            let misses = self.residual[k] > accept.tolerance;
+            let little = self.residual[k] <= NEARLY * accept.size;
+            nearly |= (self.invalid[k] <= 0.0) & misses & little;
+        }
+        match nearly {
+            true => self.correct(fk_jacobian, target, counts, accept),
+            false => self.solutions(accept),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn correct(
+        &self,
+        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        target: &Pose,
+        counts: Target,
+        accept: &Acceptance,
+    ) -> Solutions<N> {
+        let problem = Problem {
+            fk_jacobian,
+            target,
+            size: accept.size,
+            counts,
+        };
+        let exist = (0..L).filter(|&k| self.invalid[k] <= 0.0);
+        correct_branches(&problem, exist.map(|k| self.lane(k)), accept)
     }
 
     /// The branch that comes nearest to the target by its own residual; none

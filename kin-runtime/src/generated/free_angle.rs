@@ -31,6 +31,13 @@ impl<const L: usize> FreeAngle<L> {
     }
 }
 
+/// A vector whose square is below this, relative to its scale, tells no angle.
+pub const FREE_BELOW: f64 = 1e-24;
+
+/// A vector whose square is below this moves the tip by half of what a solution
+/// may miss: the angle that it tells may be given up for any other.
+pub const NEARLY_FREE: f64 = 2.5e-19;
+
 /// The turns of the seed's angle, radians, at which [`roomiest_turn`] wants the
 /// level.
 pub const SAMPLES: [f64; 3] = [0.0, FRAC_PI_2, PI];
@@ -51,28 +58,29 @@ pub fn roomiest_turn([here, quarter, half]: [f64; 3]) -> f64 {
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {
-    /// The branches that `run` has for a seed, with a free angle turned where
-    /// the seed's value leaves no root. The angle follows coordinate `joint` of
-    /// the seed.
+    /// The branches with a free angle turned where its own value leaves the next
+    /// root none. `run` gives those for a seed and the threshold below which the
+    /// angle is free and follows coordinate `joint` of the seed.
     #[cold]
     #[inline(never)]
     pub fn with_free_angle(
+        mut self,
+        free: &FreeAngle<L>,
         seed: &[f64; N],
         joint: usize,
-        run: impl Fn(&[f64; N]) -> (Self, FreeAngle<L>),
+        run: impl Fn(&[f64; N], f64) -> (Self, FreeAngle<L>),
     ) -> Self {
         let turned = |turn: f64| {
             let mut seed = *seed;
             seed[joint] += turn;
-            run(&seed)
+            run(&seed, NEARLY_FREE)
         };
-        let samples = SAMPLES.map(turned);
-        let (mut branches, free) = samples[0];
+        let samples = SAMPLES.map(|turn| turned(turn).1.level);
         for k in (0..L).filter(|&k| free.no_root[k] > 0.0) {
-            let levels = samples.map(|(_, free)| free.level[k]);
-            branches.set_lane(k, &turned(roomiest_turn(levels)).0);
+            let levels = samples.map(|level| level[k]);
+            self.set_lane(k, &turned(roomiest_turn(levels)).0);
         }
-        branches
+        self
     }
 
     fn set_lane(&mut self, k: usize, other: &Self) {

@@ -1,6 +1,6 @@
 //! Rigid motions: the group SE(3) as a rotation matrix and a translation.
 
-use crate::linear::vector::{add, cross, norm, sub};
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::{Twist, Wrench, math};
 
 /// A rigid motion g = (R, p), which takes coordinates in the moving frame to
@@ -147,6 +147,71 @@ impl Pose {
         let between = (self.inverse() * *other).rotation;
         let doubled_sine = norm(skew_part(&between));
         math::atan2(doubled_sine, trace(&between) - 1.0)
+    }
+
+    /// How far the matrix is from a rotation: the root of the sum of squares of
+    /// what columns x and y miss of unit length and a right angle, and z of
+    /// x × y. A rotation rounded to k digits has about 10⁻ᵏ, a reflection 2.
+    ///
+    /// Inverse kinematics takes matrices as rotations up to 1e-9 and answers no
+    /// others: an empty answer to a target with more than that says nothing of
+    /// the arm's reach; see [`Pose::orthonormalized`].
+    ///
+    /// ```
+    /// use kin_runtime::Pose;
+    /// let turned = Pose::from_axis_angle([0.0, 0.0, 1.0], 0.3, [0.0; 3]);
+    /// assert!(turned.rotation_error() < 1e-15);
+    /// let rounded = Pose { rotation: turned.rotation.map(|row| row.map(|x| f64::from(x as f32))), ..turned };
+    /// assert!(rounded.rotation_error() > 1e-9 && rounded.rotation_error() < 1e-7);
+    /// ```
+    #[inline]
+    pub fn rotation_error(&self) -> f64 {
+        let [x, y, z] = transpose(&self.rotation);
+        let rest = sub(z, cross(x, y));
+        let missing = [0.5 * (dot(x, x) - 1.0), 0.5 * (dot(y, y) - 1.0), dot(x, y)];
+        math::sqrt(dot(missing, missing) + dot(rest, rest))
+    }
+
+    /// The pose with the rotation nearest to its matrix (in the Frobenius norm,
+    /// the orthogonal factor of the polar decomposition), for targets that were
+    /// rounded: to `f32`, or to the digits of a file. None where the matrix is
+    /// too far from any rotation to tell which one was meant: more than 0.1 by
+    /// [`Pose::rotation_error`], or not finite.
+    ///
+    /// By Newton's iteration X ← (X + X⁻ᵀ)/2 (Higham, "Computing the polar
+    /// decomposition", SIAM J. Sci. Stat. Comput. 7, 1986); accurate to rounding.
+    ///
+    /// ```
+    /// use kin_runtime::Pose;
+    /// let turned = Pose::from_axis_angle([0.0, 0.6, 0.8], 0.3, [0.0; 3]);
+    /// let rounded = Pose { rotation: turned.rotation.map(|row| row.map(|x| f64::from(x as f32))), ..turned };
+    /// let mended = rounded.orthonormalized().unwrap();
+    /// assert!(mended.rotation_error() < 1e-15);
+    /// assert!(mended.rotation_distance(&turned) < 1e-7);
+    /// assert_eq!(Pose { rotation: [[0.0; 3]; 3], ..turned }.orthonormalized(), None);
+    /// ```
+    pub fn orthonormalized(&self) -> Option<Pose> {
+        /// The error of 0.1 is squared by each.
+        const STEPS: usize = 5;
+        let error = self.rotation_error();
+        if error > 0.1 || error.is_nan() {
+            return None;
+        }
+        let mut columns = transpose(&self.rotation);
+        for _ in 0..STEPS {
+            let [x, y, z] = columns;
+            // The columns of X⁻ᵀ.
+            let dual = [cross(y, z), cross(z, x), cross(x, y)];
+            let volume = dot(x, dual[0]);
+            columns = core::array::from_fn(|i| {
+                let inverse = scale(1.0 / volume, dual[i]);
+                scale(0.5, add(columns[i], inverse))
+            });
+        }
+        Some(Pose {
+            rotation: transpose(&columns),
+            ..*self
+        })
     }
 
     /// The homogeneous 4×4 matrix, row-major.

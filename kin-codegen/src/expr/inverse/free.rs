@@ -11,6 +11,7 @@ use super::root::NOISE;
 use super::{MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::plan::{Atom, Plan, Step, Subproblem};
+use kin_runtime::__private::free_angle::NEARLY_FREE;
 
 /// What becomes of angles that a singular target leaves free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,13 +68,18 @@ impl Writer<'_> {
         if !depends {
             return None;
         }
+        let coordinate = self.linkage.links[self.follower(free.unknown, plan)].variable;
+        if coordinate >= self.seed.len() {
+            return None;
+        }
         let [zero, one] = [self.g.zero(), self.g.one()];
         // A double root has room for itself, to rounding.
         let least = self.scaled(-NOISE, level.amplitude);
         let none = self.g.select_less(level.discriminant, least, one, zero);
-        let no_root = self.g.select_less(free.factor, free.threshold, none, zero);
+        let threshold = self.scaled(NEARLY_FREE, free.scale);
+        let no_root = self.g.select_less(free.factor, threshold, none, zero);
         Some(FreeAngle {
-            coordinate: self.linkage.links[self.follower(free.unknown, plan)].variable,
+            coordinate,
             level: self.g.named(level.d, "level"),
             no_root: self.g.named(no_root, "no_root"),
         })

@@ -8,6 +8,7 @@
 //! found against the target that was asked for.
 
 mod free;
+mod line;
 mod pair;
 mod project;
 mod root;
@@ -20,10 +21,11 @@ pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Expr, Graph, Node};
+use super::{Expr, Graph, Operations, Schedule};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
+use kin_runtime::__private::free_angle::FREE_BELOW;
 use kin_runtime::Pose;
 
 /// How exact the arm is that the plan is for.
@@ -31,7 +33,8 @@ use kin_runtime::Pose;
 pub struct DomainMargin(pub f64);
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
-/// rotation by rows, then the translation) and the seed, by coordinate of q.
+/// rotation by rows, then the translation), the seed, by coordinate of q, and
+/// if an angle turns, the threshold below which it is free.
 #[derive(Clone, Debug)]
 pub struct InverseGraph {
     /// Holds everything below.
@@ -48,6 +51,8 @@ pub struct InverseGraph {
     pub free_angle: Option<FreeAngle>,
     /// Which of the graph's nodes belong to what.
     pub parts: Parts,
+    /// The order in which the interpreter computes it.
+    pub schedule: Schedule,
 }
 
 /// The parts of an [`InverseGraph`], in the order of its graph: each begins behind
@@ -73,6 +78,28 @@ pub struct StepPart {
 }
 
 impl InverseGraph {
+    /// The operations of one branch.
+    pub fn one_branch(&self) -> Operations {
+        self.graph.operations(&self.outputs())
+    }
+
+    /// The operations of all branches: an expression behind the k-th choice is
+    /// computed in 2ᵏ lanes.
+    pub fn all_branches(&self) -> Operations {
+        let levels = self.graph.levels();
+        let needed = self.graph.reachable(&self.outputs());
+        let mut all = Operations::default();
+        let mut below = Operations::default();
+        for level in 0..=self.graph.choices() {
+            let within = |&i: &usize| needed[i] && levels[i] <= level;
+            let nodes = (0..levels.len()).filter(within).map(|i| self.graph.at(i));
+            let cost = self.graph.operations(&nodes.collect::<Vec<_>>());
+            all += (1 << level) * (cost - below);
+            below = cost;
+        }
+        all
+    }
+
     /// Everything that the emitted function returns.
     pub fn outputs(&self) -> Vec<Expr> {
         let mut all = self.q.clone();
@@ -104,8 +131,13 @@ pub fn inverse(
         let begins = writer.g.nodes().len();
         writer.may_be_free = None;
         writer.level = None;
+        let turns = free == FreeAngles::TurnedAt(i);
+        writer.free = match turns {
+            true => writer.g.input("free"),
+            false => writer.g.constant(FREE_BELOW),
+        };
         writer.write(step);
-        if free == FreeAngles::TurnedAt(i) {
+        if turns {
             turned = writer.may_be_free;
         } else if let (Some(turned), None) = (turned, free_angle) {
             free_angle = writer.said_of(turned, plan);
@@ -124,6 +156,9 @@ struct Writer<'a> {
     /// The tip at home, base coordinates.
     tip: Pose,
     target: Target,
+    /// As it was given.
+    given: Motion,
+    /// The whole pose that it stands for.
     pose: Motion,
     /// What a free angle keeps, by coordinate of q.
     seed: Vec<Expr>,
@@ -141,6 +176,9 @@ struct Writer<'a> {
     singular: Expr,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
+    /// Vectors shorter than this, squared and relative to their scale, leave the
+    /// angle of the step at hand free.
+    free: Expr,
     /// The unknown of the step just written whose angle may be free.
     may_be_free: Option<MayBeFree>,
     /// The cosine-sine equation of the step just written, where its root can
@@ -151,12 +189,12 @@ struct Writer<'a> {
     parts: Parts,
 }
 
-/// An unknown whose angle is free where a factor is below a threshold.
+/// An unknown whose angle is free where a factor is nothing beside its scale.
 #[derive(Clone, Copy)]
 struct MayBeFree {
     unknown: Atom,
     factor: Expr,
-    threshold: Expr,
+    scale: Expr,
 }
 
 /// The root of a cosine-sine equation is real where d² ≤ a² + b².
@@ -203,6 +241,7 @@ impl<'a> Writer<'a> {
             linkage,
             tip: linkage.tip_home(),
             target,
+            given,
             pose,
             seed,
             deviation,
@@ -213,6 +252,7 @@ impl<'a> Writer<'a> {
             invalid: zero,
             singular: zero,
             watched: Vec::new(),
+            free: zero,
             may_be_free: None,
             level: None,
             relation: None,
@@ -274,6 +314,9 @@ impl<'a> Writer<'a> {
         let mut angle = self.g.zero();
         for joint in joints {
             let link = &self.linkage.links[joint];
+            if link.variable >= self.seed.len() {
+                continue;
+            }
             let (gain, offset) = (self.g.constant(link.gain), self.g.constant(link.offset));
             let scaled = self.g.mul(gain, self.seed[link.variable]);
             let own = self.g.add(scaled, offset);
@@ -325,7 +368,7 @@ impl<'a> Writer<'a> {
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
         let q = self.angles();
-        InverseGraph {
+        let mut inverse = InverseGraph {
             parts: self.parts,
             q,
             residual: self.g.named(residual, "residual"),
@@ -333,7 +376,10 @@ impl<'a> Writer<'a> {
             singular: self.g.named(self.singular, "singular"),
             free_angle,
             graph: self.g,
-        }
+            schedule: Schedule::default(),
+        };
+        inverse.schedule = inverse.graph.schedule(&inverse.outputs());
+        inverse
     }
 
     /// Angles from sines and cosines; the last of a sum as a difference.
@@ -343,6 +389,9 @@ impl<'a> Writer<'a> {
         for run in 0..self.linkage.runs.len() {
             for joint in self.linkage.runs[run].joints.clone() {
                 let link = &self.linkage.links[joint];
+                if link.variable >= q.len() {
+                    continue;
+                }
                 let value = match link.kind {
                     JointKind::Prismatic => {
                         let slide = self.slide[joint].unwrap_or(zero);
@@ -377,16 +426,18 @@ impl<'a> Writer<'a> {
 
     /// The distance of forward kinematics from the target: translation error
     /// and rotation angle times the arm's size, as the legs of a right
-    /// triangle. A sum, so that a NaN anywhere is a NaN here.
+    /// triangle, and what the target itself is uncertain by. A sum, so that a
+    /// NaN anywhere is a NaN here.
     fn residual(&mut self) -> Expr {
         let trig = self.joint_trig();
         let found = forward::tip(&mut self.g, self.linkage, &trig);
         let wanted = self.pose;
         let zero = self.g.zero();
-        let mut squares = zero;
+        let mut squares = self.uncertainty();
         if !self.target.is_free() || self.target.fixes_point() {
             let shift = self.g.minus(found.translation, wanted.translation);
-            squares = self.g.dot(shift, shift);
+            let shift = self.g.dot(shift, shift);
+            squares = self.g.add(squares, shift);
         }
         let columns = match self.target {
             Target::Position => 3..3,
@@ -407,29 +458,52 @@ impl<'a> Writer<'a> {
         let scale = self.g.constant(share * self.linkage.size.powi(2));
         let turn = self.g.mul(scale, turn);
         squares = self.g.add(squares, turn);
-        squares = self.guarded(squares);
         self.g.sqrt(squares)
     }
 
-    /// The sum with what makes it NaN where an entry of the target is no finite
-    /// number that the solution reads, and the sum does not: a slide that is the
-    /// target's own coordinate cancels from the distance.
-    fn guarded(&mut self, mut sum: Expr) -> Expr {
-        /// The target is the first inputs.
-        const ENTRIES: u16 = 12;
-        let trig = self.trig.iter().chain(&self.sum).flatten();
-        let mut known: Vec<Expr> = trig.flat_map(|t| [t.sin, t.cos]).collect();
-        known.extend(self.slide.iter().flatten());
-        let (read, held) = (self.g.reachable(&known), self.g.reachable(&[sum]));
-        let entries = (0..ENTRIES).map(Node::Input);
-        let entries: Vec<Expr> = entries.filter_map(|it| self.g.find(it)).collect();
-        for entry in entries {
-            if read[entry.index()] && !held[entry.index()] {
-                let guard = self.g.nothing_of(entry);
-                sum = self.g.add(sum, guard);
+    /// By how much the target is no pose, as the square of a length: what its
+    /// columns miss of a rotation, and the last digit of its translation.
+    /// Sines and cosines that solve for such a target are not those of angles,
+    /// so that forward kinematics would confirm them. Of what the plan reads,
+    /// nothing is left out.
+    fn uncertainty(&mut self) -> Expr {
+        let Motion {
+            rotation,
+            translation,
+        } = self.given;
+        let zero = self.g.zero();
+        let mut squares = zero;
+        if !self.target.is_free() || self.target.fixes_point() {
+            let square = self.g.dot(translation, translation);
+            squares = self.scaled(f64::EPSILON * f64::EPSILON, square);
+        }
+        let column = |j: usize| [0, 1, 2].map(|i| rotation[i][j]);
+        let [one, half] = [1.0, 0.5].map(|k| self.g.constant(k));
+        let mut missing = Vec::new();
+        let mut length = |g: &mut Graph, v| {
+            let square = g.dot(v, v);
+            let over = g.sub(square, one);
+            missing.push(g.mul(half, over));
+        };
+        match self.target {
+            Target::Position => {}
+            Target::PositionAxis | Target::Direction => length(&mut self.g, column(2)),
+            _ => {
+                let [x, y, z] = [0, 1, 2].map(column);
+                length(&mut self.g, x);
+                length(&mut self.g, y);
+                missing.push(self.g.dot(x, y));
+                let normal = self.g.cross(x, y);
+                missing.extend(self.g.minus(z, normal));
             }
         }
-        sum
+        let mut turn = zero;
+        for part in missing {
+            let square = self.g.square(part);
+            turn = self.g.add(turn, square);
+        }
+        let turn = self.scaled(self.linkage.size.powi(2), turn);
+        self.g.add(squares, turn)
     }
 
     /// What was solved, as forward kinematics wants it.

@@ -48,7 +48,7 @@ impl Writer<'_> {
     }
 
     /// A vector of nearly unit length, or of any where there is no root.
-    fn unit(&mut self, t: Trig) -> Trig {
+    pub(super) fn unit(&mut self, t: Trig) -> Trig {
         let length = self.length_squared([t.cos, t.sin, t.sin]);
         let length = self.g.sqrt(length);
         Trig {
@@ -63,27 +63,38 @@ impl Writer<'_> {
         self.g.sub(ps, qr)
     }
 
-    /// |M x + m|² = 1 for the unit vector x, in all four places at once: two
-    /// signs choose among them.
-    fn quartic(&mut self, [c, s, m]: [[Expr; 2]; 3]) -> Trig {
+    /// |M x + m|² = 1 for the unit vector x, by its columns.
+    fn quartic(&mut self, columns: [[Expr; 2]; 3]) -> Trig {
+        let mut coefficients = self.square(columns);
+        let minus = self.g.constant(-1.0);
+        coefficients[4] = self.g.add(coefficients[4], minus);
+        self.quartic_roots(coefficients)
+    }
+
+    /// |c cos θ + s sin θ + m|² as a cos 2θ + b sin 2θ + c cos θ + d sin θ + e.
+    pub(super) fn square(&mut self, [c, s, m]: [[Expr; 2]; 3]) -> [Expr; 5] {
         let mut dot = |a: [Expr; 2], b: [Expr; 2]| {
             let [p, q] = [self.g.mul(a[0], b[0]), self.g.mul(a[1], b[1])];
             self.g.add(p, q)
         };
         let (cc, ss, cs) = (dot(c, c), dot(s, s), dot(c, s));
         let (cm, sm, mm) = (dot(c, m), dot(s, m), dot(m, m));
-        let [half, two, minus] = [0.5, 2.0, -1.0].map(|k| self.g.constant(k));
+        let [half, two] = [0.5, 2.0].map(|k| self.g.constant(k));
         let difference = self.g.sub(cc, ss);
         let sum = self.g.add(cc, ss);
         let mean = self.g.mul(half, sum);
-        let level = self.g.add(mean, mm);
-        let coefficients = [
+        [
             self.g.mul(half, difference),
             cs,
             self.g.mul(two, cm),
             self.g.mul(two, sm),
-            self.g.add(level, minus),
-        ];
+            self.g.add(mean, mm),
+        ]
+    }
+
+    /// The roots of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, in all four
+    /// places at once: two signs choose among them.
+    pub(super) fn quartic_roots(&mut self, coefficients: [Expr; 5]) -> Trig {
         let signs = [self.g.sign(), self.g.sign()];
         let [sin, cos, state] = [RootField::Sin, RootField::Cos, RootField::State].map(|field| {
             let places = [0, 1, 2, 3].map(|place| self.g.trig_root(coefficients, place, field));

@@ -11,6 +11,13 @@ use crate::plan::Target;
 /// about the first axis is kept, the one that brings the home orientation
 /// nearest to the target's, and for a planar arm the height is that of home.
 pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given: Motion) -> Motion {
+    if linkage.has_free_turn {
+        let z = [0, 1, 2].map(|i| given.rotation[i][2]);
+        return Motion {
+            rotation: around(g, z),
+            ..given
+        };
+    }
     if !target.is_projected() {
         return given;
     }
@@ -32,6 +39,31 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
         rotation,
         translation,
     }
+}
+
+/// Some rotation with a given third column; the turn about it is arbitrary
+/// (Duff et al., "Building an orthonormal basis, revisited", JCGT 6, 2017).
+fn around(g: &mut Graph, z: Vector) -> [Vector; 3] {
+    let [zero, one] = [g.zero(), g.one()];
+    let minus = g.constant(-1.0);
+    let sign = g.select_less(z[2], zero, minus, one);
+    let sum = g.add(sign, z[2]);
+    let a = g.div(minus, sum);
+    let xa = g.mul(z[0], a);
+    let ya = g.mul(z[1], a);
+    let b = g.mul(z[1], xa);
+    let xxa = g.mul(z[0], xa);
+    let yya = g.mul(z[1], ya);
+    let signed = [xxa, b, z[0]].map(|e| g.mul(sign, e));
+    let first = g.add(one, signed[0]);
+    let third = g.neg(signed[2]);
+    let second = g.add(sign, yya);
+    let last = g.neg(z[1]);
+    [
+        [first, b, z[0]],
+        [signed[1], second, z[1]],
+        [third, last, z[2]],
+    ]
 }
 
 /// Rot(n, ψ) R₀ with the ψ that brings it nearest to R: with M = R R₀ᵀ,

@@ -4,24 +4,16 @@ use super::{Deviation, Level, MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::Atom;
+use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE};
 
 /// Roots of a difference: where cancellation leaves noise, relative to the
 /// square of the amplitude. Branches nearer than its square root are one.
 pub(super) const NOISE: f64 = 1e-13;
-/// A root may be out of domain by this, relative to the square of the
-/// amplitude: where an earlier step is nearly singular, it amplifies rounding.
-/// Whether the target is in reach then shows in the residual.
-const OUTSIDE: f64 = 1e-8;
 /// On an idealized arm a root may be out of domain by this many times what the
 /// arms differ and still have a solution on the given one.
 const BEYOND: f64 = 10.0;
 /// A root this small (angle 3e-7) is reported singular.
 const SINGULAR: f64 = 1e-13;
-/// Vectors shorter than this, squared and relative to the arm's size, have no
-/// direction: the angle is free. Roots of a sum of squares are accurate down
-/// to here, and below it the branches are one.
-pub(super) const FREE: f64 = 1e-24;
-
 /// a² + b² − d² of a cosine-sine equation.
 #[derive(Clone, Copy)]
 pub(super) struct Discriminant {
@@ -33,7 +25,7 @@ pub(super) struct Discriminant {
 impl Discriminant {
     /// A sum of squares, which is never below zero.
     pub fn is_sum_of_squares(&self) -> bool {
-        self.noise == FREE
+        self.noise == FREE_BELOW
     }
 }
 
@@ -85,7 +77,7 @@ impl Writer<'_> {
         let scale = self.g.constant(self.linkage.size.powi(4));
         if self.g.value(amplitude).is_none() {
             // Where the angle is free its two roots are one.
-            let nothing = self.scaled(FREE, scale);
+            let nothing = self.free_below(scale);
             let zero = self.g.zero();
             let minus = self.g.neg(sign);
             let second = self.g.select_less(amplitude, nothing, minus, zero);
@@ -112,17 +104,18 @@ impl Writer<'_> {
         if let Some(deviation) = self.deviation {
             return self.idealized_root(sign, value, amplitude, deviation);
         }
+        // Out of domain both branches go to the nearest angle, and the residual
+        // tells whether the target is in reach.
         let zero = self.g.zero();
-        let one = self.g.one();
         let minus = self.g.neg(sign);
-        let [near, double, least] =
-            [noise.max(SINGULAR), noise, -OUTSIDE].map(|k| self.scaled(k, amplitude));
-        self.watch(value, near);
-        let once = match discriminant.is_sum_of_squares() {
-            true => minus,
-            false => self.g.select_less(value, least, one, minus),
+        let [near, double] = [noise.max(SINGULAR), noise].map(|k| self.scaled(k, amplitude));
+        // The root of a sum of squares is double where its vector is nothing.
+        let double = match noise < NEARLY_FREE {
+            true => self.free_below(amplitude),
+            false => double,
         };
-        let invalid = self.g.select_less(value, double, once, zero);
+        self.watch(value, near);
+        let invalid = self.g.select_less(value, double, minus, zero);
         self.refuse(invalid);
         let kept = self.g.select_less(value, double, zero, value);
         let root = self.g.sqrt(kept);
@@ -156,6 +149,13 @@ impl Writer<'_> {
     pub(super) fn scaled(&mut self, k: f64, x: Expr) -> Expr {
         let k = self.g.constant(k);
         self.g.mul(k, x)
+    }
+
+    /// Below this a factor leaves its angle free, and roots of a sum of squares
+    /// are one.
+    fn free_below(&mut self, scale: Expr) -> Expr {
+        let free = self.free;
+        self.g.mul(free, scale)
     }
 
     /// From here on the idealized arm's values are off by 1 + 1/`share` times as
@@ -218,7 +218,7 @@ impl Writer<'_> {
         self.may_be_free = Some(MayBeFree {
             unknown,
             factor,
-            threshold: nothing,
+            scale,
         });
         let seeded = self.seeded(unknown);
         Trig {
@@ -230,7 +230,7 @@ impl Writer<'_> {
     /// Below this a factor leaves its angle free. As a share of `scale` it is
     /// the square of the sine that tells the angle.
     pub(super) fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
-        let nothing = self.scaled(FREE, scale);
+        let nothing = self.free_below(scale);
         self.watch(factor, nothing);
         if let Some(deviation) = self.deviation {
             let share = self.g.max(factor, nothing);

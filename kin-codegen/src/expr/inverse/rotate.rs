@@ -1,15 +1,27 @@
 //! Subproblems 1 and 2: a vector turned onto another.
 
 use super::Writer;
-use super::root::{Discriminant, FREE, NOISE};
+use super::root::{Discriminant, NOISE};
 use super::transport::Transported;
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::{Atom, Kind, Relation};
+use kin_runtime::__private::free_angle::FREE_BELOW;
+
+/// The sine and cosine of an angle over a common factor, which is compared with
+/// `scale` to tell whether the angle is free.
+#[derive(Clone, Copy)]
+pub(super) struct Turn {
+    pub trig: Trig,
+    pub factor: Expr,
+    pub scale: Expr,
+}
 
 impl Writer<'_> {
     /// Rz(θ) right = left.
-    pub(super) fn sp1(&mut self, unknown: Atom, left: Transported, right: Transported) -> Trig {
+    pub(super) fn sp1(&mut self, relation: &Relation, unknown: Atom) -> Turn {
+        let sides = self.sides(relation, unknown);
+        let (left, right) = (sides.left, sides.right);
         let point = left.point.is_some();
         let zero = self.g.vector([0.0; 3]);
         let of = |x: Transported| if point { x.point } else { x.direction }.unwrap_or(zero);
@@ -20,14 +32,38 @@ impl Writer<'_> {
         let constant = lengths
             .into_iter()
             .find(|&e| self.g.value(e).is_some_and(|x| x > 0.0));
-        if let (false, Some(length)) = (point, constant) {
-            let one = self.g.one();
-            return self.normalized(unknown, trig, length, one);
+        if let (false, Some(factor)) = (point, constant) {
+            let scale = self.g.one();
+            return Turn {
+                trig,
+                factor,
+                scale,
+            };
         }
         let product = self.g.mul(lengths[0], lengths[1]);
         let factor = self.g.sqrt(product);
         let scale = self.square_scale(point);
-        self.normalized(unknown, trig, factor, scale)
+        Turn {
+            trig,
+            factor,
+            scale,
+        }
+    }
+
+    /// Of two vectors that tell one angle, the one that is longer for its kind.
+    pub(super) fn longer(&mut self, one: Turn, other: Turn) -> Turn {
+        let [first, second] = [one, other].map(|turn| self.g.div(turn.factor, turn.scale));
+        let mut choose = |x, y| self.g.select_less(first, second, y, x);
+        let sin = choose(one.trig.sin, other.trig.sin);
+        let cos = choose(one.trig.cos, other.trig.cos);
+        let factor = choose(one.factor, other.factor);
+        let scale = choose(one.scale, other.scale);
+        let trig = Trig { sin, cos };
+        Turn {
+            trig,
+            factor,
+            scale,
+        }
     }
 
     /// What the square of a vector is compared with.
@@ -89,7 +125,11 @@ impl Writer<'_> {
         let squares = square
             .filter(Discriminant::is_sum_of_squares)
             .map(|squares| squares.value);
-        let trig = self.angle_with(second, a, b, d, square);
+        let mut trig = self.angle_with(second, a, b, d, square);
+        if point && square.is_some() {
+            // Of a point out of reach the Gram determinant is that of no angle.
+            trig = self.unit(trig);
+        }
         self.set(second, trig);
         let moved = self.bring_behind(from, from.joints.start, first_end);
         let turned = self.across(x_vector, of(moved));
@@ -139,8 +179,8 @@ impl Writer<'_> {
         let across = self.length_squared(x);
         let offset = c * c * length.unwrap_or(0.0) + height * height;
         let noise = match length {
-            _ if offset == 0.0 => FREE,
-            Some(length) => FREE + NOISE * offset / length,
+            _ if offset == 0.0 => FREE_BELOW,
+            Some(length) => FREE_BELOW + NOISE * offset / length,
             None => NOISE,
         };
         let rate = self.scaled(2.0 * c * height, x[2]);

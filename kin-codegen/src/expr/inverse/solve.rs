@@ -16,6 +16,16 @@ pub(super) struct Sides {
     pub other: Option<[Transported; 2]>,
 }
 
+/// a cos θ + b sin θ = d.
+#[derive(Clone, Copy)]
+struct CosineSine {
+    a: Expr,
+    b: Expr,
+    d: Expr,
+    /// What the coefficients are multiples of: 1, metres or their square.
+    unit: f64,
+}
+
 fn kinds(relation: &Relation) -> (Kind, Option<Kind>) {
     (relation.from.kind, relation.to.as_ref().map(|to| to.kind))
 }
@@ -27,20 +37,63 @@ impl Writer<'_> {
             (Subproblem::Sp2, &[first, second]) => self.sp2(relation, first, second),
             (Subproblem::Sp6, &[outer, inner]) => self.sp6(relation, outer, inner),
             (Subproblem::Sp1, &[unknown]) => {
-                let sides = self.sides(relation, unknown);
-                let trig = self.sp1(unknown, sides.left, sides.right);
+                let turn = self.sp1(relation, unknown);
+                let other = step.complement.as_ref();
+                let other = other.map(|relation| self.sp1(relation, unknown));
+                let turn = match other {
+                    Some(other) => self.longer(turn, other),
+                    None => turn,
+                };
+                let trig = self.normalized(unknown, turn.trig, turn.factor, turn.scale);
                 self.set(unknown, trig);
             }
             (Subproblem::Sp3 | Subproblem::Sp4, &[unknown]) => {
-                let sides = self.sides(relation, unknown);
-                let (u, w, d) = self.bilinear(relation, &sides);
-                let (a, b, d) = self.cosine_sine(u, w, d);
+                let mut equation = self.equation(relation, unknown);
+                if let Some(other) = &step.complement {
+                    let other = self.equation(other, unknown);
+                    equation = self.steeper(equation, other);
+                }
+                let CosineSine { a, b, d, .. } = equation;
                 let trig = self.angle_with(unknown, a, b, d, None);
                 self.set(unknown, trig);
+            }
+            (Subproblem::Slides, unknowns) => self.slides(relation, unknowns),
+            (Subproblem::Lines, &[first, turn, last]) => self.lines(relation, first, turn, last),
+            (Subproblem::Hyperboloid, &[first, turn, last]) => {
+                self.hyperboloid(relation, first, turn, last);
             }
             (_, &[Atom::Joint(joint)]) => self.slide_to(step.subproblem, relation, joint),
             _ => {}
         }
+    }
+
+    /// A relation as an equation of its one unknown.
+    fn equation(&mut self, relation: &Relation, unknown: Atom) -> CosineSine {
+        let sides = self.sides(relation, unknown);
+        let (u, w, d) = self.bilinear(relation, &sides);
+        let (a, b, d) = self.cosine_sine(u, w, d);
+        let unit = match kinds(relation) {
+            (Kind::Direction, _) => 1.0,
+            (Kind::Point, Some(Kind::Point)) => self.linkage.size.powi(2),
+            _ => self.linkage.size,
+        };
+        CosineSine { a, b, d, unit }
+    }
+
+    /// Of two equations of one unknown, the one that changes faster with it at
+    /// its roots: a² + b² − d² is the square of that, in units of the equation.
+    fn steeper(&mut self, one: CosineSine, other: CosineSine) -> CosineSine {
+        let [first, second] = [one, other].map(|CosineSine { a, b, d, unit }| {
+            let [aa, bb, dd] = [a, b, d].map(|x| self.g.square(x));
+            let amplitude = self.g.add(aa, bb);
+            let square = self.g.sub(amplitude, dd);
+            self.scaled(unit.powi(-2), square)
+        });
+        let mut choose = |x, y| self.g.select_less(first, second, y, x);
+        let a = choose(one.a, other.a);
+        let b = choose(one.b, other.b);
+        let d = choose(one.d, other.d);
+        CosineSine { a, b, d, ..one }
     }
 
     /// The first joint and the end of the joints that an unknown stands for.

@@ -105,9 +105,7 @@ impl Writer<'_> {
                     x = self.cross_joint(x, joint);
                     body = joint;
                 }
-                if body > 0 {
-                    x = self.cross(x, self.linkage.links[body - 1].after);
-                }
+                x = self.leave_before(x, body);
             }
         }
         x
@@ -118,6 +116,14 @@ impl Writer<'_> {
         match joint {
             0 => x,
             j => self.uncross(x, self.linkage.links[j - 1].after),
+        }
+    }
+
+    /// From the frame before joint `joint` to that of the link before it.
+    pub(super) fn leave_before(&mut self, x: Transported, joint: usize) -> Transported {
+        match joint {
+            0 => x,
+            j => self.cross(x, self.linkage.links[j - 1].after),
         }
     }
 

@@ -10,6 +10,9 @@ use crate::{Jacobian, Pose, Solution, Solutions, math};
 /// How far the miss along a curve is followed, in multiples of the near-singular threshold.
 const REACH: f64 = 2.0;
 
+/// Evaluations of Levenberg's method from a branch that Newton's has lost.
+const ARRIVAL: usize = 60;
+
 /// Refines every branch to one of the arm as given. Where the Jacobian is as near to
 /// losing rank as the arms differ, the branches of the idealized arm do not tell
 /// how many solutions there are, and all others are looked for on the curves
@@ -72,7 +75,7 @@ impl<F: Fn(&[f64; N]) -> (Pose, Jacobian<N>), const N: usize> Search<'_, F, N> {
 
     /// Looks for what a lost branch has become.
     fn find(&mut self, start: &Solution<N>) {
-        let found = levenberg(self.problem, start.q);
+        let found = levenberg(self.problem, start.q, ARRIVAL);
         let found = newton(self.problem, found.q, self.steps);
         if insert(self.solutions, start, &found, self.accept).is_none() {
             self.follow(start, &found);

@@ -6,10 +6,8 @@ use super::normal_equations::Factor;
 use crate::linear::vector::norm;
 use crate::{Jacobian, Pose};
 
-/// Evaluations.
-const STEPS: usize = 60;
-
-/// Levenberg's method from a configuration that nearly reaches the target.
+/// Levenberg's method from a configuration that nearly reaches the target, for
+/// at most `steps` evaluations.
 ///
 /// At home, say, a stretched arm may be singular in two ways at once. Newton's
 /// steps are at a loss there: each weak direction asks for a large one. Damped
@@ -19,11 +17,12 @@ const STEPS: usize = 60;
 pub(super) fn levenberg<const N: usize>(
     problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
     q: [f64; N],
+    steps: usize,
 ) -> Refined<N> {
     let mut here = Linearization::new(q, problem);
     let mut miss = norm(here.error);
     let mut weight = 1.0;
-    for _ in 0..STEPS {
+    for _ in 0..steps {
         if here.residual < ROUNDING * problem.size || weight > 1e12 {
             break;
         }

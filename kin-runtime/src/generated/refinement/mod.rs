@@ -4,6 +4,7 @@
 //! one's closed form; what that answers is refined here.
 
 mod branches;
+mod correction;
 mod curve;
 mod levenberg;
 mod linearization;
@@ -11,5 +12,6 @@ mod newton;
 mod normal_equations;
 
 pub use branches::refine_branches;
+pub use correction::{NEARLY, correct_branches};
 pub use linearization::Problem;
 pub use newton::{Refined, newton};

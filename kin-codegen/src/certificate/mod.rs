@@ -1,0 +1,346 @@
+//! The certificate: no inverse kinematics is emitted that was not seen to
+//! work.
+//!
+//! The plan runs in the interpreter on random and on structured configurations
+//! of the arm as given, and is held against the generic product of
+//! exponentials, which shares no code with it: every configuration that made
+//! the target must come back (*recovered*), every solution must reach the target
+//! (*sound*), and no solution twice.
+
+mod alignment;
+
+use crate::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
+use crate::geometry::{self, Linkage, size};
+use crate::model::{Model, configurations};
+use crate::plan::Target;
+use crate::random::Random;
+use kin_runtime::{Chain, Pose};
+use std::cell::OnceCell;
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+
+/// Below this conditioning of the Jacobian a configuration counts as singular:
+/// its target may have a family of solutions, and one representative is enough.
+pub const SINGULAR: f64 = 1e-5;
+
+/// Excused configurations that are tried all the same: near a singular one the
+/// refinement of a branch costs a hundred times as much.
+const EXCUSED: usize = 40;
+
+/// Targets that no configuration made, on which only soundness is tried.
+const ELSEWHERE: usize = 32;
+
+/// Random configurations whose conditioning tells how many are excused.
+const SHARE: usize = 400;
+
+/// Above this conditioning a configuration is far from singular.
+const REGULAR: f64 = 1e-3;
+
+/// What the certificate saw.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Certificate {
+    /// Configurations tried.
+    pub configurations: usize,
+    /// Of these, singular: answered by a representative.
+    pub singular: usize,
+    /// Those nearer to singular than an idealized arm's branches can tell: what
+    /// is lost there is excused, and of these only some are tried. None if the
+    /// arm is exact.
+    pub excused: usize,
+    /// The share of excused ones among random configurations, 0 to 1.
+    pub excused_share: f64,
+    /// Singular ones to which no solution was found, and excused ones that did
+    /// not come back.
+    pub unanswered: usize,
+    /// Regular ones that did not come back, with axes aligned that are no
+    /// neighbours, or came back flagged as singular: a step of the plan
+    /// degenerates there, and the arm does not.
+    pub lost: usize,
+    /// Solutions found in all.
+    pub solutions: usize,
+    /// The largest distance of a solution from its target, metres.
+    pub worst_residual: f64,
+    /// The largest number of solutions to one regular target.
+    pub most_solutions: usize,
+}
+
+/// What a plan got wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// No solution is the configuration that made the target.
+    Lost(Vec<f64>),
+    /// A solution does not reach its target.
+    Unsound {
+        /// The solution.
+        q: Vec<f64>,
+        /// By how much, metres.
+        distance: f64,
+    },
+    /// One solution came twice.
+    Doubled(Vec<f64>),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Lost(q) => write!(f, "the configuration {q:.4?} is not among the solutions"),
+            Failure::Unsound { q, distance } => write!(
+                f,
+                "the solution {q:.4?} misses its target by {distance:.1e} m"
+            ),
+            Failure::Doubled(q) => write!(f, "a solution to the target of {q:.4?} comes twice"),
+        }
+    }
+}
+
+/// The configurations to try on an arm, with the targets that they make.
+pub struct Trials<'a> {
+    model: &'a Model,
+    linkage: &'a Linkage,
+    target: Target,
+    chain: Chain,
+    all: Vec<Trial>,
+    /// The conditioning of random configurations.
+    spread: OnceCell<Vec<f64>>,
+}
+
+struct Trial {
+    q: Vec<f64>,
+    pose: Pose,
+    /// How far from singular.
+    conditioning: f64,
+    /// Whether axes that are no neighbours are aligned, or nearly.
+    aligned: bool,
+    /// Whether it is next to a round configuration, or aligned: on an idealized
+    /// arm near singular it is not tried.
+    is_attack: bool,
+}
+
+impl<'a> Trials<'a> {
+    /// Moves the arm to all the configurations.
+    pub fn new(model: &'a Model, linkage: &'a Linkage, target: Target) -> Self {
+        let (chain, size) = (model.chain(), size(model));
+        let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {
+            pose: chain.fk(&q),
+            conditioning: geometry::conditioning(&chain, &q, size, target),
+            q,
+            aligned,
+            is_attack,
+        };
+        let round = configurations(model);
+        let beside = alignment::neighbours(&round);
+        let aligned = alignment::aligned(model);
+        let nearly = alignment::neighbours(&aligned);
+        let all = (round.into_iter().map(|q| trial(q, false, false)))
+            .chain(beside.into_iter().map(|q| trial(q, false, true)))
+            .chain(aligned.into_iter().map(|q| trial(q, true, true)))
+            .chain(nearly.into_iter().map(|q| trial(q, true, true)))
+            .collect();
+        Self {
+            model,
+            linkage,
+            target,
+            chain,
+            all,
+            spread: OnceCell::new(),
+        }
+    }
+
+    /// The arm as the file has it.
+    pub fn model(&self) -> &Model {
+        self.model
+    }
+
+    /// Its frames.
+    pub fn linkage(&self) -> &Linkage {
+        self.linkage
+    }
+
+    /// Targets that the arm was not seen to reach, and some that it cannot: the
+    /// orientation of one configuration where another puts the tip, or farther.
+    fn elsewhere(&self) -> impl Iterator<Item = Pose> {
+        let poses = self.all.iter().map(|trial| trial.pose);
+        let farther = [0.9, 1.0, 1.1, 2.0].into_iter().cycle();
+        let pairs = poses.clone().zip(poses.skip(1)).zip(farther);
+        let whole = !self.target.is_projected();
+        pairs
+            .take(if whole { ELSEWHERE } else { 0 })
+            .map(|((one, other), farther)| Pose {
+                rotation: one.rotation,
+                translation: other.translation.map(|x| farther * x),
+            })
+    }
+
+    /// The share of random configurations of less conditioning.
+    fn share_below(&self, conditioning: f64) -> f64 {
+        if conditioning == 0.0 {
+            return 0.0;
+        }
+        let spread = self.spread.get_or_init(|| {
+            let n = self.model.variables.len();
+            let mut random = Random(0xc2b2_ae3d_27d4_eb4f);
+            let mut anywhere = || (0..n).map(|_| random.between(-PI, PI)).collect::<Vec<_>>();
+            let size = self.linkage.size;
+            let at = |q: &[f64]| geometry::conditioning(&self.chain, q, size, self.target);
+            (0..SHARE).map(|_| at(&anywhere())).collect()
+        });
+        let below = spread.iter().filter(|&&x| x < conditioning).count();
+        below as f64 / SHARE as f64
+    }
+}
+
+/// Runs a closed form against the arm as given. Of configurations with axes
+/// aligned it may lose so many.
+///
+/// # Errors
+///
+/// The first configuration on which it is not sound, loses the configuration
+/// or doubles a solution.
+pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Certificate, Failure> {
+    let excused = form.near_singular();
+    let mut certificate = Certificate {
+        excused_share: trials.share_below(excused),
+        ..Certificate::default()
+    };
+    for trial in &trials.all {
+        certificate.configurations += 1;
+        let is_excused = trial.conditioning < excused;
+        certificate.excused += usize::from(is_excused);
+        let is_dear = trial.is_attack || certificate.excused > EXCUSED;
+        if !(is_excused && is_dear) {
+            certificate.add(trials, form, trial, is_excused, losses)?;
+        }
+    }
+    for target in trials.elsewhere() {
+        certificate.sound(trials, form, &target)?;
+    }
+    Ok(certificate)
+}
+
+impl Certificate {
+    /// The solutions to a target, all of which reach it.
+    fn sound(
+        &mut self,
+        trials: &Trials,
+        form: &ClosedForm,
+        target: &Pose,
+    ) -> Result<Vec<BranchSolution>, Failure> {
+        let size = trials.linkage.size;
+        let solutions = form.solutions(target);
+        self.solutions += solutions.len();
+        for solution in &solutions {
+            let found = trials.chain.fk(&solution.q);
+            let distance = trials.target.distance(&found, target, size);
+            self.worst_residual = self.worst_residual.max(distance);
+            if distance.is_nan() || distance > TOLERANCE * size {
+                let q = solution.q.clone();
+                return Err(Failure::Unsound { q, distance });
+            }
+        }
+        Ok(solutions)
+    }
+
+    /// Whether nothing was seen to be missing.
+    pub fn is_complete(&self) -> bool {
+        self.lost == 0 && self.unanswered == 0
+    }
+
+    /// What is not promised, in sentences.
+    pub fn reservations(&self) -> Vec<String> {
+        let excused = (self.excused > 0).then(|| {
+            format!(
+                "{:.1} % of random configurations are so near to singular that a solution to \
+                 their targets may be missing.",
+                100.0 * self.excused_share
+            )
+        });
+        let lost = (self.lost > 0).then(|| {
+            format!(
+                "Where a step degenerates and the arm does not, solutions are lost or flagged as \
+                 singular: {} of {} configurations.",
+                self.lost, self.configurations
+            )
+        });
+        excused.into_iter().chain(lost).collect()
+    }
+
+    fn add(
+        &mut self,
+        trials: &Trials,
+        form: &ClosedForm,
+        trial: &Trial,
+        is_excused: bool,
+        losses: usize,
+    ) -> Result<(), Failure> {
+        let Trial {
+            q,
+            pose,
+            conditioning,
+            ..
+        } = trial;
+        let solutions = self.sound(trials, form, pose)?;
+        if *conditioning < SINGULAR {
+            self.singular += 1;
+            self.unanswered += usize::from(solutions.is_empty());
+            return Ok(());
+        }
+        self.most_solutions = self.most_solutions.max(solutions.len());
+        let flagged = solutions.iter().filter(|solution| solution.singular);
+        let flagged: Vec<BranchSolution> = flagged.cloned().collect();
+        match recovered(trials.model, q, &solutions, *conditioning) {
+            Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
+            Err(Failure::Lost(_)) if trial.aligned && self.lost < losses => self.lost += 1,
+            Err(other) => return Err(other),
+            // A double root that is none of the arm has half of its digits.
+            Ok(()) if *conditioning > REGULAR && is_among(trials.model, q, &flagged, 1e-6) => {
+                if self.lost == losses {
+                    return Err(Failure::Lost(q.clone()));
+                }
+                self.lost += 1;
+            }
+            Ok(()) => {}
+        }
+        Ok(())
+    }
+}
+
+/// The configuration is among the solutions, to what its conditioning allows,
+/// and no solution comes twice.
+///
+/// # Errors
+///
+/// Which of the two does not hold.
+pub fn recovered(
+    model: &Model,
+    q: &[f64],
+    solutions: &[BranchSolution],
+    conditioning: f64,
+) -> Result<(), Failure> {
+    let tolerance = (1e-11 / conditioning.powi(2)).clamp(1e-7, 1e-2);
+    if !is_among(model, q, solutions, tolerance) {
+        return Err(Failure::Lost(q.to_vec()));
+    }
+    for (i, a) in solutions.iter().enumerate() {
+        if is_among(model, &a.q, &solutions[..i], 1e-7) {
+            return Err(Failure::Doubled(q.to_vec()));
+        }
+    }
+    Ok(())
+}
+
+fn is_among(model: &Model, q: &[f64], solutions: &[BranchSolution], tolerance: f64) -> bool {
+    let same = |a: &[f64]| (0..q.len()).all(|i| joint_distance(model, i, a[i], q[i]) < tolerance);
+    solutions.iter().any(|solution| same(&solution.q))
+}
+
+/// The difference of two values of a coordinate, modulo 2π where it turns.
+fn joint_distance(model: &Model, variable: usize, a: f64, b: f64) -> f64 {
+    let d = (a - b).abs();
+    if model.turns(variable) {
+        let d = d % TAU;
+        if d > PI { TAU - d } else { d }
+    } else {
+        d
+    }
+}

@@ -1,0 +1,51 @@
+//! Branches that rounding keeps from their target.
+//!
+//! Where two roots meet, an angle is known to the square root of rounding only,
+//! and what follows from it misses the target by as much. A step of Newton's
+//! method makes up for that; it is damped, because these are singular
+//! configurations (see [`levenberg`]).
+
+use super::levenberg::levenberg;
+use super::linearization::Problem;
+use crate::generated::acceptance::Acceptance;
+use crate::{Jacobian, Pose, Solution, Solutions, math};
+
+/// Branches that miss their target by more than this, relative to the arm's
+/// size, do so not by rounding.
+pub const NEARLY: f64 = 1e-5;
+/// Evaluations at most; a regular branch takes two.
+const STEPS: usize = 12;
+
+/// The branches that reach their target, those that [nearly](NEARLY) do after a
+/// correction.
+pub fn correct_branches<const N: usize>(
+    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    branches: impl Iterator<Item = Solution<N>> + Clone,
+    accept: &Acceptance,
+) -> Solutions<N> {
+    let reaches = |branch: &Solution<N>| branch.residual <= accept.tolerance;
+    let nearly = |branch: &Solution<N>| branch.residual <= NEARLY * accept.size;
+    Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+        for branch in branches.clone().filter(reaches) {
+            solutions.push_if(true, branch);
+        }
+        if problem.target.rotation_error() * accept.size > accept.tolerance {
+            return;
+        }
+        for branch in branches.filter(|branch| !reaches(branch) && nearly(branch)) {
+            let found = levenberg(problem, branch.q, STEPS);
+            let q = core::array::from_fn(|i| {
+                let slides = accept.prismatic >> i & 1 == 1;
+                math::select(slides, found.q[i], math::wrap(found.q[i]))
+            });
+            if found.residual <= accept.tolerance {
+                solutions.insert_distinct(Solution {
+                    q,
+                    residual: found.residual,
+                    singular: branch.singular | found.singular(),
+                    ..branch
+                });
+            }
+        }
+    })
+}
