@@ -935,9 +935,9 @@ mod __Calibrated {
             // The seed, for an angle that the target leaves free
             let t1 = seed[1] + 1.5707023922013317;
             let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
-                seed[0],
-                seed[5],
                 seed[4],
+                seed[5],
+                seed[0],
                 t1,
             ]);
             // 1. q1 by SP4 (what all branches share)
@@ -1006,12 +1006,12 @@ mod __Calibrated {
                 let t36 = e1[k] * t20;
                 let s1 = math::select(
                     t15 < 1.7481974060244956e-24,
-                    t2,
+                    t4,
                     (t24 + t14 * t36) * t27,
                 );
                 let c1 = math::select(
                     t15 < 1.7481974060244956e-24,
-                    t6,
+                    t8,
                     (t23 - t13 * t36) * t27,
                 );
                 // 2. q5 and q6 by SP2, given q1
@@ -1056,8 +1056,8 @@ mod __Calibrated {
                     math::select(t52 < 1e-24, 1.0, 0.0),
                 );
                 let t54 = 1.0 / t52;
-                let s5 = math::select(t52 < 1e-24, t4, (t50 - t49) * t54);
-                let c5 = math::select(t52 < 1e-24, t8, t37 * t54);
+                let s5 = math::select(t52 < 1e-24, t2, (t50 - t49) * t54);
+                let c5 = math::select(t52 < 1e-24, t6, t37 * t54);
                 // 3. q2+q3+q4 by SP1, given q5 and q6
                 let t55 = r31 * s6 + r32 * c6;
                 let t56 = r33 * s5 + c5 * (r32 * s6 - r31 * c6);
@@ -1273,11 +1273,11 @@ mod __Calibrated {
             let t1 = q[1] + 1.5707023922013317;
             let t2 = q[2] + 0.00044313587806694065;
             let t3 = t1 + t2;
-            let ([t4, t5, _, t6, t7, ..], [_, _, t8, _, _, ..]) = lanes::sin_cos([
+            let ([t4, t5, t6, _, t7, ..], [_, _, _, t8, _, ..]) = lanes::sin_cos([
+                q[4],
                 t1,
                 t3,
                 t3 + (q[3] + 3.1412434523052912),
-                q[4],
                 t2,
                 0.0,
                 0.0,
@@ -1287,9 +1287,9 @@ mod __Calibrated {
                 ["shoulder", "elbow", "wrist"],
                 [
                     0.099747579771028 * t8
-                        - (0.424760013934646 * t4 + 0.392304658629206 * t5),
+                        - (0.424760013934646 * t5 + 0.392304658629206 * t6),
                     t7,
-                    t6,
+                    t4,
                 ],
             )
         }

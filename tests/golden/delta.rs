@@ -89,10 +89,10 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s1, s12, s3, s34, s5, ..], [c1, c12, c3, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     t2,
                     t3,
                     0.0,
@@ -127,10 +127,10 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s1, s12, s3, s34, s5, ..], [c1, c12, c3, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     t2,
                     t3,
                     0.0,
@@ -196,10 +196,10 @@ mod __Delta {
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
-                let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     0.0,
                 ]);
                 let t2 = s12 * c3;
@@ -231,10 +231,10 @@ mod __Delta {
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
-                let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     0.0,
                 ]);
                 let t2 = 0.112 * s1;
@@ -639,10 +639,10 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s1, s12, s3, s34, s5, ..], [c1, c12, c3, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     t2,
                     t3,
                     0.0,
@@ -690,10 +690,10 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s1, s12, s3, s34, s5, ..], [c1, c12, c3, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     t2,
                     t3,
                     0.0,
@@ -789,10 +789,10 @@ mod __Delta {
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     0.0,
                 ]);
                 let t2 = 0.49999999999999983 * c3 + 0.7869389880338669 * s3;
@@ -828,10 +828,10 @@ mod __Delta {
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     0.0,
                 ]);
                 let t2 = 0.112 * c1;
@@ -1331,10 +1331,10 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s1, s12, s3, s34, s5, ..], [c1, c12, c3, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     t2,
                     t3,
                     0.0,
@@ -1382,10 +1382,10 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s1, s12, s3, s34, s5, ..], [c1, c12, c3, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     t2,
                     t3,
                     0.0,
@@ -1480,10 +1480,10 @@ mod __Delta {
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     0.0,
                 ]);
                 let t2 = 0.7869389880338669 * s3 - 0.49999999999999983 * c3;
@@ -1519,10 +1519,10 @@ mod __Delta {
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s1, s12, s3, ..], [c1, c12, c3, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
+                    q[2],
                     q[0],
                     t1,
-                    q[2],
                     0.0,
                 ]);
                 let t2 = 0.112 * c1;

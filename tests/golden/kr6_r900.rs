@@ -147,13 +147,13 @@ mod __Kr6R900 {
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s4, s23, ..], [c1, c2, c5, c6, c4, c23, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                q[3],
                 q[4],
                 q[5],
+                q[3],
+                t1,
                 0.0,
                 0.0,
             ]);
@@ -198,13 +198,13 @@ mod __Kr6R900 {
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s4, s23, ..], [c1, c2, c5, c6, c4, c23, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                q[3],
                 q[4],
                 q[5],
+                q[3],
+                t1,
                 0.0,
                 0.0,
             ]);
@@ -298,12 +298,12 @@ mod __Kr6R900 {
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s4, s23, ..], [c1, c2, c5, c4, c23, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                q[3],
                 q[4],
+                q[3],
+                t1,
                 0.0,
                 0.0,
                 0.0,
@@ -357,12 +357,12 @@ mod __Kr6R900 {
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s23, s4, s5, s6, s3, ..], [c23, c4, c5, c6, c3, ..]) = lanes::sin_cos([
-                t1,
+            let ([s3, s4, s5, s6, s23, ..], [c3, c4, c5, c6, c23, ..]) = lanes::sin_cos([
+                q[2],
                 q[3],
                 q[4],
                 q[5],
-                q[2],
+                t1,
                 0.0,
                 0.0,
                 0.0,
@@ -438,12 +438,12 @@ mod __Kr6R900 {
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s23, s4, s5, ..], [c1, c2, c23, c4, c5, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s4, s23, ..], [c1, c2, c5, c4, c23, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                q[3],
                 q[4],
+                q[3],
+                t1,
                 0.0,
                 0.0,
                 0.0,
@@ -512,13 +512,13 @@ mod __Kr6R900 {
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s23, s4, s5, s6, ..], [c1, c2, c23, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s4, s23, ..], [c1, c2, c5, c6, c4, c23, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                q[3],
                 q[4],
                 q[5],
+                q[3],
+                t1,
                 0.0,
                 0.0,
             ]);
@@ -928,15 +928,15 @@ mod __Kr6R900 {
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([_, t2, t3, t4], [t5, t6, t7, _]) = lanes::sin_cos([
+            let ([t2, t3, _, t4], [_, t5, t6, t7]) = lanes::sin_cos([
+                q[4],
+                q[2],
                 q[1],
                 t1,
-                q[2],
-                q[4],
             ]);
-            let t8 = 0.455 * t5 + 0.025 + (0.035 * t2 + 0.42 * t6);
-            t4
-                * ((0.9965457582448796 * t3 - 0.08304547985374006 * t7)
+            let t8 = 0.455 * t6 + 0.025 + (0.035 * t4 + 0.42 * t7);
+            t2
+                * ((0.9965457582448796 * t3 - 0.08304547985374006 * t5)
                     * (0.1917623936672673 * t8))
         }
 
@@ -950,16 +950,16 @@ mod __Kr6R900 {
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([_, t2, t3, t4], [t5, t6, t7, _]) = lanes::sin_cos([
+            let ([t2, t3, _, t4], [_, t5, t6, t7]) = lanes::sin_cos([
+                q[4],
+                q[2],
                 q[1],
                 t1,
-                q[2],
-                q[4],
             ]);
-            let t8 = 0.455 * t5 + 0.025 + (0.035 * t2 + 0.42 * t6);
+            let t8 = 0.455 * t6 + 0.025 + (0.035 * t4 + 0.42 * t7);
             Singularity::by_name(
                 ["shoulder", "elbow", "wrist"],
-                [t8, 0.9965457582448796 * t3 - 0.08304547985374006 * t7, t4],
+                [t8, 0.9965457582448796 * t3 - 0.08304547985374006 * t5, t2],
             )
         }
     }

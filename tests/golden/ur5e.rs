@@ -144,13 +144,13 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s23, s234, s5, s6, ..], [c1, c2, c23, c234, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s23, s234, ..], [c1, c2, c5, c6, c23, c234, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                t2,
                 q[4],
                 q[5],
+                t1,
+                t2,
                 0.0,
                 0.0,
             ]);
@@ -187,13 +187,13 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s23, s234, s5, s6, ..], [c1, c2, c23, c234, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s23, s234, ..], [c1, c2, c5, c6, c23, c234, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                t2,
                 q[4],
                 q[5],
+                t1,
+                t2,
                 0.0,
                 0.0,
             ]);
@@ -273,12 +273,12 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s23, s234, s5, ..], [c1, c2, c23, c234, c5, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s23, s234, ..], [c1, c2, c5, c23, c234, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
+                q[4],
                 t1,
                 t2,
-                q[4],
                 0.0,
                 0.0,
                 0.0,
@@ -406,12 +406,12 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s23, s234, s5, ..], [c1, c2, c23, c234, c5, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s23, s234, ..], [c1, c2, c5, c23, c234, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
+                q[4],
                 t1,
                 t2,
-                q[4],
                 0.0,
                 0.0,
                 0.0,
@@ -472,13 +472,13 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s23, s234, s5, s6, ..], [c1, c2, c23, c234, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s23, s234, ..], [c1, c2, c5, c6, c23, c234, ..]) = lanes::sin_cos([
                 q[0],
                 q[1],
-                t1,
-                t2,
                 q[4],
                 q[5],
+                t1,
+                t2,
                 0.0,
                 0.0,
             ]);
@@ -630,8 +630,8 @@ mod __Ur5e {
             let t1 = seed[3] + (seed[1] + seed[2]);
             let ([t2, t3, t4, ..], [t5, t6, t7, ..]) = lanes::sin_cos([
                 seed[0],
-                t1,
                 seed[1],
+                t1,
                 0.0,
             ]);
             // 1. q1 by SP4 (what all branches share)
@@ -725,8 +725,8 @@ mod __Ur5e {
                 );
                 let s5 = e2[k] * math::sqrt(math::select(t38 < free, 0.0, t38));
                 let t40 = 1.0 / t38;
-                let s234 = math::select(t38 < free, t3, -(r33 * s5 * t40));
-                let c234 = math::select(t38 < free, t6, -(t36 * s5 * t40));
+                let s234 = math::select(t38 < free, t4, -(r33 * s5 * t40));
+                let c234 = math::select(t38 < free, t7, -(t36 * s5 * t40));
                 // 3. q6 by SP1, given q1 and q2+q3+q4
                 let t41 = c1 * s234;
                 let t42 = s1 * s234;
@@ -887,12 +887,12 @@ mod __Ur5e {
                 let t94 = 1.0 / t93;
                 let s2 = math::select(
                     t93 < 1.7221312899999994e-24,
-                    t4,
+                    t3,
                     -((t57_[k] * t92 + t60_[k]) * t94),
                 );
                 let c2 = math::select(
                     t93 < 1.7221312899999994e-24,
-                    t7,
+                    t6,
                     (t49_[k] * t92 - t59_[k]) * t94,
                 );
                 // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
@@ -945,18 +945,18 @@ mod __Ur5e {
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([_, _, t2, t3, t4, ..], [t5, t6, _, _, _, ..]) = lanes::sin_cos([
+            let ([t2, t3, _, _, t4, ..], [_, _, t5, t6, _, ..]) = lanes::sin_cos([
+                q[4],
+                q[2],
                 q[1],
                 t1,
                 q[3] + t1,
-                q[4],
-                q[2],
                 0.0,
                 0.0,
                 0.0,
             ]);
-            let t7 = 0.166685 * (0.0997 * t2 - (0.425 * t5 + 0.3922 * t6));
-            t4 * (t3 * t7)
+            let t7 = 0.166685 * (0.0997 * t4 - (0.425 * t5 + 0.3922 * t6));
+            t3 * (t2 * t7)
         }
 
         /// How far from singular the arm is, a value for each singularity:
@@ -969,19 +969,19 @@ mod __Ur5e {
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([_, _, t2, t3, t4, ..], [t5, t6, _, _, _, ..]) = lanes::sin_cos([
+            let ([t2, t3, _, _, t4, ..], [_, _, t5, t6, _, ..]) = lanes::sin_cos([
+                q[4],
+                q[2],
                 q[1],
                 t1,
                 q[3] + t1,
-                q[4],
-                q[2],
                 0.0,
                 0.0,
                 0.0,
             ]);
             Singularity::by_name(
                 ["shoulder", "elbow", "wrist"],
-                [0.0997 * t2 - (0.425 * t5 + 0.3922 * t6), t4, t3],
+                [0.0997 * t4 - (0.425 * t5 + 0.3922 * t6), t3, t2],
             )
         }
     }
