@@ -120,10 +120,6 @@ impl Case {
     /// the one run is one of the other, and there are as many. Whether the target
     /// was compared, and is not singular.
     fn compare(&self, q: &[f64], context: &str) -> bool {
-        let ClosedForm { linkage, plan, .. } = &self.closed_form;
-        if conditioning(&self.chain, q, linkage.size, plan.target) < SINGULAR {
-            return false;
-        }
         let target = self.chain.fk(q);
         let solutions = self.closed_form.solutions(&target);
         if solutions.iter().any(|solution| self.is_singular(solution)) {

@@ -16,6 +16,10 @@ pub(super) struct Sides {
     pub other: Option<[Transported; 2]>,
 }
 
+/// What of the square of its amplitude counts where equations are compared by
+/// their slopes.
+const AMPLITUDE: f64 = 1e-8;
+
 /// a cos θ + b sin θ = d.
 #[derive(Clone, Copy)]
 struct CosineSine {
@@ -82,11 +86,14 @@ impl Writer<'_> {
 
     /// Of two equations of one unknown, the one that changes faster with it at
     /// its roots: a² + b² − d² is the square of that, in units of the equation.
+    /// Where both have a double root, the one with the larger amplitude tells it
+    /// better: one whose amplitude is nothing tells no angle.
     fn steeper(&mut self, one: CosineSine, other: CosineSine) -> CosineSine {
         let [first, second] = [one, other].map(|CosineSine { a, b, d, unit }| {
             let [aa, bb, dd] = [a, b, d].map(|x| self.g.square(x));
             let amplitude = self.g.add(aa, bb);
-            let square = self.g.sub(amplitude, dd);
+            let more = self.scaled(1.0 + AMPLITUDE, amplitude);
+            let square = self.g.sub(more, dd);
             self.scaled(unit.powi(-2), square)
         });
         let mut choose = |x, y| self.g.select_less(first, second, y, x);
