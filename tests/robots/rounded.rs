@@ -19,23 +19,13 @@ fn nudge(random: &mut Random, size: f64, length: f64) -> Pose {
 }
 
 /// Next to a target that is reached, one is within what a solution may miss.
-fn no_answer_is_lost_to_a_digit<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    answered(robot, &[1e-12, 1e-11, 1e-10]);
-}
-
-/// A double root of a quartic, which is nearer to none by as much, is one to
-/// 1e-14 of its coefficients.
-pub fn no_quartic_is_lost_to_a_digit<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    answered(robot, &[1e-15]);
-}
-
-fn answered<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>, sizes: &[f64]) {
+pub fn no_answer_is_lost_to_a_digit<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     if N < 6 && robot.counts == Target::Pose {
         return;
     }
     let mut random = Random::new(77);
     for q in robot.structured() {
-        for &size in sizes {
+        for size in [1e-12, 1e-11, 1e-10] {
             let target = nudge(&mut random, size, robot.size) * robot.chain.fk(&q);
             let answers = robot.ik(&target);
             assert!(!answers.is_empty(), "{q:?} off by {size:e}");

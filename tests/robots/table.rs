@@ -10,7 +10,7 @@ use crate::honest::{
 use crate::near::regular_targets_do_not_look_at_the_seed;
 use crate::recovered::{random_configurations_come_back, structured_configurations_come_back};
 use crate::rounded::{
-    matrices_that_are_no_rotations_have_no_answers, no_quartic_is_lost_to_a_digit,
+    matrices_that_are_no_rotations_have_no_answers, no_answer_is_lost_to_a_digit,
 };
 use crate::sound::{
     angles_are_in_range, answers_are_distinct, answers_reach_the_target,
@@ -18,7 +18,7 @@ use crate::sound::{
 };
 use crate::unreachable::far_targets_have_no_answers;
 
-for_every_table_row!(no_quartic_is_lost_to_a_digit);
+for_every_table_row!(no_answer_is_lost_to_a_digit);
 for_every_table_row!(matrices_that_are_no_rotations_have_no_answers);
 for_every_table_row!(poses_agree);
 for_every_table_row!(jacobians_agree);

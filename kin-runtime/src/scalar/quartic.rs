@@ -38,6 +38,9 @@ const NEAR: f64 = 1e-3;
 const WIDE: f64 = 0.1;
 /// A root must satisfy the equation to this, relative to the coefficients.
 const CLOSED: f64 = 1e-12;
+/// An extremum that misses zero by less than this is a double root of a target
+/// that is off by as much; what it is worth shows in the residual.
+const MISSED: f64 = 1e-8;
 
 /// The real roots of
 ///
@@ -55,8 +58,9 @@ const CLOSED: f64 = 1e-12;
 /// Simple roots are accurate to a few units of rounding over the slope of f. So
 /// are multiple ones, found as roots of a derivative, unless rounding in the
 /// coefficients has parted them. Two roots less than 2e-7 apart, and three or
-/// four between which f stays below 1e-14 of its coefficients, are one. An
-/// identically vanishing f has no roots.
+/// four between which f stays below 1e-14 of its coefficients, are one. Where f
+/// misses zero by less than 1e-8 of its coefficients, without a root nearby, the
+/// extremum stands for a double root. An identically vanishing f has no roots.
 ///
 /// ```
 /// use kin_runtime::__private::quartic::{SIMPLE, trig_roots};
@@ -86,10 +90,10 @@ pub fn trig_roots(f: [f64; 5]) -> [TrigRoot; 4] {
         // tan(θ/2) = t, turned back by the reference.
         let (s, c) = (2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t));
         let (root, met) = refine_root(&derivatives, (s * cos + c * sin, c * cos - s * sin));
-        let closed = value(&f, root).abs() < CLOSED;
-        let state = match (closed, met) {
-            (true, true) => DOUBLE,
-            (true, false) if real => SIMPLE,
+        let height = value(&f, root).abs();
+        let state = match met {
+            true if height < MISSED => DOUBLE,
+            false if real && height < CLOSED => SIMPLE,
             _ => NONE,
         };
         TrigRoot {
@@ -270,7 +274,7 @@ fn refine_root(f: &[[f64; 5]; 5], start: (f64, f64)) -> ((f64, f64), bool) {
     }
     let extremum = newton::<3>(&f[1], &f[2], best);
     let height = value(&f[0], extremum);
-    let missed = height * value(&f[2], extremum) > 0.0 && height.abs() < CLOSED;
+    let missed = height * value(&f[2], extremum) > 0.0 && height.abs() < MISSED;
     // Newton stays where it is if f″ vanishes; that is no extremum.
     let flat = value(&f[1], extremum).abs() < SAME && apart(extremum, best) < NEAR;
     let met = flat && (height.abs() < MET || missed);
