@@ -25,9 +25,9 @@ pub use kin_macros::kinematics;
 pub use kin_runtime::__private;
 pub use kin_runtime::{
     Basis, Body, Ellipsoid, Following, Frame, Hessian, Jacobian, JointLimit, Kinematics,
-    Manipulability, ParallelKinematics, Pose, Postures, RANK_TOLERANCE, Singularities, Singularity,
-    Solution, Solutions, Target, Twist, Windings, WithBase, WithTool, Wrench, centering_gradient,
-    null_space, subproblems,
+    Manipulability, ParallelKinematics, Parameter, Pose, Postures, RANK_TOLERANCE,
+    RedundantKinematics, Singularities, Singularity, Solution, Solutions, Target, Twist, Windings,
+    WithBase, WithTool, Wrench, centering_gradient, null_space, subproblems,
 };
 #[cfg(feature = "std")]
 pub use kin_runtime::{

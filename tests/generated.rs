@@ -82,6 +82,7 @@ mod programs {
             "tests/robots/table",
             "tests/robots/targets",
             "tests/robots/noisy",
+            "tests/robots/redundant",
         ];
         for robot in folders.into_iter().flat_map(robots) {
             let name = robot.replace(['/', '.'], "_");

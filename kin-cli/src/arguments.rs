@@ -158,6 +158,11 @@ pub struct RobotOptions {
     /// joints of an arm of up to three, otherwise pose]
     #[arg(long, value_parser = kin_codegen::target)]
     pub target: Option<Target>,
+    /// A joint whose value inverse kinematics is given, where the arm has more joints
+    /// than its targets have coordinates; once for each [default: those that give the
+    /// cheapest closed form]
+    #[arg(long, value_name = "JOINT")]
+    pub free: Vec<String>,
     /// Warnings about the file are errors
     #[arg(long)]
     pub strict: bool,
@@ -172,6 +177,7 @@ impl RobotOptions {
             tip: self.tip.clone(),
             ik: if self.no_ik { Ik::None } else { self.ik },
             target: self.target,
+            free: self.free.clone(),
             strict: self.strict,
             krate: None,
         }

@@ -105,10 +105,48 @@ fn branches_share_work() {
     assert!(all.roots < 8 * one.roots);
 }
 
+/// Of seven joints in general position, an inner one that stays free leaves no closed
+/// form.
+fn without_plan() -> (Source, Options) {
+    let inner = Options {
+        free: vec!["j3".into()],
+        ..Options::default()
+    };
+    (chain(&[[0.1, 0.2, 70.0]; 7]), inner)
+}
+
+#[test]
+fn a_redundant_arm_is_explained() {
+    let inverse = told(&robot("iiwa14.yaml")).inverse.unwrap();
+    assert_eq!(inverse.free, ["q7"]);
+    assert_eq!(inverse.weighed[0].free, inverse.free);
+    assert!(
+        inverse
+            .weighed
+            .iter()
+            .all(|it| it.weight >= inverse.weighed[0].weight)
+    );
+    let general = told(&without_plan().0).inverse.unwrap();
+    assert!(general.weighed.iter().all(|it| it.weight.is_none()));
+    // What is kept is numbered as the arm's joints, the free one in front among them.
+    let first = Options {
+        free: vec!["j0".into()],
+        ..Options::default()
+    };
+    let general = explain(&without_plan().0, &first).unwrap().arm().unwrap();
+    let general = general.inverse.unwrap();
+    assert_eq!(general.free, ["q1"]);
+    assert_eq!(general.steps[0].unknowns[0], general.kept[0].unknown);
+    assert!(
+        general.kept.iter().all(|kept| kept.unknown != "q1"),
+        "{general:?}"
+    );
+}
+
 #[test]
 fn a_redundant_arm_without_plan_is_explained() {
-    let general = [0.1, 0.2, 70.0];
-    let explanation = told(&chain(&[general; 7]));
+    let (source, options) = without_plan();
+    let explanation = explain(&source, &options).unwrap().arm().unwrap();
     assert_eq!(explanation.chain.joints.len(), 7);
     assert!(explanation.inverse.is_none());
     assert!(explanation.refusal.is_some());
@@ -137,12 +175,12 @@ fn forward_kinematics_alone_is_no_refusal() {
 
 #[test]
 fn a_broken_file_is_told_from_an_arm_without_closed_form() {
-    let general = chain(&[[0.1, 0.2, 70.0]; 7]);
+    let (general, options) = without_plan();
     let broken = Source {
         text: general.text.replace("70", "7O"),
         ..general.clone()
     };
-    let verdict = |source: &Source| check(source, &Options::default(), 0).verdict;
+    let verdict = |source: &Source| check(source, &options, 0).verdict;
     assert!(matches!(verdict(&general), Verdict::Refused(_)));
     assert!(matches!(verdict(&broken), Verdict::Broken(_)));
 }

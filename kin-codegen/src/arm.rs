@@ -11,9 +11,10 @@ use crate::geometry::{Linkage, natural_target};
 use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
+use crate::redundancy::{self, Redundancy, solve_redundant};
 use crate::singularity::Singular;
 use crate::solver::{Certified, NoClosedForm, solve};
-use crate::spec::{ArmSpec, Diagnostics};
+use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
 
 /// A serial arm, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
@@ -29,6 +30,9 @@ pub struct CompiledArm {
     pub forward: Forward,
     /// Inverse kinematics; none if it was not asked for.
     pub inverse: Option<Certified>,
+    /// What inverse kinematics takes beside a target; none where a target has isolated
+    /// solutions.
+    pub redundancy: Option<Redundancy>,
     /// Determinant and singularities; none if no square Jacobian is there.
     pub singular: Option<Singular>,
 }
@@ -113,13 +117,25 @@ pub(crate) fn compile(
     let model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let linkage = Linkage::new(&model);
-    let (inverse, refused) = match options.ik {
-        Ik::None => (None, None),
-        Ik::ClosedForm => match solve(&model, &linkage, target) {
-            Ok(inverse) => (Some(inverse), None),
-            Err(reason) => (None, Some(reason)),
-        },
+    let free = redundancy::named(spec, &model, target, &options.free)?;
+    if options.ik == Ik::None && !free.is_empty() {
+        let reason = "without inverse kinematics no joint stays free";
+        let remedy = "leave out `free`, or `ik = none`";
+        let diagnostic = Diagnostic::whole(reason, remedy);
+        return Err(Diagnostics::one(&spec.source.path, diagnostic));
+    }
+    let is_redundant = model.joints.len() > target.coordinates();
+    let solved = match options.ik {
+        Ik::None => Ok(None),
+        Ik::ClosedForm if is_redundant => solve_redundant(&model, &linkage, target, &free)
+            .map(|(found, redundancy)| Some((found, Some(redundancy)))),
+        Ik::ClosedForm => solve(&model, &linkage, target).map(|found| Some((found, None))),
     };
+    let (solved, refused) = match solved {
+        Ok(solved) => (solved, None),
+        Err(reason) => (None, Some(reason)),
+    };
+    let (inverse, redundancy) = solved.unzip();
     let form = inverse.as_ref().map(|certified| &certified.form);
     let idealized = form.filter(|form| !form.is_exact());
     let idealized = idealized.map(|form| (&form.idealized.model, &form.linkage));
@@ -127,6 +143,7 @@ pub(crate) fn compile(
     let file = file_name(&spec.source.path);
     let arm = CompiledArm {
         singular,
+        redundancy: redundancy.flatten(),
         ..CompiledArm::new(file, model, linkage, inverse)
     };
     Ok((arm, refused))
@@ -147,8 +164,20 @@ impl CompiledArm {
             model,
             linkage,
             inverse,
+            redundancy: None,
             singular: None,
         }
+    }
+
+    /// The names of the joints that stay free.
+    pub fn free_joints(&self) -> Vec<String> {
+        let joints = self
+            .redundancy
+            .iter()
+            .flat_map(|redundancy| &redundancy.joints);
+        joints
+            .map(|&joint| self.model.joints[joint].name.clone())
+            .collect()
     }
 
     /// The closed form; none without inverse kinematics.
@@ -156,13 +185,17 @@ impl CompiledArm {
         self.inverse.as_ref().map(|certified| &certified.form)
     }
 
-    /// How many branches inverse kinematics looks at; 0 without it.
+    /// How many branches `ik` looks at; 0 without it.
     pub fn branches(&self) -> usize {
-        self.form().map_or(0, |form| form.plan.branches())
+        let isolated = self.form().filter(|_| self.redundancy.is_none());
+        isolated.map_or(0, |form| form.plan.branches())
     }
 
-    /// What `q` stands for in targets: the whole pose unless said otherwise.
+    /// What of targets counts: the whole pose unless said otherwise.
     pub fn target(&self) -> Target {
-        self.form().map_or(Target::Pose, |form| form.plan.target)
+        match &self.redundancy {
+            Some(redundancy) => redundancy.target,
+            None => self.form().map_or(Target::Pose, |form| form.plan.target),
+        }
     }
 }

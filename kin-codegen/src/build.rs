@@ -72,6 +72,14 @@ impl Config {
         self
     }
 
+    /// A joint whose value `ik_at` takes beside a target, where the arm has more joints
+    /// than its targets have coordinates; once for each. By default those that give the
+    /// cheapest closed form. See [`Options::free`].
+    pub fn free(mut self, joint: impl Into<String>) -> Self {
+        self.options.free.push(joint.into());
+        self
+    }
+
     /// Whether warnings about the robot file are errors; by default they are
     /// shown as warnings of the build script.
     pub fn strict(mut self, strict: bool) -> Self {

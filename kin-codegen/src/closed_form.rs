@@ -3,7 +3,7 @@
 
 use crate::expr::Values;
 use crate::expr::inverse::{FreeAngle, InverseGraph};
-use crate::geometry::{Idealized, Linkage};
+use crate::geometry::{Carried, Idealized, Linkage};
 use crate::model::JointKind;
 use crate::plan::Plan;
 use crate::univariate;
@@ -82,26 +82,52 @@ impl ClosedForm {
         self.refinement == 0
     }
 
-    /// What the generated function will return, computed by the interpreter.
+    /// What the generated function will return, computed by the interpreter; of an arm
+    /// without locked joints.
     pub fn solutions(&self, target: &Pose) -> Vec<BranchSolution> {
+        self.solutions_at(target, &[])
+    }
+
+    /// The same with the values of the locked joints, which are left out of the
+    /// configurations.
+    pub fn solutions_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
         if let Inverse::Univariate(arm) = &self.inverse {
-            let found = arm.solutions(target);
+            let carried = Carried::new(&self.given);
+            let found = arm.solutions(&carried.target(target, parameters));
             return found.iter().map(BranchSolution::of).collect();
         }
-        let mut branches = self.branches(target);
+        let mut branches = self.branches(target, parameters);
         if self.plan.target.is_projected() {
             let tolerance = self.acceptance().tolerance;
             branches.retain(|solution| solution.residual <= tolerance);
             return branches;
         }
         match self.given.variables() {
-            1 => self.refined::<1>(target, &branches),
-            2 => self.refined::<2>(target, &branches),
-            3 => self.refined::<3>(target, &branches),
-            4 => self.refined::<4>(target, &branches),
-            5 => self.refined::<5>(target, &branches),
-            _ => self.refined::<6>(target, &branches),
+            1 => self.refined::<1>(target, parameters, &branches),
+            2 => self.refined::<2>(target, parameters, &branches),
+            3 => self.refined::<3>(target, parameters, &branches),
+            4 => self.refined::<4>(target, parameters, &branches),
+            5 => self.refined::<5>(target, parameters, &branches),
+            _ => self.refined::<6>(target, parameters, &branches),
         }
+    }
+
+    /// All joint values, from those that a target is solved for and those of locked
+    /// joints.
+    pub fn whole(&self, solved: &[f64], parameters: &[f64]) -> Vec<f64> {
+        let mut q = solved.to_vec();
+        for (&joint, &value) in self.given.locked.iter().zip(parameters) {
+            q.insert(joint, value);
+        }
+        q
+    }
+
+    /// The values of the locked joints among all joint values, and the others.
+    pub fn split(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let is_locked = |i: &usize| self.given.locked.contains(i);
+        let (locked, solved) = (0..q.len()).partition::<Vec<usize>, _>(is_locked);
+        let values = |joints: Vec<usize>| joints.into_iter().map(|i| q[i]).collect();
+        (values(locked), values(solved))
     }
 
     /// The plan as expressions, if it is run by them.
@@ -113,16 +139,21 @@ impl ClosedForm {
     }
 
     /// The branches of the plan that exist, if it is run by expressions.
-    pub(crate) fn branches(&self, target: &Pose) -> Vec<BranchSolution> {
+    pub(crate) fn branches(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
         let Some(inverse) = self.expressions() else {
             return Vec::new();
         };
-        let values = evaluate(inverse, target, FREE_BELOW, 0.0);
+        let at = Question {
+            inverse,
+            target,
+            parameters,
+        };
+        let values = at.evaluate(FREE_BELOW, 0.0);
         let branches = 0..self.plan.branches() as u32;
         let exists = |branch: u32| {
             let turned = inverse.free_angle.and_then(|free| {
                 let no_root = values.at(free.no_root, branch) > 0.0;
-                no_root.then(|| turned(inverse, target, branch, free))
+                no_root.then(|| at.turned(branch, free))
             });
             let values = turned.as_ref().unwrap_or(&values);
             let of = |e| values.at(e, branch);
@@ -140,10 +171,11 @@ impl ClosedForm {
     fn refined<const N: usize>(
         &self,
         target: &Pose,
+        parameters: &[f64],
         branches: &[BranchSolution],
     ) -> Vec<BranchSolution> {
         let problem = Problem {
-            fk_jacobian: |q: &[f64; N]| self.given.fk_jacobian(q),
+            fk_jacobian: |q: &[f64; N]| self.given.fk_jacobian(q, parameters),
             target,
             size: self.linkage.size,
             counts: self.plan.target,
@@ -174,50 +206,48 @@ impl ClosedForm {
 
     /// What makes a branch a solution.
     pub fn acceptance(&self) -> Acceptance {
-        let slides = |variable: &usize| {
-            let mut joints = self.idealized.model.joints.iter();
-            joints.any(|joint| joint.variable == *variable && joint.kind == JointKind::Prismatic)
-        };
+        let given = &self.given;
+        let slides = |joint: &usize| given.links[*joint].kind == JointKind::Prismatic;
+        let sliding = (0..given.links.len()).filter(slides);
+        let sliding = sliding.filter_map(|joint| given.coordinate(joint));
         let size = self.linkage.size;
         Acceptance {
             size,
             tolerance: TOLERANCE * size,
             near_singular: self.near_singular(),
-            prismatic: (0..self.given.variables())
-                .filter(slides)
-                .map(|i| 1 << i)
-                .sum(),
+            prismatic: sliding.fold(0, |mask, i| mask | 1 << i),
         }
     }
 }
 
-/// The values with the free angle of a branch turned.
-fn turned<'a>(
+/// What expressions are evaluated for.
+struct Question<'a> {
     inverse: &'a InverseGraph,
-    target: &Pose,
-    branch: u32,
-    free: FreeAngle,
-) -> Values<'a> {
-    let turned = |turn| evaluate(inverse, target, NEARLY_FREE, turn);
-    let level = |turn| turned(turn).at(free.level, branch);
-    turned(roomiest_turn(SAMPLES.map(level)))
+    target: &'a Pose,
+    parameters: &'a [f64],
 }
 
-/// The values for a seed of zeros, but for a turn of the angle that is free
-/// below a threshold.
-fn evaluate<'a>(
-    inverse: &'a InverseGraph,
-    target: &Pose,
-    free_below: f64,
-    turn: f64,
-) -> Values<'a> {
-    let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
-    inputs.extend(target.translation);
-    let seed = inputs.len();
-    inputs.resize(seed + inverse.q.len(), 0.0);
-    if let Some(free) = inverse.free_angle {
-        inputs[seed + free.coordinate] = turn;
+impl<'a> Question<'a> {
+    /// The values with the free angle of a branch turned.
+    fn turned(&self, branch: u32, free: FreeAngle) -> Values<'a> {
+        let turned = |turn| self.evaluate(NEARLY_FREE, turn);
+        let level = |turn| turned(turn).at(free.level, branch);
+        turned(roomiest_turn(SAMPLES.map(level)))
     }
-    inputs.push(free_below);
-    inverse.graph.evaluate_all(&inverse.schedule, &inputs)
+
+    /// The values for a seed of zeros, but for a turn of the angle that is free
+    /// below a threshold.
+    fn evaluate(&self, free_below: f64, turn: f64) -> Values<'a> {
+        let inverse = self.inverse;
+        let mut inputs: Vec<f64> = self.target.rotation.iter().flatten().copied().collect();
+        inputs.extend(self.target.translation);
+        let seed = inputs.len();
+        inputs.resize(seed + inverse.q.len(), 0.0);
+        if let Some(free) = inverse.free_angle {
+            inputs[seed + free.coordinate] = turn;
+        }
+        inputs.extend(self.parameters);
+        inputs.push(free_below);
+        inverse.graph.evaluate_all(&inverse.schedule, &inputs)
+    }
 }

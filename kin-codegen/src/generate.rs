@@ -123,7 +123,7 @@ impl Generated {
         let asked = &self.options;
         let (path, told, ends, target) = match &self.robot {
             Compiled::Arm(arm) => {
-                let target = arm.form().map(|form| form.plan.target);
+                let target = arm.form().map(|_| arm.target());
                 let ends = [&arm.model.base, &arm.model.tip];
                 (&arm.file, header::arm(arm), ends, target)
             }
@@ -133,6 +133,10 @@ impl Generated {
                 (&compiled.file, header::mechanism(compiled), ends, None)
             }
         };
+        let free = match &self.robot {
+            Compiled::Arm(arm) => arm.free_joints(),
+            Compiled::Mechanism(_) => Vec::new(),
+        };
         let [base, tip] = ends.map(|end| Some(end.clone()));
         let options = Options {
             name: Some(self.name.clone()),
@@ -140,6 +144,7 @@ impl Generated {
             tip,
             ik: asked.ik,
             target,
+            free,
             strict: asked.strict,
             krate: asked.krate.clone(),
         };

@@ -52,6 +52,8 @@ pub mod plan;
 #[doc(hidden)]
 pub mod random;
 #[doc(hidden)]
+pub mod redundancy;
+#[doc(hidden)]
 pub mod singularity;
 #[doc(hidden)]
 pub mod solver;

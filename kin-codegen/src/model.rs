@@ -5,6 +5,7 @@ mod chain;
 mod configurations;
 mod frames;
 mod limits;
+mod locked;
 mod mimic;
 mod tip;
 

@@ -28,6 +28,10 @@ pub struct Options {
     pub ik: Ik,
     /// What of a target counts; by default what the arm can choose.
     pub target: Option<Target>,
+    /// The joints, by name, whose values `ik_at` takes beside a target, where an arm has
+    /// more joints than its targets have coordinates; by default those that give the
+    /// cheapest closed form.
+    pub free: Vec<String>,
     /// Whether warnings about the file are errors.
     pub strict: bool,
     /// The path of the crate `kinematics` in generated code, the option `crate`:
@@ -63,12 +67,18 @@ impl fmt::Display for Options {
         let quoted = |link: &Option<String>| link.as_ref().map(|link| format!("{link:?}"));
         let ik = (self.ik != Ik::default()).then(|| self.ik.to_string());
         let target = self.target.map(|target| target.word().to_owned());
+        let free = match &self.free[..] {
+            [] => None,
+            [joint] => Some(format!("{joint:?}")),
+            joints => Some(format!("{joints:?}")),
+        };
         let settings = [
             ("name", self.name.clone()),
             ("base", quoted(&self.base)),
             ("tip", quoted(&self.tip)),
             ("ik", ik),
             ("target", target),
+            ("free", free),
             ("strict", self.strict.then(|| "true".to_owned())),
             ("crate", self.krate.clone()),
         ];
@@ -208,12 +218,13 @@ mod tests {
             tip: Some("tool0".into()),
             ik: Ik::None,
             target: Some(Target::Position),
+            free: vec!["rail".into(), "elbow".into()],
             strict: true,
             krate: Some("::robotics".into()),
         };
         assert_eq!(
             all.to_string(),
-            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, strict = true, crate = ::robotics"#
+            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, free = ["rail", "elbow"], strict = true, crate = ::robotics"#
         );
     }
 

@@ -6,7 +6,7 @@ use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::NoClosedForm;
-use crate::spec::{Diagnostic, Source, one_line};
+use crate::spec::{Diagnostic, Source, list_names, one_line};
 use std::fmt;
 
 /// A robot without closed-form inverse kinematics.
@@ -37,6 +37,10 @@ impl Refusal {
                 "check axes and origins; a joint that repeats another must be fixed, or left out \
                  of the chain by another base or tip. `ik = none` generates forward kinematics \
                  and Jacobians alone"
+            }
+            Reason::Arm(NoClosedForm::Free { .. }) => {
+                "let a joint at an end of the chain stay free, or leave out `free`; `ik = none` \
+                 generates forward kinematics and Jacobians alone"
             }
             _ => "`ik = none` generates forward kinematics and Jacobians alone",
         };
@@ -80,7 +84,20 @@ impl fmt::Display for Refusal {
 
 fn no_closed_form(model: &Model, reason: &NoClosedForm) -> String {
     let n = model.joints.len();
-    let why = match reason {
+    let why = why(model, reason);
+    format!(
+        "no closed-form inverse kinematics for the {n} joints from `{}` to `{}`: {why}",
+        model.base, model.tip
+    )
+}
+
+fn why(model: &Model, reason: &NoClosedForm) -> String {
+    let n = model.joints.len();
+    match reason {
+        NoClosedForm::Free { joints, reason } => {
+            let joints: Vec<&str> = joints.iter().map(String::as_str).collect();
+            format!("with {} free, {}", list_names(&joints), why(model, reason))
+        }
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
         NoClosedForm::Singular { rank, coaxial } => {
             let coaxial = coaxial.as_ref().map_or_else(String::new, |[a, b]| {
@@ -106,11 +123,7 @@ fn no_closed_form(model: &Model, reason: &NoClosedForm) -> String {
         NoClosedForm::Uncertified { plan, failure } => {
             format!("the best plan, {plan}, failed its verification: {failure}")
         }
-    };
-    format!(
-        "no closed-form inverse kinematics for the {n} joints from `{}` to `{}`: {why}",
-        model.base, model.tip
-    )
+    }
 }
 
 /// What targets are, unless they are whole poses.

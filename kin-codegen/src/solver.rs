@@ -13,7 +13,7 @@ use crate::univariate;
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
-const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
+pub(crate) const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
 /// Plans tried at one tolerance before the next: the cheap ones of an arm with
 /// aligned or meeting axes may degenerate where the arm does not.
 const PLANS: usize = 200;
@@ -30,7 +30,7 @@ const UNMOVED: f64 = 1e-12;
 
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
-const DESIGNED: f64 = 5e-3;
+pub(crate) const DESIGNED: f64 = 5e-3;
 
 /// Newton doubles the digits: two or three steps do at a regular
 /// configuration. Near a singular one the first steps have to find the way.
@@ -39,6 +39,9 @@ const REFINEMENT: usize = 24;
 /// A root may be out of domain by this many times the shift of the tip and
 /// still have a solution on the arm as given.
 const DOMAIN_MARGIN: f64 = 5.0;
+
+/// Values of locked joints at which nothing is aligned.
+pub(crate) const SOMEWHERE: f64 = 0.83;
 
 /// A closed form that was seen to work.
 #[derive(Clone, Debug)]
@@ -64,6 +67,14 @@ pub enum NoClosedForm {
     },
     /// More joints than the target has coordinates.
     Redundant(Target),
+    /// The others are not solved when these joints stay free, the first choice if none was
+    /// asked for.
+    Free {
+        /// Their names.
+        joints: Vec<String>,
+        /// Why.
+        reason: Box<NoClosedForm>,
+    },
     /// The search found no sequence of subproblems for targets of this kind.
     NoPlan(Target),
     /// The axes are off exact relations, and a target of this kind is projected
@@ -78,7 +89,8 @@ pub enum NoClosedForm {
     },
 }
 
-/// Finds and verifies a closed form.
+/// Finds and verifies a closed form; the joints that the linkage has locked are given
+/// with the target.
 ///
 /// # Errors
 ///
@@ -87,12 +99,13 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
     }
-    let rank = rank(model);
-    if rank < model.joints.len().min(6) {
+    let joints = model.joints.len() - linkage.locked.len();
+    let rank = rank_without(model, &linkage.locked);
+    if rank < joints.min(6) {
         let coaxial = coaxial(model);
         return Err(NoClosedForm::Singular { rank, coaxial });
     }
-    if model.joints.len() > target.coordinates() {
+    if joints > target.coordinates() {
         return Err(NoClosedForm::Redundant(target));
     }
     let trials = Trials::new(model, linkage, target);
@@ -128,6 +141,15 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
     }
 }
 
+/// The largest number of independent ways in which the joints move the tip that are not
+/// locked.
+fn rank_without(model: &Model, locked: &[usize]) -> usize {
+    match locked.is_empty() {
+        true => rank(model),
+        false => rank(&model.locked(locked, &vec![SOMEWHERE; locked.len()])),
+    }
+}
+
 /// A polynomial in one joint, for an arm that the subproblems do not solve.
 fn last_resort(
     trials: &Trials,
@@ -136,16 +158,17 @@ fn last_resort(
 ) -> Result<Certified, NoClosedForm> {
     let linkage = trials.linkage();
     let arm = match target {
-        Target::Pose => univariate::Arm::new(linkage),
+        Target::Pose => univariate::Arm::between(trials.model(), linkage),
         _ => None,
     };
     let Some(arm) = arm else {
         return Err(refusal);
     };
     let joints = arm.kept[0].elimination.joints;
+    let joints = joints.iter().filter_map(|&i| linkage.joint_of(i.into()));
     let step = Step {
         subproblem: Subproblem::Univariate,
-        unknowns: joints.map(|joint| Atom::Joint(joint.into())).to_vec(),
+        unknowns: joints.map(Atom::Joint).collect(),
         relations: Vec::new(),
         complement: None,
     };
@@ -184,7 +207,7 @@ fn coaxial(model: &Model) -> Option<[String; 2]> {
 }
 
 /// The one that loses fewer regular targets, then fewer singular ones.
-fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
+pub(crate) fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
     let missing = |found: &Certified| (found.certificate.lost, found.certificate.unanswered);
     match best {
         Some(best) if missing(&best) <= missing(&other) => Some(best),
@@ -198,8 +221,14 @@ fn solve_idealized(
     target: Target,
 ) -> Result<Certified, NoClosedForm> {
     let linkage = Linkage::for_target(&idealized.model, target);
+    let linkage = linkage.with_locked(&trials.linkage().locked);
     let tip_shift = tip_shift(trials.model(), &idealized.model);
     let exact = tip_shift < UNMOVED * linkage.size;
+    let locked = &linkage.locked;
+    if !exact && rank_without(&idealized.model, locked) < linkage.variables().min(6) {
+        // Of the ideal arm, the others are singular throughout.
+        return Err(NoClosedForm::NoPlan(target));
+    }
     if !exact && target.is_projected() {
         return Err(NoClosedForm::Noisy);
     }
@@ -282,7 +311,7 @@ fn solve_idealized(
 
 /// How far apart the tips of two arms get, with orientation as a length at
 /// the distance of the arm's size; metres.
-fn tip_shift(given: &Model, idealized: &Model) -> f64 {
+pub(crate) fn tip_shift(given: &Model, idealized: &Model) -> f64 {
     let (a, b) = (given.chain(), idealized.chain());
     let size = size(given);
     let at = |k: usize| {

@@ -62,6 +62,11 @@ fn a_calibrated_arm() {
 }
 
 #[test]
+fn seven_joints_of_which_one_is_given() {
+    check("robots/panda.yaml", "panda.rs");
+}
+
+#[test]
 fn a_parallel_mechanism() {
     check("robots/delta.yaml", "delta.rs");
 }

@@ -6,11 +6,11 @@ use quote::ToTokens;
 use std::fmt::Display;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::{Error, Ident, LitBool, LitStr, Path, Result, Token};
+use syn::{Error, Ident, LitBool, LitStr, Path, Result, Token, bracketed, token};
 
 /// The options, as they are written.
-const OPTIONS: [&str; 8] = [
-    "name", "base", "tip", "ik", "target", "strict", "crate", "debug",
+const OPTIONS: [&str; 9] = [
+    "name", "base", "tip", "ik", "target", "free", "strict", "crate", "debug",
 ];
 
 /// `"arm.urdf", name = Arm, base = "base_link", ..`
@@ -69,6 +69,7 @@ impl Arguments {
             "tip" => options.tip = Some(value.link()?),
             "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
             "target" => options.target = Some(value.word(&Target::WORDS, target)?),
+            "free" => options.free = value.joints()?,
             "strict" => options.strict = value.switch()?,
             "crate" => {
                 let (path, dollar_crate) = value.path()?;
@@ -191,6 +192,24 @@ impl Value<'_> {
         let example = format!("`{} = \"link\"`", self.option);
         let link: LitStr = self.parse(format!("the name of a link, in quotes: {example}"))?;
         Ok(link.value())
+    }
+
+    /// `"rail"`, or several in brackets
+    fn joints(&self) -> Result<Vec<String>> {
+        let what = "the name of a joint, in quotes, or several in brackets: `free = \"joint\"`, \
+                    `free = [\"rail\", \"joint\"]`";
+        if !self.input.peek(token::Bracket) {
+            return Ok(vec![self.parse::<LitStr>(what)?.value()]);
+        }
+        let names;
+        let brackets = bracketed!(names in self.input);
+        let names = names.parse_terminated(|name| name.parse::<LitStr>(), Token![,]);
+        let refused = || error(brackets.span.join(), format!("`free` takes {what}"));
+        let names = names.map_err(|_| refused())?;
+        match names.is_empty() {
+            true => Err(refused()),
+            false => Ok(names.iter().map(LitStr::value).collect()),
+        }
     }
 
     /// `none`

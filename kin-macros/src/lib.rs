@@ -46,6 +46,11 @@ use proc_macro::TokenStream;
 ///   tip's z axis, `orientation` the rotation. By default `position` for arms
 ///   of up to three joints whose position fixes them, such as a planar 2R arm,
 ///   and `pose` for all others.
+/// - **`free = "joint"`**: the joint whose value `ik_at` takes beside a target, of an
+///   arm with more joints than its targets have coordinates; several in brackets,
+///   `free = ["rail", "joint"]`. By default the joint that leaves the others the
+///   cheapest closed form, which the type's documentation tells; with
+///   `target = position_axis` the turn of the tool comes before any joint.
 /// - **`strict = true`**: what is odd in the file and changes nothing of the
 ///   robot is an error too. By default the type's documentation lists it.
 /// - **`crate = ::robotics`**: the path under which the code finds the crate

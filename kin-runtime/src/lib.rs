@@ -48,7 +48,9 @@ pub use analysis::{
 #[cfg(feature = "alloc")]
 pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
 pub use parallel::{ParallelKinematics, Postures};
-pub use robot::{Body, Following, Frame, Kinematics, WithBase, WithTool};
+pub use robot::{
+    Body, Following, Frame, Kinematics, Parameter, RedundantKinematics, WithBase, WithTool,
+};
 #[cfg(feature = "alloc")]
 pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
@@ -68,6 +70,7 @@ pub mod __private {
     pub use crate::generated::branches::Branches;
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::lanes::{self, widen};
+    pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement;
     pub use crate::generated::univariate::{self, Elimination, Univariate};
     pub use crate::linear::span::Span;

@@ -88,6 +88,13 @@ robots! {
     slide_pose SlidePose "robots/targets/slide.yaml" => pose
 }
 
+/// Arms that take a parameter beside a target.
+const REDUNDANT: [&str; 3] = [
+    "../robots/iiwa14.yaml",
+    "../robots/panda.yaml",
+    "../robots/sawyer.yaml",
+];
+
 /// The files of a folder, by their paths in the project.
 fn files(folder: &str) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
@@ -108,7 +115,10 @@ fn is_mechanism(file: &str) -> bool {
 
 #[test]
 fn no_robot_is_left_out() {
-    assert_eq!(files("../robots"), EXACT);
+    let mut exact = files("../robots");
+    // Those with a joint too many are in `tests/redundant`.
+    exact.retain(|file| !REDUNDANT.contains(&file.as_str()));
+    assert_eq!(exact, EXACT);
     assert_eq!(files("robots/noisy"), NOISY);
     assert_eq!(files("robots/table"), TABLE);
     let aimed = files("robots/targets");

@@ -4,6 +4,7 @@ use crate::sweep::{Fault, Kind, Settings, sweep};
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::geometry::structure;
 use kin_codegen::mechanism::CompiledMechanism;
+use kin_codegen::redundancy::Redundancy;
 use kin_codegen::solver::Certified;
 use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
@@ -107,8 +108,12 @@ fn of_arm(arm: &CompiledArm) -> String {
         }) => {
             let branches = form.plan.branches();
             let worst = certificate.worst_residual;
+            let free = match &arm.redundancy {
+                Some(redundancy) => format!("{} free, ", words(redundancy)),
+                None => String::new(),
+            };
             let mut line = format!(
-                "{}, {branches} branches, worst residual {worst:.1e} m",
+                "{free}{}, {branches} branches, worst residual {worst:.1e} m",
                 form.plan
             );
             if certificate.excused > 0 {
@@ -125,6 +130,17 @@ fn of_arm(arm: &CompiledArm) -> String {
         }
         None => FORWARD_ALONE.into(),
     }
+}
+
+/// `q1`, `q3 and the turn of the tool`.
+pub fn words(redundancy: &Redundancy) -> String {
+    let joints = redundancy
+        .joints
+        .iter()
+        .map(|joint| format!("q{}", joint + 1));
+    let turn = redundancy.turn.then(|| "the turn of the tool".to_owned());
+    let all: Vec<String> = joints.chain(turn).collect();
+    all.join(" and ")
 }
 
 fn of_mechanism(mechanism: &CompiledMechanism) -> String {

@@ -51,7 +51,7 @@ impl ArmExplanation {
             fk: forward.tip_cost(),
             fk_jacobian: forward.tip_and_jacobian_cost(),
             singularities: singular.map(|singular| Singularities::of(model, singular)),
-            inverse: arm.inverse.as_ref().map(Inverse::of),
+            inverse: arm.inverse.as_ref().map(|found| Inverse::of(arm, found)),
             refusal,
         }
     }

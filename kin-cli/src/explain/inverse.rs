@@ -2,11 +2,14 @@
 
 use super::{Idealization, Step};
 use kin_codegen::Target;
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::certificate::Certificate;
 use kin_codegen::closed_form::Inverse as Solved;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::InverseGraph;
+use kin_codegen::geometry::Linkage;
 use kin_codegen::plan::Plans;
+use kin_codegen::redundancy;
 use kin_codegen::solver::Certified;
 use kin_codegen::univariate::Kept;
 use serde::Serialize;
@@ -19,6 +22,12 @@ const ALTERNATIVES: usize = 3;
 pub struct Inverse {
     /// What of a pose counts, as the option `target` has it.
     pub target: &'static str,
+    /// What is given beside a target: a joint, `q7`, or `turn`, that of the tool; empty
+    /// where targets have isolated solutions.
+    pub free: Vec<String>,
+    /// What the joints that stay free were chosen from, the best first; empty where they
+    /// were asked for or nothing is given.
+    pub weighed: Vec<Weighed>,
     /// What was idealized; none if the file is exact.
     pub idealization: Option<Idealization>,
     /// The plan in short: `SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6)`.
@@ -36,6 +45,16 @@ pub struct Inverse {
     pub kept: Vec<KeptJoint>,
     /// What was seen when the plan was run.
     pub certificate: Certificate,
+}
+
+/// Joints that could stay free.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Weighed {
+    /// `q7`.
+    pub free: Vec<String>,
+    /// The operations of all branches of the first plan for the others, each by what it
+    /// costs; none if there is no plan.
+    pub weight: Option<usize>,
 }
 
 /// A joint that is kept while all others are eliminated.
@@ -62,12 +81,18 @@ pub struct LaneCost {
 }
 
 impl Inverse {
-    pub(super) fn of(certified: &Certified) -> Self {
+    pub(super) fn of(arm: &CompiledArm, certified: &Certified) -> Self {
         let form = &certified.form;
+        let redundancy = arm.redundancy.iter();
+        let turn = redundancy.clone().filter(|it| it.turn);
+        let weighed = redundancy.clone().flat_map(|it| &it.weighed);
+        let joints = redundancy.flat_map(|it| unknowns(&it.joints));
         let plan = &form.plan;
         let steps = plan.steps.iter();
         Self {
-            target: plan.target.word(),
+            target: arm.target().word(),
+            free: joints.chain(turn.map(|_| "turn".into())).collect(),
+            weighed: weighed.map(Weighed::of).collect(),
             idealization: Idealization::of(form),
             plan: plan.to_string(),
             steps: steps.map(|step| Step::of(step, &form.linkage)).collect(),
@@ -80,7 +105,10 @@ impl Inverse {
             cost: form.expressions().map(LaneCost::of),
             kept: match &form.inverse {
                 Solved::Expressions(_) => Vec::new(),
-                Solved::Univariate(arm) => arm.kept.iter().map(KeptJoint::of).collect(),
+                Solved::Univariate(arm) => {
+                    let kept = arm.kept.iter();
+                    kept.map(|kept| KeptJoint::of(kept, &form.given)).collect()
+                }
             },
             certificate: certified.certificate,
         }
@@ -95,10 +123,28 @@ impl Inverse {
     }
 }
 
-impl KeptJoint {
-    fn of(kept: &Kept) -> Self {
+/// `q1`, for each.
+fn unknowns(joints: &[usize]) -> Vec<String> {
+    joints
+        .iter()
+        .map(|joint| format!("q{}", joint + 1))
+        .collect()
+}
+
+impl Weighed {
+    fn of(weighed: &redundancy::Weighed) -> Self {
         Self {
-            unknown: format!("q{}", kept.elimination.joints[0] + 1),
+            free: unknowns(&weighed.joints),
+            weight: weighed.weight,
+        }
+    }
+}
+
+impl KeptJoint {
+    fn of(kept: &Kept, linkage: &Linkage) -> Self {
+        let joint = linkage.joint_of(kept.elimination.joints[0].into());
+        Self {
+            unknown: unknowns(joint.as_slice()).concat(),
             degree: kept.elimination.degree,
             unsure: kept.unsure,
             noise: kept.noise,

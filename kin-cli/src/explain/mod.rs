@@ -17,7 +17,7 @@ pub use arm::ArmExplanation;
 pub use chain::{Chain, FixedFrame, Joint, JointMotion, Mimic};
 pub(crate) use command::run;
 pub use idealization::{Idealization, Moved};
-pub use inverse::{Inverse, KeptJoint, LaneCost};
+pub use inverse::{Inverse, KeptJoint, LaneCost, Weighed};
 pub use mechanism::{
     Actuation, ForwardExplanation, InverseExplanation, LegExplanation, MechanismExplanation,
     Mobility,

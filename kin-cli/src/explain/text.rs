@@ -3,7 +3,7 @@
 use super::singular::NOT_SQUARE;
 use super::{
     ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, KeptJoint, Step,
-    write_warnings,
+    Weighed, write_warnings,
 };
 use kin_codegen::spec::one_line;
 use std::fmt::{self, Display, Formatter};
@@ -136,6 +136,9 @@ impl Display for Inverse {
         if let Some(target) = self.part_of_pose() {
             writeln!(f, "  Targets are {target}: the rest of a pose is not read.")?;
         }
+        if !self.free.is_empty() {
+            self.write_free(f)?;
+        }
         if let Some(idealization) = &self.idealization {
             write!(f, "{idealization}")?;
         }
@@ -179,6 +182,36 @@ impl Display for Inverse {
         )?;
         let mut reservations = seen.reservations().into_iter();
         reservations.try_for_each(|reservation| writeln!(f, "  {reservation}"))
+    }
+}
+
+impl Inverse {
+    /// What is given beside a target, and why that.
+    fn write_free(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let name = |free: &String| match free.as_str() {
+            "turn" => "the turn of the tool about the tip's z axis".to_owned(),
+            joint => joint.to_owned(),
+        };
+        let free: Vec<String> = self.free.iter().map(name).collect();
+        write!(f, "  Given beside a target: {}", free.join(", "))?;
+        let told = |weighed: &Weighed| {
+            let weight = weighed.weight?;
+            Some(format!("{}: {weight}", weighed.free.join(" and ")))
+        };
+        let weights: Vec<String> = self.weighed.iter().filter_map(told).collect();
+        match (self.weighed.len(), &weights[..]) {
+            (0 | 1, _) => writeln!(f, "."),
+            (_, []) => writeln!(
+                f,
+                ". No joint leaves the others a closed form; of those at the ends of the chain \
+                 it leaves the best polynomial."
+            ),
+            (_, weights) => writeln!(
+                f,
+                ". That leaves the others the cheapest plan, by operations of all branches: {}.",
+                weights.join("; ")
+            ),
+        }
     }
 }
 

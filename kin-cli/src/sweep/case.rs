@@ -7,6 +7,7 @@ use kin_codegen::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
 use kin_codegen::geometry::{conditioning, size};
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Pose};
+use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
 /// An arm and its closed form.
@@ -55,8 +56,12 @@ impl<'a> Case<'a> {
     pub(super) fn run(&self, q: Vec<f64>) -> Outcome {
         let target = self.chain.fk(&q);
         let start = Instant::now();
-        let solutions = self.form.solutions(&target);
+        let (parameters, _) = self.form.split(&q);
+        let mut solutions = self.form.solutions_at(&target, &parameters);
         let took = start.elapsed();
+        for solution in &mut solutions {
+            solution.q = self.form.whole(&solution.q, &parameters);
+        }
         let residual = |solution: &BranchSolution| self.residual(&solution.q, &target);
         Outcome {
             conditioning: self.conditioning(&q),
@@ -75,9 +80,22 @@ impl<'a> Case<'a> {
             .distance(&self.chain.fk(q), target, self.size)
     }
 
+    /// The chain of the joints that targets are solved for, and their values.
+    pub(super) fn solved_for(&self, q: &[f64]) -> (Cow<'_, Chain>, Vec<f64>) {
+        let locked = &self.form.given.locked;
+        if locked.is_empty() {
+            return (Cow::Borrowed(&self.chain), q.to_vec());
+        }
+        // From the last on, so that the places of the others stay.
+        let hold = |chain: Chain, &joint: &usize| chain.locked(joint, q[joint]);
+        let chain = locked.iter().rev().fold(self.chain.clone(), hold);
+        (Cow::Owned(chain), self.form.split(q).1)
+    }
+
     /// How far from singular a configuration is.
     pub(super) fn conditioning(&self, q: &[f64]) -> f64 {
-        conditioning(&self.chain, q, self.size, self.form.plan.target)
+        let (chain, solved) = self.solved_for(q);
+        conditioning(&chain, &solved, self.size, self.form.plan.target)
     }
 
     pub(super) fn is_near_singular(&self, q: &[f64]) -> bool {

@@ -82,9 +82,23 @@ impl Comparison {
     }
 }
 
-/// What the search finds for a target.
+/// What the search finds for a target, with locked joints where the configuration has
+/// them.
 pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
-    case.chain.ik_all(&outcome.target, &options(case))
+    let (chain, _) = case.solved_for(&outcome.q);
+    let found = chain.ik_all(&outcome.target, &options(case));
+    found
+        .into_iter()
+        .map(|found| whole(case, outcome, found))
+        .collect()
+}
+
+fn whole(case: &Case, outcome: &Outcome, found: ChainSolution) -> ChainSolution {
+    let (parameters, _) = case.form.split(&outcome.q);
+    ChainSolution {
+        q: case.form.whole(&found.q, &parameters),
+        ..found
+    }
 }
 
 fn options(case: &Case) -> SearchOptions {
@@ -101,9 +115,9 @@ fn is_confirmed(
     solution: &BranchSolution,
     conditioning: f64,
 ) -> bool {
-    let landed = case
-        .chain
-        .ik_from(&outcome.target, &options(case), &solution.q);
+    let (chain, start) = case.solved_for(&solution.q);
+    let landed = chain.ik_from(&outcome.target, &options(case), &start);
+    let landed = landed.map(|landed| whole(case, outcome, landed));
     landed.is_some_and(|landed| case.is_among(&solution.q, &[as_solution(&landed)], conditioning))
 }
 

@@ -25,7 +25,7 @@ pub fn sampling<'a>(
     compiled: &'a CompiledArm,
     arguments: &arguments::Workspace,
 ) -> Option<Sampling<'a>> {
-    let form = compiled.form()?;
+    let form = compiled.form().filter(|_| compiled.redundancy.is_none())?;
     let model = &compiled.model;
     let axes = axes(model);
     let planar = is_planar(model, &axes);

@@ -8,9 +8,10 @@
 //! (*sound*), and no solution twice.
 
 mod alignment;
+mod parameters;
 
 use crate::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
-use crate::geometry::{self, Linkage, size};
+use crate::geometry::{self, Linkage};
 use crate::model::{Model, configurations};
 use crate::plan::Target;
 use crate::random::Random;
@@ -99,10 +100,20 @@ pub struct Trials<'a> {
     model: &'a Model,
     linkage: &'a Linkage,
     target: Target,
-    chain: Chain,
-    all: Vec<Trial>,
+    /// One for each value of the locked joints that is tried; a single one where none
+    /// is locked.
+    held: Vec<Held>,
     /// The conditioning of random configurations.
     spread: OnceCell<Vec<f64>>,
+}
+
+/// The arm with its locked joints at some values: what targets are solved for, and what
+/// is singular, are the others.
+struct Held {
+    parameters: Vec<f64>,
+    model: Model,
+    chain: Chain,
+    all: Vec<Trial>,
 }
 
 struct Trial {
@@ -120,29 +131,19 @@ struct Trial {
 impl<'a> Trials<'a> {
     /// Moves the arm to all the configurations.
     pub fn new(model: &'a Model, linkage: &'a Linkage, target: Target) -> Self {
-        let (chain, size) = (model.chain(), size(model));
-        let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {
-            pose: chain.fk(&q),
-            conditioning: geometry::conditioning(&chain, &q, size, target),
-            q,
-            aligned,
-            is_attack,
-        };
-        let round = configurations(model);
-        let beside = alignment::neighbours(&round);
-        let aligned = alignment::aligned(model);
-        let nearly = alignment::neighbours(&aligned);
-        let all = (round.into_iter().map(|q| trial(q, false, false)))
-            .chain(beside.into_iter().map(|q| trial(q, false, true)))
-            .chain(aligned.into_iter().map(|q| trial(q, true, true)))
-            .chain(nearly.into_iter().map(|q| trial(q, true, true)))
-            .collect();
+        let held = parameters::tried(model, &linkage.locked);
+        let held = held.into_iter().map(|parameters| {
+            let model = match parameters.is_empty() {
+                true => model.clone(),
+                false => model.locked(&linkage.locked, &parameters),
+            };
+            Held::new(parameters, model, linkage.size, target)
+        });
         Self {
             model,
             linkage,
             target,
-            chain,
-            all,
+            held: held.collect(),
             spread: OnceCell::new(),
         }
     }
@@ -157,36 +158,68 @@ impl<'a> Trials<'a> {
         self.linkage
     }
 
-    /// Targets that the arm was not seen to reach, and some that it cannot: the
-    /// orientation of one configuration where another puts the tip, or farther.
-    fn elsewhere(&self) -> impl Iterator<Item = Pose> {
-        let poses = self.all.iter().map(|trial| trial.pose);
-        let farther = [0.9, 1.0, 1.1, 2.0].into_iter().cycle();
-        let pairs = poses.clone().zip(poses.skip(1)).zip(farther);
-        let whole = !self.target.is_projected();
-        pairs
-            .take(if whole { ELSEWHERE } else { 0 })
-            .map(|((one, other), farther)| Pose {
-                rotation: one.rotation,
-                translation: other.translation.map(|x| farther * x),
-            })
-    }
-
     /// The share of random configurations of less conditioning.
     fn share_below(&self, conditioning: f64) -> f64 {
         if conditioning == 0.0 {
             return 0.0;
         }
         let spread = self.spread.get_or_init(|| {
-            let n = self.model.variables.len();
             let mut random = Random(0xc2b2_ae3d_27d4_eb4f);
+            let n = self.linkage.variables();
             let mut anywhere = || (0..n).map(|_| random.between(-PI, PI)).collect::<Vec<_>>();
             let size = self.linkage.size;
-            let at = |q: &[f64]| geometry::conditioning(&self.chain, q, size, self.target);
-            (0..SHARE).map(|_| at(&anywhere())).collect()
+            // At quarter turns of a locked joint the others may be singular throughout.
+            let anywhere_held = &self.held[..self.held.len().min(parameters::ANYWHERE)];
+            let held = anywhere_held.iter().cycle().take(SHARE);
+            let at =
+                |held: &Held, q: &[f64]| geometry::conditioning(&held.chain, q, size, self.target);
+            held.map(|held| at(held, &anywhere())).collect()
         });
         let below = spread.iter().filter(|&&x| x < conditioning).count();
         below as f64 / SHARE as f64
+    }
+}
+
+impl Held {
+    fn new(parameters: Vec<f64>, model: Model, size: f64, target: Target) -> Self {
+        let chain = model.chain();
+        let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {
+            pose: chain.fk(&q),
+            conditioning: geometry::conditioning(&chain, &q, size, target),
+            q,
+            aligned,
+            is_attack,
+        };
+        let round = configurations(&model);
+        let beside = alignment::neighbours(&round);
+        let aligned = alignment::aligned(&model);
+        let nearly = alignment::neighbours(&aligned);
+        let all = (round.into_iter().map(|q| trial(q, false, false)))
+            .chain(beside.into_iter().map(|q| trial(q, false, true)))
+            .chain(aligned.into_iter().map(|q| trial(q, true, true)))
+            .chain(nearly.into_iter().map(|q| trial(q, true, true)))
+            .collect();
+        Self {
+            parameters,
+            model,
+            chain,
+            all,
+        }
+    }
+
+    /// Targets that the arm was not seen to reach, and some that it cannot: the
+    /// orientation of one configuration where another puts the tip, or farther.
+    fn elsewhere(&self, target: Target) -> impl Iterator<Item = Pose> {
+        let poses = self.all.iter().map(|trial| trial.pose);
+        let farther = [0.9, 1.0, 1.1, 2.0].into_iter().cycle();
+        let pairs = poses.clone().zip(poses.skip(1)).zip(farther);
+        let whole = !target.is_projected();
+        pairs
+            .take(if whole { ELSEWHERE } else { 0 })
+            .map(|((one, other), farther)| Pose {
+                rotation: one.rotation,
+                translation: other.translation.map(|x| farther * x),
+            })
     }
 }
 
@@ -203,34 +236,40 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
         excused_share: trials.share_below(excused),
         ..Certificate::default()
     };
-    for trial in &trials.all {
-        certificate.configurations += 1;
-        let is_excused = trial.conditioning < excused;
-        certificate.excused += usize::from(is_excused);
-        let is_dear = trial.is_attack || certificate.excused > EXCUSED;
-        if !(is_excused && is_dear) {
-            certificate.add(trials, form, trial, is_excused, losses)?;
+    for held in &trials.held {
+        for trial in &held.all {
+            certificate.configurations += 1;
+            let is_excused = trial.conditioning < excused;
+            certificate.excused += usize::from(is_excused);
+            let is_dear = trial.is_attack || certificate.excused > EXCUSED;
+            if !(is_excused && is_dear) {
+                let run = Run { trials, held, form };
+                certificate.add(&run, trial, is_excused, losses)?;
+            }
         }
-    }
-    for target in trials.elsewhere() {
-        certificate.sound(trials, form, &target)?;
+        for target in held.elsewhere(trials.target) {
+            certificate.sound(&Run { trials, held, form }, &target)?;
+        }
     }
     Ok(certificate)
 }
 
+/// A closed form under trial.
+struct Run<'a> {
+    trials: &'a Trials<'a>,
+    held: &'a Held,
+    form: &'a ClosedForm,
+}
+
 impl Certificate {
     /// The solutions to a target, all of which reach it.
-    fn sound(
-        &mut self,
-        trials: &Trials,
-        form: &ClosedForm,
-        target: &Pose,
-    ) -> Result<Vec<BranchSolution>, Failure> {
+    fn sound(&mut self, run: &Run, target: &Pose) -> Result<Vec<BranchSolution>, Failure> {
+        let Run { trials, held, form } = run;
         let size = trials.linkage.size;
-        let solutions = form.solutions(target);
+        let solutions = form.solutions_at(target, &held.parameters);
         self.solutions += solutions.len();
         for solution in &solutions {
-            let found = trials.chain.fk(&solution.q);
+            let found = held.chain.fk(&solution.q);
             let distance = trials.target.distance(&found, target, size);
             self.worst_residual = self.worst_residual.max(distance);
             if distance.is_nan() || distance > TOLERANCE * size {
@@ -267,8 +306,7 @@ impl Certificate {
 
     fn add(
         &mut self,
-        trials: &Trials,
-        form: &ClosedForm,
+        run: &Run,
         trial: &Trial,
         is_excused: bool,
         losses: usize,
@@ -279,7 +317,8 @@ impl Certificate {
             conditioning,
             ..
         } = trial;
-        let solutions = self.sound(trials, form, pose)?;
+        let model = &run.held.model;
+        let solutions = self.sound(run, pose)?;
         if *conditioning < SINGULAR {
             self.singular += 1;
             self.unanswered += usize::from(solutions.is_empty());
@@ -288,12 +327,12 @@ impl Certificate {
         self.most_solutions = self.most_solutions.max(solutions.len());
         let flagged = solutions.iter().filter(|solution| solution.singular);
         let flagged: Vec<BranchSolution> = flagged.cloned().collect();
-        match recovered(trials.model, q, &solutions, *conditioning) {
+        match recovered(model, q, &solutions, *conditioning) {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
             Err(Failure::Lost(_)) if trial.aligned && self.lost < losses => self.lost += 1,
             Err(other) => return Err(other),
             // A double root that is none of the arm has half of its digits.
-            Ok(()) if *conditioning > REGULAR && is_among(trials.model, q, &flagged, 1e-6) => {
+            Ok(()) if *conditioning > REGULAR && is_among(model, q, &flagged, 1e-6) => {
                 if self.lost == losses {
                     return Err(Failure::Lost(q.clone()));
                 }

@@ -1,19 +1,21 @@
 //! The rustdoc of a generated type: what it is, how to use it, its joints, its
 //! plan, and what its branches are called. Lines of Markdown.
 
-use super::headings::{does, steps};
+use super::headings::{does, list, steps};
 use super::postures::Postures;
+use super::redundant::given;
 use super::text::{code, degrees, number, one_line};
 use crate::arm::CompiledArm;
 use crate::closed_form::{ClosedForm, Inverse};
-use crate::geometry::structure;
+use crate::geometry::{Linkage, structure};
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};
 use crate::plan::Target;
 use crate::random::Random;
+use crate::redundancy::Weighed;
 use crate::solver::Certified;
 use crate::spec::Diagnostic;
-use crate::univariate::Arm;
+use crate::univariate::{Arm, Kept};
 use kin_runtime::Pose;
 use proc_macro2::Ident;
 
@@ -47,7 +49,8 @@ pub fn arm(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
     match &compiled.inverse {
         None => lines.push("None: generated with `ik = none`.".into()),
         Some(certified) => {
-            lines.extend(inverse(certified));
+            lines.extend(redundancy(compiled));
+            lines.extend(inverse(certified, compiled.target()));
             lines.extend(section("Branches"));
             lines.extend(branches(&certified.form));
         }
@@ -194,14 +197,42 @@ fn joints<'a>(all: impl Iterator<Item = (&'a Variable, bool, String)>) -> Vec<St
     head.chain(all.enumerate().map(row)).collect()
 }
 
-fn inverse(certified: &Certified) -> Vec<String> {
+/// What stays free, and why that.
+fn redundancy(compiled: &CompiledArm) -> Vec<String> {
+    let Some(redundancy) = &compiled.redundancy else {
+        return Vec::new();
+    };
+    let model = &compiled.model;
+    let given = list(given(model, redundancy, "it"));
+    let others = |weighed: &Weighed| {
+        let joints = list(weighed.joints.iter().map(|joint| format!("q{}", joint + 1)));
+        weighed.weight.map(|weight| format!("{joints}: {weight}"))
+    };
+    let weighed: Vec<String> = redundancy.weighed.iter().filter_map(others).collect();
+    let why = match (redundancy.weighed.len(), &weighed[..]) {
+        (0 | 1, _) => String::new(),
+        (_, []) => " No joint makes the others a closed form; this one leaves the best polynomial \
+                    of those at the ends of the chain."
+            .into(),
+        (_, all) => format!(
+            " It makes the plan for the others cheapest, in operations of all branches ({}).",
+            all.join(", ")
+        ),
+    };
+    vec![
+        format!("`ik_at` is given beside a target {given}.{why}"),
+        String::new(),
+    ]
+}
+
+fn inverse(certified: &Certified, target: Target) -> Vec<String> {
     let (solver, seen) = (&certified.form, &certified.certificate);
     let plan = &solver.plan;
     let mut lines = Vec::new();
-    if plan.target != Target::Pose {
+    if target != Target::Pose {
         lines.push(format!(
             "Targets are {}: the rest of a pose is not read.",
-            plan.target.phrase()
+            target.phrase()
         ));
         lines.push(String::new());
     }
@@ -212,7 +243,7 @@ fn inverse(certified: &Certified) -> Vec<String> {
                 lines.push(format!("{}. {sentence}{}", i + 1, does(step.subproblem)));
             }
         }
-        Inverse::Univariate(arm) => lines.push(univariate(arm)),
+        Inverse::Univariate(arm) => lines.push(univariate(arm, &solver.given)),
     }
     if solver.linkage.has_free_turn {
         lines.push(String::new());
@@ -260,14 +291,15 @@ fn inverse(certified: &Certified) -> Vec<String> {
 }
 
 /// Which joint is kept, and how well that does.
-fn univariate(arm: &Arm) -> String {
-    let mut kept = arm.kept.iter().map(|kept| kept.elimination);
-    let (joint, degree) = kept
-        .next()
-        .map_or((0, 0), |first| (first.joints[0] + 1, first.degree));
-    let others: Vec<String> = kept
-        .map(|next| format!("q{}", next.joints[0] + 1))
-        .collect();
+fn univariate(arm: &Arm, linkage: &Linkage) -> String {
+    let number = |kept: &Kept| {
+        let joint = linkage.joint_of(kept.elimination.joints[0].into());
+        joint.map(|joint| format!("q{}", joint + 1))
+    };
+    let mut kept = arm.kept.iter().filter_map(number);
+    let joint = kept.next().unwrap_or_default();
+    let degree = arm.kept.first().map_or(0, |kept| kept.elimination.degree);
+    let others: Vec<String> = kept.collect();
     let others = match others.is_empty() {
         true => String::new(),
         false => format!(
@@ -276,7 +308,7 @@ fn univariate(arm: &Arm) -> String {
         ),
     };
     format!(
-        "No sequence of subproblems solves the chain. All joints but q{joint} are eliminated, \
+        "No sequence of subproblems solves the chain. All joints but {joint} are eliminated, \
          which leaves a trigonometric polynomial of degree {degree} in it{others}."
     )
 }
@@ -334,10 +366,23 @@ fn example(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
     lines.push("```ignore".into());
     lines.push(format!("let q = [{}]; // {units}", values.join(", ")));
     lines.push(format!("let pose = {name}.fk(&q);"));
+    let asks = match &compiled.redundancy {
+        None => format!("let solutions = {name}.ik(&pose);"),
+        Some(redundancy) => {
+            let pose = if redundancy.turn { "&pose, " } else { "" };
+            let by = if redundancy.parameters() == 1 {
+                ""
+            } else {
+                "&"
+            };
+            lines.push(format!("let parameter = {name}.redundancy({pose}&q);"));
+            format!("let solutions = {name}.ik_at(&pose, {by}parameter);")
+        }
+    };
     match solutions {
         None => lines.push("println!(\"{:?} m\", pose.translation);".into()),
         Some(count) => lines.extend([
-            format!("let solutions = {name}.ik(&pose);"),
+            asks,
             format!("assert_eq!(solutions.len(), {count});"),
             "let nearest = solutions.nearest(&q).unwrap();".into(),
             format!(
@@ -393,8 +438,9 @@ fn instance(compiled: &CompiledArm) -> (Vec<f64>, Option<usize>) {
     let found = std::iter::once(first.clone())
         .chain(std::iter::repeat_with(draw).take(EXAMPLES))
         .find_map(|q| {
-            let solutions = form.solutions(&chain.fk(&q));
-            let near = |a: &[f64]| a.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-8);
+            let (parameters, solved) = form.split(&q);
+            let solutions = form.solutions_at(&chain.fk(&q), &parameters);
+            let near = |a: &[f64]| a.iter().zip(&solved).all(|(a, b)| (a - b).abs() < 1e-8);
             let regular = solutions.iter().all(|solution| !solution.singular);
             let back = solutions.iter().any(|solution| near(&solution.q));
             (regular && back).then_some((q, Some(solutions.len())))

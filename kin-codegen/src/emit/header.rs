@@ -59,6 +59,7 @@ impl Provenance<'_> {
             tip,
             ik,
             target,
+            free,
             strict,
             krate,
         } = self.asked;
@@ -77,6 +78,9 @@ impl Provenance<'_> {
             if let Some(value) = value {
                 let _ = write!(command, " --{option} {}", quoted(&value));
             }
+        }
+        for joint in free {
+            let _ = write!(command, " --free {}", quoted(joint));
         }
         if *strict {
             command += " --strict";

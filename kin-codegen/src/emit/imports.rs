@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What generated code can name and users can, too.
-const PUBLIC: [&str; 14] = [
+const PUBLIC: [&str; 16] = [
     "Following",
     "Frame",
     "Hessian",
@@ -13,8 +13,10 @@ const PUBLIC: [&str; 14] = [
     "JointLimit",
     "Kinematics",
     "ParallelKinematics",
+    "Parameter",
     "Pose",
     "Postures",
+    "RedundantKinematics",
     "Singularity",
     "Solution",
     "Solutions",
@@ -23,12 +25,13 @@ const PUBLIC: [&str; 14] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 11] = [
+const PRIVATE: [&str; 12] = [
     "Acceptance",
     "Branches",
     "Elimination",
     "FREE_BELOW",
     "FreeAngle",
+    "Locked",
     "Univariate",
     "lanes",
     "math",

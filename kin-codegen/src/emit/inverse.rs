@@ -19,7 +19,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         Inverse::Univariate(arm) => return univariate::methods(arm),
     };
     let n = Literal::usize_unsuffixed(model.variables.len());
-    let branches = branches(model, solver, inverse);
+    let branches = branches(solver, inverse);
     let accept = acceptance(solver);
     let sorted = sorted(solver);
     let closest = closest(model, solver);
@@ -69,21 +69,36 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
 }
 
 /// The private method `branches`, which `ik` and its like share.
-fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
-    let n = Literal::usize_unsuffixed(model.variables.len());
+pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
+    let solved = solver.given.variables();
+    let n = Literal::usize_unsuffixed(solved);
     let width = Literal::usize_unsuffixed(solver.plan.branches());
     let target = target_names();
-    let seed = (0..model.variables.len()).map(|i| {
+    let seed = (0..solved).map(|i| {
         let i = Literal::usize_unsuffixed(i);
         quote!(seed[#i])
     });
+    let locked = solver.given.locked.len();
+    let given = (0..locked).map(|k| {
+        let k = Literal::usize_unsuffixed(k);
+        quote!(locked[#k])
+    });
     let free = [quote!(free)];
-    let names: Vec<TokenStream> = target.iter().cloned().chain(seed).chain(free).collect();
+    let names = target.iter().cloned().chain(seed).chain(given).chain(free);
+    let names: Vec<TokenStream> = names.collect();
+    let (takes, passes) = match locked {
+        0 => (quote!(), quote!()),
+        k => {
+            let k = Literal::usize_unsuffixed(k);
+            (quote!(, locked: &[f64; #k]), quote!(, locked))
+        }
+    };
     let lanes = lanes(solver, inverse, &names);
     let entries = target_pattern(&target, &lanes.inputs);
     let (statements, q) = (&lanes.statements, &lanes.q);
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
-    let unused = lanes.inputs.iter().skip(target.len()).all(|used| !used);
+    let mut seeds = lanes.inputs.iter().skip(target.len()).take(solved);
+    let unused = seeds.all(|used| !used);
     let unused = unused.then(|| quote!(let _ = seed;));
     let statements = quote! {
         #unused
@@ -103,7 +118,9 @@ fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> Token
             /// All branches of the plan as lanes, those that do not exist
             /// marked.
             #[inline]
-            fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
+            fn branches(
+                &self, pose: &Pose, seed: &[f64; #n] #takes
+            ) -> Branches<#n, #width> {
                 #statements
                 #branches
             }
@@ -117,12 +134,14 @@ fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> Token
     quote! {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
-        fn branches(&self, pose: &Pose, seed: &[f64; #n]) -> Branches<#n, #width> {
-            let (branches, free_angle) = self.seeded(pose, seed, FREE_BELOW);
+        fn branches(
+            &self, pose: &Pose, seed: &[f64; #n] #takes
+        ) -> Branches<#n, #width> {
+            let (branches, free_angle) = self.seeded(pose, seed #passes, FREE_BELOW);
             #where_it_goes
             if free_angle.leaves_no_root() {
                 return branches.with_free_angle(&free_angle, seed, #coordinate, |seed, free| {
-                    self.seeded(pose, seed, free)
+                    self.seeded(pose, seed #passes, free)
                 });
             }
             branches
@@ -135,7 +154,8 @@ fn branches(model: &Model, solver: &ClosedForm, inverse: &InverseGraph) -> Token
         fn seeded(
             &self,
             pose: &Pose,
-            seed: &[f64; #n],
+            seed: &[f64; #n]
+            #takes,
             free: f64,
         ) -> (Branches<#n, #width>, FreeAngle<#width>) {
             #statements
@@ -164,7 +184,7 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 }
 
 /// How the branches become solutions.
-fn sorted(solver: &ClosedForm) -> TokenStream {
+pub fn sorted(solver: &ClosedForm) -> TokenStream {
     let target = solver.plan.target;
     if target.is_projected() {
         return quote!(branches.solutions(&Self::ACCEPT));
@@ -181,7 +201,7 @@ fn sorted(solver: &ClosedForm) -> TokenStream {
     }
 }
 
-fn acceptance(solver: &ClosedForm) -> TokenStream {
+pub fn acceptance(solver: &ClosedForm) -> TokenStream {
     let Acceptance {
         size,
         tolerance,
@@ -201,6 +221,15 @@ fn acceptance(solver: &ClosedForm) -> TokenStream {
 }
 
 fn what(target: Target) -> String {
+    let rest = match target {
+        Target::Pose => "",
+        _ => " The rest of `pose` is not read.",
+    };
+    format!("{}{rest}", reaches(target))
+}
+
+/// What solutions do.
+pub fn reaches(target: Target) -> String {
     let reaches = match target {
         Target::Pose => "put the tip at `pose`",
         Target::Position => "put the tip's origin at the translation of `pose`",
@@ -218,16 +247,11 @@ fn what(target: Target) -> String {
         Target::Direction => "turn the tip's z axis along that of `pose`",
         Target::Orientation => "turn the tip as `pose` is turned",
     };
-    let rest = if target == Target::Pose {
-        ""
-    } else {
-        " The rest of `pose` is not read."
-    };
-    format!(" All joint values that {reaches} in the base frame, metres.{rest}")
+    format!(" All joint values that {reaches} in the base frame, metres.")
 }
 
 /// What the rotation of a target is taken to be.
-fn assumes(solver: &ClosedForm) -> String {
+pub fn assumes(solver: &ClosedForm) -> String {
     let tolerance = solver.acceptance().tolerance;
     match solver.plan.target {
         Target::Position => {

@@ -61,9 +61,10 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
     let mut statements = Vec::new();
     let seeds = writer.sines_and_cosines();
     if !seeds.is_empty() {
-        statements.push(comment(
-            "The seed, for an angle that the target leaves free",
-        ));
+        statements.push(comment(match &solver.given.locked[..] {
+            [] => "The seed, for an angle that the target leaves free",
+            _ => "What is given beside the target; the seed, for an angle that both leave free",
+        }));
         statements.extend(seeds);
     }
     let mut opened = headings.of_stage(&writer, &stages, 0);

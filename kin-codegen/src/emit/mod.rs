@@ -11,6 +11,7 @@ mod inverse;
 mod lanes;
 mod mechanism;
 mod postures;
+mod redundant;
 mod robot;
 mod singular;
 mod straight;

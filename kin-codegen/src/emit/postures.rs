@@ -121,10 +121,12 @@ fn seen(solver: &ClosedForm, arm: &Arm, candidates: &[Candidate]) -> Vec<Seen> {
     let tolerance = solver.acceptance().tolerance;
     let mut seen = Vec::new();
     for _ in 0..SAMPLES {
-        let target = arm.chain.fk(&arm.anywhere(&mut random));
-        for solution in solver.branches(&target) {
+        let anywhere = arm.anywhere(&mut random);
+        let target = arm.chain.fk(&anywhere);
+        let (parameters, _) = solver.split(&anywhere);
+        for solution in solver.branches(&target, &parameters) {
             if solution.residual <= tolerance && !solution.singular {
-                let at = arm.at(&solution.q);
+                let at = arm.at(&solver.whole(&solution.q, &parameters));
                 let sign = |candidate: &Candidate| (candidate.value)(arm, &at).and_then(sign);
                 seen.push(Seen {
                     branch: solution.branch,

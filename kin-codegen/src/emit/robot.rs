@@ -2,7 +2,7 @@
 
 use super::imports::imports;
 use super::straight::signed;
-use super::{Names, documentation, forward, frames, inverse, singular, text};
+use super::{Names, documentation, forward, frames, inverse, redundant, singular, text};
 use crate::arm::CompiledArm;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
@@ -19,15 +19,18 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let doc = doc.iter().map(|line| format!(" {line}"));
     let constants = constants(compiled, &n);
     let methods = methods(compiled, &n);
-    let inverse = compiled
-        .form()
-        .map(|form| inverse::methods(&compiled.model, form));
+    let redundancy = compiled.redundancy.as_ref();
+    let inverse = compiled.form().map(|form| match redundancy {
+        Some(redundancy) => redundant::methods(&compiled.model, form, redundancy),
+        None => inverse::methods(&compiled.model, form),
+    });
     let variables = compiled.model.variables.len();
     let singular = compiled.singular.as_ref();
     let singular = singular.map(|singular| singular::methods(singular, variables));
     let derivatives = compiled.forward.dot.as_ref();
     let derivatives = derivatives.map(|dot| self::derivatives(compiled, dot, &n));
     let kinematics = kinematics(compiled, names, &n);
+    let redundant = redundancy.and_then(|it| redundant::kinematics(it, names, &n));
     let generated_by = generated_by(runtime);
     let items = quote! {
         // Constants are written with the digits that they have.
@@ -53,6 +56,7 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
 
             #items
             #kinematics
+            #redundant
         },
     )
 }
@@ -262,7 +266,7 @@ fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream
     let own = |is_own: bool, other: &'static str| if is_own { "own" } else { other };
     let singular = compiled.singular.as_ref();
     let groups = [
-        own(compiled.form().is_some(), "none"),
+        own(compiled.branches() > 0, "none"),
         own(compiled.forward.dot.is_some(), "provided"),
         own(singular.is_some(), "none"),
         own(

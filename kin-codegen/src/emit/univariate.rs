@@ -51,7 +51,7 @@ pub fn methods(arm: &Arm) -> TokenStream {
     }
 }
 
-fn constant(arm: &Arm) -> TokenStream {
+pub fn constant(arm: &Arm) -> TokenStream {
     let frames = arm.frames.iter().map(pose);
     let size = literal(arm.size);
     let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));

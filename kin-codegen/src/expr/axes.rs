@@ -191,6 +191,7 @@ fn part(linkage: &Linkage, base: Pose, joints: std::ops::Range<usize>) -> Linkag
         runs: runs.filter(|run| !run.joints.is_empty()).collect(),
         size: linkage.size,
         has_free_turn: false,
+        locked: Vec::new(),
     }
 }
 

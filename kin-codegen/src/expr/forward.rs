@@ -73,7 +73,7 @@ pub fn subscript(variable: usize) -> String {
     }
 }
 
-fn joint_value(g: &mut Graph, gain: f64, offset: f64, q: Expr) -> Expr {
+pub(super) fn joint_value(g: &mut Graph, gain: f64, offset: f64, q: Expr) -> Expr {
     let gain = g.constant(gain);
     let offset = g.constant(offset);
     let scaled = g.mul(gain, q);

@@ -43,6 +43,9 @@ pub struct Linkage {
     /// Whether the last joint is none of the arm's, but the turn about the
     /// tip's z axis that a target leaves free.
     pub has_free_turn: bool,
+    /// The joints whose values come with the target, ascending: parameters of inverse
+    /// kinematics, not unknowns.
+    pub locked: Vec<usize>,
 }
 
 /// A joint and the constant motion behind it.
@@ -158,22 +161,59 @@ impl Linkage {
             runs,
             size,
             has_free_turn: false,
+            locked: Vec::new(),
         }
     }
 
-    /// The number of coordinates of q.
+    /// The same with the values of some joints, ascending, known from the start. Of an
+    /// arm whose joints mimic none.
+    pub fn with_locked(self, locked: &[usize]) -> Self {
+        Self {
+            locked: locked.to_vec(),
+            ..self
+        }
+    }
+
+    /// The number of coordinates of q that a target is solved for.
     pub fn variables(&self) -> usize {
         let own = self.links.len() - usize::from(self.has_free_turn);
         let variables = self.links[..own].iter().map(|link| link.variable + 1);
-        variables.max().unwrap_or(0)
+        variables.max().unwrap_or(0) - self.locked.len()
     }
 
-    /// The tip's pose and the spatial Jacobian at `q`, in plain numbers.
-    pub fn fk_jacobian<const N: usize>(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
+    /// Which of the coordinates that a target is solved for a joint is; none if it is
+    /// locked, or the free turn.
+    pub fn coordinate(&self, joint: usize) -> Option<usize> {
+        let before = self.locked.iter().filter(|&&locked| locked < joint).count();
+        let coordinate = self.links[joint].variable.checked_sub(before);
+        coordinate.filter(|&i| i < self.variables() && !self.locked.contains(&joint))
+    }
+
+    /// The joint that a coordinate is that a target is solved for; of joints that mimic
+    /// none.
+    pub fn joint_of(&self, coordinate: usize) -> Option<usize> {
+        let mut joints = 0..self.links.len();
+        joints.find(|&joint| self.coordinate(joint) == Some(coordinate))
+    }
+
+    /// The tip's pose and the spatial Jacobian at the coordinates `q` that targets are
+    /// solved for, in plain numbers; `parameters` are the values of locked joints.
+    pub fn fk_jacobian<const N: usize>(
+        &self,
+        q: &[f64; N],
+        parameters: &[f64],
+    ) -> (Pose, Jacobian<N>) {
         let mut pose = self.base;
         let mut columns = [Twist::default(); N];
-        for link in &self.links {
-            let value = link.gain * q[link.variable] + link.offset;
+        for (joint, link) in self.links.iter().enumerate() {
+            let coordinate = self.coordinate(joint);
+            let locked = self.locked.iter().position(|&locked| locked == joint);
+            let moved = match (coordinate, locked) {
+                (Some(i), _) => q[i],
+                (None, Some(k)) => parameters[k],
+                (None, None) => 0.0,
+            };
+            let value = link.gain * moved + link.offset;
             let axis = pose.rotate(link.direction);
             let (twist, motion) = match link.kind {
                 JointKind::Revolute => (Twist::revolute(axis, pose.translation), about_z(value)),
@@ -185,7 +225,9 @@ impl Linkage {
                     (Twist::prismatic(axis), shift)
                 }
             };
-            columns[link.variable] = columns[link.variable] + twist * link.gain;
+            if let Some(i) = coordinate {
+                columns[i] = columns[i] + twist * link.gain;
+            }
             pose = pose * motion * link.after;
         }
         (pose, Jacobian::from_columns(columns))

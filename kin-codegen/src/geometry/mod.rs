@@ -1,6 +1,7 @@
 //! Geometry of the chain: lines and how they lie, the frames in which
 //! constants vanish, and the idealization of noisy files.
 
+mod carried;
 mod conditioning;
 mod idealize;
 mod linkage;
@@ -10,6 +11,7 @@ mod structure;
 
 pub use crate::vector::{Vec3, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
+pub use carried::Carried;
 pub use conditioning::{conditioning, natural_target, rank};
 pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use linkage::without_noise;

@@ -94,6 +94,9 @@ pub(crate) fn compile(
     if options.target.is_some() {
         return Err(meaningless(spec, "target"));
     }
+    if !options.free.is_empty() {
+        return Err(meaningless(spec, "free"));
+    }
     let source = &spec.source;
     let file = file_name(&source.path);
     let (base, platform) = (options.base.as_deref(), options.tip.as_deref());

@@ -31,7 +31,8 @@ const WEAK: f64 = 1e-6;
 /// Two relations more alike than this cannot determine two unknowns.
 const DEPENDENT: f64 = 1e-4;
 
-/// Plans for a linkage, the cheapest first, each found when it is asked for.
+/// Plans for a linkage, the cheapest first, each found when it is asked for. The
+/// joints that the linkage has locked are known from the start.
 ///
 /// The cost counts subproblems by the work that they are, times the branches
 /// that have to do it, and prefers relations whose amplitude is a constant of
@@ -51,11 +52,15 @@ pub struct Plans<'a> {
 impl<'a> Plans<'a> {
     /// Nothing is searched yet.
     pub fn new(linkage: &'a Linkage, target: Target) -> Self {
+        let mut solved = Solved::default();
+        for &joint in &linkage.locked {
+            solved.insert(Atom::Joint(joint));
+        }
         let start = Partial {
             cost: 0,
-            solved: Solved::default(),
+            steps: solved.conclude(linkage),
+            solved,
             complemented: Solved::default(),
-            steps: Vec::new(),
             choices: 0,
         };
         Self {

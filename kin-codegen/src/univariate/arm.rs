@@ -2,7 +2,8 @@
 
 use super::choose::{Kept, choose};
 use super::frames::frames;
-use crate::geometry::Linkage;
+use crate::geometry::{Carried, Linkage};
+use crate::model::Model;
 use kin_runtime::__private::univariate::{Elimination, Univariate};
 use kin_runtime::{Pose, Solutions};
 
@@ -25,6 +26,20 @@ impl Arm {
         let kept = choose(&frames);
         let size = linkage.size;
         (!kept.is_empty()).then_some(Self { frames, size, kept })
+    }
+
+    /// The arm between the locked joints of a linkage, which have to stand at its ends;
+    /// its targets are [`Carried`].
+    pub fn between(model: &Model, linkage: &Linkage) -> Option<Self> {
+        let locked = &linkage.locked;
+        match locked.is_empty() {
+            true => Self::new(linkage),
+            false if !Carried::new(linkage).is_all(linkage) => None,
+            false => {
+                let between = model.locked(locked, &vec![0.0; locked.len()]);
+                Self::new(&Linkage::new(&between))
+            }
+        }
     }
 
     /// What generated code computes for a target.

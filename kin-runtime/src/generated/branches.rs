@@ -21,7 +21,7 @@ pub struct Branches<const N: usize, const L: usize> {
 
 impl<const N: usize, const L: usize> Branches<N, L> {
     #[inline(always)]
-    fn lane(&self, k: usize) -> Solution<N> {
+    pub(super) fn lane(&self, k: usize) -> Solution<N> {
         Solution {
             q: core::array::from_fn(|i| self.q[i][k]),
             residual: self.residual[k],
@@ -52,16 +52,28 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         counts: Target,
         accept: &Acceptance,
     ) -> Solutions<N> {
+        match self.nearly(accept) {
+            true => self.correct(fk_jacobian, target, counts, accept),
+            false => self.solutions(accept),
+        }
+    }
+
+    /// Whether rounding may keep a branch from its target.
+    #[inline(always)]
+    pub(super) fn nearly(&self, accept: &Acceptance) -> bool {
         let mut nearly = false;
         for k in 0..L {
             let misses = self.residual[k] > accept.tolerance;
             let little = self.residual[k] <= NEARLY * accept.size;
             nearly |= (self.invalid[k] <= 0.0) & misses & little;
         }
-        match nearly {
-            true => self.correct(fk_jacobian, target, counts, accept),
-            false => self.solutions(accept),
-        }
+        nearly
+    }
+
+    /// The branches that exist.
+    pub(super) fn existing(&self) -> impl Iterator<Item = Solution<N>> + Clone {
+        let exist = (0..L).filter(|&k| self.invalid[k] <= 0.0);
+        exist.map(|k| self.lane(k))
     }
 
     #[cold]
@@ -79,8 +91,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             size: accept.size,
             counts,
         };
-        let exist = (0..L).filter(|&k| self.invalid[k] <= 0.0);
-        correct_branches(&problem, exist.map(|k| self.lane(k)), accept)
+        correct_branches(&problem, self.existing(), accept)
     }
 
     /// The branch that comes nearest to the target by its own residual; none
@@ -136,7 +147,6 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             size: accept.size,
             counts,
         };
-        let starts = (0..L).filter(|&k| self.invalid[k] <= 0.0);
-        refine_branches(&problem, starts.map(|k| self.lane(k)), accept, steps)
+        refine_branches(&problem, self.existing(), accept, steps)
     }
 }

@@ -6,6 +6,7 @@ pub mod acceptance;
 pub mod branches;
 pub mod free_angle;
 pub mod lanes;
+pub mod locked;
 pub mod refinement;
 pub mod univariate;
 mod version;

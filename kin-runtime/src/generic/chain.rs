@@ -68,6 +68,41 @@ impl Chain {
         Chain { links, ..self }
     }
 
+    /// The chain that is left when a joint is held at a value: a joint less, and what is
+    /// behind it where that has moved it. Of an arm with more joints than a target has
+    /// coordinates, [`Chain::ik_all`] of this finds the solutions that are isolated.
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Pose, Twist};
+    /// let z = [0.0, 0.0, 1.0];
+    /// let joint = |x| Twist::revolute(z, [x, 0.0, 0.0]);
+    /// let home = Pose::from_translation([3.0, 0.0, 0.0]);
+    /// let planar = Chain::new(vec![joint(0.0), joint(1.0), joint(2.0)], home);
+    /// let held = planar.locked(1, 0.7);
+    /// let tip = planar.fk(&[0.2, 0.7, -0.4]);
+    /// assert!(held.fk(&[0.2, -0.4]).translation_distance(&tip) < 1e-15);
+    /// ```
+    ///
+    /// # Panics
+    /// If there is no such joint.
+    pub fn locked(&self, joint: usize, value: f64) -> Chain {
+        let moved = exponential(&self.twists[joint], value);
+        let others = || (0..self.twists.len()).filter(|&i| i != joint);
+        let twist = |i: usize| match i < joint {
+            true => self.twists[i],
+            false => moved.adjoint(&self.twists[i]),
+        };
+        let link = |i: usize| match i < joint {
+            true => self.links[i],
+            false => moved * self.links[i],
+        };
+        Chain {
+            twists: others().map(twist).collect(),
+            links: others().map(link).collect(),
+            home: moved * self.home,
+        }
+    }
+
     /// The unit twists of the joints at q = 0.
     pub fn twists(&self) -> &[Twist] {
         &self.twists

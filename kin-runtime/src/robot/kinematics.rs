@@ -97,9 +97,11 @@ crate::kinematics_methods!(define_kinematics, N);
 const fn has_inverse(branches: usize) {
     assert!(
         branches > 0,
-        "this robot has no inverse kinematics: it was generated with `ik = none` \
-         (forward kinematics and Jacobians alone). Remove that option to have a \
-         closed form searched for, or solve numerically with `Chain::ik_all`"
+        "this robot has no inverse kinematics by a target alone: it was generated with \
+         `ik = none` (forward kinematics and Jacobians alone), or has more joints than its \
+         targets have coordinates. Remove that option to have a closed form searched for, \
+         give such a robot its parameter (`ik_at`), or solve numerically with \
+         `Chain::ik_all`"
     );
     assert!(branches == 0, "a robot with branches has to implement `ik`");
 }

@@ -5,8 +5,10 @@ mod inherent;
 mod kinematics;
 mod methods;
 mod placement;
+mod redundant;
 
 pub use frame::{Body, Following, Frame};
 pub use kinematics::Kinematics;
 pub(crate) use kinematics::define_kinematics;
 pub use placement::{WithBase, WithTool};
+pub use redundant::{Parameter, RedundantKinematics};

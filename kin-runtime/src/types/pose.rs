@@ -69,6 +69,38 @@ impl Pose {
         }
     }
 
+    /// The same turned about its own z axis, radians: a tool that may turn.
+    ///
+    /// ```
+    /// use kin_runtime::Pose;
+    /// let tool = Pose::from_axis_angle([0.6, 0.0, 0.8], 1.1, [0.1, 0.2, 0.3]);
+    /// let turned = tool.turned(0.4);
+    /// assert_eq!(turned.translation, tool.translation);
+    /// assert!((tool.turn_to(&turned) - 0.4).abs() < 1e-15);
+    /// ```
+    #[inline]
+    pub fn turned(&self, turn: f64) -> Pose {
+        let (sine, cosine) = math::sin_cos(turn);
+        let row = |[x, y, z]: [f64; 3]| [x * cosine + y * sine, y * cosine - x * sine, z];
+        Pose {
+            rotation: self.rotation.map(row),
+            ..*self
+        }
+    }
+
+    /// The turn about its own z axis that brings this nearest to the orientation of
+    /// another, radians in (−π, π].
+    #[inline]
+    pub fn turn_to(&self, other: &Pose) -> f64 {
+        let along = |i: usize, j: usize| -> f64 {
+            (0..3)
+                .map(|k| self.rotation[k][i] * other.rotation[k][j])
+                .sum()
+        };
+        // The trace of the relative rotation about z, and its part across.
+        math::atan2(along(1, 0) - along(0, 1), along(0, 0) + along(1, 1))
+    }
+
     /// Ad_g V (MLS section 2.4): a twist in moving coordinates, seen from the
     /// fixed frame: (R v + p × R ω, R ω).
     ///

@@ -68,10 +68,7 @@ impl Writer<'_> {
         if !depends {
             return None;
         }
-        let coordinate = self.linkage.links[self.follower(free.unknown, plan)].variable;
-        if coordinate >= self.seed.len() {
-            return None;
-        }
+        let coordinate = self.linkage.coordinate(self.follower(free.unknown, plan))?;
         let [zero, one] = [self.g.zero(), self.g.one()];
         // A double root has room for itself, to rounding.
         let least = self.scaled(-NOISE, level.amplitude);

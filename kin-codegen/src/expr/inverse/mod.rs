@@ -33,13 +33,14 @@ use kin_runtime::Pose;
 pub struct DomainMargin(pub f64);
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
-/// rotation by rows, then the translation), the seed, by coordinate of q, and
-/// if an angle turns, the threshold below which it is free.
+/// rotation by rows, then the translation), the seed, by coordinate of q, the values of
+/// the joints that the linkage has locked, and if an angle turns, the threshold below
+/// which it is free.
 #[derive(Clone, Debug)]
 pub struct InverseGraph {
     /// Holds everything below.
     pub graph: Graph,
-    /// One per coordinate of q.
+    /// One per coordinate of q that a target is solved for.
     pub q: Vec<Expr>,
     /// How far the forward kinematics is from the target, metres.
     pub residual: Expr,
@@ -125,6 +126,7 @@ pub fn inverse(
     free: FreeAngles,
 ) -> InverseGraph {
     let mut writer = Writer::new(linkage, plan.target, margin);
+    writer.take_parameters();
     let mut turned: Option<MayBeFree> = None;
     let mut free_angle = None;
     for (i, step) in plan.steps.iter().enumerate() {
@@ -162,6 +164,8 @@ struct Writer<'a> {
     pose: Motion,
     /// What a free angle keeps, by coordinate of q.
     seed: Vec<Expr>,
+    /// How far the joints that come with the target have moved.
+    parameters: Vec<Expr>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
     /// By joint: the sine and cosine of its motion.
@@ -227,7 +231,12 @@ impl<'a> Writer<'a> {
             translation,
         };
         let pose = project::projected(&mut g, linkage, target, given);
-        let seed = (1..=linkage.variables())
+        let solved = (0..linkage.links.len()).filter(|&joint| linkage.coordinate(joint).is_some());
+        let mut numbers: Vec<usize> = solved.map(|j| linkage.links[j].variable + 1).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let seed = numbers
+            .into_iter()
             .map(|i| g.input(format!("seed{i}")))
             .collect();
         let deviation = (margin.0 > 0.0).then(|| Deviation {
@@ -244,6 +253,7 @@ impl<'a> Writer<'a> {
             given,
             pose,
             seed,
+            parameters: Vec::new(),
             deviation,
             trig: vec![None; n],
             slide: vec![None; n],
@@ -257,6 +267,24 @@ impl<'a> Writer<'a> {
             level: None,
             relation: None,
             parts: Parts::default(),
+        }
+    }
+
+    /// The joints that come with the target, as if they were solved.
+    fn take_parameters(&mut self) {
+        for &joint in &self.linkage.locked {
+            let link = &self.linkage.links[joint];
+            let (kind, gain, offset) = (link.kind, link.gain, link.offset);
+            let value = self.g.input(format!("parameter{}", link.variable + 1));
+            let moved = forward::joint_value(&mut self.g, gain, offset, value);
+            self.parameters.push(moved);
+            match kind {
+                JointKind::Revolute => {
+                    let (sin, cos) = self.g.sin_cos(moved);
+                    self.set(Atom::Joint(joint), Trig { sin, cos });
+                }
+                JointKind::Prismatic => self.slide[joint] = Some(moved),
+            }
         }
     }
 
@@ -314,12 +342,17 @@ impl<'a> Writer<'a> {
         let mut angle = self.g.zero();
         for joint in joints {
             let link = &self.linkage.links[joint];
-            if link.variable >= self.seed.len() {
-                continue;
-            }
-            let (gain, offset) = (self.g.constant(link.gain), self.g.constant(link.offset));
-            let scaled = self.g.mul(gain, self.seed[link.variable]);
-            let own = self.g.add(scaled, offset);
+            let mut locked = self.linkage.locked.iter();
+            let own = match (
+                self.linkage.coordinate(joint),
+                locked.position(|&locked| locked == joint),
+            ) {
+                (Some(i), _) => {
+                    forward::joint_value(&mut self.g, link.gain, link.offset, self.seed[i])
+                }
+                (None, Some(k)) => self.parameters[k],
+                (None, None) => continue,
+            };
             angle = self.g.add(angle, own);
         }
         let (sin, cos) = self.g.sin_cos(angle);
@@ -389,9 +422,9 @@ impl<'a> Writer<'a> {
         for run in 0..self.linkage.runs.len() {
             for joint in self.linkage.runs[run].joints.clone() {
                 let link = &self.linkage.links[joint];
-                if link.variable >= q.len() {
+                let Some(coordinate) = self.linkage.coordinate(joint) else {
                     continue;
-                }
+                };
                 let value = match link.kind {
                     JointKind::Prismatic => {
                         let slide = self.slide[joint].unwrap_or(zero);
@@ -401,7 +434,7 @@ impl<'a> Writer<'a> {
                     JointKind::Revolute => self.turned(joint),
                 };
                 let symbol = format!("q{}", link.variable + 1);
-                q[link.variable] = self.g.named(value, symbol);
+                q[coordinate] = self.g.named(value, symbol);
             }
         }
         q

@@ -79,9 +79,10 @@ impl Writer<'_> {
         let square = self.g.square(rate);
         let one = self.g.one();
         let nothing = self.nothing(square, one);
-        let link = &self.linkage.links[joint];
-        let offset = self.g.constant(link.offset);
-        let seeded = self.g.add(self.seed[link.variable], offset);
+        let offset = self.g.constant(self.linkage.links[joint].offset);
+        let coordinate = self.linkage.coordinate(joint);
+        let seed = coordinate.map_or_else(|| self.g.zero(), |i| self.seed[i]);
+        let seeded = self.g.add(seed, offset);
         let travel = self.g.div(rest, rate);
         self.g.select_less(square, nothing, seeded, travel)
     }

@@ -1,0 +1,249 @@
+//! Inverse kinematics of arms with more joints than their targets have coordinates:
+//! methods that take the values of the joints that stay free, or the turn of the tool.
+
+use super::headings::list;
+use super::straight::signed;
+use super::{Names, inverse, text, univariate};
+use crate::closed_form::{ClosedForm, Inverse};
+use crate::geometry::Carried;
+use crate::model::Model;
+use crate::redundancy::Redundancy;
+use kin_runtime::Twist;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The methods that solve for joint values, and the constants that tell what they take.
+pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+    let (count, n) = (
+        redundancy.parameters(),
+        usize_literal(model.variables.len()),
+    );
+    let one = count == 1;
+    let size = usize_literal(count);
+    let (argument, value) = match one {
+        true => (quote!(parameter: f64), quote!(f64)),
+        false => (quote!(parameters: &[f64; #size]), quote!([f64; #size])),
+    };
+    let constants = constants(solver, redundancy);
+    let solve = solve(model, solver, redundancy);
+    let private = match &solver.inverse {
+        Inverse::Expressions(inverse) => {
+            let accept = inverse::acceptance(solver);
+            let branches = inverse::branches(solver, inverse);
+            quote! {
+                const ACCEPT: Acceptance = #accept;
+                #branches
+            }
+        }
+        Inverse::Univariate(arm) => univariate::constant(arm),
+    };
+    let what = inverse::reaches(redundancy.target);
+    let takes = takes(model, redundancy);
+    let assumes = inverse::assumes(solver);
+    let plan = format!(" Solved by {}.", solver.plan);
+    let told = told(redundancy, &n, &value);
+    quote! {
+        #constants
+
+        #[doc = #what]
+        ///
+        #[doc = #takes]
+        ///
+        /// Angles are in (−π, π]; limits are not applied, see
+        /// [`Solutions::within`](::kinematics::Solutions::within). A target out of
+        /// reach at this parameter has no solutions, and neither has one of which an
+        /// entry is not finite. Singular is what is singular for the other joints.
+        ///
+        #[doc = #assumes]
+        ///
+        #[doc = #plan]
+        #[must_use]
+        pub fn ik_at(&self, pose: &Pose, #argument) -> Solutions<#n> { #solve }
+
+        #told
+
+        #private
+    }
+}
+
+/// What the parameters are; `target` is what a target is called.
+pub fn given(model: &Model, redundancy: &Redundancy, target: &str) -> Vec<String> {
+    let name = |&joint: &usize| {
+        let unit = match model.turns(joint) {
+            true => "radians",
+            false => "metres",
+        };
+        let name = text::code(&model.joints[joint].name);
+        format!("the value of q{} ({name}), {unit}", joint + 1)
+    };
+    let turn = redundancy.turn.then(|| {
+        format!("the turn of the tool about the tip's z axis from where {target} has it, radians")
+    });
+    redundancy.joints.iter().map(name).chain(turn).collect()
+}
+
+/// The same in a sentence.
+fn takes(model: &Model, redundancy: &Redundancy) -> String {
+    let all = given(model, redundancy, "`pose`");
+    match &all[..] {
+        [one] => format!(" `parameter` is {one}."),
+        _ => format!(" `parameters` are {}.", list(all)),
+    }
+}
+
+fn usize_literal(x: usize) -> Literal {
+    Literal::usize_unsuffixed(x)
+}
+
+fn constants(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+    let branches = usize_literal(solver.plan.branches());
+    let joints = redundancy.joints.iter().map(|&joint| {
+        let joint = usize_literal(joint);
+        quote!(Parameter::Joint(#joint))
+    });
+    let turn = redundancy.turn.then(|| quote!(Parameter::Turn));
+    let parameters = joints.chain(turn);
+    let count = usize_literal(redundancy.parameters());
+    quote! {
+        /// What [`Self::ik_at`] takes beside a target.
+        pub const PARAMETERS: [Parameter; #count] = [#(#parameters),*];
+        /// How many branches [`Self::ik_at`] looks at.
+        pub const BRANCHES_AT: usize = #branches;
+    }
+}
+
+/// The body of `ik_at`.
+fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+    let parameter = |i: usize| match redundancy.parameters() {
+        1 => quote!(parameter),
+        _ => {
+            let i = usize_literal(i);
+            quote!(parameters[#i])
+        }
+    };
+    let k = redundancy.joints.len();
+    let turned = redundancy.turn.then(|| {
+        let turn = parameter(k);
+        quote!(let pose = &pose.turned(#turn);)
+    });
+    let given: Vec<TokenStream> = (0..k).map(parameter).collect();
+    let joints = redundancy.joints.iter().map(|&joint| usize_literal(joint));
+    let slides = |variable: &usize| !model.turns(*variable);
+    let prismatic = (0..model.variables.len()).filter(slides);
+    let prismatic = Literal::u32_unsuffixed(prismatic.fold(0, |mask, i| mask | 1 << i));
+    let locked = (k > 0)
+        .then(|| quote!(let locked = Locked::new([#(#joints),*], [#(#given),*], #prismatic);));
+    let answer = match &solver.inverse {
+        Inverse::Univariate(_) => {
+            let target = carried(solver, &given);
+            match k {
+                0 => quote!(Self::UNIVARIATE.solutions(#target)),
+                _ => quote!(locked.all(&Self::UNIVARIATE.solutions(#target))),
+            }
+        }
+        Inverse::Expressions(_) => {
+            let seeds = usize_literal(solver.given.variables());
+            let given = (k > 0).then(|| quote!(, &[#(#given),*]));
+            let sorted = sorted(solver, k > 0);
+            quote! {
+                let branches = self.branches(pose, &[0.0; #seeds] #given);
+                #sorted
+            }
+        }
+    };
+    quote! {
+        #turned
+        #locked
+        #answer
+    }
+}
+
+/// How the branches become solutions.
+fn sorted(solver: &ClosedForm, locked: bool) -> TokenStream {
+    if !locked {
+        return inverse::sorted(solver);
+    }
+    let target = solver.plan.target;
+    if target.is_projected() {
+        return quote!(locked.solutions(&branches, &Self::ACCEPT));
+    }
+    let target = format_ident!("{target:?}");
+    let arm = quote!(|q| self.fk_jacobian(q), pose, Target::#target);
+    if solver.is_exact() {
+        return quote!(locked.corrected(&branches, #arm, &Self::ACCEPT));
+    }
+    let steps = usize_literal(solver.refinement);
+    quote!(locked.refined(&branches, #arm, #steps, &Self::ACCEPT))
+}
+
+/// The target of the joints between those that are given.
+fn carried(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
+    let Carried { front, behind } = Carried::new(&solver.given);
+    if given.is_empty() {
+        return quote!(pose);
+    }
+    let (in_front, at_the_tip) = given.split_at(front.len());
+    let undone = |(twist, value): (&Twist, &TokenStream)| {
+        let twist = self::twist(twist);
+        quote!(Pose::exp(&#twist, -#value))
+    };
+    let front = front.iter().zip(in_front).map(undone).rev();
+    let behind = behind.iter().zip(at_the_tip).map(undone).rev();
+    quote!(&(#(#front *)* *pose #(* #behind)*))
+}
+
+fn twist(twist: &Twist) -> TokenStream {
+    let [linear, angular] = [twist.linear, twist.angular].map(|v| {
+        let entries = v.map(|x| signed(if x.abs() < 1e-15 { 0.0 } else { x }));
+        quote!([#(#entries),*])
+    });
+    quote!(Twist { linear: #linear, angular: #angular })
+}
+
+/// The parameters of a configuration.
+fn told(redundancy: &Redundancy, n: &Literal, value: &TokenStream) -> TokenStream {
+    let joints = redundancy.joints.iter().map(|&joint| {
+        let joint = usize_literal(joint);
+        quote!(q[#joint])
+    });
+    let turn = redundancy.turn.then(|| quote!(pose.turn_to(&self.fk(q))));
+    let all: Vec<TokenStream> = joints.chain(turn).collect();
+    let answer = match &all[..] {
+        [one] => one.clone(),
+        all => quote!([#(#all),*]),
+    };
+    match redundancy.turn {
+        true => quote! {
+            /// What [`Self::ik_at`] has to be given with `pose` to have `q` (radians,
+            /// metres) among its solutions, if that puts the tip there.
+            #[inline]
+            #[must_use]
+            pub fn redundancy(&self, pose: &Pose, q: &[f64; #n]) -> #value { #answer }
+        },
+        false => quote! {
+            /// What [`Self::ik_at`] has to be given to have `q` (radians, metres) among
+            /// its solutions.
+            #[inline]
+            #[must_use]
+            pub fn redundancy(&self, q: &[f64; #n]) -> #value { #answer }
+        },
+    }
+}
+
+/// The trait, where there is one parameter.
+pub fn kinematics(redundancy: &Redundancy, names: &Names, n: &Literal) -> Option<TokenStream> {
+    let (name, runtime) = (&names.robot, &names.runtime);
+    (redundancy.parameters() == 1).then(|| {
+        quote! {
+            impl #runtime::RedundantKinematics<#n> for #name {
+                const PARAMETER: Parameter = Self::PARAMETERS[0];
+                const BRANCHES_AT: usize = Self::BRANCHES_AT;
+
+                #[inline]
+                fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<#n> {
+                    #name::ik_at(self, pose, parameter)
+                }
+            }
+        }
+    })
+}

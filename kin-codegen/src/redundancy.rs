@@ -1,0 +1,306 @@
+//! Arms with more joints than their targets have coordinates: which joints are given
+//! with the target, so that the others have isolated solutions.
+
+use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::geometry::{Carried, Linkage, conditioning, idealize, size};
+use crate::model::{Model, configurations};
+use crate::plan::{Plans, Target};
+use crate::solver::{
+    Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, better, solve, tip_shift,
+};
+use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
+use crate::univariate;
+
+/// Sets of joints that are compared: all of one joint, or of two of eight.
+const CHOICES: usize = 64;
+
+/// Below this conditioning a configuration is nearly singular: an elbow that turns the
+/// rest of an arm along its own self-motion is no parameter for that, even where the file
+/// is off its design.
+const NEARLY_SINGULAR: f64 = 1e-3;
+/// Random configurations that tell.
+const TRIED: usize = 16;
+
+/// The joints that stay free, and why these.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Redundancy {
+    /// Their places in the chain, ascending; one parameter for each.
+    pub joints: Vec<usize>,
+    /// Whether the turn of the tool about the tip's z axis is a parameter, behind those.
+    /// The closed form is then one for whole poses.
+    pub turn: bool,
+    /// What of targets counts.
+    pub target: Target,
+    /// What they were chosen from, the best first; empty where they were asked for.
+    pub weighed: Vec<Weighed>,
+}
+
+impl Redundancy {
+    /// How many numbers are given beside a target.
+    pub fn parameters(&self) -> usize {
+        self.joints.len() + usize::from(self.turn)
+    }
+}
+
+/// A set of joints that could stay free.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weighed {
+    /// Their places in the chain, ascending.
+    pub joints: Vec<usize>,
+    /// What all branches of the first plan for the others cost, by
+    /// [`Operations::weight`](crate::expr::Operations::weight); none if there is none.
+    pub weight: Option<usize>,
+}
+
+/// The joints that the option `free` names.
+///
+/// # Errors
+///
+/// What is wrong with a name, or with how many there are.
+pub fn named(
+    spec: &ArmSpec,
+    model: &Model,
+    target: Target,
+    names: &[String],
+) -> Result<Vec<usize>, Diagnostics> {
+    let mut joints = Vec::new();
+    let fail = |reason: String, remedy: String| {
+        Diagnostics::one(&spec.source.path, Diagnostic::whole(reason, remedy))
+    };
+    for name in names {
+        let joint =
+            named_one(spec, model, name).map_err(|(reason, remedy)| fail(reason, remedy))?;
+        if joints.contains(&joint) {
+            let reason = format!("the option `free` names the joint `{name}` twice");
+            return Err(fail(reason, "name every joint once".into()));
+        }
+        joints.push(joint);
+    }
+    let (n, coordinates) = (model.variables.len(), target.coordinates());
+    let most = n.saturating_sub(coordinates);
+    if joints.len() > most {
+        let reason = format!(
+            "the option `free` names {}, and {n} joints have {most} more than the {coordinates} \
+             coordinates of {}",
+            counted(joints.len()),
+            target.phrase(),
+        );
+        let remedy = match most {
+            0 => "leave out `free`, or choose a `target` of fewer coordinates".into(),
+            _ => format!("name {} at most", counted(most)),
+        };
+        return Err(fail(reason, remedy));
+    }
+    joints.sort_unstable();
+    Ok(joints)
+}
+
+fn counted(joints: usize) -> String {
+    match joints {
+        1 => "1 joint".into(),
+        n => format!("{n} joints"),
+    }
+}
+
+/// The place of a joint in the chain, or what is wrong with it and what to do.
+fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String, String)> {
+    let known: Vec<&str> = model
+        .joints
+        .iter()
+        .map(|joint| joint.name.as_str())
+        .collect();
+    if let Some(place) = model.joints.iter().position(|joint| joint.name == name) {
+        let variable = &model.variables[model.joints[place].variable].name;
+        if variable != name {
+            let reason = format!("the joint `{name}` mimics `{variable}`, and cannot stay free");
+            return Err((reason, "name a joint that mimics none in `free`".into()));
+        }
+        return Ok(place);
+    }
+    let (base, tip) = (&model.base, &model.tip);
+    let reason = match spec.joints.iter().find(|joint| joint.name == name) {
+        Some(joint) if joint.kind == JointType::Fixed => {
+            format!("the joint `{name}` is fixed, and cannot stay free")
+        }
+        Some(_) => format!("the joint `{name}` is not between `{base}` and `{tip}`"),
+        None => format!("there is no joint `{name}` to stay free"),
+    };
+    Err((reason, did_you_mean(name, &known)))
+}
+
+/// Finds and verifies a closed form of an arm with more joints than its targets have
+/// coordinates. Of the joints that may stay free, those are taken whose plan needs the
+/// fewest operations; where no others have a plan, those at an end of the chain that
+/// leave the best polynomial between them.
+///
+/// # Errors
+///
+/// Why there is none.
+pub fn solve_redundant(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+    asked: &[usize],
+) -> Result<(Certified, Redundancy), NoClosedForm> {
+    if model.is_coupled() {
+        return Err(NoClosedForm::Mimic);
+    }
+    let excess = model.joints.len() - target.coordinates();
+    // Of a target that leaves the turn of the tool free, that is a parameter before any
+    // joint is, and what is left to be solved are whole poses.
+    let turn = target == Target::PositionAxis && asked.len() < excess;
+    let (aim, counts) = (target, if turn { Target::Pose } else { target });
+    let (count, target) = (excess - usize::from(turn), counts);
+    let choices = choices(model.joints.len(), count, asked);
+    if choices.is_empty() || choices.len() > CHOICES {
+        return Err(NoClosedForm::Redundant(target));
+    }
+    let weighed = match &choices[..] {
+        [only] => vec![Weighed {
+            joints: only.clone(),
+            weight: None,
+        }],
+        _ => weigh(model, linkage, target, choices),
+    };
+    let mut best: Option<(Certified, Vec<usize>)> = None;
+    let mut refusal = None;
+    for Weighed { joints, .. } in &weighed {
+        match solve(model, &linkage.clone().with_locked(joints), target) {
+            Ok(found) => {
+                let done = found.certificate.lost == 0;
+                best = match best {
+                    None => Some((found, joints.clone())),
+                    Some((before, by)) => {
+                        let lost = before.certificate.lost;
+                        let found = better(Some(before), found);
+                        found.map(|found| match found.certificate.lost < lost {
+                            true => (found, joints.clone()),
+                            false => (found, by),
+                        })
+                    }
+                };
+                if done {
+                    break;
+                }
+            }
+            Err(reason) => {
+                let name = |&joint: &usize| model.joints[joint].name.clone();
+                refusal.get_or_insert(NoClosedForm::Free {
+                    joints: joints.iter().map(name).collect(),
+                    reason: Box::new(reason),
+                });
+            }
+        }
+    }
+    match best {
+        Some((found, joints)) => {
+            let weighed = if asked.len() == count {
+                Vec::new()
+            } else {
+                weighed
+            };
+            let redundancy = Redundancy {
+                joints,
+                turn,
+                target: aim,
+                weighed,
+            };
+            Ok((found, redundancy))
+        }
+        None => Err(refusal.unwrap_or(NoClosedForm::Redundant(target))),
+    }
+}
+
+/// All sets of `count` of `n` joints that have those asked for among them.
+fn choices(n: usize, count: usize, asked: &[usize]) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = vec![Vec::new()];
+    for joint in 0..n {
+        let longer: Vec<Vec<usize>> = (all.iter().filter(|set| set.len() < count))
+            .map(|set| [&set[..], &[joint]].concat())
+            .collect();
+        all.extend(longer);
+    }
+    all.retain(|set| set.len() == count && asked.iter().all(|joint| set.contains(joint)));
+    all
+}
+
+/// The choices, the best first.
+fn weigh(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+    choices: Vec<Vec<usize>>,
+) -> Vec<Weighed> {
+    let mut weighed: Vec<Weighed> = Vec::new();
+    let mut left = choices;
+    for tolerance in TOLERANCES {
+        let idealized = idealize(model, tolerance);
+        if tip_shift(model, &idealized.model) > DESIGNED * linkage.size {
+            break;
+        }
+        let ideal = Linkage::for_target(&idealized.model, target);
+        let weights = left.iter().map(|joints| {
+            let ideal = ideal.clone().with_locked(joints);
+            let plan = Plans::new(&ideal, target).next();
+            let plan = plan.filter(|_| is_usually_regular(&idealized.model, joints, target))?;
+            let written = inverse(&ideal, &plan, DomainMargin(0.0), FreeAngles::Seeded);
+            Some(written.all_branches().weight())
+        });
+        let weights: Vec<Option<usize>> = weights.collect();
+        let mut here = Vec::new();
+        let mut rest = Vec::new();
+        for (joints, weight) in left.into_iter().zip(weights) {
+            match weight {
+                Some(_) => here.push(Weighed { joints, weight }),
+                None => rest.push(joints),
+            }
+        }
+        here.sort_by_key(|choice| choice.weight);
+        weighed.extend(here);
+        left = rest;
+        if !weighed.is_empty() {
+            break;
+        }
+    }
+    weighed.extend(between(model, linkage, left, weighed.is_empty()));
+    weighed
+}
+
+/// Whether the joints that are not locked are independent at most configurations.
+fn is_usually_regular(model: &Model, locked: &[usize], target: Target) -> bool {
+    let held = model.locked(locked, &vec![SOMEWHERE; locked.len()]);
+    let (chain, size) = (held.chain(), size(model));
+    let tried = configurations(&held);
+    let random = tried.iter().take(TRIED);
+    let regular = random.filter(|q| conditioning(&chain, q, size, target) > NEARLY_SINGULAR);
+    2 * regular.count() > TRIED
+}
+
+/// The choices without a plan that leave the other joints in a row; those whose
+/// polynomial is surest of its roots come first, if any of them is to be taken.
+fn between(
+    model: &Model,
+    linkage: &Linkage,
+    choices: Vec<Vec<usize>>,
+    matters: bool,
+) -> Vec<Weighed> {
+    let locked = |joints: &Vec<usize>| linkage.clone().with_locked(joints);
+    let rows = choices.into_iter().filter(|joints| {
+        let linkage = locked(joints);
+        Carried::new(&linkage).is_all(&linkage)
+    });
+    let quality = |joints: &Vec<usize>| {
+        let arm = matters.then(|| univariate::Arm::between(model, &locked(joints)));
+        let kept = arm.flatten().map(|arm| arm.kept[0]);
+        kept.map_or([f64::INFINITY; 3], |kept| {
+            [kept.unsure, kept.elimination.degree.into(), kept.noise]
+        })
+    };
+    let mut rows: Vec<([f64; 3], Vec<usize>)> = rows.map(|row| (quality(&row), row)).collect();
+    rows.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(std::cmp::Ordering::Equal));
+    let weighed = rows.into_iter().map(|(_, joints)| Weighed {
+        joints,
+        weight: None,
+    });
+    weighed.collect()
+}
