@@ -33,6 +33,6 @@ fn report<const N: usize, K: Kinematics<N>>(name: &str, robot: &K, q: &[f64; N])
         "{name}: tool at {:.3?} m; {} solutions, {} within limits",
         pose.translation,
         solutions.len(),
-        solutions.within(&K::LIMITS).len()
+        solutions.within_limits(&K::LIMITS).len()
     );
 }

@@ -12,7 +12,7 @@ fn main() {
     println!("moving the tool 0.4 m sideways");
     for step in 0..=8 {
         let target = shifted(&start, 0.05 * f64::from(step));
-        let Some(next) = arm.ik(&target).nearest_within(&q, &Kr6R900::LIMITS) else {
+        let Some(next) = arm.ik_nearest(&target, &q) else {
             println!("step {step}: out of reach or of limits");
             return;
         };

@@ -34,10 +34,10 @@ fn main() {
     }
 
     // The joints turn by ±360°, so every solution can be wound in several ways.
-    let windings = solutions.windings(&Ur5e::LIMITS).count();
+    let windings = solutions.with_full_turns(&Ur5e::LIMITS).count();
     println!(
         "\nwithin the joints' travel: {}",
-        names(&solutions.within(&Ur5e::LIMITS))
+        names(&solutions.within_limits(&Ur5e::LIMITS))
     );
     println!("  ({windings} with all full turns of the joints)");
     let mut on_a_table = Ur5e::LIMITS;
@@ -47,11 +47,11 @@ fn main() {
     };
     println!(
         "with the upper arm above the table: {}",
-        names(&solutions.within(&on_a_table))
+        names(&solutions.within_limits(&on_a_table))
     );
 
     let seed = [0.0, -1.5, 1.5, 0.0, 1.5, 0.0];
-    if let Some(nearest) = solutions.nearest(&seed) {
+    if let Some(nearest) = arm.ik_nearest(&pose, &seed) {
         println!(
             "nearest to {}: branch {}",
             row(&seed).trim(),

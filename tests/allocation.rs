@@ -1,6 +1,6 @@
 //! Generated code and what is done with its answers never allocate.
 
-use kinematics::{Kinematics, Pose, Wrench};
+use kinematics::{Kinematics, Nearest, Pose, Wrench};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -102,13 +102,16 @@ fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
 
 /// Inverse kinematics and what is done with the answers.
 fn answer<K: Kinematics<N>, const N: usize>(arm: &K, target: &Pose, seed: &[f64; N]) {
-    black_box(arm.ik_near(target, seed));
-    black_box(arm.ik_closest(target));
+    black_box(arm.ik_seeded(target, seed));
+    black_box(arm.ik_approximate(target));
     let solutions = arm.ik(target);
-    black_box(solutions.within(&K::LIMITS));
-    black_box(solutions.windings(&K::LIMITS).count());
-    black_box(solutions.nearest(seed));
-    black_box(solutions.nearest_weighted(seed, &[2.0; N]));
-    black_box(solutions.nearest_within(seed, &K::LIMITS));
+    black_box(solutions.within_limits(&K::LIMITS));
+    black_box(solutions.with_full_turns(&K::LIMITS).count());
+    black_box(arm.ik_nearest(target, seed));
+    black_box(
+        arm.try_ik_nearest(target, &Nearest::new(*seed, &K::LIMITS))
+            .ok(),
+    );
+    black_box(solutions.nearest(seed, &K::LIMITS));
     black_box(solutions.into_iter().count());
 }

@@ -211,7 +211,7 @@ fn without_inverse_kinematics_a_loop_still_has_its_assembly_modes() {
     assert!(compiled.inverse.is_none());
     assert!(matches!(compiled.forward, ForwardMethod::Loop(_)));
     let code = generated.code();
-    assert!(code.contains("fn fk(") && !code.contains("fn ik_near(&self, target"));
+    assert!(code.contains("fn fk(") && !code.contains("fn ik_seeded(&self, target"));
 }
 
 /// The letters `<loop_joint` in a comment or a name close no loop.

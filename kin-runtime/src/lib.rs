@@ -49,15 +49,16 @@ pub use analysis::{
 pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
 pub use parallel::{ParallelKinematics, Postures};
 pub use robot::{
-    Body, Following, Frame, Kinematics, Parameter, RedundantKinematics, WithBase, WithTool,
+    Body, Following, Frame, Kinematics, NoSolution, Parameter, RedundantKinematics, WithBase,
+    WithTool,
 };
 #[cfg(feature = "alloc")]
 pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
 };
 pub use types::{
-    Basis, Hessian, IntoIter, Jacobian, JointLimit, Pose, Solution, Solutions, Target, Twist,
-    Windings, Wrench,
+    Basis, FullTurns, Hessian, IntoIter, Jacobian, JointLimit, Nearest, Pose, Solution, Solutions,
+    Target, Twist, Wrench,
 };
 #[cfg(feature = "alloc")]
 pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};

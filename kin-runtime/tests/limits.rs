@@ -1,7 +1,7 @@
 //! Answers between the stops of the joints, held against trying all turns.
 
 use kin_runtime::__private::math;
-use kin_runtime::{JointLimit, Solution, Solutions};
+use kin_runtime::{JointLimit, Nearest, Solution, Solutions};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const CONTINUOUS: JointLimit = JointLimit::Continuous;
@@ -93,7 +93,7 @@ fn windings_are_all_there_are() {
     let mut most = 0;
     for _ in 0..1000 {
         let (all, limits) = (random_answers(&mut random), random_limits(&mut random));
-        let found = sorted(all.windings(&limits).map(|s| s.q).collect());
+        let found = sorted(all.with_full_turns(&limits).map(|s| s.q).collect());
         let expected = sorted(by_trying(&all, &limits));
         assert_eq!(found.len(), expected.len(), "{limits:?}");
         for (a, b) in found.iter().zip(&expected) {
@@ -112,10 +112,10 @@ fn within_keeps_one_winding_of_each_that_has_any() {
     let mut random = Random(2);
     for _ in 0..1000 {
         let (all, limits) = (random_answers(&mut random), random_limits(&mut random));
-        let kept = all.within(&limits);
+        let kept = all.within_limits(&limits);
         for s in &all {
             let windings: Vec<_> = all
-                .windings(&limits)
+                .with_full_turns(&limits)
                 .filter(|w| w.branch == s.branch)
                 .collect();
             let own: Vec<_> = kept.iter().filter(|k| k.branch == s.branch).collect();
@@ -152,7 +152,7 @@ fn the_nearest_within_is_the_nearest_winding() {
             .iter()
             .map(travel)
             .fold(f64::INFINITY, f64::min);
-        match all.nearest_within(&seed, &limits) {
+        match all.nearest(&seed, &limits) {
             Some(nearest) => assert!((travel(&nearest.q) - least).abs() < 1e-9 * least),
             None => assert_eq!(least, f64::INFINITY),
         }
@@ -170,6 +170,8 @@ fn weights_decide_which_is_nearest() {
             random.between(-1.0, 1.0),
         ];
         let weights = [random.between(0.0, 2.0), 0.0, random.between(0.0, 5.0)];
+        let mut nearest = Nearest::new(seed, &[CONTINUOUS; 3]);
+        nearest.weights = weights;
         let distance = |q: &[f64; 3]| {
             let turned = math::wrap(q[0] - seed[0]) * weights[0];
             turned.hypot((q[2] - seed[2]) * weights[2])
@@ -178,15 +180,45 @@ fn weights_decide_which_is_nearest() {
             .iter()
             .map(|s| distance(&s.q))
             .fold(f64::INFINITY, f64::min);
-        let nearest = all.nearest_weighted(&seed, &weights).unwrap();
+        let nearest = all.nearest_by(&nearest).unwrap();
         assert!((distance(&nearest.q) - least).abs() < 1e-12);
     }
     let all = answers(&[[0.1, 0.0, 0.0], [0.0, 0.2, 0.0]]);
-    let nearest = |weights| all.nearest_weighted(&[0.0; 3], weights).unwrap().branch;
-    assert_eq!(nearest(&[1.0; 3]), 0);
-    assert_eq!(nearest(&[3.0, 1.0, 1.0]), 1);
+    let nearest = |weights| {
+        let mut nearest = Nearest::new([0.0; 3], &[CONTINUOUS; 3]);
+        nearest.weights = weights;
+        all.nearest_by(&nearest).unwrap().branch
+    };
+    assert_eq!(nearest([1.0; 3]), 0);
+    assert_eq!(nearest([3.0, 1.0, 1.0]), 1);
     // Of equals the first.
-    assert_eq!(nearest(&[0.0; 3]), 0);
+    assert_eq!(nearest([0.0; 3]), 0);
+}
+
+#[test]
+fn no_joint_steps_further_than_it_may() {
+    let mut random = Random(5);
+    let mut kept = 0;
+    for _ in 0..1000 {
+        let (all, limits) = (random_answers(&mut random), random_limits(&mut random));
+        let seed = [random.angle(), random.angle(), random.between(-1.0, 1.0)];
+        let step = [0; 3].map(|_| random.between(1.0, 9.0));
+        let moved = |q: &[f64; 3]| (0..3).map(|i| (q[i] - seed[i]).powi(2)).sum::<f64>();
+        let allowed = |q: &[f64; 3]| (0..3).all(|i| (q[i] - seed[i]).abs() <= step[i]);
+        let expected = by_trying(&all, &limits)
+            .into_iter()
+            .filter(allowed)
+            .min_by(|a, b| moved(a).total_cmp(&moved(b)));
+        let mut nearest = Nearest::new(seed, &limits);
+        nearest.step = step;
+        let found = all.nearest_by(&nearest).map(|s| s.q);
+        kept += usize::from(found.is_some());
+        assert_eq!(found.is_some(), expected.is_some());
+        if let (Some(a), Some(b)) = (found, expected) {
+            assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-12), "{a:?}, {b:?}");
+        }
+    }
+    assert!((100..900).contains(&kept), "{kept} of 1000 tell nothing");
 }
 
 #[test]
@@ -201,11 +233,11 @@ fn a_solution_at_a_stop_is_inside() {
             ] {
                 let limits = [limit, CONTINUOUS, prismatic(0.3, 0.3)];
                 let all = answers(&[[q, 0.0, 0.3]]);
-                let found: Vec<_> = all.windings(&limits).collect();
+                let found: Vec<_> = all.with_full_turns(&limits).collect();
                 assert_eq!(found.len(), 1, "{q} in {limit:?}");
                 assert!(inside(&limit, found[0].q[0]), "{found:?}");
-                assert_eq!(all.within(&limits).len(), 1);
-                assert!(all.nearest_within(&[9.0; 3], &limits).is_some());
+                assert_eq!(all.within_limits(&limits).len(), 1);
+                assert!(all.nearest(&[9.0; 3], &limits).is_some());
             }
         }
     }
@@ -218,15 +250,15 @@ fn a_solution_beyond_a_stop_is_moved_onto_it_or_outside() {
     let limits = [revolute(-1.0, 1.0), CONTINUOUS, prismatic(-1.0, 1.0)];
     for side in [-1.0, 1.0] {
         for by in [1e-16, 1e-12, 0.9 * JointLimit::TOLERANCE] {
-            let found: Vec<_> = all(side * (1.0 + by)).windings(&limits).collect();
+            let found: Vec<_> = all(side * (1.0 + by)).with_full_turns(&limits).collect();
             assert_eq!(found.len(), 1);
             assert_eq!(found[0].q, [side, 0.0, side]);
         }
         for by in [1.1 * JointLimit::TOLERANCE, 1e-6, 0.1] {
             let outside = all(side * (1.0 + by));
-            assert_eq!(outside.windings(&limits).count(), 0);
-            assert!(outside.within(&limits).is_empty());
-            assert_eq!(outside.nearest_within(&[0.0; 3], &limits), None);
+            assert_eq!(outside.with_full_turns(&limits).count(), 0);
+            assert!(outside.within_limits(&limits).is_empty());
+            assert_eq!(outside.nearest(&[0.0; 3], &limits), None);
         }
     }
 }
@@ -238,13 +270,17 @@ fn without_stops_there_is_one_winding() {
     let all = answers(&[[3.0, -3.0, 70.0]]);
     for endless in [CONTINUOUS, revolute(-infinite, infinite)] {
         let limits = [endless, endless, rail];
-        assert!(all.windings(&limits).map(|s| s.q).eq([[3.0, -3.0, 70.0]]));
-        assert_eq!(all.within(&limits), all);
-        let far = all.nearest_within(&[100.0, -100.0, 0.0], &limits).unwrap();
+        assert!(
+            all.with_full_turns(&limits)
+                .map(|s| s.q)
+                .eq([[3.0, -3.0, 70.0]])
+        );
+        assert_eq!(all.within_limits(&limits), all);
+        let far = all.nearest(&[100.0, -100.0, 0.0], &limits).unwrap();
         assert!((far.q[0] - 100.0).abs() <= PI && (far.q[1] + 100.0).abs() <= PI);
     }
     let above = [revolute(10.0, infinite), revolute(-infinite, -10.0), rail];
-    let found: Vec<_> = all.windings(&above).collect();
+    let found: Vec<_> = all.with_full_turns(&above).collect();
     assert_eq!(found.len(), 1);
     assert!((found[0].q[0] - (3.0 + 2.0 * TAU)).abs() < 1e-12);
     assert!((found[0].q[1] - (-3.0 - 2.0 * TAU)).abs() < 1e-12);
@@ -254,10 +290,10 @@ fn without_stops_there_is_one_winding() {
 fn a_slide_is_inside_or_not() {
     let limits = |lower, upper| [CONTINUOUS, CONTINUOUS, prismatic(lower, upper)];
     let all = answers(&[[0.0, 0.0, 1.0]]);
-    assert_eq!(all.windings(&limits(0.0, 20.0)).count(), 1);
+    assert_eq!(all.with_full_turns(&limits(0.0, 20.0)).count(), 1);
     // A full turn lower there is no other slide.
-    assert_eq!(all.windings(&limits(-20.0, 0.9)).count(), 0);
-    assert_eq!(all.windings(&limits(1.0, 1.0)).count(), 1);
+    assert_eq!(all.with_full_turns(&limits(-20.0, 0.9)).count(), 0);
+    assert_eq!(all.with_full_turns(&limits(1.0, 1.0)).count(), 1);
 }
 
 /// A seed that is not a number chooses something, and spoils nothing.
@@ -271,14 +307,13 @@ fn a_seed_that_is_no_number_spoils_no_answer() {
     ];
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let seed = [bad, 0.0, bad];
-        assert!(all.nearest(&seed).is_some());
-        let nearest = all.nearest_within(&seed, &limits).unwrap();
+        let nearest = all.nearest(&seed, &limits).unwrap();
         assert!(
             (0..3).all(|i| inside(&limits[i], nearest.q[i])),
             "{nearest:?}"
         );
         let endless = [CONTINUOUS, CONTINUOUS, prismatic(0.0, 1.0)];
-        let nearest = all.nearest_within(&seed, &endless).unwrap();
+        let nearest = all.nearest(&seed, &endless).unwrap();
         assert!(nearest.q.iter().all(|x| x.is_finite()), "{nearest:?}");
     }
 }
@@ -291,6 +326,6 @@ fn sixteen_solutions_wind_without_bound() {
     assert_eq!(full.len(), 16);
     let five_turns = revolute(-5.0 * TAU, 5.0 * TAU);
     let limits = [five_turns, five_turns, prismatic(-1.0, 1.0)];
-    assert_eq!(full.windings(&limits).count(), 16 * 10 * 10);
-    assert_eq!(full.within(&limits).len(), 16);
+    assert_eq!(full.with_full_turns(&limits).count(), 16 * 10 * 10);
+    assert_eq!(full.within_limits(&limits).len(), 16);
 }

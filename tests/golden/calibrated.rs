@@ -15,7 +15,8 @@ mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Nearest, Pose, Singularity, Solution, Solutions,
+        Target,
     };
 
     /// The arm `calibrated` from `base` to `wrist_3_link`, compiled from `calibrated.yaml`.
@@ -31,7 +32,7 @@ mod __Calibrated {
     /// let pose = Calibrated.fk(&q);
     /// let solutions = Calibrated.ik(&pose);
     /// assert_eq!(solutions.len(), 8);
-    /// let nearest = solutions.nearest(&q).unwrap();
+    /// let nearest = Calibrated.ik_nearest(&pose, &q).unwrap();
     /// assert!((0..6).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
     /// ```
     ///
@@ -127,6 +128,8 @@ mod __Calibrated {
         pub const BASE: &'static str = "base";
         /// The link whose frame poses are of.
         pub const TIP: &'static str = "wrist_3_link";
+        /// What of a target counts for inverse kinematics.
+        pub const TARGET: Target = Target::Pose;
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 8;
         /// The pose of the tip in the base frame, metres, at joint values `q`:
@@ -886,7 +889,7 @@ mod __Calibrated {
         /// All joint values that put the tip at `pose` in the base frame, metres.
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
@@ -896,7 +899,7 @@ mod __Calibrated {
         /// Solved by SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            self.ik_near(pose, &[0.0; 6])
+            self.ik_seeded(pose, &[0.0; 6])
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -904,7 +907,7 @@ mod __Calibrated {
         /// continuous. The solutions of other targets do not depend on it; a
         /// seed that is not finite loses those of singular targets.
         #[must_use]
-        pub fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
+        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             let branches = self.branches(pose, seed);
             branches
                 .refined(|q| self.fk_jacobian(q), pose, Target::Pose, 24, &Self::ACCEPT)
@@ -915,7 +918,10 @@ mod __Calibrated {
         /// solution of the subproblems, with its distance (metres) as the
         /// residual. None if `pose` is not a number.
         #[must_use]
-        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
+        pub fn ik_approximate(
+            &self,
+            pose: &Pose,
+        ) -> ::core::option::Option<Solution<6>> {
             self.ik(pose)
                 .first()
                 .copied()
@@ -1249,6 +1255,32 @@ mod __Calibrated {
                 invalid: invalid_,
                 singular: singular_,
             }
+        }
+
+        /// The solution that moves the joints least from `seed` (radians), inside
+        /// the limits of the arm and with full turns where these lead there; an
+        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// None if there is none.
+        #[must_use]
+        pub fn ik_nearest(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 6],
+        ) -> ::core::option::Option<Solution<6>> {
+            let nearest = &Nearest::new(*seed, &Self::LIMITS);
+            self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)
+        }
+
+        /// The solution that moves the joints least from the seed of `nearest`,
+        /// inside its limits and steps; see
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        #[must_use]
+        pub fn ik_nearest_by(
+            &self,
+            pose: &Pose,
+            nearest: &Nearest<6>,
+        ) -> ::core::option::Option<Solution<6>> {
+            self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)
         }
 
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.

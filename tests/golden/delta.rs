@@ -281,7 +281,7 @@ mod __Delta {
             /// All joint values that put the tip's origin at the translation of `pose` in the base frame, metres. The rest of `pose` is not read.
             ///
             /// Angles are in (−π, π]; limits are not applied, see
-            /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+            /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
@@ -291,7 +291,7 @@ mod __Delta {
             /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
-                self.ik_near(pose, &[0.0; 3])
+                self.ik_seeded(pose, &[0.0; 3])
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -299,7 +299,7 @@ mod __Delta {
             /// continuous. The solutions of other targets do not depend on it; a
             /// seed that is not finite loses those of singular targets.
             #[must_use]
-            pub fn ik_near(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
+            pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 let branches = self.branches(pose, seed);
                 branches
                     .corrected(
@@ -315,7 +315,7 @@ mod __Delta {
             /// solution of the subproblems, with its distance (metres) as the
             /// residual. None if `pose` is not a number.
             #[must_use]
-            pub fn ik_closest(
+            pub fn ik_approximate(
                 &self,
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<3>> {
@@ -532,7 +532,7 @@ mod __Delta {
             /// All joint values that turn the tip as `pose` is turned in the base frame, metres. The rest of `pose` is not read.
             ///
             /// Angles are in (−π, π]; limits are not applied, see
-            /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+            /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
@@ -542,7 +542,7 @@ mod __Delta {
             /// Solved by SP1(q1) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
-                self.ik_near(pose, &[0.0; 2])
+                self.ik_seeded(pose, &[0.0; 2])
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -550,7 +550,7 @@ mod __Delta {
             /// continuous. The solutions of other targets do not depend on it; a
             /// seed that is not finite loses those of singular targets.
             #[must_use]
-            pub fn ik_near(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
+            pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 let branches = self.branches(pose, seed);
                 branches
                     .corrected(
@@ -566,7 +566,7 @@ mod __Delta {
             /// solution of the subproblems, with its distance (metres) as the
             /// residual. None if `pose` is not a number.
             #[must_use]
-            pub fn ik_closest(
+            pub fn ik_approximate(
                 &self,
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<2>> {
@@ -905,7 +905,7 @@ mod __Delta {
             /// All joint values that put the tip's origin at the translation of `pose` in the base frame, metres. The rest of `pose` is not read.
             ///
             /// Angles are in (−π, π]; limits are not applied, see
-            /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+            /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
@@ -915,7 +915,7 @@ mod __Delta {
             /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
-                self.ik_near(pose, &[0.0; 3])
+                self.ik_seeded(pose, &[0.0; 3])
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -923,7 +923,7 @@ mod __Delta {
             /// continuous. The solutions of other targets do not depend on it; a
             /// seed that is not finite loses those of singular targets.
             #[must_use]
-            pub fn ik_near(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
+            pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 let branches = self.branches(pose, seed);
                 branches
                     .corrected(
@@ -939,7 +939,7 @@ mod __Delta {
             /// solution of the subproblems, with its distance (metres) as the
             /// residual. None if `pose` is not a number.
             #[must_use]
-            pub fn ik_closest(
+            pub fn ik_approximate(
                 &self,
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<3>> {
@@ -1182,7 +1182,7 @@ mod __Delta {
             /// All joint values that turn the tip as `pose` is turned in the base frame, metres. The rest of `pose` is not read.
             ///
             /// Angles are in (−π, π]; limits are not applied, see
-            /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+            /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
@@ -1192,7 +1192,7 @@ mod __Delta {
             /// Solved by SP2(q1,q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
-                self.ik_near(pose, &[0.0; 2])
+                self.ik_seeded(pose, &[0.0; 2])
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -1200,7 +1200,7 @@ mod __Delta {
             /// continuous. The solutions of other targets do not depend on it; a
             /// seed that is not finite loses those of singular targets.
             #[must_use]
-            pub fn ik_near(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
+            pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 let branches = self.branches(pose, seed);
                 branches
                     .corrected(
@@ -1216,7 +1216,7 @@ mod __Delta {
             /// solution of the subproblems, with its distance (metres) as the
             /// residual. None if `pose` is not a number.
             #[must_use]
-            pub fn ik_closest(
+            pub fn ik_approximate(
                 &self,
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<2>> {
@@ -1596,7 +1596,7 @@ mod __Delta {
             /// All joint values that put the tip's origin at the translation of `pose` in the base frame, metres. The rest of `pose` is not read.
             ///
             /// Angles are in (−π, π]; limits are not applied, see
-            /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+            /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
@@ -1606,7 +1606,7 @@ mod __Delta {
             /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
-                self.ik_near(pose, &[0.0; 3])
+                self.ik_seeded(pose, &[0.0; 3])
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -1614,7 +1614,7 @@ mod __Delta {
             /// continuous. The solutions of other targets do not depend on it; a
             /// seed that is not finite loses those of singular targets.
             #[must_use]
-            pub fn ik_near(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
+            pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 let branches = self.branches(pose, seed);
                 branches
                     .corrected(
@@ -1630,7 +1630,7 @@ mod __Delta {
             /// solution of the subproblems, with its distance (metres) as the
             /// residual. None if `pose` is not a number.
             #[must_use]
-            pub fn ik_closest(
+            pub fn ik_approximate(
                 &self,
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<3>> {
@@ -1872,7 +1872,7 @@ mod __Delta {
             /// All joint values that turn the tip as `pose` is turned in the base frame, metres. The rest of `pose` is not read.
             ///
             /// Angles are in (−π, π]; limits are not applied, see
-            /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+            /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
             /// of each family of solutions, with zero for an angle that is free.
@@ -1882,7 +1882,7 @@ mod __Delta {
             /// Solved by SP2(q1,q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
-                self.ik_near(pose, &[0.0; 2])
+                self.ik_seeded(pose, &[0.0; 2])
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -1890,7 +1890,7 @@ mod __Delta {
             /// continuous. The solutions of other targets do not depend on it; a
             /// seed that is not finite loses those of singular targets.
             #[must_use]
-            pub fn ik_near(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
+            pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 let branches = self.branches(pose, seed);
                 branches
                     .corrected(
@@ -1906,7 +1906,7 @@ mod __Delta {
             /// solution of the subproblems, with its distance (metres) as the
             /// residual. None if `pose` is not a number.
             #[must_use]
-            pub fn ik_closest(
+            pub fn ik_approximate(
                 &self,
                 pose: &Pose,
             ) -> ::core::option::Option<Solution<2>> {
@@ -2237,7 +2237,7 @@ mod __Delta {
             )
         }
 
-        fn ik_near(&self, target: &Pose, seed: &[f64; 15]) -> Postures<15, 3> {
+        fn ik_seeded(&self, target: &Pose, seed: &[f64; 15]) -> Postures<15, 3> {
             let mut postures = Postures::new(Self::CHAINS);
             // The platform does not turn: its rotation is that at home
             let target = &Pose {
@@ -2248,9 +2248,9 @@ mod __Delta {
             let point = Pose::from_translation(
                 target.transform_point([0.0331976404784035, 0.0, 0.0]),
             );
-            for head in &arms::Head1.ik_near(&point, &[seed[0], seed[1], seed[2]]) {
+            for head in &arms::Head1.ik_seeded(&point, &[seed[0], seed[1], seed[2]]) {
                 let rest = arms::Head1.fk(&head.q).inverse() * *target;
-                for tail in &arms::Tail1.ik_near(&rest, &[seed[3], seed[4]]) {
+                for tail in &arms::Tail1.ik_seeded(&rest, &[seed[3], seed[4]]) {
                     let q = [head.q[0], head.q[1], head.q[2], tail.q[0], tail.q[1]];
                     postures.push(0, 0, &q);
                 }
@@ -2260,9 +2260,9 @@ mod __Delta {
                 target
                     .transform_point([-0.016598820239202505, 0.028750000000000442, 0.0]),
             );
-            for head in &arms::Head2.ik_near(&point, &[seed[5], seed[6], seed[7]]) {
+            for head in &arms::Head2.ik_seeded(&point, &[seed[5], seed[6], seed[7]]) {
                 let rest = arms::Head2.fk(&head.q).inverse() * *target;
-                for tail in &arms::Tail2.ik_near(&rest, &[seed[8], seed[9]]) {
+                for tail in &arms::Tail2.ik_seeded(&rest, &[seed[8], seed[9]]) {
                     let q = [head.q[0], head.q[1], head.q[2], tail.q[0], tail.q[1]];
                     postures.push(1, 0, &q);
                 }
@@ -2272,9 +2272,9 @@ mod __Delta {
                 target
                     .transform_point([-0.016598820239202505, -0.028750000000000442, 0.0]),
             );
-            for head in &arms::Head3.ik_near(&point, &[seed[10], seed[11], seed[12]]) {
+            for head in &arms::Head3.ik_seeded(&point, &[seed[10], seed[11], seed[12]]) {
                 let rest = arms::Head3.fk(&head.q).inverse() * *target;
-                for tail in &arms::Tail3.ik_near(&rest, &[seed[13], seed[14]]) {
+                for tail in &arms::Tail3.ik_seeded(&rest, &[seed[13], seed[14]]) {
                     let q = [head.q[0], head.q[1], head.q[2], tail.q[0], tail.q[1]];
                     postures.push(2, 0, &q);
                 }

@@ -30,7 +30,7 @@ mod __Panda {
     /// let parameter = Panda.redundancy(&q);
     /// let solutions = Panda.ik_at(&pose, parameter);
     /// assert_eq!(solutions.len(), 4);
-    /// let nearest = solutions.nearest(&q).unwrap();
+    /// let nearest = Panda.ik_nearest(&pose, &q).unwrap();
     /// assert!((0..7).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
     /// ```
     ///
@@ -127,6 +127,8 @@ mod __Panda {
         pub const BASE: &'static str = "base";
         /// The link whose frame poses are of.
         pub const TIP: &'static str = "joint7_link";
+        /// What of a target counts for inverse kinematics.
+        pub const TARGET: Target = Target::Pose;
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 0;
         /// The pose of the tip in the base frame, metres, at joint values `q`:
@@ -652,7 +654,7 @@ mod __Panda {
         /// `parameter` is the value of q7 (`joint7`), radians.
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out of
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out of
         /// reach at this parameter has no solutions, and neither has one of which an
         /// entry is not finite. Singular is what is singular for the other joints.
         ///

@@ -14,7 +14,8 @@ mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{Acceptance, Branches, lanes, math};
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Nearest, Pose, Singularity, Solution, Solutions,
+        Target,
     };
 
     /// The arm `scara` from `base` to `tip`, compiled from `scara.yaml`.
@@ -30,7 +31,7 @@ mod __Scara {
     /// let pose = Scara.fk(&q);
     /// let solutions = Scara.ik(&pose);
     /// assert_eq!(solutions.len(), 2);
-    /// let nearest = solutions.nearest(&q).unwrap();
+    /// let nearest = Scara.ik_nearest(&pose, &q).unwrap();
     /// assert!((0..4).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
     /// ```
     ///
@@ -109,6 +110,8 @@ mod __Scara {
         pub const BASE: &'static str = "base";
         /// The link whose frame poses are of.
         pub const TIP: &'static str = "tip";
+        /// What of a target counts for inverse kinematics.
+        pub const TARGET: Target = Target::Pose;
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 2;
         /// The pose of the tip in the base frame, metres, at joint values `q`:
@@ -298,7 +301,7 @@ mod __Scara {
         /// All joint values that put the tip at `pose` in the base frame, metres.
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
@@ -308,7 +311,7 @@ mod __Scara {
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<4> {
-            self.ik_near(pose, &[0.0; 4])
+            self.ik_seeded(pose, &[0.0; 4])
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -316,7 +319,7 @@ mod __Scara {
         /// continuous. The solutions of other targets do not depend on it; a
         /// seed that is not finite loses those of singular targets.
         #[must_use]
-        pub fn ik_near(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
+        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
             let branches = self.branches(pose, seed);
             branches
                 .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
@@ -327,7 +330,10 @@ mod __Scara {
         /// solution of the subproblems, with its distance (metres) as the
         /// residual. None if `pose` is not a number.
         #[must_use]
-        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<4>> {
+        pub fn ik_approximate(
+            &self,
+            pose: &Pose,
+        ) -> ::core::option::Option<Solution<4>> {
             self.branches(pose, &[0.0; 4])
                 .closest_by(|q| self.fk(q), pose, Target::Pose, &Self::ACCEPT)
         }
@@ -451,6 +457,47 @@ mod __Scara {
                 invalid: invalid_,
                 singular: singular_,
             }
+        }
+
+        /// The solution that moves the joints least from `seed` (radians), inside
+        /// the limits of the arm and with full turns where these lead there; an
+        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// None if there is none.
+        #[must_use]
+        pub fn ik_nearest(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 4],
+        ) -> ::core::option::Option<Solution<4>> {
+            let nearest = const { Nearest::new([0.0; 4], &Self::LIMITS) };
+            let nearest = &nearest.from_seed(*seed);
+            self.branches(pose, &nearest.seed)
+                .corrected_nearest(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    &Self::ACCEPT,
+                    nearest,
+                )
+        }
+
+        /// The solution that moves the joints least from the seed of `nearest`,
+        /// inside its limits and steps; see
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        #[must_use]
+        pub fn ik_nearest_by(
+            &self,
+            pose: &Pose,
+            nearest: &Nearest<4>,
+        ) -> ::core::option::Option<Solution<4>> {
+            self.branches(pose, &nearest.seed)
+                .corrected_nearest(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    &Self::ACCEPT,
+                    nearest,
+                )
         }
 
         /// The determinant of the rows of the Jacobian that are not zero in every configuration.

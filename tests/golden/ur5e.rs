@@ -17,7 +17,8 @@ mod __Ur5e {
         Acceptance, Branches, FREE_BELOW, FreeAngle, lanes, math, widen,
     };
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Pose, Singularity, Solution, Solutions, Target,
+        Frame, Jacobian, JointLimit, Nearest, Pose, Singularity, Solution, Solutions,
+        Target,
     };
 
     /// The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
@@ -33,7 +34,7 @@ mod __Ur5e {
     /// let pose = Ur5e.fk(&q);
     /// let solutions = Ur5e.ik(&pose);
     /// assert_eq!(solutions.len(), 8);
-    /// let nearest = solutions.nearest(&q).unwrap();
+    /// let nearest = Ur5e.ik_nearest(&pose, &q).unwrap();
     /// assert!((0..6).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
     /// ```
     ///
@@ -129,6 +130,8 @@ mod __Ur5e {
         pub const BASE: &'static str = "base_link";
         /// The link whose frame poses are of.
         pub const TIP: &'static str = "tool0";
+        /// What of a target counts for inverse kinematics.
+        pub const TARGET: Target = Target::Pose;
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 8;
         /// The pose of the tip in the base frame, metres, at joint values `q`:
@@ -562,7 +565,7 @@ mod __Ur5e {
         /// All joint values that put the tip at `pose` in the base frame, metres.
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
@@ -572,7 +575,7 @@ mod __Ur5e {
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            self.ik_near(pose, &[0.0; 6])
+            self.ik_seeded(pose, &[0.0; 6])
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -580,7 +583,7 @@ mod __Ur5e {
         /// continuous. The solutions of other targets do not depend on it; a
         /// seed that is not finite loses those of singular targets.
         #[must_use]
-        pub fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
+        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             let branches = self.branches(pose, seed);
             branches
                 .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
@@ -591,7 +594,10 @@ mod __Ur5e {
         /// solution of the subproblems, with its distance (metres) as the
         /// residual. None if `pose` is not a number.
         #[must_use]
-        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
+        pub fn ik_approximate(
+            &self,
+            pose: &Pose,
+        ) -> ::core::option::Option<Solution<6>> {
             self.branches(pose, &[0.0; 6])
                 .closest_by(|q| self.fk(q), pose, Target::Pose, &Self::ACCEPT)
         }
@@ -934,6 +940,47 @@ mod __Ur5e {
                     no_root: no_root_,
                 },
             )
+        }
+
+        /// The solution that moves the joints least from `seed` (radians), inside
+        /// the limits of the arm and with full turns where these lead there; an
+        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// None if there is none.
+        #[must_use]
+        pub fn ik_nearest(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 6],
+        ) -> ::core::option::Option<Solution<6>> {
+            let nearest = const { Nearest::new([0.0; 6], &Self::LIMITS) };
+            let nearest = &nearest.from_seed(*seed);
+            self.branches(pose, &nearest.seed)
+                .corrected_nearest(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    &Self::ACCEPT,
+                    nearest,
+                )
+        }
+
+        /// The solution that moves the joints least from the seed of `nearest`,
+        /// inside its limits and steps; see
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        #[must_use]
+        pub fn ik_nearest_by(
+            &self,
+            pose: &Pose,
+            nearest: &Nearest<6>,
+        ) -> ::core::option::Option<Solution<6>> {
+            self.branches(pose, &nearest.seed)
+                .corrected_nearest(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    &Self::ACCEPT,
+                    nearest,
+                )
         }
 
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.

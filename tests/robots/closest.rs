@@ -20,7 +20,7 @@ const WORSE: f64 = 1.2;
 pub fn within_reach_it_is_a_solution<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in robot.random(200).chain(robot.structured()) {
         let target = robot.chain.fk(&q);
-        let closest = robot.arm.ik_closest(&target).unwrap();
+        let closest = robot.arm.ik_approximate(&target).unwrap();
         let answers = robot.ik(&target);
         let same = |answer: &Solution<N>| answer.q == closest.q;
         assert!(answers.iter().any(same), "{q:?}: {closest:?}, {answers:#?}");
@@ -48,17 +48,17 @@ fn out_of_reach<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) -> Vec<
 
 pub fn out_of_reach_it_claims_no_solution<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for target in out_of_reach(robot) {
-        let closest = robot.arm.ik_closest(&target).unwrap();
+        let closest = robot.arm.ik_approximate(&target).unwrap();
         assert!(closest.q.iter().all(|x| x.is_finite()), "{closest:?}");
         assert!(closest.residual.is_finite(), "{closest:?}");
         assert!(closest.residual > SOUND * robot.size, "{closest:?}");
-        assert_eq!(robot.arm.ik_closest(&target), Some(closest));
+        assert_eq!(robot.arm.ik_approximate(&target), Some(closest));
     }
 }
 
 pub fn residual_is_the_distance<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for target in out_of_reach(robot) {
-        let closest = robot.arm.ik_closest(&target).unwrap();
+        let closest = robot.arm.ik_approximate(&target).unwrap();
         let missed = robot.miss(&closest.q, &target) * robot.size;
         let difference = (closest.residual - missed).abs();
         // A chord and the angle of a rotation differ where it is large.
@@ -70,7 +70,7 @@ pub fn little_is_gained_by_descending_from_it<K: Kinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) {
     for target in out_of_reach(robot) {
-        let closest = robot.arm.ik_closest(&target).unwrap();
+        let closest = robot.arm.ik_approximate(&target).unwrap();
         let reached = robot.miss(&closest.q, &target);
         let least = descend(robot, closest.q, &target);
         assert!(
@@ -83,5 +83,5 @@ pub fn little_is_gained_by_descending_from_it<K: Kinematics<N>, const N: usize>(
 pub fn not_a_number_has_none<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     let mut target = robot.chain.fk(&[0.1; N]);
     target.translation[0] = f64::NAN;
-    assert_eq!(robot.arm.ik_closest(&target), None);
+    assert_eq!(robot.arm.ik_approximate(&target), None);
 }

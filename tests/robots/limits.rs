@@ -38,7 +38,7 @@ pub fn windings_stay_inside_and_reach_the_target<K: Kinematics<N>, const N: usiz
 ) {
     for q in inside(robot).take(20) {
         let target = robot.chain.fk(&q);
-        for winding in robot.arm.ik(&target).windings(&K::LIMITS) {
+        for winding in robot.arm.ik(&target).with_full_turns(&K::LIMITS) {
             let mut joints = K::LIMITS.iter().zip(winding.q);
             assert!(joints.all(|(limit, q)| fits(limit, q)), "{winding:?}");
             assert!(robot.miss(&winding.q, &target) < 1e-9, "{winding:?}");
@@ -53,13 +53,13 @@ pub fn a_configuration_inside_comes_back_as_it_was<K: Kinematics<N>, const N: us
     for q in inside(robot) {
         let answers = robot.arm.ik(&robot.chain.fk(&q));
         let same = |other: [f64; N]| largest((0..N).map(|i| other[i] - q[i])) < 1e-8;
-        let mut windings = answers.windings(&K::LIMITS);
+        let mut windings = answers.with_full_turns(&K::LIMITS);
         let continuous = K::LIMITS.contains(&JointLimit::Continuous);
         assert!(
             continuous || windings.any(|winding| same(winding.q)),
             "{q:?}"
         );
-        let nearest = answers.nearest_within(&q, &K::LIMITS).unwrap();
+        let nearest = answers.nearest(&q, &K::LIMITS).unwrap();
         assert!(same(nearest.q), "{nearest:?} is not {q:?}");
     }
 }
@@ -67,7 +67,7 @@ pub fn a_configuration_inside_comes_back_as_it_was<K: Kinematics<N>, const N: us
 fn within_keeps_what_fits<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in inside(robot) {
         let answers = robot.arm.ik(&robot.chain.fk(&q));
-        let kept = answers.within(&K::LIMITS);
+        let kept = answers.within_limits(&K::LIMITS);
         assert!(!kept.is_empty() && kept.len() <= answers.len(), "{q:?}");
         for answer in &kept {
             let mut joints = K::LIMITS.iter().zip(answer.q);
@@ -75,7 +75,7 @@ fn within_keeps_what_fits<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N
         }
         let fitting = |branch| {
             answers
-                .windings(&K::LIMITS)
+                .with_full_turns(&K::LIMITS)
                 .any(|winding| winding.branch == branch)
         };
         let expected = answers

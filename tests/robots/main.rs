@@ -19,6 +19,7 @@ mod honest;
 mod limits;
 mod malformed;
 mod near;
+mod nearest;
 mod noisy;
 mod recovered;
 mod rounded;

@@ -18,7 +18,7 @@ pub fn regular_targets_do_not_look_at_the_seed<K: Kinematics<N>, const N: usize>
     for (q, seed) in robot.random(300).zip(seeds) {
         let target = robot.chain.fk(&q);
         let answers = robot.ik(&target);
-        let near: Vec<_> = robot.arm.ik_near(&target, &seed).into_iter().collect();
+        let near: Vec<_> = robot.arm.ik_seeded(&target, &seed).into_iter().collect();
         let regular = |answer: &Solution<N>| robot.conditioning(&answer.q) > 1e-3;
         if answers.iter().chain(&near).all(regular) {
             assert_eq!(near, answers, "{q:?}, {seed:?}");
@@ -49,7 +49,7 @@ fn singular<K: Kinematics<N>, const N: usize>(
 fn a_singular_seed_comes_back<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     for q in singular(robot) {
         let target = robot.chain.fk(&q);
-        let answers = robot.arm.ik_near(&target, &q);
+        let answers = robot.arm.ik_seeded(&target, &q);
         let kept = from_seed(robot, &answers, &q);
         assert!(kept < KEPT, "{q:?} is {kept:e} from {answers:#?}");
     }

@@ -11,6 +11,7 @@ use crate::forward::{jacobians_agree, poses_agree};
 use crate::honest::{regular_answers_are_not_flagged, singular_answers_are_flagged};
 use crate::malformed::{infinity_has_no_answers, not_a_number_has_no_answers};
 use crate::near::regular_targets_do_not_look_at_the_seed;
+use crate::nearest::{the_nearest_is_that_of_all_solutions, the_reason_for_none_is_true};
 use crate::recovered::assert_comes_back;
 use crate::sound::{angles_are_in_range, answers_are_distinct, answers_reach_the_target};
 use crate::subject::Subject;
@@ -36,6 +37,8 @@ for_every_noisy_robot!(residual_is_the_distance);
 for_every_noisy_robot!(within_reach_it_is_a_solution);
 for_every_noisy_robot!(not_a_number_has_none);
 for_every_noisy_robot!(regular_targets_do_not_look_at_the_seed);
+for_every_noisy_robot!(the_nearest_is_that_of_all_solutions);
+for_every_noisy_robot!(the_reason_for_none_is_true);
 
 for_every_noisy_robot!(nearly_singular_configurations_come_back);
 for_every_noisy_robot!(nearly_singular_targets_have_all_answers);

@@ -1,7 +1,7 @@
 //! Following a path by the answers of inverse kinematics.
 
 use crate::path::STEPS;
-use kinematics::{Kinematics, Pose, Solution};
+use kinematics::{JointLimit, Kinematics, Pose, Solution};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
@@ -43,10 +43,11 @@ pub fn follow<K: Kinematics<6>>(
     let sample = |k: i32| {
         let s = (f64::from(k) + shift) * step;
         let seed = last.map_or(seed, |answer| answer.q);
-        let answers = arm.ik_near(&path(s), &seed);
+        let answers = arm.ik_seeded(&path(s), &seed);
         let kept = |answer: &&Solution<6>| Some(answer.branch) == last.map(|last| last.branch);
         let same = answers.iter().find(kept).filter(|_| by == By::Branch);
-        last = Some(*same.or(answers.nearest(&seed))?);
+        let nearest = || answers.nearest(&seed, &[JointLimit::Continuous; 6]);
+        last = Some(same.copied().or_else(nearest)?);
         last.map(|answer| Sample {
             s,
             answer,

@@ -384,7 +384,7 @@ fn example(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
         Some(count) => lines.extend([
             asks,
             format!("assert_eq!(solutions.len(), {count});"),
-            "let nearest = solutions.nearest(&q).unwrap();".into(),
+            format!("let nearest = {name}.ik_nearest(&pose, &q).unwrap();"),
             format!(
                 "assert!((0..{}).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));",
                 q.len()

@@ -5,13 +5,14 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What generated code can name and users can, too.
-const PUBLIC: [&str; 16] = [
+const PUBLIC: [&str; 17] = [
     "Following",
     "Frame",
     "Hessian",
     "Jacobian",
     "JointLimit",
     "Kinematics",
+    "Nearest",
     "ParallelKinematics",
     "Parameter",
     "Pose",

@@ -32,7 +32,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         #[doc = #what]
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
@@ -42,7 +42,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         #[doc = #plan]
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<#n> {
-            self.ik_near(pose, &[0.0; #n])
+            self.ik_seeded(pose, &[0.0; #n])
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -50,7 +50,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         /// continuous. The solutions of other targets do not depend on it; a
         /// seed that is not finite loses those of singular targets.
         #[must_use]
-        pub fn ik_near(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
+        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
             let branches = self.branches(pose, seed);
             #sorted
         }
@@ -60,7 +60,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         /// solution of the subproblems, with its distance (metres) as the
         /// residual. None if `pose` is not a number.
         #[must_use]
-        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<#n>> {
+        pub fn ik_approximate(&self, pose: &Pose) -> ::core::option::Option<Solution<#n>> {
             #closest
         }
 
@@ -181,6 +181,61 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     }
     // The branches are those of the idealized arm.
     quote!(self.ik(pose).first().copied().or_else(|| #closest))
+}
+
+/// The methods that choose the one solution that moves the joints least.
+pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
+    let n = Literal::usize_unsuffixed(model.variables.len());
+    let (first, by) = match solver.inverse {
+        Inverse::Expressions(_) if solver.is_exact() => (
+            quote! {
+                let nearest = const { Nearest::new([0.0; #n], &Self::LIMITS) };
+                let nearest = &nearest.from_seed(*seed);
+            },
+            nearest_branch(solver.plan.target),
+        ),
+        _ => (
+            quote!(let nearest = &Nearest::new(*seed, &Self::LIMITS);),
+            quote!(self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)),
+        ),
+    };
+    quote! {
+        /// The solution that moves the joints least from `seed` (radians), inside
+        /// the limits of the arm and with full turns where these lead there; an
+        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// None if there is none.
+        #[must_use]
+        pub fn ik_nearest(&self, pose: &Pose, seed: &[f64; #n])
+            -> ::core::option::Option<Solution<#n>>
+        {
+            #first
+            #by
+        }
+
+        /// The solution that moves the joints least from the seed of `nearest`,
+        /// inside its limits and steps; see
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        #[must_use]
+        pub fn ik_nearest_by(&self, pose: &Pose, nearest: &Nearest<#n>)
+            -> ::core::option::Option<Solution<#n>>
+        {
+            #by
+        }
+    }
+}
+
+/// How the branch that moves least is chosen.
+fn nearest_branch(target: Target) -> TokenStream {
+    let branches = quote!(self.branches(pose, &nearest.seed));
+    if target.is_projected() {
+        return quote!(#branches.nearest(&Self::ACCEPT, nearest));
+    }
+    let target = format_ident!("{target:?}");
+    quote! {
+        #branches.corrected_nearest(
+            |q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT, nearest,
+        )
+    }
 }
 
 /// How the branches become solutions.

@@ -289,7 +289,7 @@ fn ik(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> Option<TokenS
             let lead = Literal::usize_unsuffixed(lead);
             quote! {
                 #comment
-                for (place, lead) in arms::#name.ik_near(target, &#seed).iter().enumerate() {
+                for (place, lead) in arms::#name.ik_seeded(target, &#seed).iter().enumerate() {
                     postures.push(#lead, #place, &lead.q);
                     let target = &arms::#name.fk(&lead.q);
                     #others
@@ -298,7 +298,7 @@ fn ik(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> Option<TokenS
         }
     };
     Some(quote! {
-        fn ik_near(&self, target: &Pose, seed: &[f64; #n]) -> Postures<#n, #k> {
+        fn ik_seeded(&self, target: &Pose, seed: &[f64; #n]) -> Postures<#n, #k> {
             let mut postures = Postures::new(Self::CHAINS);
             #body
             postures
@@ -321,7 +321,7 @@ fn pushes(compiled: &CompiledMechanism, leg: usize, place: &TokenStream) -> Toke
             let (name, seed) = (leg_name(leg), entries("seed", first..end));
             quote! {
                 #comment
-                for found in &arms::#name.ik_near(target, &#seed) {
+                for found in &arms::#name.ik_seeded(target, &#seed) {
                     postures.push(#number, #place, &found.q);
                 }
             }
@@ -336,9 +336,9 @@ fn pushes(compiled: &CompiledMechanism, leg: usize, place: &TokenStream) -> Toke
             quote! {
                 #comment
                 let point = Pose::from_translation(target.transform_point([#(#point),*]));
-                for head in &arms::#head.ik_near(&point, &#seed_head) {
+                for head in &arms::#head.ik_seeded(&point, &#seed_head) {
                     let rest = arms::#head.fk(&head.q).inverse() * *target;
-                    for tail in &arms::#tail.ik_near(&rest, &#seed_tail) {
+                    for tail in &arms::#tail.ik_seeded(&rest, &#seed_tail) {
                         let q = [#(head.q[#of_head],)* #(tail.q[#of_tail]),*];
                         postures.push(#number, #place, &q);
                     }

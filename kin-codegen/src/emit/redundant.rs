@@ -50,7 +50,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
         #[doc = #takes]
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out of
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out of
         /// reach at this parameter has no solutions, and neither has one of which an
         /// entry is not finite. Singular is what is singular for the other joints.
         ///

@@ -22,7 +22,11 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let redundancy = compiled.redundancy.as_ref();
     let inverse = compiled.form().map(|form| match redundancy {
         Some(redundancy) => redundant::methods(&compiled.model, form, redundancy),
-        None => inverse::methods(&compiled.model, form),
+        None => {
+            let all = inverse::methods(&compiled.model, form);
+            let one = inverse::choice(&compiled.model, form);
+            quote!(#all #one)
+        }
     });
     let variables = compiled.model.variables.len();
     let singular = compiled.singular.as_ref();
@@ -101,6 +105,8 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let (base, tip) = (text::literal(&model.base), text::literal(&model.tip));
     let branches = Literal::usize_unsuffixed(compiled.branches());
     let frames = frames::constant(model);
+    let target = compiled.target();
+    let target = format_ident!("{target:?}");
     quote! {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -121,6 +127,8 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         pub const BASE: &'static str = #base;
         /// The link whose frame poses are of.
         pub const TIP: &'static str = #tip;
+        /// What of a target counts for inverse kinematics.
+        pub const TARGET: Target = Target::#target;
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = #branches;
     }

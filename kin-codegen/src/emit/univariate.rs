@@ -25,7 +25,7 @@ pub fn methods(arm: &Arm) -> TokenStream {
         #[doc = #order]
         ///
         /// Angles are in (−π, π]; limits are not applied, see
-        /// [`Solutions::within`](::kinematics::Solutions::within). A target out
+        /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry is not
         /// finite. A singular target has some members of each family of solutions.
         ///
@@ -37,7 +37,7 @@ pub fn methods(arm: &Arm) -> TokenStream {
 
         /// As [`Self::ik`]; if `seed` (radians) is a singular solution, it is among them.
         #[must_use]
-        pub fn ik_near(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
+        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             Self::UNIVARIATE.solutions_near(pose, seed)
         }
 
@@ -45,7 +45,7 @@ pub fn methods(arm: &Arm) -> TokenStream {
         /// of which no small motion comes nearer, with its distance (metres) as the
         /// residual. None if `pose` is not a number.
         #[must_use]
-        pub fn ik_closest(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
+        pub fn ik_approximate(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
             Self::UNIVARIATE.closest(pose)
         }
     }

@@ -2,7 +2,7 @@
 
 use super::acceptance::Acceptance;
 use super::refinement::{NEARLY, Problem, correct_branches, refine_branches};
-use crate::{Jacobian, Pose, Solution, Solutions, Target};
+use crate::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
 /// choice is + where bit i of k is clear.
@@ -39,6 +39,62 @@ impl<const N: usize, const L: usize> Branches<N, L> {
                 solutions.push_if(reaches, self.lane(k));
             }
         })
+    }
+
+    /// Of the branches that reach the target, the one that moves the joints
+    /// least, chosen side by side: as [`Solutions::nearest_by`] of
+    /// [`Self::solutions`], without writing the others down.
+    #[inline(always)]
+    pub fn nearest(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
+        let joints = nearest.motion(accept.prismatic);
+        let mut motions = [0.0; L];
+        for k in 0..L {
+            let mut motion = 0.0;
+            let mut excess = f64::NEG_INFINITY;
+            for i in 0..N {
+                let (cost, beyond) = joints.cost(i, self.q[i][k]);
+                motion += cost;
+                excess = math::max(excess, beyond);
+            }
+            let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
+            let allowed = reaches & (excess <= JointLimit::TOLERANCE);
+            motions[k] = math::select(allowed, motion, f64::INFINITY);
+        }
+        let mut best = 0;
+        let mut least = motions[0];
+        for k in 1..L {
+            best = if motions[k] < least { k } else { best };
+            least = math::select(motions[k] < least, motions[k], least);
+        }
+        if least == f64::INFINITY {
+            return None;
+        }
+        let mut solution = self.lane(best);
+        for i in 0..N {
+            solution.q[i] = joints.value(i, solution.q[i]);
+        }
+        Some(solution)
+    }
+
+    /// As [`Self::nearest`], of [`Self::corrected`].
+    #[inline(always)]
+    pub fn corrected_nearest(
+        &self,
+        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        target: &Pose,
+        counts: Target,
+        accept: &Acceptance,
+        nearest: &Nearest<N>,
+    ) -> Option<Solution<N>> {
+        match self.nearly(accept) {
+            true => {
+                let corrected = self.correct(fk_jacobian, target, counts, accept);
+                // A copy, so that this alone needs it in memory.
+                let nearest = *nearest;
+                corrected.nearest_by(&nearest)
+            }
+            false => self.nearest(accept, nearest),
+        }
     }
 
     /// The branches that reach the target, those that rounding keeps from it

@@ -56,18 +56,18 @@ macro_rules! parallel_methods {
                 /// the chains cannot reach it. Limits are not applied, see
                 /// `Postures::nearest`.
                 fn ik(&self, target: &$crate::Pose) -> $crate::Postures<$n, $k> {
-                    self.ik_near(target, &[0.0; $n])
+                    self.ik_seeded(target, &[0.0; $n])
                 }
 
                 /// As [`Self::ik`]; an angle that a singular target leaves
                 /// free keeps its value in `seed`.
-                fn ik_near(&self, target: &$crate::Pose, seed: &[f64; $n])
+                fn ik_seeded(&self, target: &$crate::Pose, seed: &[f64; $n])
                     -> $crate::Postures<$n, $k>
                 {
                     const {
                         assert!(
                             $k == 0 || Self::BRANCHES[0] == 0,
-                            "a mechanism with branches has to implement `ik_near`"
+                            "a mechanism with branches has to implement `ik_seeded`"
                         );
                         assert!(
                             $k > 0 && Self::BRANCHES[0] > 0,

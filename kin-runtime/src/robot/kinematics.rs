@@ -1,7 +1,10 @@
 //! What every generated robot can do.
 
 use crate::types::hessian::Change;
-use crate::{Body, Following, Frame, Jacobian, JointLimit, Pose, Singularities, Solutions};
+use crate::{
+    Body, Following, Frame, Jacobian, JointLimit, Nearest, NoSolution, Pose, Singularities,
+    Solutions, Target,
+};
 
 macro_rules! define_kinematics {
     ([$n:ident]
@@ -73,6 +76,8 @@ macro_rules! define_kinematics {
             const BASE: &'static str;
             /// The frame that poses are of.
             const TIP: &'static str;
+            /// What of a target counts for inverse kinematics.
+            const TARGET: Target = Target::Pose;
             /// How many branches inverse kinematics looks at, which bounds the number
             /// of isolated solutions; 0 for an arm generated with `ik = none`.
             const BRANCHES: usize;

@@ -88,7 +88,7 @@ macro_rules! kinematics_methods {
                 /// As [`Self::ik`]; an angle that a singular target leaves free
                 /// keeps its value in `seed`, so that solutions along a path are
                 /// continuous.
-                fn ik_near(&self, target: &$crate::Pose, seed: &[f64; $n])
+                fn ik_seeded(&self, target: &$crate::Pose, seed: &[f64; $n])
                     -> $crate::Solutions<$n>
                 {
                     let _ = seed;
@@ -99,14 +99,45 @@ macro_rules! kinematics_methods {
                 /// comes nearest, with its distance as the residual; none if the
                 /// target is not a number. Generated robots give the
                 /// least-squares solution of their subproblems.
-                fn ik_closest(&self, target: &$crate::Pose)
+                fn ik_approximate(&self, target: &$crate::Pose)
                     -> ::core::option::Option<$crate::Solution<$n>>
                 {
                     self.ik(target).iter().next().copied()
                 }
+
+                /// The solution that moves the joints least from `seed`, radians
+                /// and metres, inside the limits of the robot and with full turns
+                /// where these lead there; an angle that a singular target leaves
+                /// free keeps its value in `seed`. What a controller asks for in
+                /// every cycle.
+                ///
+                /// None if there is none; [`Self::try_ik_nearest`] says why.
+                fn ik_nearest(&self, target: &$crate::Pose, seed: &[f64; $n])
+                    -> ::core::option::Option<$crate::Solution<$n>>
+                {
+                    self.ik_nearest_by(target, &Nearest::new(*seed, &Self::LIMITS))
+                }
+
+                /// As [`Self::ik_nearest`], by limits, weights of the joints and
+                /// bounds on their steps that are given.
+                fn ik_nearest_by(&self, target: &$crate::Pose, nearest: &$crate::Nearest<$n>)
+                    -> ::core::option::Option<$crate::Solution<$n>>
+                {
+                    self.ik_seeded(target, &nearest.seed).nearest_by(nearest)
+                }
             }
 
             reachable {
+                /// As [`Self::ik_nearest_by`], with the reason if there is none:
+                /// out of reach, no rotation, outside limits, or beyond a step.
+                /// The reason takes some microseconds.
+                fn try_ik_nearest(&self, target: &$crate::Pose, nearest: &$crate::Nearest<$n>)
+                    -> ::core::result::Result<$crate::Solution<$n>, $crate::NoSolution<$n>>
+                {
+                    self.ik_nearest_by(target, nearest)
+                        .ok_or_else(|| NoSolution::of(self, target, nearest))
+                }
+
                 /// Whether the target is in the complete workspace: whether
                 /// [`Self::ik`] has a solution. Positions alone are asked of a
                 /// `Workspace`.

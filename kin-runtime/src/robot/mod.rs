@@ -4,11 +4,13 @@ mod frame;
 mod inherent;
 mod kinematics;
 mod methods;
+mod no_solution;
 mod placement;
 mod redundant;
 
 pub use frame::{Body, Following, Frame};
 pub use kinematics::Kinematics;
 pub(crate) use kinematics::define_kinematics;
+pub use no_solution::NoSolution;
 pub use placement::{WithBase, WithTool};
 pub use redundant::{Parameter, RedundantKinematics};

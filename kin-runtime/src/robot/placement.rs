@@ -1,7 +1,8 @@
 //! Robots with a tool or a base that is known only at run time.
 
 use crate::{
-    Frame, Hessian, Jacobian, JointLimit, Kinematics, Pose, Singularities, Solution, Solutions,
+    Frame, Hessian, Jacobian, JointLimit, Kinematics, Nearest, Pose, Singularities, Solution,
+    Solutions, Target,
 };
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
@@ -40,6 +41,7 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     const FRAMES: &'static [Frame] = K::FRAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
+    const TARGET: Target = K::TARGET;
     const BRANCHES: usize = K::BRANCHES;
 
     fn fk(&self, q: &[f64; N]) -> Pose {
@@ -73,12 +75,20 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
         self.robot.ik(&self.at_tip(target))
     }
 
-    fn ik_near(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
-        self.robot.ik_near(&self.at_tip(target), seed)
+    fn ik_seeded(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        self.robot.ik_seeded(&self.at_tip(target), seed)
     }
 
-    fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
-        self.robot.ik_closest(&self.at_tip(target))
+    fn ik_approximate(&self, target: &Pose) -> Option<Solution<N>> {
+        self.robot.ik_approximate(&self.at_tip(target))
+    }
+
+    fn ik_nearest(&self, target: &Pose, seed: &[f64; N]) -> Option<Solution<N>> {
+        self.robot.ik_nearest(&self.at_tip(target), seed)
+    }
+
+    fn ik_nearest_by(&self, target: &Pose, nearest: &Nearest<N>) -> Option<Solution<N>> {
+        self.robot.ik_nearest_by(&self.at_tip(target), nearest)
     }
 
     /// Of six joints that of the robot, since the spatial Jacobian does not
@@ -135,6 +145,7 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     const FRAMES: &'static [Frame] = K::FRAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
+    const TARGET: Target = K::TARGET;
     const BRANCHES: usize = K::BRANCHES;
 
     fn fk(&self, q: &[f64; N]) -> Pose {
@@ -176,12 +187,17 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
         self.robot.ik(&self.seen_from_base(target))
     }
 
-    fn ik_near(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
-        self.robot.ik_near(&self.seen_from_base(target), seed)
+    fn ik_seeded(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        self.robot.ik_seeded(&self.seen_from_base(target), seed)
     }
 
-    fn ik_closest(&self, target: &Pose) -> Option<Solution<N>> {
-        self.robot.ik_closest(&self.seen_from_base(target))
+    fn ik_approximate(&self, target: &Pose) -> Option<Solution<N>> {
+        self.robot.ik_approximate(&self.seen_from_base(target))
+    }
+
+    fn ik_nearest_by(&self, target: &Pose, nearest: &Nearest<N>) -> Option<Solution<N>> {
+        self.robot
+            .ik_nearest_by(&self.seen_from_base(target), nearest)
     }
 
     /// The robot's: the rows that count are those in its own base frame.

@@ -162,11 +162,36 @@ fn atan_quarter(t: f64) -> f64 {
 /// ```
 #[inline(always)]
 pub fn wrap(x: f64) -> f64 {
-    let turns = (x * (0.25 * FRAC_2_PI) + ROUNDER) - ROUNDER;
+    let turns = round(x * (0.25 * FRAC_2_PI));
     let r = (x - turns * (4.0 * HALF_PI_HEAD)) - turns * (4.0 * HALF_PI_TAIL);
     // Rounding may leave r an ulp outside; −π itself belongs on the other end.
     let r = select(r > PI, PI, r);
     select(r <= -PI, PI, r)
+}
+
+/// The integer nearest to `x`, of two the even one, for |x| < 2⁵¹; larger
+/// values to within 2 units. Infinities and NaN stay. Unlike `f64::round` no
+/// call anywhere.
+///
+/// ```
+/// use kin_runtime::__private::math::round;
+/// assert_eq!([2.4, 2.5, -0.6].map(round), [2.0, 2.0, -1.0]);
+/// ```
+#[inline(always)]
+pub fn round(x: f64) -> f64 {
+    (x + ROUNDER) - ROUNDER
+}
+
+/// The least integer that is not below `x`; as [`round`].
+///
+/// ```
+/// use kin_runtime::__private::math::ceil;
+/// assert_eq!([2.1, 2.0, -0.6].map(ceil), [3.0, 2.0, 0.0]);
+/// ```
+#[inline(always)]
+pub fn ceil(x: f64) -> f64 {
+    let near = round(x);
+    near + select(near < x, 1.0, 0.0)
 }
 
 /// √x, NaN for negative `x`. Correctly rounded; with the feature `std` it is
@@ -194,7 +219,7 @@ pub fn sqrt(x: f64) -> f64 {
 /// assert_eq!(kin_runtime::__private::math::select(2.0 > 1.0, 10.0, 20.0), 10.0);
 /// ```
 #[inline(always)]
-pub fn select(mask: bool, a: f64, b: f64) -> f64 {
+pub const fn select(mask: bool, a: f64, b: f64) -> f64 {
     if mask { a } else { b }
 }
 

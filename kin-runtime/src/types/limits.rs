@@ -1,5 +1,7 @@
 //! What a joint may reach.
 
+use super::travel::{TOLERANCE, Travel, excess, wound};
+use crate::math;
 use core::f64::consts::TAU;
 
 /// The kind of a joint and its travel: radians for revolute joints, metres for
@@ -37,7 +39,7 @@ impl JointLimit {
     /// How far beyond a stop a value still counts as resting on it, radians or
     /// metres: the accuracy of inverse kinematics, so that a posture at a stop
     /// is not lost to rounding.
-    pub const TOLERANCE: f64 = 1e-9;
+    pub const TOLERANCE: f64 = TOLERANCE;
 
     /// A revolute joint between two stops, radians.
     pub const fn revolute(lower: f64, upper: f64) -> Self {
@@ -75,10 +77,11 @@ impl JointLimit {
     /// is none. A value beyond a stop by no
     /// more than [`JointLimit::TOLERANCE`] is moved onto it.
     pub fn nearest(self, q: f64, seed: f64) -> Option<f64> {
-        let (first, last) = self.turns(q);
-        let wanted = libm::round((seed - q) / TAU);
-        let wanted = if wanted.is_finite() { wanted } else { 0.0 };
-        (first <= last).then(|| self.turned(q, wanted.max(first).min(last)))
+        let seed = math::select(seed.is_finite(), seed, q);
+        let travel = Travel::new([self.lower()], [self.upper()], [self.is_revolute()]);
+        let value = wound(q, travel.toward(0, seed), travel.turn[0]);
+        let inside = excess(value, travel.lower[0], travel.upper[0]) <= Self::TOLERANCE;
+        inside.then(|| travel.at_most_at_a_stop(0, value))
     }
 
     /// The least and greatest k for which q + 2πk is inside; the least is the
@@ -87,7 +90,7 @@ impl JointLimit {
         let below = self.lower() - Self::TOLERANCE - q;
         let above = self.upper() + Self::TOLERANCE - q;
         if self.is_revolute() {
-            (libm::ceil(below / TAU), libm::floor(above / TAU))
+            (math::ceil(below / TAU), -math::ceil(-above / TAU))
         } else if below <= 0.0 && above >= 0.0 {
             (0.0, 0.0)
         } else {

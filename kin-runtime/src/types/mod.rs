@@ -3,22 +3,27 @@
 
 mod basis;
 mod exponential;
+mod full_turns;
 pub(crate) mod hessian;
 mod jacobian;
 mod limits;
+pub(crate) mod nearest;
 mod orientation;
 mod pose;
 mod solutions;
 mod target;
+mod travel;
 mod twist;
 mod wrench;
 
 pub use basis::Basis;
+pub use full_turns::FullTurns;
 pub use hessian::Hessian;
 pub use jacobian::Jacobian;
 pub use limits::JointLimit;
+pub use nearest::Nearest;
 pub use pose::Pose;
-pub use solutions::{IntoIter, Solution, Solutions, Windings};
+pub use solutions::{IntoIter, Solution, Solutions};
 pub use target::Target;
 pub use twist::Twist;
 pub use wrench::Wrench;

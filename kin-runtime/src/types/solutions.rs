@@ -35,15 +35,15 @@ const CAPACITY: usize = 16;
 ///
 /// ```
 /// use kin_runtime::{JointLimit, Solution, Solutions};
-/// let found = |q| Solution { q: [q], residual: 0.0, branch: 0, singular: false };
+/// let found = |q, branch| Solution { q: [q], residual: 0.0, branch, singular: false };
 /// let mut solutions = Solutions::new();
-/// solutions.push(found(-3.0));
-/// solutions.push(found(1.0));
+/// solutions.push(found(-3.0, 0));
+/// solutions.push(found(1.0, 1));
 ///
-/// let seed = [3.1];
-/// assert_eq!(solutions.nearest(&seed).unwrap().q, [-3.0]); // 0.18 rad across ±π
+/// let nearest = solutions.nearest(&[3.1], &[JointLimit::Continuous]).unwrap();
+/// assert_eq!(nearest.branch, 0); // 0.18 rad across ±π
 /// let limits = [JointLimit::Revolute { lower: -2.0, upper: 2.0 }];
-/// assert_eq!(solutions.within(&limits).len(), 1);
+/// assert_eq!(solutions.within_limits(&limits).len(), 1);
 /// ```
 #[derive(Clone, Copy)]
 pub struct Solutions<const N: usize> {
@@ -64,6 +64,12 @@ impl<const N: usize> Solutions<N> {
     #[inline(always)]
     pub const fn new() -> Self {
         Self::with_prismatic(0)
+    }
+
+    /// Bit i is set where joint i is prismatic.
+    #[inline(always)]
+    pub(crate) const fn prismatic(&self) -> u32 {
+        self.prismatic
     }
 
     /// None yet, for an arm whose joint i is prismatic where bit i of the mask
@@ -184,179 +190,16 @@ impl<const N: usize> Solutions<N> {
     /// angles in the answer may leave (−π, π].
     ///
     /// See [`JointLimit::nearest`] for values at a stop.
-    pub fn within(&self, limits: &[JointLimit; N]) -> Self {
+    pub fn within_limits(&self, limits: &[JointLimit; N]) -> Self {
         let mut inside = Self::with_prismatic(self.prismatic);
         for solution in self {
-            let turned = turn_towards(solution, &solution.q, limits);
-            turned
-                .into_iter()
-                .for_each(|solution| inside.push(solution));
+            let wound = |i: usize| limits[i].nearest(solution.q[i], solution.q[i]);
+            if (0..N).all(|i| wound(i).is_some()) {
+                let q = core::array::from_fn(|i| wound(i).unwrap_or(solution.q[i]));
+                inside.push(Solution { q, ..*solution });
+            }
         }
         inside
-    }
-
-    /// Every way to wind every solution inside the limits: all q + 2πk, for
-    /// all joints. A joint that may turn without end in either direction takes
-    /// part with one value, the nearest to zero turns.
-    ///
-    /// ```
-    /// use kin_runtime::{JointLimit, Solution, Solutions};
-    /// let mut solutions = Solutions::new();
-    /// solutions.push(Solution { q: [1.0, 0.0], residual: 0.0, branch: 0, singular: false });
-    /// let limit = JointLimit::Revolute { lower: -6.3, upper: 6.3 };
-    /// // 1 and 1 − 2π, times −2π, 0 and 2π.
-    /// assert_eq!(solutions.windings(&[limit; 2]).count(), 6);
-    /// ```
-    pub fn windings<'a>(&'a self, limits: &'a [JointLimit; N]) -> Windings<'a, N> {
-        Windings {
-            solutions: self.iter(),
-            limits,
-            odometer: None,
-        }
-    }
-
-    /// The solution whose joints are nearest to `seed`: least Euclidean norm
-    /// of the differences, those of revolute joints taken on the circle.
-    /// `None` if there are no solutions.
-    ///
-    /// Joints with stops may have to take the long way round;
-    /// [`Solutions::nearest_within`] takes that into account.
-    pub fn nearest(&self, seed: &[f64; N]) -> Option<&Solution<N>> {
-        self.nearest_weighted(seed, &[1.0; N])
-    }
-
-    /// As [`Solutions::nearest`], each difference multiplied by its weight:
-    /// say, the joint's inertia, or 0 for a joint whose motion is free.
-    pub fn nearest_weighted(&self, seed: &[f64; N], weights: &[f64; N]) -> Option<&Solution<N>> {
-        let distance = |solution: &Solution<N>| -> f64 {
-            let square = |i: usize| {
-                let difference = solution.q[i] - seed[i];
-                let turns = self.prismatic >> i & 1 == 0;
-                let least = if turns {
-                    math::wrap(difference)
-                } else {
-                    difference
-                };
-                (weights[i] * least) * (weights[i] * least)
-            };
-            (0..N).map(square).sum()
-        };
-        self.iter()
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-    }
-
-    /// The solution and winding inside the limits with the least motion from
-    /// `seed`: least Euclidean norm of q − seed as the joints have to travel
-    /// it. `None` if no solution respects the limits.
-    ///
-    /// ```
-    /// use kin_runtime::{JointLimit, Solution, Solutions};
-    /// let mut solutions = Solutions::new();
-    /// solutions.push(Solution { q: [-3.0], residual: 0.0, branch: 0, singular: false });
-    /// let limits = [JointLimit::Revolute { lower: -6.3, upper: 6.3 }];
-    /// let next = solutions.nearest_within(&[3.1], &limits).unwrap();
-    /// assert!((next.q[0] - 3.283185).abs() < 1e-6);
-    /// ```
-    pub fn nearest_within(&self, seed: &[f64; N], limits: &[JointLimit; N]) -> Option<Solution<N>> {
-        let travel = |s: &Solution<N>| -> f64 {
-            s.q.iter()
-                .zip(seed)
-                .map(|(q, from)| (q - from) * (q - from))
-                .sum()
-        };
-        self.iter()
-            .filter_map(|solution| turn_towards(solution, seed, limits))
-            .min_by(|a, b| travel(a).total_cmp(&travel(b)))
-    }
-}
-
-/// The solution with every joint wound inside its limits as near to `seed` as
-/// possible.
-fn turn_towards<const N: usize>(
-    solution: &Solution<N>,
-    seed: &[f64; N],
-    limits: &[JointLimit; N],
-) -> Option<Solution<N>> {
-    let mut turned = *solution;
-    for i in 0..N {
-        turned.q[i] = limits[i].nearest(solution.q[i], seed[i])?;
-    }
-    Some(turned)
-}
-
-/// Iterator over the windings of all solutions; see [`Solutions::windings`].
-#[derive(Clone, Debug)]
-pub struct Windings<'a, const N: usize> {
-    solutions: core::slice::Iter<'a, Solution<N>>,
-    limits: &'a [JointLimit; N],
-    odometer: Option<Odometer<'a, N>>,
-}
-
-impl<const N: usize> Iterator for Windings<'_, N> {
-    type Item = Solution<N>;
-
-    fn next(&mut self) -> Option<Solution<N>> {
-        loop {
-            if let Some(winding) = self.odometer.as_mut().and_then(Odometer::next) {
-                return Some(winding);
-            }
-            self.odometer = Some(Odometer::new(self.solutions.next()?, self.limits));
-        }
-    }
-}
-
-/// Counts through the turns of all joints of one solution.
-#[derive(Clone, Debug)]
-struct Odometer<'a, const N: usize> {
-    solution: &'a Solution<N>,
-    limits: &'a [JointLimit; N],
-    /// First and last number of turns of every joint.
-    range: [(f64, f64); N],
-    turns: [f64; N],
-    done: bool,
-}
-
-impl<'a, const N: usize> Odometer<'a, N> {
-    fn new(solution: &'a Solution<N>, limits: &'a [JointLimit; N]) -> Self {
-        let range = core::array::from_fn(|i| {
-            let (first, last) = limits[i].turns(solution.q[i]);
-            if first.is_finite() && last.is_finite() {
-                return (first, last);
-            }
-            let fewest = 0.0_f64.max(first).min(last);
-            (fewest, fewest)
-        });
-        let done = range.iter().any(|(first, last)| first > last);
-        Odometer {
-            solution,
-            limits,
-            range,
-            turns: range.map(|(first, _)| first),
-            done,
-        }
-    }
-
-    fn next(&mut self) -> Option<Solution<N>> {
-        if self.done {
-            return None;
-        }
-        let q = core::array::from_fn(|i| self.limits[i].turned(self.solution.q[i], self.turns[i]));
-        self.advance();
-        Some(Solution {
-            q,
-            ..*self.solution
-        })
-    }
-
-    fn advance(&mut self) {
-        for i in (0..N).rev() {
-            if self.turns[i] < self.range[i].1 {
-                self.turns[i] += 1.0;
-                return;
-            }
-            self.turns[i] = self.range[i].0;
-        }
-        self.done = true;
     }
 }
 
@@ -432,6 +275,7 @@ impl<const N: usize> ExactSizeIterator for IntoIter<N> {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Nearest;
     use core::f64::consts::TAU;
 
     fn solution<const N: usize>(q: [f64; N]) -> Solution<N> {
@@ -492,7 +336,7 @@ mod tests {
             lower: 0.0,
             upper: 4.0,
         }];
-        let inside = all(&[[1.0], [-3.0], [-1.0]]).within(&limits);
+        let inside = all(&[[1.0], [-3.0], [-1.0]]).within_limits(&limits);
         assert_eq!(inside, all(&[[1.0], [TAU - 3.0]]));
     }
 
@@ -511,10 +355,10 @@ mod tests {
         ];
         let solutions = all(&[[0.0, 1.0, 1.0], [1.0, 1.0, 19.0], [1.0, 1.0, -1.0]]);
         let found: [Solution<3>; 5] = {
-            let mut windings = solutions.windings(&limits);
+            let mut windings = solutions.with_full_turns(&limits);
             core::array::from_fn(|_| windings.next().unwrap())
         };
-        assert_eq!(solutions.windings(&limits).count(), 5);
+        assert_eq!(solutions.with_full_turns(&limits).count(), 5);
         let expected = [
             [-TAU, 1.0, 1.0],
             [0.0, 1.0, 1.0],
@@ -532,7 +376,12 @@ mod tests {
             upper: f64::INFINITY,
         }];
         let solutions = all(&[[1.0]]);
-        assert!(solutions.windings(&limits).map(|s| s.q).eq([[1.0 + TAU]]));
+        assert!(
+            solutions
+                .with_full_turns(&limits)
+                .map(|s| s.q)
+                .eq([[1.0 + TAU]])
+        );
     }
 
     #[test]
@@ -540,22 +389,21 @@ mod tests {
         let mut solutions = Solutions::with_prismatic(0b10);
         solutions.push(solution([0.0, TAU]));
         solutions.push(solution([0.5, 1.0]));
-        assert_eq!(solutions.nearest(&[0.0, 0.0]).unwrap().q, [0.5, 1.0]);
-        assert_eq!(
-            solutions
-                .nearest_weighted(&[TAU, 0.0], &[1.0, 0.0])
-                .unwrap()
-                .q,
-            [0.0, TAU]
-        );
+        let free = [JointLimit::Continuous; 2];
+        let nearest = solutions.nearest(&[0.0, 0.0], &free).unwrap();
+        assert_eq!(nearest.q, [0.5, 1.0]);
+        let weights = [1.0, 0.0];
+        let mut angles = Nearest::new([TAU, 0.0], &free);
+        angles.weights = weights;
+        let nearest = solutions.nearest_by(&angles).unwrap();
+        assert_eq!(nearest.q, [TAU, TAU]);
     }
 
     #[test]
     fn nothing_is_nearest_in_an_empty_answer() {
-        assert!(Solutions::<2>::new().nearest(&[0.0; 2]).is_none());
         assert!(
             Solutions::<2>::new()
-                .nearest_within(&[0.0; 2], &[JointLimit::Continuous; 2])
+                .nearest(&[0.0; 2], &[JointLimit::Continuous; 2])
                 .is_none()
         );
     }

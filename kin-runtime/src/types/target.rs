@@ -174,6 +174,27 @@ impl Target {
         math::sqrt(shift + size * size * turn)
     }
 
+    /// Whether all entries of a target that count are finite.
+    pub(crate) fn is_finite(self, target: &Pose) -> bool {
+        let shift = target.translation.iter().all(|x| x.is_finite());
+        let turn = target.rotation.as_flattened().iter().all(|x| x.is_finite());
+        (shift || !self.has_translation()) && (turn || !self.has_rotation())
+    }
+
+    /// How far the rotation of a target is from one, as far as it counts: the
+    /// length of the z axis from 1 where only that does, 0 where none does or a
+    /// rotation is made of what there is.
+    pub(crate) fn rotation_error(self, target: &Pose) -> f64 {
+        let z = [0, 1, 2].map(|i| target.rotation[i][2]);
+        if self.fixes_axis() {
+            (math::sqrt(dot(z, z)) - 1.0).abs()
+        } else if self.has_rotation() && !self.is_projected() {
+            target.rotation_error()
+        } else {
+            0.0
+        }
+    }
+
     /// What is missing from a pose to a target: the translation, metres, and
     /// the axis times the sine of the angle between the orientations or the z
     /// axes, both in base axes; zero where the target does not count.

@@ -28,8 +28,8 @@ fn finds_all_solutions() -> bool {
         shift + reached.rotation_distance(&target) < 1e-12
     };
     let all_met = solutions.iter().all(|solution| met(&solution.q));
-    let inside = solutions.within(&Ur5e::LIMITS);
-    let nearest = inside.nearest(&q);
+    let inside = solutions.within_limits(&Ur5e::LIMITS);
+    let nearest = Ur5e.ik_nearest(&target, &q);
     let recovered = nearest.is_some_and(|nearest| (nearest.q[0] - q[0]).abs() < 1e-12);
     solutions.len() == 8 && all_met && inside.len() == 8 && recovered
 }

@@ -54,8 +54,7 @@ fn an_arm_in_space_stretched_too_far() {
 #[test]
 fn out_of_reach_there_is_no_nearest_answer() {
     let answers = Planar2r.ik(&at(3.0));
-    assert_eq!(answers.nearest(&[0.0; 2]), None);
-    assert_eq!(answers.nearest_within(&[0.0; 2], &Planar2r::LIMITS), None);
-    assert_eq!(answers.windings(&Planar2r::LIMITS).count(), 0);
-    assert!(answers.within(&Planar2r::LIMITS).is_empty());
+    assert_eq!(answers.nearest(&[0.0; 2], &Planar2r::LIMITS), None);
+    assert_eq!(answers.with_full_turns(&Planar2r::LIMITS).count(), 0);
+    assert!(answers.within_limits(&Planar2r::LIMITS).is_empty());
 }

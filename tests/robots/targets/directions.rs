@@ -61,7 +61,7 @@ fn a_gimbal_locks() {
         let answers = Gimbal.ik(&Gimbal.fk(&q));
         assert!(!answers.is_empty());
         assert!(answers.iter().all(|answer| answer.singular), "{answers:?}");
-        let kept = Gimbal.ik_near(&Gimbal.fk(&q), &q);
+        let kept = Gimbal.ik_seeded(&Gimbal.fk(&q), &q);
         assert!((kept[0].q[0] - q[0]).abs() < 1e-7, "{kept:?}");
     }
 }

@@ -1,0 +1,135 @@
+//! Why inverse kinematics has no solution that is wanted.
+
+use crate::{JointLimit, Kinematics, Nearest, Pose, Solution};
+use core::fmt;
+
+/// Why [`Kinematics::try_ik_nearest`] has no solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NoSolution<const N: usize> {
+    /// An entry of the target that counts is not a finite number.
+    NotFinite,
+    /// The target's rotation is none.
+    NotRotation {
+        /// How far it is from one; see [`Pose::rotation_error`].
+        error: f64,
+    },
+    /// No configuration reaches the target.
+    OutOfReach {
+        /// What comes nearest, with its distance, metres, as the residual; see
+        /// [`Kinematics::ik_approximate`].
+        approximate: Option<Solution<N>>,
+    },
+    /// The target is reached outside the limits alone.
+    OutsideLimits {
+        /// The solution that is least outside.
+        solution: Solution<N>,
+        /// The joint that is furthest beyond a stop there.
+        joint: usize,
+        /// How far, radians or metres.
+        by: f64,
+    },
+    /// The target is reached inside the limits, by longer steps than allowed.
+    BeyondStep {
+        /// The solution that takes the least too much.
+        solution: Solution<N>,
+        /// The joint that would have to move the most too far.
+        joint: usize,
+        /// How much further than allowed, radians or metres.
+        by: f64,
+    },
+}
+
+/// A target's rotation is none if it is off one by more.
+const ROTATION_ERROR: f64 = 1e-9;
+
+impl<const N: usize> NoSolution<N> {
+    /// Why a robot has none for a target.
+    #[cold]
+    pub(crate) fn of<K: Kinematics<N> + ?Sized>(
+        robot: &K,
+        target: &Pose,
+        nearest: &Nearest<N>,
+    ) -> Self {
+        let solutions = robot.ik_seeded(target, &nearest.seed);
+        let joints = nearest.motion(solutions.prismatic());
+        let outside = |solution: &Solution<N>| {
+            furthest::<N>(core::array::from_fn(|i| {
+                joints.beyond_limits(i, solution.q[i])
+            }))
+        };
+        let too_far = |solution: &Solution<N>| {
+            furthest::<N>(core::array::from_fn(|i| joints.cost(i, solution.q[i]).1))
+        };
+        let inside = || {
+            solutions
+                .iter()
+                .filter(|solution| outside(solution).1 <= JointLimit::TOLERANCE)
+        };
+        if let Some((solution, (joint, by))) = least(inside(), too_far) {
+            return Self::BeyondStep {
+                solution,
+                joint,
+                by,
+            };
+        }
+        if let Some((solution, (joint, by))) = least(solutions.iter(), outside) {
+            return Self::OutsideLimits {
+                solution,
+                joint,
+                by,
+            };
+        }
+        match K::TARGET.rotation_error(target) {
+            _ if !K::TARGET.is_finite(target) => Self::NotFinite,
+            error if error > ROTATION_ERROR => Self::NotRotation { error },
+            _ => Self::OutOfReach {
+                approximate: robot.ik_approximate(target),
+            },
+        }
+    }
+}
+
+/// The joint that is furthest beyond something, and how far.
+fn furthest<const N: usize>(beyond: [f64; N]) -> (usize, f64) {
+    let all = beyond.into_iter().enumerate();
+    all.fold((0, f64::NEG_INFINITY), |most, next| {
+        if next.1 > most.1 { next } else { most }
+    })
+}
+
+/// The solution that is least beyond something.
+fn least<'a, const N: usize>(
+    solutions: impl Iterator<Item = &'a Solution<N>>,
+    beyond: impl Fn(&Solution<N>) -> (usize, f64),
+) -> Option<(Solution<N>, (usize, f64))> {
+    solutions
+        .map(|solution| (*solution, beyond(solution)))
+        .min_by(|(_, a), (_, b)| a.1.total_cmp(&b.1))
+}
+
+impl<const N: usize> fmt::Display for NoSolution<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite => f.write_str("the target is not a number"),
+            Self::NotRotation { error } => {
+                write!(f, "the target's rotation is off one by {error:.1e}")
+            }
+            Self::OutOfReach { approximate } => {
+                f.write_str("the target is out of reach")?;
+                match approximate {
+                    Some(near) => write!(f, " by about {:.1e} m", near.residual),
+                    None => Ok(()),
+                }
+            }
+            Self::OutsideLimits { joint, by, .. } => {
+                write!(f, "joint {} is beyond its limits by {by:.1e}", joint + 1)
+            }
+            Self::BeyondStep { joint, by, .. } => {
+                write!(f, "joint {} moves by {by:.1e} too much", joint + 1)
+            }
+        }
+    }
+}
+
+impl<const N: usize> core::error::Error for NoSolution<N> {}

@@ -1,0 +1,176 @@
+//! The solution that moves the joints least.
+
+use super::travel::{Travel, excess, wound};
+use crate::math;
+use crate::{JointLimit, Solution, Solutions};
+
+/// Which of many solutions is wanted: the one that moves the joints least from
+/// a seed, inside limits and by steps that are not too long.
+///
+/// ```
+/// use kin_runtime::{JointLimit, Nearest, Solution, Solutions};
+/// let mut solutions = Solutions::new();
+/// for (branch, q) in [[0.1, 0.0], [0.0, 0.2]].into_iter().enumerate() {
+///     let branch = branch as u32;
+///     solutions.push(Solution { q, residual: 0.0, branch, singular: false });
+/// }
+/// let mut nearest = Nearest::new([0.0; 2], &[JointLimit::Continuous; 2]);
+/// assert_eq!(solutions.nearest_by(&nearest).unwrap().branch, 0);
+/// nearest.weights = [3.0, 1.0];
+/// assert_eq!(solutions.nearest_by(&nearest).unwrap().branch, 1);
+/// nearest.step = [0.2, 0.05];
+/// assert_eq!(solutions.nearest_by(&nearest).unwrap().branch, 0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest<const N: usize> {
+    /// Where the joints are, radians and metres. A joint whose value is not
+    /// finite takes no part in what is nearest.
+    pub seed: [f64; N],
+    /// The motion of each joint is multiplied by its weight: say, the root of
+    /// its inertia, or 0 where motion is free. 1 by [`Nearest::new`].
+    pub weights: [f64; N],
+    /// How far each joint may move from its seed, radians and metres, to within
+    /// [`JointLimit::TOLERANCE`]: say, its
+    /// [velocity limit](crate::Kinematics::VELOCITY_LIMITS) by the time of a
+    /// cycle. Infinite by [`Nearest::new`].
+    pub step: [f64; N],
+    travel: Travel<N>,
+}
+
+impl<const N: usize> Nearest<N> {
+    /// Inside limits, all joints alike, however far. Angles outside of the
+    /// limits are moved by full turns, those beyond a stop by no more than
+    /// [`JointLimit::TOLERANCE`] onto it.
+    #[inline(always)]
+    pub const fn new(seed: [f64; N], limits: &[JointLimit; N]) -> Self {
+        let (mut lower, mut upper, mut turns) = ([0.0; N], [0.0; N], [true; N]);
+        let mut i = 0;
+        while i < N {
+            lower[i] = limits[i].lower();
+            upper[i] = limits[i].upper();
+            turns[i] = limits[i].is_revolute();
+            i += 1;
+        }
+        Self {
+            seed,
+            weights: [1.0; N],
+            step: [f64::INFINITY; N],
+            travel: Travel::new(lower, upper, turns),
+        }
+    }
+
+    /// The same from another seed.
+    #[inline(always)]
+    #[must_use]
+    pub const fn from_seed(self, seed: [f64; N]) -> Self {
+        Self { seed, ..self }
+    }
+
+    /// What the joints' motions cost, of which i is prismatic where bit i of
+    /// the mask is set.
+    #[inline(always)]
+    pub(crate) fn motion(&self, prismatic: u32) -> Motion<N> {
+        let mut motion = Motion {
+            travel: self.travel,
+            toward: [0.0; N],
+            seed: [0.0; N],
+            weight: [0.0; N],
+            lower: [0.0; N],
+            upper: [0.0; N],
+        };
+        for i in 0..N {
+            let known = self.seed[i].abs() < f64::INFINITY;
+            let seed = math::select(known, self.seed[i], 0.0);
+            let step = math::select(known, self.step[i], f64::INFINITY);
+            let (lower, upper) = (self.travel.lower[i], self.travel.upper[i]);
+            motion.seed[i] = seed;
+            motion.weight[i] = math::select(known, self.weights[i], 0.0);
+            motion.toward[i] = self.travel.toward(i, seed);
+            motion.lower[i] = math::select(seed - step > lower, seed - step, lower);
+            motion.upper[i] = math::select(seed + step < upper, seed + step, upper);
+            let slides = prismatic >> i & 1 == 1;
+            motion.travel.turn[i] = math::select(slides, 0.0, self.travel.turn[i]);
+        }
+        motion
+    }
+}
+
+/// What it takes to move joints from their seed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motion<const N: usize> {
+    travel: Travel<N>,
+    toward: [f64; N],
+    seed: [f64; N],
+    weight: [f64; N],
+    /// What limits and steps allow.
+    lower: [f64; N],
+    upper: [f64; N],
+}
+
+impl<const N: usize> Motion<N> {
+    /// The value of joint i that is `q` but for full turns and costs least.
+    #[inline(always)]
+    pub fn value(&self, i: usize, q: f64) -> f64 {
+        self.travel.at_most_at_a_stop(i, self.wound(i, q))
+    }
+
+    /// The square of its weighted distance from the seed, and how far it is
+    /// beyond what is allowed: more than [`JointLimit::TOLERANCE`] is too much.
+    #[inline(always)]
+    pub fn cost(&self, i: usize, q: f64) -> (f64, f64) {
+        let value = self.wound(i, q);
+        let weighted = self.weight[i] * (value - self.seed[i]);
+        let excess = excess(value, self.lower[i], self.upper[i]);
+        (weighted * weighted, excess)
+    }
+
+    /// How far what is `q` but for full turns is beyond the limits.
+    pub fn beyond_limits(&self, i: usize, q: f64) -> f64 {
+        excess(self.wound(i, q), self.travel.lower[i], self.travel.upper[i])
+    }
+
+    #[inline(always)]
+    fn wound(&self, i: usize, q: f64) -> f64 {
+        wound(q, self.toward[i], self.travel.turn[i])
+    }
+}
+
+impl<const N: usize> Solutions<N> {
+    /// The solution inside the limits with the least motion from `seed`: least
+    /// Euclidean norm of q − seed as the joints have to travel it, full turns
+    /// included. None if no solution respects the limits; of equals the first.
+    ///
+    /// ```
+    /// use kin_runtime::{JointLimit, Solution, Solutions};
+    /// let mut solutions = Solutions::new();
+    /// solutions.push(Solution { q: [-3.0], residual: 0.0, branch: 0, singular: false });
+    /// let limits = [JointLimit::Revolute { lower: -6.3, upper: 6.3 }];
+    /// let next = solutions.nearest(&[3.1], &limits).unwrap();
+    /// assert!((next.q[0] - 3.283185).abs() < 1e-6);
+    /// ```
+    pub fn nearest(&self, seed: &[f64; N], limits: &[JointLimit; N]) -> Option<Solution<N>> {
+        self.nearest_by(&Nearest::new(*seed, limits))
+    }
+
+    /// As [`Solutions::nearest`], with weights and bounds on the steps.
+    pub fn nearest_by(&self, nearest: &Nearest<N>) -> Option<Solution<N>> {
+        let joints = nearest.motion(self.prismatic());
+        let mut best = None;
+        let mut least = f64::INFINITY;
+        for solution in self {
+            let mut motion = 0.0;
+            let mut excess = f64::NEG_INFINITY;
+            for i in 0..N {
+                let (cost, beyond) = joints.cost(i, solution.q[i]);
+                motion += cost;
+                excess = math::max(excess, beyond);
+            }
+            if (excess <= JointLimit::TOLERANCE) & (motion < least) {
+                least = motion;
+                let q = core::array::from_fn(|i| joints.value(i, solution.q[i]));
+                best = Some(Solution { q, ..*solution });
+            }
+        }
+        best
+    }
+}

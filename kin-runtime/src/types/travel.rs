@@ -1,0 +1,82 @@
+//! How joints get between their stops to values that full turns leave as they
+//! are.
+
+use crate::math;
+use core::f64::consts::{PI, TAU};
+
+/// How far beyond a stop a value still counts as resting on it, radians or
+/// metres.
+pub(crate) const TOLERANCE: f64 = 1e-9;
+
+/// Where joints find that one of the values q + 2πk that is inside their limits
+/// and nearest to a seed. Without jumps and calls, for loops over lanes, and by
+/// quantity instead of by joint, so that it is had by packed instructions.
+///
+/// The value is taken from the turn about one place that does not depend on q.
+/// That is the seed, moved so far from the stops that the whole turn is inside,
+/// or the middle of a travel that is less than a turn, of which one value at
+/// most is inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Travel<const N: usize> {
+    /// Stops.
+    pub lower: [f64; N],
+    pub upper: [f64; N],
+    /// Between these, whole turns about the seed are inside.
+    first: [f64; N],
+    last: [f64; N],
+    /// 2π, or 0 for metres, which do not wrap.
+    pub turn: [f64; N],
+}
+
+impl<const N: usize> Travel<N> {
+    /// Between stops; of joints that turn, and of others that slide.
+    pub const fn new(lower: [f64; N], upper: [f64; N], turns: [bool; N]) -> Self {
+        let mut travel = Self {
+            lower,
+            upper,
+            first: [0.0; N],
+            last: [0.0; N],
+            turn: [0.0; N],
+        };
+        let mut i = 0;
+        while i < N {
+            let middle = 0.5 * (lower[i] + upper[i]);
+            let first = lower[i] - TOLERANCE + PI;
+            let last = upper[i] + TOLERANCE - PI;
+            // Without stops, the middle is no number and not taken.
+            travel.first[i] = math::select(middle < first, middle, first);
+            travel.last[i] = math::select(middle > last, middle, last);
+            travel.turn[i] = math::select(turns[i], TAU, 0.0);
+            i += 1;
+        }
+        travel
+    }
+
+    /// The place from whose turn joint i takes its value, from a finite seed.
+    #[inline(always)]
+    pub fn toward(&self, i: usize, seed: f64) -> f64 {
+        let seed = math::select(seed < self.first[i], self.first[i], seed);
+        math::select(seed > self.last[i], self.last[i], seed)
+    }
+
+    /// A value of joint i, not beyond a stop.
+    #[inline(always)]
+    pub fn at_most_at_a_stop(&self, i: usize, value: f64) -> f64 {
+        let value = math::select(value > self.upper[i], self.upper[i], value);
+        math::select(value < self.lower[i], self.lower[i], value)
+    }
+}
+
+/// Of q + 2πk the value in the turn about `toward`; `turn` is 2π, or 0 for
+/// metres.
+#[inline(always)]
+pub(crate) fn wound(q: f64, toward: f64, turn: f64) -> f64 {
+    // The quotient is 0 where nothing turns.
+    q + turn * math::round((toward - q) * (turn * (1.0 / (TAU * TAU))))
+}
+
+/// How far a value is beyond the nearer stop; negative inside.
+#[inline(always)]
+pub(crate) fn excess(value: f64, lower: f64, upper: f64) -> f64 {
+    math::max(value - upper, lower - value)
+}

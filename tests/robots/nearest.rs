@@ -1,0 +1,180 @@
+//! The one solution that a controller asks for, and why there is none.
+
+use crate::measure::largest;
+use crate::subject::Subject;
+use kinematics::{JointLimit, Kinematics, Nearest, NoSolution, Pose};
+
+for_every_robot!(the_nearest_is_that_of_all_solutions);
+for_every_robot!(a_small_step_stays_near);
+for_every_robot!(the_reason_for_none_is_true);
+
+/// Limits that leave some solutions outside, weights, and bounds on steps.
+fn choices<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+    seed: [f64; N],
+) -> [([JointLimit; N], Nearest<N>); 4] {
+    let narrow = |i: usize| match robot.turns(i) {
+        true => JointLimit::revolute(seed[i] - 2.0, seed[i] + 1.5),
+        false => K::LIMITS[i],
+    };
+    let narrow = std::array::from_fn(narrow);
+    let by_limits = Nearest::new(seed, &K::LIMITS);
+    let (mut weighted, mut stepping) = (by_limits, by_limits);
+    weighted.weights = std::array::from_fn(|i| (i % 3) as f64);
+    stepping.step = std::array::from_fn(|i| 1.0 + i as f64);
+    [
+        (K::LIMITS, by_limits),
+        (narrow, Nearest::new(seed, &narrow)),
+        (K::LIMITS, weighted),
+        (K::LIMITS, stepping),
+    ]
+}
+
+/// Side by side and one by one, and at singular targets, too.
+pub fn the_nearest_is_that_of_all_solutions<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+) {
+    let seeds = robot.random(500).skip(200);
+    let targets = robot.random(200).chain(robot.structured().take(100));
+    let mut found = 0;
+    for (q, seed) in targets.zip(seeds) {
+        let target = robot.chain.fk(&q);
+        for (_, nearest) in choices(robot, seed) {
+            let expected = robot.arm.ik_seeded(&target, &seed).nearest_by(&nearest);
+            let solution = robot.arm.ik_nearest_by(&target, &nearest);
+            assert_eq!(solution, expected, "{target:?}, {nearest:?}");
+            found += usize::from(solution.is_some());
+        }
+        let solution = robot.arm.ik_nearest(&target, &seed);
+        assert_eq!(
+            solution,
+            robot
+                .arm
+                .ik_seeded(&target, &seed)
+                .nearest(&seed, &K::LIMITS)
+        );
+    }
+    assert!(found > 200, "{found} solutions tell nothing");
+}
+
+pub fn a_small_step_stays_near<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let between = |i: usize, q: f64| q.clamp(K::LIMITS[i].lower(), K::LIMITS[i].upper());
+    for q in robot.random(200) {
+        let q: [f64; N] = std::array::from_fn(|i| between(i, q[i]));
+        if robot.conditioning(&q) < 1e-2 {
+            continue;
+        }
+        let moved = q.map(|x| x - 1e-6 * x.signum());
+        let next = robot.arm.ik_nearest(&robot.chain.fk(&moved), &q).unwrap();
+        let apart = largest((0..N).map(|i| next.q[i] - moved[i]));
+        assert!(apart < 1e-7, "{next:?} for {moved:?}");
+    }
+}
+
+pub fn the_reason_for_none_is_true<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let seeds = robot.random(200).skip(100);
+    for (q, seed) in robot.random(100).zip(seeds) {
+        let target = robot.chain.fk(&q);
+        for (limits, nearest) in choices(robot, seed) {
+            is_true(robot, &target, &limits, &nearest);
+        }
+        // Limits and steps that no solution meets.
+        let limits = K::LIMITS.map(|limit| match limit {
+            JointLimit::Prismatic { .. } => JointLimit::prismatic(80.0, 90.0),
+            _ => JointLimit::revolute(seed[0] + 0.1, seed[0] + 0.1001),
+        });
+        is_true(robot, &target, &limits, &Nearest::new(seed, &limits));
+        let mut at_once = Nearest::new(seed, &K::LIMITS);
+        at_once.step = [1e-9; N];
+        is_true(robot, &target, &K::LIMITS, &at_once);
+    }
+    let home = robot.chain.fk(&[0.1; N]);
+    let nearest = Nearest::new([0.0; N], &K::LIMITS);
+    let far = Pose {
+        translation: [100.0 * robot.size; 3],
+        ..home
+    };
+    if robot.arm.ik(&far).is_empty() {
+        let reason = robot.arm.try_ik_nearest(&far, &nearest).unwrap_err();
+        let NoSolution::OutOfReach { approximate } = reason else {
+            panic!("{reason:?}");
+        };
+        assert_eq!(approximate, robot.arm.ik_approximate(&far));
+    }
+    let no_number = Pose {
+        translation: [f64::NAN; 3],
+        rotation: [[f64::NAN; 3]; 3],
+    };
+    let reason = robot.arm.try_ik_nearest(&no_number, &nearest);
+    assert_eq!(reason, Err(NoSolution::NotFinite));
+    let sheared = Pose {
+        rotation: home.rotation.map(|row| row.map(|x| 1.1 * x)),
+        ..home
+    };
+    if robot.arm.ik(&sheared).is_empty() {
+        let reason = robot.arm.try_ik_nearest(&sheared, &nearest).unwrap_err();
+        let NoSolution::NotRotation { error } = reason else {
+            panic!("{reason:?}");
+        };
+        assert!((0.09..0.5).contains(&error), "{error}");
+    }
+}
+
+/// Every solution is as far outside, or takes as long a step, as is said.
+fn is_true<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+    target: &Pose,
+    limits: &[JointLimit; N],
+    nearest: &Nearest<N>,
+) {
+    let Err(reason) = robot.arm.try_ik_nearest(target, nearest) else {
+        return;
+    };
+    let all = robot.arm.ik_seeded(target, &nearest.seed);
+    let inside = all.within_limits(limits);
+    match reason {
+        NoSolution::OutsideLimits {
+            solution,
+            joint,
+            by,
+        } => {
+            assert!(inside.is_empty() && by > 0.0, "{reason:?}");
+            assert!(all.contains(&solution), "{reason:?}");
+            let mut wider = *limits;
+            for (i, limit) in wider.iter_mut().enumerate() {
+                *limit = widened(*limit, 1.000_001 * by, robot.turns(i));
+            }
+            assert!(!all.within_limits(&wider).is_empty(), "{reason:?}");
+            let less = 0.999_999 * by - 2.0 * JointLimit::TOLERANCE;
+            wider[joint] = widened(limits[joint], less, robot.turns(joint));
+            let own = all.iter().filter(|s| **s == solution);
+            let mut only = kinematics::Solutions::new();
+            own.for_each(|s| only.push(*s));
+            assert!(only.within_limits(&wider).is_empty(), "{reason:?}");
+        }
+        NoSolution::BeyondStep {
+            solution,
+            joint,
+            by,
+        } => {
+            assert!(!inside.is_empty() && by > 0.0, "{reason:?}");
+            assert!(all.contains(&solution), "{reason:?}");
+            let mut longer = *nearest;
+            longer.step = nearest.step.map(|step| step + 1.000_001 * by);
+            assert!(
+                robot.arm.ik_nearest_by(target, &longer).is_some(),
+                "{reason:?}"
+            );
+            assert!(joint < N, "{reason:?}");
+        }
+        _ => assert!(all.is_empty(), "{reason:?}"),
+    }
+}
+
+fn widened(limit: JointLimit, by: f64, turns: bool) -> JointLimit {
+    let (lower, upper) = (limit.lower() - by, limit.upper() + by);
+    match turns {
+        true => JointLimit::revolute(lower, upper),
+        false => JointLimit::prismatic(lower, upper),
+    }
+}
