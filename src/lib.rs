@@ -31,8 +31,9 @@ pub use kin_runtime::{
 };
 #[cfg(feature = "std")]
 pub use kin_runtime::{
-    Chain, ChainSolution, Mechanism, SearchOptions, SelfMotion, SelfMotionError, SelfMotionOptions,
-    SelfMotions, Stop, Workspace, WorkspaceMethod, scattered_rotations, self_motion, self_motions,
+    Chain, ChainSolution, Criterion, FeasibleInterval, Mechanism, SearchOptions, SelfMotion,
+    SelfMotionError, SelfMotionOptions, SelfMotions, Stop, Workspace, WorkspaceMethod,
+    scattered_rotations, self_motion, self_motions,
 };
 
 /// What `kinematics!("robots/ur5e.urdf")` leaves: a sample, in this

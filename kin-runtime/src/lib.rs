@@ -23,6 +23,8 @@ extern crate std;
 
 mod analysis;
 mod convert;
+#[cfg(feature = "alloc")]
+mod feasible;
 mod generated;
 #[cfg(feature = "alloc")]
 mod generic;
@@ -45,6 +47,8 @@ pub use analysis::{
     Ellipsoid, Manipulability, RANK_TOLERANCE, Singularities, Singularity, centering_gradient,
     null_space,
 };
+#[cfg(feature = "alloc")]
+pub use feasible::{Criterion, FeasibleInterval};
 #[cfg(feature = "alloc")]
 pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
 pub use parallel::{ParallelKinematics, Postures};

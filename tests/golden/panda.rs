@@ -14,7 +14,10 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{Acceptance, Branches, Locked, lanes, math, widen};
-    use ::kinematics::{Frame, Jacobian, JointLimit, Parameter, Pose, Solutions, Target};
+    use ::kinematics::{
+        Frame, Jacobian, JointLimit, Parameter, Pose, RedundantKinematics, Solutions,
+        Target,
+    };
 
     /// The arm `panda` from `base` to `joint7_link`, compiled from `panda.yaml`.
     ///
@@ -1013,6 +1016,67 @@ mod __Panda {
         #[inline]
         fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<7> {
             Panda::ik_at(self, pose, parameter)
+        }
+
+        const EXACT_MARGINS: bool = true;
+        fn margins_at(
+            &self,
+            pose: &Pose,
+            parameter: f64,
+        ) -> ::core::option::Option<[f64; 16]> {
+            let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
+            let [px, py, pz] = pose.translation;
+            // What is given beside the target; the seed, for an angle that both leave
+            // free
+            let (s7, c7) = math::sin_cos(parameter);
+            // 1. q4 by SP3, given q7 (what all branches share)
+            let t1 = 0.088 * c7;
+            let t2 = 0.088 * s7;
+            let t3 = px + (r12 * t2 - r11 * t1 - 0.107 * r13);
+            let t4 = py + (r22 * t2 - r21 * t1 - 0.107 * r23);
+            let t5 = pz + (r32 * t2 - r31 * t1 - 0.107 * r33) - 0.333;
+            let t6 = 0.5 * (t5 * t5 + (t3 * t3 + t4 * t4));
+            let t7 = 0.13046224999999997 - t6;
+            let t8 = 0.01645395867506249 - t7 * t7;
+            let t9 = math::sqrt(math::select(t8 < 1.645395867506249e-15, 0.0, t8));
+            let t10 = math::max(
+                -0.12827298497759568,
+                -math::max(-0.12827298497759568, t6 - 0.13046224999999997),
+            );
+            let t11 = 0.11453774999999997 * t10;
+            let t12 = 0.057749999999999996 * t10;
+            // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
+            let t13 = 0.333 - pz;
+            let t14 = r33 * t13 - (r13 * px + r23 * py) + 0.107;
+            let t15 = c7 * (r11 * px + r21 * py - r31 * t13)
+                - s7 * (r12 * px + r22 * py - r32 * t13);
+            let t16 = t15 - 0.088;
+            let t17 = t14 * t14 + t16 * t16;
+            let t18 = -(1.049085042422014 * t8);
+            // 4 lanes, by the signs of the roots: e1 of step 1
+            let e1 = [1.0, -1.0, 1.0, -1.0];
+            let mut margin_ = [0.0; 4];
+            for k in 0..4 {
+                // 1. q4 by SP3, given q7
+                let t19 = e1[k] * t9;
+                // 2. q5 and q6 by SP2, given q4 and q7
+                let t20 = 19.205104755667552 * (t11 + 0.057749999999999996 * t19)
+                    + 5.013990956780295 * (t12 - 0.11453774999999997 * t19);
+                let t21 = t20 - 0.384;
+                let margin = -math::max(t18, -(1.049085042422014 * (t17 - t21 * t21)));
+                // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
+                // 4. q3 by SP1, given q1, q4, q5, q6 and q7
+                // Residual: forward kinematics against the target
+                // Joint values: angles from sines and cosines, in (−π, π]
+                margin_[k] = margin;
+            }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
+            let margin_ = widen::<4, 8>(margin_);
+            // 8 lanes, one for every branch
+            for k in 0..8 {}
+            let mut margins = [0.0; 16];
+            margins[..8].copy_from_slice(&margin_);
+            Some(margins)
         }
     }
 }

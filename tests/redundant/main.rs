@@ -6,8 +6,11 @@ mod random;
 mod subject;
 
 mod answers;
+mod best;
 mod chosen;
+mod feasible;
 mod interfaces;
+mod self_motions;
 mod several;
 
 use kinematics::kinematics;

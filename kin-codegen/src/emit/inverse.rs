@@ -1,7 +1,7 @@
 //! Inverse kinematics as Rust functions.
 
 use super::comment::comment;
-use super::lanes::lanes;
+use super::lanes::{Lanes, lanes};
 use super::straight::literal;
 use super::univariate;
 use crate::closed_form::{ClosedForm, Inverse};
@@ -73,7 +73,6 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
     let solved = solver.given.variables();
     let n = Literal::usize_unsuffixed(solved);
     let width = Literal::usize_unsuffixed(solver.plan.branches());
-    let target = target_names();
     let seed = (0..solved).map(|i| {
         let i = Literal::usize_unsuffixed(i);
         quote!(seed[#i])
@@ -84,8 +83,6 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
         quote!(locked[#k])
     });
     let free = [quote!(free)];
-    let names = target.iter().cloned().chain(seed).chain(given).chain(free);
-    let names: Vec<TokenStream> = names.collect();
     let (takes, passes) = match locked {
         0 => (quote!(), quote!()),
         k => {
@@ -93,17 +90,15 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
             (quote!(, locked: &[f64; #k]), quote!(, locked))
         }
     };
-    let lanes = lanes(solver, inverse, &names);
-    let entries = target_pattern(&target, &lanes.inputs);
-    let (statements, q) = (&lanes.statements, &lanes.q);
+    let (statements, lanes) = statements(solver, inverse, seed.chain(given).chain(free));
+    let q = &lanes.q;
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
-    let mut seeds = lanes.inputs.iter().skip(target.len()).take(solved);
+    let mut seeds = lanes.inputs.iter().skip(TARGET).take(solved);
     let unused = seeds.all(|used| !used);
     let unused = unused.then(|| quote!(let _ = seed;));
     let statements = quote! {
         #unused
-        #entries
-        #(#statements)*
+        #statements
     };
     let branches = quote! {
         Branches {
@@ -162,6 +157,20 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
             (#branches, #said)
         }
     }
+}
+
+/// The statements that compute the lanes of a graph from `pose` and more `inputs`.
+pub fn statements(
+    solver: &ClosedForm,
+    inverse: &InverseGraph,
+    inputs: impl Iterator<Item = TokenStream>,
+) -> (TokenStream, Lanes) {
+    let target = target_names();
+    let names: Vec<TokenStream> = target.iter().cloned().chain(inputs).collect();
+    let lanes = lanes(solver, inverse, &names);
+    let entries = target_pattern(&target, &lanes.inputs);
+    let statements = &lanes.statements;
+    (quote!(#entries #(#statements)*), lanes)
 }
 
 /// How the branch that comes nearest is chosen.
@@ -321,6 +330,9 @@ pub fn assumes(solver: &ClosedForm) -> String {
         ),
     }
 }
+
+/// How many numbers a target has.
+const TARGET: usize = 12;
 
 /// The names of the target's entries: r11 … r33, px, py, pz.
 fn target_names() -> Vec<TokenStream> {

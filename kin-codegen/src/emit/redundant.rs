@@ -231,8 +231,20 @@ fn told(redundancy: &Redundancy, n: &Literal, value: &TokenStream) -> TokenStrea
 }
 
 /// The trait, where there is one parameter.
-pub fn kinematics(redundancy: &Redundancy, names: &Names, n: &Literal) -> Option<TokenStream> {
+pub fn kinematics(
+    solver: &ClosedForm,
+    redundancy: &Redundancy,
+    names: &Names,
+    n: &Literal,
+) -> Option<TokenStream> {
     let (name, runtime) = (&names.robot, &names.runtime);
+    let margins = margins(solver, redundancy);
+    let exact = margins.as_ref().filter(|_| solver.is_exact());
+    let exact = exact.map(|_| {
+        quote!(
+            const EXACT_MARGINS: bool = true;
+        )
+    });
     (redundancy.parameters() == 1).then(|| {
         quote! {
             impl #runtime::RedundantKinematics<#n> for #name {
@@ -243,7 +255,34 @@ pub fn kinematics(redundancy: &Redundancy, names: &Names, n: &Literal) -> Option
                 fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<#n> {
                     #name::ik_at(self, pose, parameter)
                 }
+                #exact
+                #margins
             }
+        }
+    })
+}
+
+/// How far the branches are from having no root, if they come from a plan.
+fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
+    let margin = solver.expressions()?.of_margin()?;
+    let turned = redundancy
+        .turn
+        .then(|| quote!(let pose = &pose.turned(parameter);));
+    let seed = std::iter::repeat_n(quote!(0.0), solver.given.variables());
+    let given = solver.given.locked.iter().map(|_| quote!(parameter));
+    let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
+    let (statements, lanes) = inverse::statements(solver, &margin, inputs);
+    let margin = &lanes.residual;
+    let width = usize_literal(solver.plan.branches());
+    Some(quote! {
+        fn margins_at(
+            &self, pose: &Pose, parameter: f64
+        ) -> ::core::option::Option<[f64; 16]> {
+            #turned
+            #statements
+            let mut margins = [0.0; 16];
+            margins[..#width].copy_from_slice(&#margin);
+            Some(margins)
         }
     })
 }

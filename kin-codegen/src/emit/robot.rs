@@ -34,7 +34,8 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let derivatives = compiled.forward.dot.as_ref();
     let derivatives = derivatives.map(|dot| self::derivatives(compiled, dot, &n));
     let kinematics = kinematics(compiled, names, &n);
-    let redundant = redundancy.and_then(|it| redundant::kinematics(it, names, &n));
+    let redundant = redundancy.zip(compiled.form());
+    let redundant = redundant.and_then(|(it, form)| redundant::kinematics(form, it, names, &n));
     let generated_by = generated_by(runtime);
     let items = quote! {
         // Constants are written with the digits that they have.
@@ -47,7 +48,7 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
             #derivatives
         }
     };
-    let imports = imports(&items, runtime);
+    let imports = imports(&quote!(#items #redundant), runtime);
     in_module(
         name,
         &quote! {

@@ -1,6 +1,14 @@
 //! Arms with one joint more than their targets have coordinates.
 
+#[cfg(feature = "alloc")]
+use crate::{
+    Criterion, FeasibleInterval, JointLimit,
+    feasible::{best, feasible, feasible_within},
+};
 use crate::{Kinematics, Pose, Solutions};
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+use core::f64::consts::{PI, TAU};
 
 /// What an arm is given beside a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,10 +32,23 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// How many branches [`RedundantKinematics::ik_at`] looks at.
     const BRANCHES_AT: usize;
 
+    /// Whether [`RedundantKinematics::margins_at`] tells exactly where branches exist.
+    const EXACT_MARGINS: bool = false;
+
     /// All configurations with this parameter that put the tip at the target, as far as
     /// the target counts: every isolated one once, and none if the target is out of
     /// reach.
     fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N>;
+
+    /// By branch, how far its plan is from having no root at this parameter: a continuous
+    /// function of the parameter, without unit, that is positive where the branch exists:
+    /// the least argument of a square root, in units of the arm's size. None where branches do not come from roots of a plan.
+    ///
+    /// Of an arm that is read as an ideal one, that of the ideal arm.
+    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
+        let _ = (target, parameter);
+        None
+    }
 
     /// The parameter of a configuration that puts the tip at the target.
     fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
@@ -35,5 +56,57 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
             Parameter::Joint(joint) => q[joint],
             Parameter::Turn => target.turn_to(&self.fk(q)),
         }
+    }
+
+    /// The solutions at so many values of the parameter, evenly spaced over a turn, or
+    /// over the travel of a prismatic joint; nothing is allocated.
+    fn ik_sweep(&self, target: &Pose, count: usize) -> impl Iterator<Item = Solutions<N>> {
+        let [from, to] = match Self::PARAMETER {
+            Parameter::Joint(joint) if !Self::LIMITS[joint].is_revolute() => {
+                [Self::LIMITS[joint].lower(), Self::LIMITS[joint].upper()]
+            }
+            _ => [-PI, PI],
+        };
+        let step = (to - from) / count as f64;
+        let is_turn = (to - from - TAU).abs() < f64::EPSILON;
+        // Both ends of a travel, and of a turn one.
+        let step = if is_turn {
+            step
+        } else {
+            (to - from) / (count.max(2) - 1) as f64
+        };
+        let target = *target;
+        (0..count).map(move |i| self.ik_at(&target, from + step * i as f64))
+    }
+
+    /// The intervals of the parameter in which each branch of solutions exists: their ends
+    /// are where it meets another branch, because the joints that are not given are
+    /// singular there. Ends are exact to 1e-9.
+    ///
+    /// Arms whose branches come from a plan are asked for its roots' arguments as well
+    /// ([`RedundantKinematics::margins_at`]), so that a branch that comes and goes between
+    /// two samples is found; of others, those that exist for less than a fiftieth of the
+    /// parameter's range may be missed.
+    ///
+    /// # Panics
+    /// If the arm has more than eight joints, or seven and a tool that turns.
+    #[cfg(feature = "alloc")]
+    fn feasible(&self, target: &Pose) -> Vec<FeasibleInterval<N>> {
+        feasible(self, target)
+    }
+
+    /// As [`RedundantKinematics::feasible`], as far as all joints are within limits; angles
+    /// may be wound by full turns to be.
+    #[cfg(feature = "alloc")]
+    fn feasible_within(&self, target: &Pose, limits: &[JointLimit; N]) -> Vec<FeasibleInterval<N>> {
+        feasible_within(self, target, limits)
+    }
+
+    /// The best configuration for a target within the robot's limits, of all values of the
+    /// parameter: the least minimum over the feasible intervals. None if there is none
+    /// within limits.
+    #[cfg(feature = "alloc")]
+    fn ik_best(&self, target: &Pose, criterion: &Criterion<N>) -> Option<[f64; N]> {
+        best(self, target, &Self::LIMITS, criterion)
     }
 }

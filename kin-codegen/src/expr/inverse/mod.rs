@@ -48,6 +48,10 @@ pub struct InverseGraph {
     pub invalid: Expr,
     /// Positive where a root is double or an angle is free.
     pub singular: Expr,
+    /// How far the roots are from having no solution: the least argument of a square root
+    /// by the unit of its equation, positive where the branch exists; none where no root can be out of
+    /// domain. Not among the outputs.
+    pub margin: Option<Expr>,
     /// The angle that turns where it is free and the seed's value will not do.
     pub free_angle: Option<FreeAngle>,
     /// Which of the graph's nodes belong to what.
@@ -99,6 +103,18 @@ impl InverseGraph {
             below = cost;
         }
         all
+    }
+
+    /// The same graph with the margin in place of all else that is returned.
+    pub fn of_margin(&self) -> Option<Self> {
+        let margin = self.margin?;
+        let mut of_margin = self.clone();
+        let zero = of_margin.graph.zero();
+        of_margin.q = Vec::new();
+        of_margin.free_angle = None;
+        of_margin.residual = of_margin.graph.named(margin, "margin");
+        [of_margin.invalid, of_margin.singular] = [zero; 2];
+        Some(of_margin)
     }
 
     /// Everything that the emitted function returns.
@@ -178,6 +194,11 @@ struct Writer<'a> {
     sum_first: Vec<bool>,
     invalid: Expr,
     singular: Expr,
+    /// See [`InverseGraph::margin`].
+    margin: Option<Expr>,
+    /// What the argument of the next square root is a multiple of: 1, or a power of the
+    /// arm's size.
+    unit: f64,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
     /// Vectors shorter than this, squared and relative to their scale, leave the
@@ -261,6 +282,8 @@ impl<'a> Writer<'a> {
             sum_first: vec![false; linkage.runs.len()],
             invalid: zero,
             singular: zero,
+            margin: None,
+            unit: 1.0,
             watched: Vec::new(),
             free: zero,
             may_be_free: None,
@@ -407,6 +430,7 @@ impl<'a> Writer<'a> {
             residual: self.g.named(residual, "residual"),
             invalid: self.g.named(self.invalid, "invalid"),
             singular: self.g.named(self.singular, "singular"),
+            margin: self.margin,
             free_angle,
             graph: self.g,
             schedule: Schedule::default(),

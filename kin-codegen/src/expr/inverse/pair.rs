@@ -109,6 +109,9 @@ impl Writer<'_> {
         if self.deviation.is_none() {
             self.refuse(absent);
         }
+        let minus = self.g.constant(-1.0);
+        let margin = self.g.select_less(some, state, one, minus);
+        self.narrow(margin);
         Trig { sin, cos }
     }
 

@@ -101,6 +101,10 @@ impl Writer<'_> {
     /// invalid, a double root is singular and keeps its first branch only.
     pub(super) fn root(&mut self, sign: Expr, discriminant: Discriminant, amplitude: Expr) -> Expr {
         let Discriminant { value, noise } = discriminant;
+        if !discriminant.is_sum_of_squares() {
+            let margin = self.scaled(self.unit.recip(), value);
+            self.narrow(margin);
+        }
         if let Some(deviation) = self.deviation {
             return self.idealized_root(sign, value, amplitude, deviation);
         }
@@ -120,6 +124,16 @@ impl Writer<'_> {
         let kept = self.g.select_less(value, double, zero, value);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
+    }
+
+    /// Takes the margin of a root into that of the branch: the lesser.
+    pub(super) fn narrow(&mut self, margin: Expr) {
+        let lesser = self.margin.map(|before| {
+            let [a, b] = [before, margin].map(|e| self.g.neg(e));
+            let larger = self.g.max(a, b);
+            self.g.neg(larger)
+        });
+        self.margin = Some(lesser.unwrap_or(margin));
     }
 
     /// The root on an idealized arm. Two roots that have met there may be apart on

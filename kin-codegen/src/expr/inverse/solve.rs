@@ -57,7 +57,8 @@ impl Writer<'_> {
                     let other = self.equation(other, unknown);
                     equation = self.steeper(equation, other);
                 }
-                let CosineSine { a, b, d, .. } = equation;
+                let CosineSine { a, b, d, unit } = equation;
+                self.unit = unit.powi(2);
                 let trig = self.angle_with(unknown, a, b, d, None);
                 self.set(unknown, trig);
             }

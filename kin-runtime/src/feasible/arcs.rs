@@ -1,0 +1,227 @@
+//! From samples to arcs.
+
+use super::sample::Sample;
+use super::task::{Point, Task};
+use crate::RedundantKinematics;
+use crate::linear::vector::norm;
+use alloc::vec::Vec;
+use core::f64::consts::{PI, TAU};
+
+/// Samples of a turn, or of a slide's travel, to begin with.
+const SAMPLES: usize = 64;
+/// The first is no multiple of a quarter turn, and neither are the others: there arms are
+/// aligned.
+const OFFSET: f64 = 0.381_966;
+/// Halvings of the distance between samples.
+const HALVINGS: u32 = 24;
+/// Two places end in one fold if they find it this near to each other.
+const SAME: f64 = 1e-5;
+/// A slide without limits is looked at so far both ways, metres.
+const FARTHEST: f64 = 10.0;
+
+/// A piece of a curve on which the parameter grows.
+#[derive(Clone, Debug)]
+pub(super) struct Arc {
+    /// In the order of the parameter, from end to end.
+    pub points: Vec<Point>,
+    /// Whether its end goes on at its beginning, full turns of the parameter later.
+    pub is_closed: bool,
+}
+
+/// An arc in the making.
+struct Open {
+    points: Vec<Point>,
+    /// Whether it begins in a fold, or where a slide's travel does.
+    begins: bool,
+    /// Whether it ends so.
+    ends: bool,
+}
+
+/// The arcs of all branches.
+pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+) -> Vec<Arc> {
+    let values: Vec<f64> = match task.margin_samples() {
+        Some(samples) => samples.iter().map(|sample| sample.0).collect(),
+        None => task.values(),
+    };
+    let Some((&first, rest)) = values.split_first() else {
+        return Vec::new();
+    };
+    let turns = task.turns(Task::<K, N>::PARAMETER);
+    let first = task.sample(first);
+    let mut tracker = Tracker::new(task, &first, !turns);
+    let mut before = first.clone();
+    for &value in rest {
+        let next = task.sample(value);
+        tracker.cell(&before, &next, HALVINGS);
+        before = next;
+    }
+    if turns {
+        let mut last = first.clone();
+        last.parameter += TAU;
+        for place in &mut last.places {
+            place.x[Task::<K, N>::PARAMETER] = last.parameter;
+        }
+        tracker.cell(&before, &last, HALVINGS);
+    }
+    tracker.finish(first.places.len(), turns)
+}
+
+impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
+    /// The values of the parameter to begin with, ascending.
+    pub fn values(&self) -> Vec<f64> {
+        let [from, to] = self.range();
+        let at = |i: usize| from + (to - from) * (i as f64 + OFFSET) / SAMPLES as f64;
+        let mut values: Vec<f64> = (0..SAMPLES).map(at).collect();
+        if !self.turns(Self::PARAMETER) {
+            values.insert(0, from);
+            values.push(to);
+        }
+        values
+    }
+
+    /// The range of the parameter: a turn, or a slide's travel.
+    pub fn range(&self) -> [f64; 2] {
+        match self.turns(Self::PARAMETER) {
+            true => [-PI, PI],
+            false => {
+                let limit = K::LIMITS[Self::PARAMETER];
+                [limit.lower().max(-FARTHEST), limit.upper().min(FARTHEST)]
+            }
+        }
+    }
+}
+
+struct Tracker<'a, K: ?Sized, const N: usize> {
+    task: &'a Task<'a, K, N>,
+    arcs: Vec<Open>,
+    /// By place of the sample last seen, its arc.
+    open: Vec<usize>,
+}
+
+impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
+    fn new(task: &'a Task<K, N>, first: &Sample, begins: bool) -> Self {
+        let arcs = first.places.iter().map(|place| Open {
+            points: alloc::vec![place.x],
+            begins,
+            ends: false,
+        });
+        Self {
+            task,
+            arcs: arcs.collect(),
+            open: (0..first.places.len()).collect(),
+        }
+    }
+
+    /// Carries the arcs from one sample to the next.
+    fn cell(&mut self, from: &Sample, to: &Sample, halvings: u32) {
+        let matched = self.task.matched(from, to);
+        let ending = self.folds(from, &matched.ending, 1.0, [from.parameter, to.parameter]);
+        let beginning = self.folds(to, &matched.beginning, -1.0, [from.parameter, to.parameter]);
+        let (ending, beginning) = match (ending, beginning, halvings) {
+            (Some(ending), Some(beginning), _) => (ending, beginning),
+            (_, _, 0) => {
+                // Nothing tells how it goes on: the arcs end here.
+                let at = |sample: &Sample, k: &usize| sample.places[*k].x;
+                (
+                    matched.ending.iter().map(|k| at(from, k)).collect(),
+                    matched.beginning.iter().map(|k| at(to, k)).collect(),
+                )
+            }
+            _ => {
+                let middle = 0.5 * (from.parameter + to.parameter);
+                let middle = self.task.sample(middle);
+                self.cell(from, &middle, halvings - 1);
+                self.cell(&middle, to, halvings - 1);
+                return;
+            }
+        };
+        for (&i, fold) in matched.ending.iter().zip(ending) {
+            let arc = &mut self.arcs[self.open[i]];
+            arc.points.push(fold);
+            arc.ends = true;
+        }
+        let mut open = alloc::vec![0; to.places.len()];
+        for &[i, j] in &matched.pairs {
+            open[j] = self.open[i];
+            self.arcs[open[j]].points.push(to.places[j].x);
+        }
+        for (&j, fold) in matched.beginning.iter().zip(beginning) {
+            open[j] = self.arcs.len();
+            self.arcs.push(Open {
+                points: alloc::vec![fold, to.places[j].x],
+                begins: true,
+                ends: false,
+            });
+        }
+        self.open = open;
+    }
+
+    /// The folds in which places end, between two values of the parameter; none if not
+    /// all of them end so, two in each.
+    fn folds(
+        &self,
+        sample: &Sample,
+        which: &[usize],
+        sense: f64,
+        [from, to]: [f64; 2],
+    ) -> Option<Vec<Point>> {
+        let parameter = Task::<K, N>::PARAMETER;
+        let slack = 1e-12;
+        let find = |&k: &usize| {
+            let fold = self.task.extremum(parameter, &sample.places[k], sense)?;
+            let inside = (from - slack..=to + slack).contains(&fold[parameter]);
+            inside.then_some(fold)
+        };
+        let folds: Vec<Point> = which.iter().map(find).collect::<Option<_>>()?;
+        let same = |a: &Point, b: &Point| norm(self.task.way(a, b)) < SAME;
+        let twice = |fold: &Point| folds.iter().filter(|other| same(fold, other)).count() == 2;
+        folds.iter().all(twice).then_some(folds)
+    }
+
+    /// All arcs, joined where the parameter has come round.
+    fn finish(mut self, first: usize, turns: bool) -> Vec<Arc> {
+        if !turns {
+            let arcs = self.arcs.into_iter().map(|arc| Arc {
+                points: arc.points,
+                is_closed: false,
+            });
+            return arcs.collect();
+        }
+        // The arc at place j of the last sample goes on as that of place j of the first.
+        let mut next: Vec<Option<usize>> = alloc::vec![None; self.arcs.len()];
+        for (j, &arc) in self.open.iter().enumerate().take(first) {
+            next[arc] = Some(j);
+        }
+        let mut used = alloc::vec![false; self.arcs.len()];
+        let begin = (0..self.arcs.len()).filter(|&i| self.arcs[i].begins);
+        let order: Vec<usize> = begin.chain(0..self.arcs.len()).collect();
+        let mut arcs = Vec::new();
+        for start in order {
+            if used[start] {
+                continue;
+            }
+            let (mut points, mut here, mut turns) = (Vec::new(), start, 0.0);
+            let is_closed = loop {
+                used[here] = true;
+                let own = core::mem::take(&mut self.arcs[here].points);
+                let shifted = own.into_iter().map(|mut x| {
+                    x[Task::<K, N>::PARAMETER] += turns;
+                    x
+                });
+                // What joins two of them is in both.
+                points.extend(shifted.skip(usize::from(turns > 0.0)));
+                turns += TAU;
+                match next[here] {
+                    _ if self.arcs[here].ends => break false,
+                    Some(on) if on == start => break true,
+                    Some(on) if !used[on] => here = on,
+                    _ => break false,
+                }
+            };
+            arcs.push(Arc { points, is_closed });
+        }
+        arcs
+    }
+}

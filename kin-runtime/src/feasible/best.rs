@@ -1,0 +1,128 @@
+//! The best configuration for a target.
+
+use super::arcs::Arc;
+use super::limits::is_within;
+use super::task::Task;
+use crate::{JointLimit, RedundantKinematics};
+use alloc::vec::Vec;
+
+/// Configurations of an arc that are looked at before the least is refined, for each
+/// radian or metre of the parameter, and at least so many.
+const DENSITY: f64 = 12.0;
+const FEWEST: usize = 6;
+/// Golden-section steps: the parameter to the square root of rounding.
+const STEPS: usize = 40;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// What makes a configuration better than another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Criterion<const N: usize> {
+    /// The nearest to joint values: least Euclidean norm of the ways within the limits,
+    /// radians and metres.
+    Nearest([f64; N]),
+    /// The farthest from limits: the joint that is nearest to a stop, as a share of half
+    /// of its travel, is as far from it as can be.
+    FarthestFromLimits,
+    /// The largest manipulability: the volume of the ellipsoid of velocities.
+    Manipulability,
+}
+
+impl<const N: usize> Criterion<N> {
+    /// What is to be small; `q` is wound to lie within the limits.
+    pub(crate) fn cost<K: RedundantKinematics<N> + ?Sized>(
+        &self,
+        robot: &K,
+        q: &[f64; N],
+        stops: &[JointLimit; N],
+    ) -> f64 {
+        match self {
+            Criterion::Nearest(seed) => (0..N).map(|i| (q[i] - seed[i]) * (q[i] - seed[i])).sum(),
+            Criterion::FarthestFromLimits => (0..N).fold(0.0, |most: f64, i| {
+                let (lower, upper) = (stops[i].lower(), stops[i].upper());
+                let half = 0.5 * (upper - lower);
+                let off = (q[i] - 0.5 * (lower + upper)).abs() / half;
+                if half.is_finite() {
+                    most.max(off)
+                } else {
+                    most
+                }
+            }),
+            Criterion::Manipulability => -robot.manipulability(q).volume,
+        }
+    }
+
+    /// The configuration wound inside the limits, as the criterion likes it; none if it
+    /// is outside.
+    pub(crate) fn wound(&self, q: &[f64; N], stops: &[JointLimit; N]) -> Option<[f64; N]> {
+        let mut wound = *q;
+        for i in 0..N {
+            let (lower, upper) = (stops[i].lower(), stops[i].upper());
+            let near = match self {
+                Criterion::Nearest(seed) => seed[i],
+                _ if (upper - lower).is_finite() => 0.5 * (lower + upper),
+                _ => q[i],
+            };
+            wound[i] = stops[i].nearest(q[i], near)?;
+        }
+        Some(wound)
+    }
+}
+
+/// The best configuration on some arcs.
+pub(super) fn best<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+    arcs: impl Iterator<Item = Arc>,
+    stops: &[JointLimit; N],
+    criterion: &Criterion<N>,
+) -> Option<[f64; N]> {
+    let mut best: Option<(f64, [f64; N])> = None;
+    for arc in arcs {
+        for (cost, q) in candidates(task, &arc, stops, criterion) {
+            if best.is_none_or(|(least, _)| cost < least) {
+                best = Some((cost, q));
+            }
+        }
+    }
+    best.map(|(_, q)| q)
+}
+
+/// The minima of an arc.
+fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+    arc: &Arc,
+    stops: &[JointLimit; N],
+    criterion: &Criterion<N>,
+) -> Vec<(f64, [f64; N])> {
+    let parameter = Task::<K, N>::PARAMETER;
+    let ends = arc.points.first().zip(arc.points.last());
+    let Some([from, to]) = ends.map(|(a, b)| [a[parameter], b[parameter]]) else {
+        return Vec::new();
+    };
+    let at = |value: f64| {
+        let q = task.q(&task.on(arc, value)?);
+        let q = criterion.wound(&q, stops).filter(|q| is_within(q, stops))?;
+        Some((criterion.cost(task.robot, &q, stops), q))
+    };
+    let cost = |value: f64| at(value).map_or(f64::INFINITY, |(cost, _)| cost);
+    let count = FEWEST.max(((to - from) * DENSITY) as usize);
+    let value = |i: usize| from + (to - from) * i as f64 / count as f64;
+    let costs: Vec<f64> = (0..=count).map(|i| cost(value(i))).collect();
+    let is_least = |&i: &usize| {
+        let before = i == 0 || costs[i] <= costs[i - 1];
+        before && (i == count || costs[i] <= costs[i + 1]) && costs[i].is_finite()
+    };
+    let refined = |i: usize| {
+        let (mut low, mut high) = (value(i.saturating_sub(1)), value((i + 1).min(count)));
+        for _ in 0..STEPS {
+            let width = GOLDEN * (high - low);
+            let (left, right) = (high - width, low + width);
+            match cost(left) < cost(right) {
+                true => high = right,
+                false => low = left,
+            }
+        }
+        [at(value(i)), at(0.5 * (low + high))]
+    };
+    let least = (0..=count).filter(is_least);
+    least.flat_map(refined).flatten().collect()
+}

@@ -1,0 +1,66 @@
+//! Where the branches of an arm with a parameter exist: intervals of the parameter, and
+//! the best configuration among them.
+//!
+//! The configurations that reach a target are curves. Over the parameter they fall into
+//! arcs, which end where they turn back: where the other joints are singular. The arcs
+//! are followed from sample to sample of the parameter, each sample with all of its
+//! solutions; what is not carried over by tangents has to end in a fold with another one
+//! that is not, and is sampled more finely until it does.
+
+mod arcs;
+mod best;
+mod fold;
+mod interval;
+mod lanes;
+mod limits;
+mod sample;
+mod suspects;
+mod task;
+
+pub use best::Criterion;
+pub use interval::FeasibleInterval;
+
+use crate::{JointLimit, Pose, RedundantKinematics};
+use alloc::vec::Vec;
+use task::Task;
+
+/// The intervals of the parameter in which a branch of solutions exists, of all branches.
+pub(crate) fn feasible<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    robot: &K,
+    target: &Pose,
+) -> Vec<FeasibleInterval<N>> {
+    let task = Task { robot, target };
+    task.intervals_of_lanes().unwrap_or_else(|| {
+        let arcs = arcs::arcs(&task);
+        arcs.iter().filter_map(|arc| task.interval(arc)).collect()
+    })
+}
+
+/// The same as far as all joints are within their limits.
+pub(crate) fn feasible_within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    robot: &K,
+    target: &Pose,
+    stops: &[JointLimit; N],
+) -> Vec<FeasibleInterval<N>> {
+    let task = Task { robot, target };
+    let arcs = arcs::arcs(&task);
+    let parts = arcs
+        .iter()
+        .flat_map(|arc| limits::within(&task, arc, stops));
+    parts.filter_map(|arc| task.interval(&arc)).collect()
+}
+
+/// The best configuration within limits.
+pub(crate) fn best<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    robot: &K,
+    target: &Pose,
+    stops: &[JointLimit; N],
+    criterion: &Criterion<N>,
+) -> Option<[f64; N]> {
+    let task = Task { robot, target };
+    let arcs = arcs::arcs(&task);
+    let parts = arcs
+        .iter()
+        .flat_map(|arc| limits::within(&task, arc, stops));
+    best::best(&task, parts, stops, criterion)
+}

@@ -1,0 +1,71 @@
+//! All solutions at one value of the parameter, and how those at two belong together.
+
+use super::task::{Place, Task, along};
+use crate::RedundantKinematics;
+use crate::linear::vector::norm;
+use alloc::vec::Vec;
+
+/// How far solutions of neighbouring samples may be apart, radians and metres.
+const FAR: f64 = 0.6;
+/// How far the way between them may differ from what their tangents tell, relative to its
+/// length.
+const TRUST: f64 = 0.15;
+/// Ways shorter than this are not judged.
+const SHORT: f64 = 1e-9;
+
+/// All solutions at one value of the parameter.
+#[derive(Clone, Debug)]
+pub(super) struct Sample {
+    pub parameter: f64,
+    pub places: Vec<Place>,
+}
+
+/// Which places of two samples are on one arc, and which of either are not carried over.
+pub(super) struct Matched {
+    pub pairs: Vec<[usize; 2]>,
+    pub ending: Vec<usize>,
+    pub beginning: Vec<usize>,
+}
+
+impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
+    /// The solutions at a value of the parameter.
+    pub fn sample(&self, parameter: f64) -> Sample {
+        let solutions = self.robot.ik_at(self.target, parameter);
+        let points = solutions
+            .iter()
+            .map(|found| self.point(&found.q, parameter));
+        Sample {
+            parameter,
+            places: points.filter_map(|x| self.place(x)).collect(),
+        }
+    }
+
+    /// Pairs places whose tangents lead from one to the other and to no third.
+    pub fn matched(&self, from: &Sample, to: &Sample) -> Matched {
+        let leads = |i: usize, j: usize| self.leads(&from.places[i], &to.places[j]);
+        let (n, m) = (from.places.len(), to.places.len());
+        let only = |mut all: Vec<usize>| if all.len() == 1 { all.pop() } else { None };
+        let next = |i: usize| only((0..m).filter(|&j| leads(i, j)).collect());
+        let before = |j: usize| only((0..n).filter(|&i| leads(i, j)).collect());
+        let pair = |i: usize| next(i).filter(|&j| before(j) == Some(i)).map(|j| [i, j]);
+        let pairs: Vec<[usize; 2]> = (0..n).filter_map(pair).collect();
+        let paired = |side: usize, k: usize| pairs.iter().any(|pair| pair[side] == k);
+        Matched {
+            ending: (0..n).filter(|&i| !paired(0, i)).collect(),
+            beginning: (0..m).filter(|&j| !paired(1, j)).collect(),
+            pairs,
+        }
+    }
+
+    fn leads(&self, from: &Place, to: &Place) -> bool {
+        let way = self.way(&from.x, &to.x);
+        let length = norm(way);
+        let across = way[Self::PARAMETER];
+        // By the trapezoidal rule over the parameter.
+        let share = |place: &Place| 0.5 * across / place.tangent[Self::PARAMETER];
+        let expected = along(&[0.0; 8], &from.tangent, share(from));
+        let expected = along(&expected, &to.tangent, share(to));
+        let off = norm(along(&way, &expected, -1.0));
+        length <= FAR && (off <= TRUST * length || length <= SHORT)
+    }
+}

@@ -1,0 +1,110 @@
+//! Branches that exist between two samples alone, or are gone there alone.
+//!
+//! The roots of a plan are real where their arguments are positive; the least of these,
+//! branch by branch, is a continuous function of the parameter, whose sign tells whether
+//! the branch exists. Where it has an extremum of the other sign between samples of one,
+//! one more sample is taken.
+
+use super::task::Task;
+use crate::RedundantKinematics;
+use alloc::vec::Vec;
+
+/// Golden-section steps.
+const STEPS: usize = 24;
+/// The share of a bracket that a step keeps.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A value of the parameter, and the margins there.
+pub(super) type Margins = (f64, [f64; 16]);
+
+/// By how much steeper than between samples a margin may be next to them.
+const STEEPER: f64 = 2.0;
+
+impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
+    /// The values of the parameter to sample, ascending, with the margins there; none of
+    /// an arm whose branches come from no plan.
+    pub fn margin_samples(&self) -> Option<Vec<Margins>> {
+        let at = |value: f64| Some((value, self.margins(value)?));
+        let samples = self.values().into_iter().map(at);
+        let mut samples: Vec<Margins> = samples.collect::<Option<_>>()?;
+        let found = self.suspects(&samples);
+        samples.extend(found.into_iter().filter_map(at));
+        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        samples.dedup_by_key(|sample| sample.0);
+        Some(samples)
+    }
+
+    /// More values of the parameter to sample.
+    fn suspects(&self, samples: &[Margins]) -> Vec<f64> {
+        let mut found = Vec::new();
+        let n = samples.len();
+        let turns = self.turns(Self::PARAMETER);
+        let round = self.range()[1] - self.range()[0];
+        // Around the circle, or between the ends.
+        let at = |i: usize| match i {
+            0 => (samples[n - 1].0 - round, samples[n - 1].1),
+            i if i <= n => samples[i - 1],
+            i => (samples[i - 1 - n].0 + round, samples[i - 1 - n].1),
+        };
+        let cells = if turns { 1..n + 1 } else { 2..n - 1 };
+        for i in cells {
+            let four = [i - 1, i, i + 1, i + 2].map(at);
+            let mut seen: Vec<[f64; 4]> = Vec::new();
+            for lane in 0..K::BRANCHES_AT {
+                let own = four.map(|sample| sample.1[lane]);
+                let same_sign = (own[1] < 0.0) == (own[2] < 0.0);
+                let sign = if own[1] < 0.0 { 1.0 } else { -1.0 };
+                let towards = own.map(|x| sign * x);
+                // Branches that meet have one margin.
+                if same_sign && !seen.contains(&own) && may_cross(four.map(|s| s.0), towards) {
+                    found.extend(self.crossing(lane, sign, four[1].0, four[2].0));
+                }
+                seen.push(own);
+            }
+        }
+        found
+    }
+
+    /// Where the largest margin of a lane, times the sign, is positive.
+    fn crossing(&self, lane: usize, sign: f64, mut low: f64, mut high: f64) -> Option<f64> {
+        let at = |value: f64| Some(sign * self.margins(value)?[lane]);
+        let inner = |low: f64, high: f64| {
+            let width = GOLDEN * (high - low);
+            [high - width, low + width]
+        };
+        for _ in 0..STEPS {
+            let [left, right] = inner(low, high);
+            let [a, b] = [at(left)?, at(right)?];
+            if a > 0.0 {
+                return Some(left);
+            }
+            if b > 0.0 {
+                return Some(right);
+            }
+            match a > b {
+                true => high = right,
+                false => low = left,
+            }
+        }
+        None
+    }
+
+    pub fn margins(&self, value: f64) -> Option<[f64; 16]> {
+        self.robot.margins_at(self.target, value)
+    }
+}
+
+/// Whether a function that is negative at the two inner places may be positive between
+/// them: it is below the lines through the two samples on either side where it bends down,
+/// and these are taken steeper than they are.
+fn may_cross(at: [f64; 4], [a, b, c, d]: [f64; 4]) -> bool {
+    let width = at[2] - at[1];
+    let slope = |rise: f64, run: f64| STEEPER * (rise / run).max(0.0);
+    let (up, down) = (slope(b - a, at[1] - at[0]), slope(c - d, at[3] - at[2]));
+    if up == 0.0 || down == 0.0 {
+        return false;
+    }
+    // Where the two lines meet, or the lower of them at the ends of the cell.
+    let meet = ((c - b + down * width) / (up + down)).clamp(0.0, width);
+    (b + up * meet).min(c + down * (width - meet)) > 0.0
+}

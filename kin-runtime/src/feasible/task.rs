@@ -1,0 +1,168 @@
+//! The equations of a target, in all joints and the parameter.
+
+use crate::linear::span::Span;
+use crate::linear::vector::{dot, norm};
+use crate::{Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Target, math};
+
+/// Coordinates of a point: all joint values, and behind them the turn of the tool where
+/// that is the parameter; the rest is zero.
+pub(super) const WIDTH: usize = 8;
+pub(super) type Point = [f64; WIDTH];
+
+/// Newton's method from a good prediction takes 3 or 4 steps.
+const NEWTON_STEPS: usize = 10;
+/// How exactly the target is met, relative to its distance from the base or to a metre.
+const MET: f64 = 1e-12;
+
+/// What a robot has to reach.
+pub(super) struct Task<'a, K: ?Sized, const N: usize> {
+    pub robot: &'a K,
+    pub target: &'a Pose,
+}
+
+/// A point of a curve, and the unit vector along it, to where the parameter grows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub x: Point,
+    pub tangent: Point,
+}
+
+impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
+    /// Which coordinate the parameter is.
+    pub const PARAMETER: usize = match K::PARAMETER {
+        Parameter::Joint(joint) => joint,
+        Parameter::Turn => N,
+    };
+    /// How many coordinates there are.
+    pub const COORDINATES: usize = {
+        let turn = matches!(K::PARAMETER, Parameter::Turn) as usize;
+        assert!(
+            N + turn <= WIDTH,
+            "arms of eight joints at most, seven with a tool that turns"
+        );
+        N + turn
+    };
+
+    /// What counts: with a turn of the tool, a target is a whole pose.
+    const COUNTS: Target = match K::PARAMETER {
+        Parameter::Joint(_) => K::TARGET,
+        Parameter::Turn => Target::Pose,
+    };
+
+    /// Whether a coordinate is an angle.
+    pub fn turns(&self, i: usize) -> bool {
+        i >= N || K::LIMITS[i].is_revolute()
+    }
+
+    /// The joint values of a point.
+    pub fn q(&self, x: &Point) -> [f64; N] {
+        core::array::from_fn(|i| x[i])
+    }
+
+    /// The point of joint values at a parameter.
+    pub fn point(&self, q: &[f64; N], parameter: f64) -> Point {
+        let mut x = [0.0; WIDTH];
+        x[..N].copy_from_slice(q);
+        x[Self::PARAMETER] = parameter;
+        x
+    }
+
+    /// The way from one point to another, angles by the shorter way round.
+    pub fn way(&self, from: &Point, to: &Point) -> Point {
+        core::array::from_fn(|i| {
+            let way = to[i] - from[i];
+            match i < Self::COORDINATES && self.turns(i) && i != Self::PARAMETER {
+                true => math::wrap(way),
+                false => way,
+            }
+        })
+    }
+
+    /// The rows that have to rest, and how far they are from where they should.
+    fn equations(&self, x: &Point) -> ([Point; 6], [f64; 6]) {
+        let (pose, spatial) = self.robot.fk_jacobian(&self.q(x));
+        let geometric = spatial.spatial_to_geometric(&pose);
+        let target = match K::PARAMETER {
+            Parameter::Joint(_) => *self.target,
+            Parameter::Turn => self.target.turned(x[N]),
+        };
+        let own = Self::COUNTS.counting_rows(&pose, &geometric).rows;
+        let mut rows = own.map(|row| core::array::from_fn(|j| if j < N { row[j] } else { 0.0 }));
+        if let Parameter::Turn = K::PARAMETER {
+            // The target turns about its z axis.
+            for i in 0..3 {
+                rows[3 + i][N] = -target.rotation[i][2];
+            }
+        }
+        (rows, Self::COUNTS.missing(&pose, &target).to_array())
+    }
+
+    /// Of the equations and one more, which are independent; what is behind the
+    /// coordinates rests.
+    fn span(&self, rows: &[Point; 6], more: Option<&Point>) -> Span<WIDTH> {
+        let behind = WIDTH - Self::COORDINATES;
+        let row = |i: usize| match i {
+            0..6 => rows[i],
+            _ if i < 6 + behind => unit(Self::COORDINATES + i - 6),
+            _ => *more.unwrap_or(&[0.0; WIDTH]),
+        };
+        let count = 6 + behind + usize::from(more.is_some());
+        Span::of(count, row, RANK_TOLERANCE)
+    }
+
+    /// The place of a point, if there is one way to go on.
+    pub fn place(&self, x: Point) -> Option<Place> {
+        let (rows, _) = self.equations(&x);
+        let span = self.span(&rows, None);
+        let mut ways = span.complement();
+        let tangent = ways.next()?;
+        if ways.next().is_some() {
+            return None;
+        }
+        let sign = 1.0_f64.copysign(tangent[Self::PARAMETER]);
+        let tangent = tangent.map(|t| sign * t);
+        Some(Place { x, tangent })
+    }
+
+    /// Where the curve meets the hyperplane n · (x − p) = 0, by Newton's method; none if
+    /// it does not get there.
+    pub fn meet(&self, normal: &Point, through: &Point, guess: Point) -> Option<Point> {
+        let size = norm(self.target.translation).max(1.0);
+        let behind = WIDTH - Self::COORDINATES;
+        let mut x = guess;
+        for _ in 0..NEWTON_STEPS {
+            let (rows, missing) = self.equations(&x);
+            let beyond: Point = core::array::from_fn(|i| x[i] - through[i]);
+            let off = -dot(*normal, beyond);
+            let largest = missing.iter().fold(off.abs(), |a, x| math::max(a, x.abs()));
+            if largest <= MET * size {
+                return Some(x);
+            }
+            let span = self.span(&rows, Some(normal));
+            let change = span.least_norm(|i| match i {
+                0..6 => missing[i],
+                _ if i < 6 + behind => 0.0,
+                _ => off,
+            });
+            x = core::array::from_fn(|i| x[i] + change[i]);
+        }
+        None
+    }
+
+    /// The point of the curve at which a coordinate has a value.
+    pub fn meet_at(&self, coordinate: usize, value: f64, guess: Point) -> Option<Point> {
+        let mut through = [0.0; WIDTH];
+        through[coordinate] = value;
+        self.meet(&unit(coordinate), &through, guess)
+    }
+}
+
+/// A unit vector.
+fn unit(i: usize) -> Point {
+    core::array::from_fn(|j| f64::from(u8::from(i == j)))
+}
+
+/// x + t d.
+pub(super) fn along(x: &Point, d: &Point, t: f64) -> Point {
+    core::array::from_fn(|i| x[i] + t * d[i])
+}

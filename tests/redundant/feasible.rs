@@ -1,0 +1,153 @@
+//! Feasible intervals against dense sampling, their ends against the solutions on both
+//! sides, and all of it within limits.
+
+use crate::subject::Subject;
+use kin_codegen::Target;
+use kinematics::{FeasibleInterval, Parameter, Pose, RedundantKinematics};
+use std::f64::consts::{PI, TAU};
+
+/// A property of all robots, one test for each.
+macro_rules! for_every_robot {
+    ($($property:ident)*) => { $(
+        mod $property {
+            use super::*;
+            for_every_robot! { $property:
+                iiwa14 Iiwa14 "../robots/iiwa14.yaml" Pose,
+                iiwa_by_elbow IiwaByElbow "../robots/iiwa14.yaml" Pose,
+                panda Panda "../robots/panda.yaml" Pose,
+                sawyer Sawyer "../robots/sawyer.yaml" Pose,
+                rail Rail "robots/redundant/rail.yaml" Pose,
+                stray_iiwa StrayIiwa "robots/redundant/stray_iiwa.yaml" Pose,
+                ur5e Ur5e "../robots/ur5e.urdf" Pose,
+                kr6_r900 Kr6R900 "../robots/kr6_r900.yaml" Pose,
+                xarm6 Xarm6 "../robots/xarm6.yaml" Pose,
+                ur5e_by_wrist Ur5eByWrist "../robots/ur5e.urdf" PositionAxis,
+            }
+        }
+    )* };
+    ($property:ident: $($test:ident $robot:ident $path:literal $counts:ident,)*) => { $(
+        #[test]
+        fn $test() {
+            super::$property(&Subject::new(crate::$robot, $path, Target::$counts));
+        }
+    )* };
+}
+
+for_every_robot! {
+    as_many_branches_exist_as_there_are_solutions
+    ends_are_where_solutions_meet
+    limits_are_kept
+}
+
+/// Nearer to an end than this, counts are not compared.
+const CLOSE: f64 = 1e-7;
+
+/// Values of the parameter, evenly over its range.
+fn values<K: RedundantKinematics<N>, const N: usize>(count: usize) -> impl Iterator<Item = f64> {
+    let [from, to] = match K::PARAMETER {
+        Parameter::Joint(joint) if !K::LIMITS[joint].is_revolute() => {
+            [K::LIMITS[joint].lower(), K::LIMITS[joint].upper()]
+        }
+        _ => [-PI, PI],
+    };
+    (0..count).map(move |i| from + (to - from) * (i as f64 + 0.5) / count as f64)
+}
+
+fn is_near_end<const N: usize>(intervals: &[FeasibleInterval<N>], value: f64, by: f64) -> bool {
+    let near = |end: f64| {
+        let d = (value - end).rem_euclid(TAU);
+        d.min(TAU - d) < by
+    };
+    let mut open = intervals.iter().filter(|interval| !interval.is_closed);
+    open.any(|interval| near(interval.from) || near(interval.to))
+}
+
+/// How many of them hold a value; one that winds several times counts so.
+fn holding<K: RedundantKinematics<N>, const N: usize>(
+    intervals: &[FeasibleInterval<N>],
+    value: f64,
+) -> usize {
+    let turns = match K::PARAMETER {
+        Parameter::Joint(joint) => K::LIMITS[joint].is_revolute(),
+        Parameter::Turn => true,
+    };
+    let times = |interval: &FeasibleInterval<N>| {
+        if !turns {
+            return usize::from((interval.from..=interval.to).contains(&value));
+        }
+        if interval.is_closed {
+            return ((interval.to - interval.from) / TAU).round() as usize;
+        }
+        let first = interval.from + (value - interval.from).rem_euclid(TAU);
+        if first > interval.to {
+            return 0;
+        }
+        1 + ((interval.to - first) / TAU) as usize
+    };
+    intervals.iter().map(times).sum()
+}
+
+fn as_many_branches_exist_as_there_are_solutions<K: RedundantKinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+) {
+    let mut intervals_seen = 0;
+    for q in robot.random(8) {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        intervals_seen += intervals.len();
+        for value in values::<K, N>(250).filter(|&v| !is_near_end(&intervals, v, CLOSE)) {
+            let solutions = robot.arm.ik_at(&target, value).len();
+            let held = holding::<K, N>(&intervals, value);
+            assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+        }
+    }
+    assert!(intervals_seen > 16, "{intervals_seen}");
+}
+
+/// Whether the parameter ends there anyway.
+fn is_stop<K: RedundantKinematics<N>, const N: usize>(end: f64) -> bool {
+    let Parameter::Joint(joint) = K::PARAMETER else {
+        return false;
+    };
+    let limit = K::LIMITS[joint];
+    !limit.is_revolute() && [limit.lower(), limit.upper()].contains(&end)
+}
+
+/// A billionth on either side of an end there are two solutions more, or two less.
+fn ends_are_where_solutions_meet<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    for q in robot.random(8) {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        for interval in intervals.iter().filter(|interval| !interval.is_closed) {
+            assert!(interval.from < interval.to, "{interval:?}");
+            for end in [interval.from, interval.to] {
+                let count = |value: f64| robot.arm.ik_at(&target, value).len() as isize;
+                let change = count(end + 1e-9) - count(end - 1e-9);
+                // Of two solutions so near to each other the univariate step may lose one.
+                assert!(
+                    change != 0 || is_stop::<K, N>(end),
+                    "{change} at {end} of {interval:?} of {q:?}"
+                );
+            }
+        }
+    }
+}
+
+fn limits_are_kept<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let mut held_at_all = 0;
+    for q in robot.random(8) {
+        let target: Pose = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible_within(&target, &K::LIMITS);
+        for value in values::<K, N>(250).filter(|&v| !is_near_end(&intervals, v, CLOSE)) {
+            let solutions = robot
+                .arm
+                .ik_at(&target, value)
+                .within_limits(&K::LIMITS)
+                .len();
+            let held = holding::<K, N>(&intervals, value);
+            assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+            held_at_all += held;
+        }
+    }
+    assert!(held_at_all > 0);
+}
