@@ -25,15 +25,15 @@ pub use kin_macros::kinematics;
 pub use kin_runtime::__private;
 pub use kin_runtime::{
     Basis, Body, Ellipsoid, Following, Frame, FullTurns, Hessian, Jacobian, JointLimit, Kinematics,
-    Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, Pose, Postures,
+    Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, Pose, Posture, Postures,
     RANK_TOLERANCE, RedundantKinematics, Singularities, Singularity, Solution, Solutions, Target,
     Twist, WithBase, WithTool, Wrench, centering_gradient, null_space, subproblems,
 };
 #[cfg(feature = "std")]
 pub use kin_runtime::{
-    Chain, ChainSolution, Criterion, FeasibleInterval, Mechanism, SearchOptions, SelfMotion,
-    SelfMotionError, SelfMotionOptions, SelfMotions, Stop, Workspace, WorkspaceMethod,
-    scattered_rotations, self_motion, self_motions,
+    BranchEnd, Chain, ChainSolution, Criterion, FeasibleInterval, Mechanism, NoPath, Path,
+    SearchOptions, SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, Workspace,
+    WorkspaceMethod, ik_path, least_motion, scattered_rotations, self_motion, self_motions,
 };
 
 /// What `kinematics!("robots/ur5e.urdf")` leaves: a sample, in this

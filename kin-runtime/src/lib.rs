@@ -30,6 +30,8 @@ mod generated;
 mod generic;
 mod linear;
 mod parallel;
+#[cfg(feature = "alloc")]
+mod path;
 mod robot;
 mod scalar;
 #[cfg(feature = "alloc")]
@@ -52,6 +54,8 @@ pub use feasible::{Criterion, FeasibleInterval};
 #[cfg(feature = "alloc")]
 pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
 pub use parallel::{ParallelKinematics, Postures};
+#[cfg(feature = "alloc")]
+pub use path::{BranchEnd, NoPath, Path, ik_path, least_motion};
 pub use robot::{
     Body, Following, Frame, Kinematics, NoSolution, Parameter, RedundantKinematics, WithBase,
     WithTool,
@@ -61,8 +65,8 @@ pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
 };
 pub use types::{
-    Basis, FullTurns, Hessian, IntoIter, Jacobian, JointLimit, Nearest, Pose, Solution, Solutions,
-    Target, Twist, Wrench,
+    Basis, FullTurns, Hessian, IntoIter, Jacobian, JointLimit, Nearest, Pose, Posture, Solution,
+    Solutions, Target, Twist, Wrench,
 };
 #[cfg(feature = "alloc")]
 pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};

@@ -15,8 +15,8 @@ mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Nearest, Pose, Singularity, Solution, Solutions,
-        Target,
+        Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
+        Solutions, Target,
     };
 
     /// The arm `kr6_r900` from `base_link` to `tool0`, compiled from `kr6_r900.yaml`.
@@ -59,7 +59,7 @@ mod __Kr6R900 {
     ///
     /// # Branches
     ///
-    /// `Solution::branch` is the number of the solution's posture:
+    /// `Solution::branch` is the number of the solution's posture, as in `POSTURES`:
     ///
     /// | branch | shoulder (bit 0) | elbow (bits 0 and 1) | wrist (bit 2) |
     /// |---|---|---|---|
@@ -136,6 +136,46 @@ mod __Kr6R900 {
         pub const TIP: &'static str = "tool0";
         /// What of a target counts for inverse kinematics.
         pub const TARGET: Target = Target::Pose;
+        /// What the branches are called, by [`Solution::branch`](::kinematics::Solution).
+        pub const POSTURES: &'static [Posture] = &[
+            Posture::new(
+                0,
+                &["shoulder", "elbow", "wrist"],
+                &["front", "down", "not flipped"],
+            ),
+            Posture::new(
+                1,
+                &["shoulder", "elbow", "wrist"],
+                &["back", "up", "not flipped"],
+            ),
+            Posture::new(
+                2,
+                &["shoulder", "elbow", "wrist"],
+                &["front", "up", "not flipped"],
+            ),
+            Posture::new(
+                3,
+                &["shoulder", "elbow", "wrist"],
+                &["back", "down", "not flipped"],
+            ),
+            Posture::new(
+                4,
+                &["shoulder", "elbow", "wrist"],
+                &["front", "down", "flipped"],
+            ),
+            Posture::new(5, &["shoulder", "elbow", "wrist"], &["back", "up", "flipped"]),
+            Posture::new(
+                6,
+                &["shoulder", "elbow", "wrist"],
+                &["front", "up", "flipped"],
+            ),
+            Posture::new(
+                7,
+                &["shoulder", "elbow", "wrist"],
+                &["back", "down", "flipped"],
+            ),
+        ];
+
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 8;
         /// The pose of the tip in the base frame, metres, at joint values `q`:

@@ -15,8 +15,8 @@ mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{Acceptance, Branches, Locked, lanes, math, widen};
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Parameter, Pose, RedundantKinematics, Solutions,
-        Target,
+        Frame, Jacobian, JointLimit, Parameter, Pose, Posture, RedundantKinematics,
+        Solutions, Target,
     };
 
     /// The arm `panda` from `base` to `joint7_link`, compiled from `panda.yaml`.
@@ -62,7 +62,7 @@ mod __Panda {
     ///
     /// # Branches
     ///
-    /// `Solution::branch` is the number of the solution's posture:
+    /// `Solution::branch` is the number of the solution's posture, as in `POSTURES`:
     ///
     /// | branch | step 1 (bit 0) | step 2 (bit 1) | step 3 (bit 2) |
     /// |---|---|---|---|
@@ -132,6 +132,8 @@ mod __Panda {
         pub const TIP: &'static str = "joint7_link";
         /// What of a target counts for inverse kinematics.
         pub const TARGET: Target = Target::Pose;
+        /// What the branches are called, by [`Solution::branch`](::kinematics::Solution).
+        pub const POSTURES: &'static [Posture] = &[];
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 0;
         /// The pose of the tip in the base frame, metres, at joint values `q`:

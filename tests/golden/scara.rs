@@ -14,8 +14,8 @@ mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{Acceptance, Branches, lanes, math};
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Nearest, Pose, Singularity, Solution, Solutions,
-        Target,
+        Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
+        Solutions, Target,
     };
 
     /// The arm `scara` from `base` to `tip`, compiled from `scara.yaml`.
@@ -56,7 +56,7 @@ mod __Scara {
     ///
     /// # Branches
     ///
-    /// `Solution::branch` is the number of the solution's posture:
+    /// `Solution::branch` is the number of the solution's posture, as in `POSTURES`:
     ///
     /// | branch | elbow (bit 0) |
     /// |---|---|
@@ -112,6 +112,12 @@ mod __Scara {
         pub const TIP: &'static str = "tip";
         /// What of a target counts for inverse kinematics.
         pub const TARGET: Target = Target::Pose;
+        /// What the branches are called, by [`Solution::branch`](::kinematics::Solution).
+        pub const POSTURES: &'static [Posture] = &[
+            Posture::new(0, &["elbow"], &["left"]),
+            Posture::new(1, &["elbow"], &["right"]),
+        ];
+
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 2;
         /// The pose of the tip in the base frame, metres, at joint values `q`:

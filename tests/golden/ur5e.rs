@@ -17,8 +17,8 @@ mod __Ur5e {
         Acceptance, Branches, FREE_BELOW, FreeAngle, lanes, math, widen,
     };
     use ::kinematics::{
-        Frame, Jacobian, JointLimit, Nearest, Pose, Singularity, Solution, Solutions,
-        Target,
+        Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
+        Solutions, Target,
     };
 
     /// The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
@@ -62,7 +62,7 @@ mod __Ur5e {
     ///
     /// # Branches
     ///
-    /// `Solution::branch` is the number of the solution's posture:
+    /// `Solution::branch` is the number of the solution's posture, as in `POSTURES`:
     ///
     /// | branch | shoulder (bit 0) | elbow (bits 0 and 2) | wrist (bit 1) |
     /// |---|---|---|---|
@@ -132,6 +132,46 @@ mod __Ur5e {
         pub const TIP: &'static str = "tool0";
         /// What of a target counts for inverse kinematics.
         pub const TARGET: Target = Target::Pose;
+        /// What the branches are called, by [`Solution::branch`](::kinematics::Solution).
+        pub const POSTURES: &'static [Posture] = &[
+            Posture::new(
+                0,
+                &["shoulder", "elbow", "wrist"],
+                &["left", "down", "not flipped"],
+            ),
+            Posture::new(
+                1,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "up", "not flipped"],
+            ),
+            Posture::new(
+                2,
+                &["shoulder", "elbow", "wrist"],
+                &["left", "down", "flipped"],
+            ),
+            Posture::new(
+                3,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "up", "flipped"],
+            ),
+            Posture::new(
+                4,
+                &["shoulder", "elbow", "wrist"],
+                &["left", "up", "not flipped"],
+            ),
+            Posture::new(
+                5,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "down", "not flipped"],
+            ),
+            Posture::new(6, &["shoulder", "elbow", "wrist"], &["left", "up", "flipped"]),
+            Posture::new(
+                7,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "down", "flipped"],
+            ),
+        ];
+
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = 8;
         /// The pose of the tip in the base frame, metres, at joint values `q`:

@@ -21,6 +21,8 @@ mod malformed;
 mod near;
 mod nearest;
 mod noisy;
+mod path;
+mod posture;
 mod recovered;
 mod rounded;
 mod sound;

@@ -20,7 +20,7 @@ use kin_runtime::Pose;
 use proc_macro2::Ident;
 
 /// Of an arm.
-pub fn arm(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
+pub fn arm(compiled: &CompiledArm, name: &Ident, postures: Option<&Postures>) -> Vec<String> {
     let model = &compiled.model;
     let mut lines = vec![
         format!(
@@ -52,7 +52,7 @@ pub fn arm(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
             lines.extend(redundancy(compiled));
             lines.extend(inverse(certified, compiled.target()));
             lines.extend(section("Branches"));
-            lines.extend(branches(&certified.form));
+            lines.extend(branches(&certified.form, postures));
         }
     }
     lines
@@ -314,11 +314,10 @@ fn univariate(arm: &Arm, linkage: &Linkage) -> String {
 }
 
 /// The number of every branch, with the words for its postures.
-fn branches(solver: &ClosedForm) -> Vec<String> {
-    if let Inverse::Univariate(_) = &solver.inverse {
+fn branches(solver: &ClosedForm, postures: Option<&Postures>) -> Vec<String> {
+    let Some(postures) = postures else {
         return vec!["A solution's number is its place in the answer.".into()];
-    }
-    let postures = Postures::of(solver);
+    };
     if postures.columns.is_empty() {
         return vec!["There is one: a target has at most one solution.".into()];
     }
@@ -332,7 +331,7 @@ fn branches(solver: &ClosedForm) -> Vec<String> {
         format!("| {branch} | {} |", words.join(" | "))
     };
     let mut lines = vec![
-        "`Solution::branch` is the number of the solution's posture:".into(),
+        "`Solution::branch` is the number of the solution's posture, as in `POSTURES`:".into(),
         String::new(),
         format!("| branch | {} |", heads.join(" | ")),
         format!("|---|{}", "---|".repeat(columns.len())),

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What generated code can name and users can, too.
-const PUBLIC: [&str; 17] = [
+const PUBLIC: [&str; 18] = [
     "Following",
     "Frame",
     "Hessian",
@@ -16,6 +16,7 @@ const PUBLIC: [&str; 17] = [
     "ParallelKinematics",
     "Parameter",
     "Pose",
+    "Posture",
     "Postures",
     "RedundantKinematics",
     "Singularity",

@@ -10,7 +10,7 @@
 
 use super::headings::list;
 use super::text::degrees;
-use crate::closed_form::ClosedForm;
+use crate::closed_form::{ClosedForm, Inverse};
 use crate::geometry::{Line, Vec3, concurrency, cross, dot, sub};
 use crate::model::{JointKind, Model};
 use crate::random::Random;
@@ -46,8 +46,11 @@ const MARGIN: f64 = 1e-4;
 const NEAR: f64 = 1e-7;
 
 impl Postures {
-    /// Of the arm that the plan is for.
-    pub fn of(solver: &ClosedForm) -> Self {
+    /// Of the arm that the plan is for; none of one without a plan.
+    pub fn of(solver: &ClosedForm) -> Option<Self> {
+        let Inverse::Expressions(_) = &solver.inverse else {
+            return None;
+        };
         let arm = Arm::new(&solver.idealized.model, solver.linkage.size);
         let candidates = arm.candidates();
         let seen = seen(solver, &arm, &candidates);
@@ -66,7 +69,7 @@ impl Postures {
             columns.clear();
         }
         columns.extend(roots_without_a_word(solver, &columns));
-        Self { columns }
+        Some(Self { columns })
     }
 
     /// What a branch is called, by column.

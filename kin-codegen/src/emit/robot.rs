@@ -1,6 +1,7 @@
 //! The type of a robot, with its constants, methods and documentation.
 
 use super::imports::imports;
+use super::postures::Postures;
 use super::straight::signed;
 use super::{Names, documentation, forward, frames, inverse, redundant, singular, text};
 use crate::arm::CompiledArm;
@@ -15,9 +16,10 @@ use quote::{format_ident, quote};
 pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let (name, runtime) = (&names.robot, &names.runtime);
     let n = Literal::usize_unsuffixed(compiled.model.variables.len());
-    let doc = documentation::arm(compiled, name);
+    let postures = compiled.form().and_then(Postures::of);
+    let doc = documentation::arm(compiled, name, postures.as_ref());
     let doc = doc.iter().map(|line| format!(" {line}"));
-    let constants = constants(compiled, &n);
+    let constants = constants(compiled, &n, postures.as_ref());
     let methods = methods(compiled, &n);
     let redundancy = compiled.redundancy.as_ref();
     let inverse = compiled.form().map(|form| match redundancy {
@@ -92,7 +94,7 @@ pub(super) fn generated_by(runtime: &TokenStream) -> TokenStream {
 /// A spatial Jacobian of more multiplications is left to `fk_jacobian`.
 const LONGEST: usize = 80;
 
-fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
+fn constants(compiled: &CompiledArm, n: &Literal, postures: Option<&Postures>) -> TokenStream {
     let model = &compiled.model;
     let names = model
         .variables
@@ -106,6 +108,7 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let (base, tip) = (text::literal(&model.base), text::literal(&model.tip));
     let branches = Literal::usize_unsuffixed(compiled.branches());
     let frames = frames::constant(model);
+    let postures = postures.map(|postures| named(postures, compiled.branches()));
     let target = compiled.target();
     let target = format_ident!("{target:?}");
     quote! {
@@ -130,9 +133,24 @@ fn constants(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         pub const TIP: &'static str = #tip;
         /// What of a target counts for inverse kinematics.
         pub const TARGET: Target = Target::#target;
+        /// What the branches are called, by [`Solution::branch`](::kinematics::Solution).
+        pub const POSTURES: &'static [Posture] = &[#postures];
         /// How many branches inverse kinematics looks at; 0 without it.
         pub const BRANCHES: usize = #branches;
     }
+}
+
+/// Every branch with its postures, if there are any.
+fn named(postures: &Postures, branches: usize) -> TokenStream {
+    let parts = postures.columns.iter().map(|column| &column.name);
+    let parts = quote!(&[#(#parts),*]);
+    let named = (0..branches as u32).map(|branch| {
+        let words = postures.words(branch);
+        let words = quote!(&[#(#words),*]);
+        let branch = Literal::u32_unsuffixed(branch);
+        quote!(Posture::new(#branch, #parts, #words))
+    });
+    quote!(#(#named),*)
 }
 
 pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {

@@ -9,7 +9,7 @@
 /// methods, each is its `own`, `provided` by the trait, or left out (`none`).
 ///
 /// ```
-/// use kin_runtime::{Frame, Jacobian, JointLimit, Pose, Target, Twist};
+/// use kin_runtime::{Frame, Jacobian, JointLimit, Pose, Posture, Target, Twist};
 ///
 /// /// A turntable 0.5 m above the floor.
 /// pub struct Turntable;
@@ -24,6 +24,7 @@
 ///     pub const BASE: &'static str = "floor";
 ///     pub const TIP: &'static str = "table";
 ///     pub const TARGET: Target = Target::Pose;
+///     pub const POSTURES: &'static [Posture] = &[];
 ///     pub const BRANCHES: usize = 0;
 ///
 ///     pub fn fk(&self, q: &[f64; 1]) -> Pose {
@@ -83,6 +84,7 @@ macro_rules! implement_kinematics {
             const BASE: &'static str = $robot::BASE;
             const TIP: &'static str = $robot::TIP;
             const TARGET: $crate::Target = $robot::TARGET;
+            const POSTURES: &'static [$crate::Posture] = $robot::POSTURES;
             const BRANCHES: usize = $robot::BRANCHES;
             $crate::pass_on! { to $robot: own $required }
             $crate::pass_on! { to $robot: own $jacobians }

@@ -2,8 +2,8 @@
 
 use crate::types::hessian::Change;
 use crate::{
-    Body, Following, Frame, Jacobian, JointLimit, Nearest, NoSolution, Pose, Singularities,
-    Solutions, Target,
+    Body, Following, Frame, Jacobian, JointLimit, Nearest, NoSolution, Pose, Posture,
+    Singularities, Solutions, Target,
 };
 
 macro_rules! define_kinematics {
@@ -78,6 +78,10 @@ macro_rules! define_kinematics {
             const TIP: &'static str;
             /// What of a target counts for inverse kinematics.
             const TARGET: Target = Target::Pose;
+            /// What the branches of inverse kinematics are called, by
+            /// [`Solution::branch`](crate::Solution::branch); empty where they
+            /// have no names.
+            const POSTURES: &'static [Posture] = &[];
             /// How many branches inverse kinematics looks at, which bounds the number
             /// of isolated solutions; 0 for an arm generated with `ik = none`.
             const BRANCHES: usize;

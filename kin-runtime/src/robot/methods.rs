@@ -138,6 +138,19 @@ macro_rules! kinematics_methods {
                         .ok_or_else(|| NoSolution::of(self, target, nearest))
                 }
 
+                /// What the branch is called on which a configuration lies: the
+                /// posture of the solution that it is of its own pose. None where
+                /// branches have no names, and where two have met.
+                fn posture(&self, q: &[f64; $n])
+                    -> ::core::option::Option<$crate::Posture>
+                {
+                    let solutions = self.ik_seeded(&self.fk(q), q);
+                    let solution = solutions.nearest(q, &[JointLimit::Continuous; $n])?;
+                    let same = (0..$n).all(|i| (solution.q[i] - q[i]).abs() < 1e-6);
+                    let posture = Self::POSTURES.get(solution.branch as usize)?;
+                    (same && !solution.singular).then_some(*posture)
+                }
+
                 /// Whether the target is in the complete workspace: whether
                 /// [`Self::ik`] has a solution. Positions alone are asked of a
                 /// `Workspace`.

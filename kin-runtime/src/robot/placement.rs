@@ -1,8 +1,8 @@
 //! Robots with a tool or a base that is known only at run time.
 
 use crate::{
-    Frame, Hessian, Jacobian, JointLimit, Kinematics, Nearest, Pose, Singularities, Solution,
-    Solutions, Target,
+    Frame, Hessian, Jacobian, JointLimit, Kinematics, Nearest, Pose, Posture, Singularities,
+    Solution, Solutions, Target,
 };
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
@@ -42,6 +42,7 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const TARGET: Target = K::TARGET;
+    const POSTURES: &'static [Posture] = K::POSTURES;
     const BRANCHES: usize = K::BRANCHES;
 
     fn fk(&self, q: &[f64; N]) -> Pose {
@@ -146,6 +147,7 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const TARGET: Target = K::TARGET;
+    const POSTURES: &'static [Posture] = K::POSTURES;
     const BRANCHES: usize = K::BRANCHES;
 
     fn fk(&self, q: &[f64; N]) -> Pose {

@@ -66,6 +66,28 @@ impl<const N: usize> Nearest<N> {
         Self { seed, ..self }
     }
 
+    /// The limits.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn limits(&self) -> [JointLimit; N] {
+        core::array::from_fn(|i| {
+            let (lower, upper) = (self.travel.lower[i], self.travel.upper[i]);
+            match self.travel.turn[i] == 0.0 {
+                true => JointLimit::prismatic(lower, upper),
+                false => JointLimit::revolute(lower, upper),
+            }
+        })
+    }
+
+    /// 2π for joints that turn without stops, and 0 for others.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn endless_turns(&self) -> [f64; N] {
+        core::array::from_fn(|i| {
+            let ends = [self.travel.lower[i], self.travel.upper[i]];
+            let endless = ends.iter().any(|stop| stop.is_infinite());
+            math::select(endless, self.travel.turn[i], 0.0)
+        })
+    }
+
     /// What the joints' motions cost, of which i is prismatic where bit i of
     /// the mask is set.
     #[inline(always)]

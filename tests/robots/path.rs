@@ -1,0 +1,155 @@
+//! Paths whose targets are all known.
+
+use crate::measure::largest;
+use crate::subject::Subject;
+use kinematics::{
+    JointLimit, Kinematics, Nearest, NoSolution, Pose, Solution, ik_path, least_motion,
+};
+
+for_every_robot!(a_path_reaches_its_targets);
+for_every_robot!(no_other_sequence_moves_less);
+
+/// Poses along a straight line in joint space between two configurations.
+fn line<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+    [from, to]: [[f64; N]; 2],
+    count: usize,
+) -> Vec<Pose> {
+    let at = |k: usize| {
+        let s = k as f64 / (count - 1) as f64;
+        std::array::from_fn::<f64, N, _>(|i| from[i] + s * (to[i] - from[i]))
+    };
+    (0..count).map(|k| robot.chain.fk(&at(k))).collect()
+}
+
+fn inside<K: Kinematics<N>, const N: usize>(q: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| q[i].clamp(K::LIMITS[i].lower(), K::LIMITS[i].upper()))
+}
+
+fn moved<const N: usize>(from: &[f64; N], to: &[f64; N]) -> f64 {
+    let squares = (0..N).map(|i| (to[i] - from[i]).powi(2));
+    squares.sum::<f64>().sqrt()
+}
+
+fn a_path_reaches_its_targets<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let ends = robot.random(21).map(inside::<K, N>).collect::<Vec<_>>();
+    for pair in ends.windows(2) {
+        let targets = line(robot, [pair[0], pair[1]], 12);
+        let nearest = Nearest::new(pair[0], &K::LIMITS);
+        let Ok(path) = ik_path(&robot.arm, &targets, &nearest) else {
+            // Rounding may lose a target at a stop.
+            continue;
+        };
+        assert_eq!(path.solutions.len(), targets.len());
+        let mut motion = 0.0;
+        let mut from = pair[0];
+        for (solution, target) in path.solutions.iter().zip(&targets) {
+            assert!(robot.miss(&solution.q, target) < 1e-9, "{solution:?}");
+            let allowed = |i: usize| {
+                let limit = K::LIMITS[i];
+                (limit.lower()..=limit.upper()).contains(&solution.q[i])
+            };
+            assert!((0..N).all(allowed), "{solution:?}");
+            motion += moved(&from, &solution.q);
+            from = solution.q;
+        }
+        assert!((motion - path.motion).abs() < 1e-9, "{motion} {path:?}");
+        // The way that the targets were made by is one.
+        assert!(motion < moved(&pair[0], &pair[1]) + 1e-6, "{path:?}");
+    }
+}
+
+/// Of three targets and all their solutions, in turn.
+fn no_other_sequence_moves_less<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let all: Vec<[f64; N]> = robot.random(30).collect();
+    for qs in all.chunks(3) {
+        let targets: Vec<Pose> = qs.iter().map(|q| robot.chain.fk(q)).collect();
+        let limits: [JointLimit; N] = std::array::from_fn(|i| match robot.turns(i) {
+            true => JointLimit::revolute(-4.0, 4.0),
+            false => K::LIMITS[i],
+        });
+        let nearest = Nearest::new([0.1; N], &limits);
+        let layer = |target: &Pose| -> Vec<Solution<N>> {
+            let solutions = robot.arm.ik_seeded(target, &nearest.seed);
+            solutions.with_full_turns(&limits).take(40).collect()
+        };
+        let layers: Vec<_> = targets.iter().map(layer).collect();
+        let mut least = f64::INFINITY;
+        for a in &layers[0] {
+            for b in &layers[1] {
+                for c in &layers[2] {
+                    let first = moved(&nearest.seed, &a.q) + moved(&a.q, &b.q);
+                    least = least.min(first + moved(&b.q, &c.q));
+                }
+            }
+        }
+        match least_motion(&layers, &nearest) {
+            Ok((solutions, motion)) => {
+                assert!((motion - least).abs() < 1e-12 * least, "{motion}, {least}");
+                let inside = |s: &Solution<N>| s.q.iter().all(|x| x.is_finite());
+                assert!(solutions.iter().all(inside));
+            }
+            Err(_) => assert_eq!(least, f64::INFINITY),
+        }
+    }
+}
+
+/// A UR5e towards its stretched elbow and beyond its reach: all branches end.
+#[test]
+fn a_path_out_of_reach_tells_where_and_why() {
+    let arm = crate::zoo::Ur5e;
+    let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    let start = arm.fk(&q);
+    let out = |k: usize| {
+        let mut pose = start;
+        pose.translation[2] += 0.05 * k as f64;
+        pose
+    };
+    let targets: Vec<Pose> = (0..40).map(out).collect();
+    let nearest = Nearest::new(q, &crate::zoo::Ur5e::LIMITS);
+    let lost = ik_path(&arm, &targets, &nearest).unwrap_err();
+    assert!(arm.ik(&targets[lost.target]).is_empty());
+    assert!(!arm.ik(&targets[lost.target - 1]).is_empty());
+    assert!(
+        matches!(lost.reason, NoSolution::OutOfReach { .. }),
+        "{lost:?}"
+    );
+
+    let path = ik_path(&arm, &targets[..lost.target], &nearest).unwrap();
+    let last = path.solutions[lost.target - 1];
+    assert!(last.q.iter().all(|x| x.is_finite()));
+    for end in &path.ends {
+        let here = arm.ik(&targets[end.target]);
+        let next = arm.ik(&targets[end.target + 1]);
+        assert!(here.iter().any(|s| s.branch == end.branch), "{end:?}");
+        let goes_on = next.iter().any(|s| s.branch == end.branch);
+        assert_eq!(goes_on, end.at_limits, "{end:?}");
+    }
+}
+
+/// The nearest first target leads to a stop; to begin a full turn away does not.
+#[test]
+fn a_path_begins_where_it_can_end() {
+    let arm = crate::zoo::Ur5e;
+    let about = |turn: f64| arm.fk(&[turn, -1.2, 1.5, -0.7, 1.1, 0.4]);
+    let targets: Vec<Pose> = (0..80).map(|k| about(4.0 + 0.1 * f64::from(k))).collect();
+    let seed = [4.0, -1.2, 1.5, -0.7, 1.1, 0.4];
+    let mut nearest = Nearest::new(seed, &crate::zoo::Ur5e::LIMITS);
+    nearest.step = [0.2; 6];
+    let path = ik_path(&arm, &targets, &nearest).unwrap();
+    let turns = |path: &kinematics::Path<6>| {
+        let steps = path.solutions.windows(2);
+        largest(steps.map(|pair| pair[1].q[0] - pair[0].q[0]))
+    };
+    assert!(turns(&path) < 0.2, "{path:?}");
+    assert!((path.solutions[0].q[0] - 4.0).abs() > 6.0, "{path:?}");
+    // Two turns are more than there are between the stops.
+    let targets: Vec<Pose> = (0..130).map(|k| about(4.0 + 0.1 * f64::from(k))).collect();
+    let lost = ik_path(&arm, &targets, &nearest).unwrap_err();
+    // The travel is 4π, and the branch that began here had 4 − 2π + 8.6 > 2π.
+    assert!((86..126).contains(&lost.target), "{lost:?}");
+    let NoSolution::BeyondStep { joint, .. } = lost.reason else {
+        panic!("{lost:?}");
+    };
+    assert_eq!(joint, 0);
+}
