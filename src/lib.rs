@@ -24,10 +24,11 @@ pub use kin_macros::kinematics;
 #[doc(hidden)]
 pub use kin_runtime::__private;
 pub use kin_runtime::{
-    Basis, Body, Ellipsoid, Following, Frame, FullTurns, Hessian, Jacobian, JointLimit, Kinematics,
-    Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, Pose, Posture, Postures,
-    RANK_TOLERANCE, RedundantKinematics, Singularities, Singularity, Solution, Solutions, Target,
-    Twist, WithBase, WithTool, Wrench, centering_gradient, null_space, subproblems,
+    Basis, Body, Ellipsoid, Follow, Following, Frame, FullTurns, Hessian, Jacobian, JointLimit,
+    Kinematics, Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, PathStep, Pose,
+    Posture, Postures, RANK_TOLERANCE, RedundantKinematics, Singularities, Singularity, Solution,
+    Solutions, Target, Twist, WithBase, WithTool, Wrench, centering_gradient, null_space,
+    subproblems,
 };
 #[cfg(feature = "std")]
 pub use kin_runtime::{

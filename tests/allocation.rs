@@ -1,6 +1,6 @@
 //! Generated code and what is done with its answers never allocate.
 
-use kinematics::{Kinematics, Nearest, Pose, Wrench};
+use kinematics::{Follow, JointLimit, Kinematics, Nearest, Pose, RedundantKinematics, Wrench};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -11,6 +11,8 @@ kinematics::kinematics!("../robots/scara.yaml");
 kinematics::kinematics!("../robots/delta.yaml");
 kinematics::kinematics!("../robots/stewart.yaml");
 kinematics::kinematics!("robots/noisy/calibrated.yaml");
+kinematics::kinematics!("../robots/panda.yaml");
+kinematics::kinematics!("../robots/sawyer.yaml");
 
 /// The system's allocator, counting what the current thread asks for.
 struct Counting;
@@ -54,6 +56,26 @@ fn robots_do_not_allocate() {
     assert_eq!(allocations(|| use_everything(&Scara)), 0);
     // Its branches are polished.
     assert_eq!(allocations(|| use_everything(&Calibrated)), 0);
+}
+
+#[test]
+fn a_joint_to_spare_does_not_allocate() {
+    assert_eq!(allocations(|| follow(&Panda)), 0);
+    assert_eq!(allocations(|| follow(&Sawyer)), 0);
+}
+
+/// All that a controller of a seven-joint arm calls.
+fn follow(arm: &impl RedundantKinematics<7>) {
+    let q = black_box([0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6]);
+    let target = arm.fk(&q);
+    assert!(!arm.ik_at(&target, arm.parameter_of(&target, &q)).is_empty());
+    black_box(
+        arm.ik_sweep(&target, 16)
+            .map(|found| found.len())
+            .sum::<usize>(),
+    );
+    let how = Follow::new(&[JointLimit::Continuous; 7], 1e-3);
+    assert!(arm.ik_follow(&target, &q, &how).is_some());
 }
 
 #[test]

@@ -17,3 +17,4 @@
 pub mod contest;
 pub mod inputs;
 pub mod peers;
+pub mod redundant;

@@ -57,8 +57,8 @@ pub use parallel::{ParallelKinematics, Postures};
 #[cfg(feature = "alloc")]
 pub use path::{BranchEnd, NoPath, Path, ik_path, least_motion};
 pub use robot::{
-    Body, Following, Frame, Kinematics, NoSolution, Parameter, RedundantKinematics, WithBase,
-    WithTool,
+    Body, Follow, Following, Frame, Kinematics, NoSolution, Parameter, PathStep,
+    RedundantKinematics, WithBase, WithTool,
 };
 #[cfg(feature = "alloc")]
 pub use self_motion::{

@@ -9,6 +9,7 @@ mod answers;
 mod best;
 mod chosen;
 mod feasible;
+mod follow;
 mod interfaces;
 mod self_motions;
 mod several;

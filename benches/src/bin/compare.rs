@@ -1,15 +1,19 @@
 //! Forward kinematics, Jacobians and inverse kinematics beside other crates.
 
 use kin_codegen::{Options, Source, compile};
-use kinematics::{Chain, Kinematics, Pose};
+use kinematics::{Chain, Kinematics, Pose, RedundantKinematics, Solutions};
 use kinematics_benches::contest::Contest;
 use kinematics_benches::inputs::{configurations, targets};
 use kinematics_benches::peers::{self, ByHand, InK};
+use kinematics_benches::redundant::{Given, of_six, seven};
 use rs_opw_kinematics::kinematic_traits::Kinematics as _;
 
 kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/kr6_r900.yaml");
 kinematics::kinematics!("../robots/xarm6.yaml");
+kinematics::kinematics!("../robots/panda.yaml");
+kinematics::kinematics!("../robots/iiwa14.yaml");
+kinematics::kinematics!("../robots/sawyer.yaml", free = "right_j6");
 
 const UR5E: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/ur5e.urdf");
 
@@ -20,6 +24,7 @@ fn main() {
     inverse_ur5e();
     inverse_kr6();
     inverse_xarm6();
+    inverse_redundant();
 }
 
 fn forward_ur5e() {
@@ -139,6 +144,54 @@ fn inverse_xarm6() {
         .with("nalgebra, eigenvalues of a 24×24", eigenvalues, |e| {
             e[0].re
         })
+        .run();
+}
+
+/// Arms of seven joints with the last one given, beside one with a wrist and beside a
+/// general one of six joints.
+fn inverse_redundant() {
+    let inputs: Vec<Given<5>> = (seven().iter())
+        .map(|(q, parameter)| Given {
+            targets: [
+                of_six(&Kr6R900, q),
+                Panda.fk(q),
+                Iiwa14.fk(q),
+                of_six(&Xarm6, q),
+                Sawyer.fk(q),
+            ],
+            parameter: *parameter,
+        })
+        .collect();
+    let angle = |solutions: &Solutions<7>| solutions.first().map_or(0.0, |s| s.q[0]);
+    Contest::new("Seven joints, one of them given", &inputs)
+        .with("KR 6 R900", |i| Kr6R900.ik(&i.targets[0]), |s| s[0].q[0])
+        .with("Panda", |i| Panda.ik_at(&i.targets[1], i.parameter), angle)
+        .with(
+            "iiwa 14",
+            |i| Iiwa14.ik_at(&i.targets[2], i.parameter),
+            angle,
+        )
+        .with("xArm 6", |i| Xarm6.ik(&i.targets[3]), |s| s[0].q[0])
+        .with(
+            "Sawyer",
+            |i| Sawyer.ik_at(&i.targets[4], i.parameter),
+            angle,
+        )
+        .with(
+            "iiwa 14, 16 values",
+            |i| {
+                Iiwa14
+                    .ik_sweep(&i.targets[2], 16)
+                    .map(|s| s.len())
+                    .sum::<usize>()
+            },
+            |n| *n as f64,
+        )
+        .with(
+            "Panda, feasible",
+            |i| Panda.feasible(&i.targets[1]),
+            |found| found.len() as f64,
+        )
         .run();
 }
 

@@ -1,7 +1,7 @@
 //! What it costs to compile a robot: time, size of the code, operations, and
 //! the build of a crate with one arm.
 
-use kin_codegen::{Options, Compiled, Source, generate};
+use kin_codegen::{Compiled, Options, Source, generate};
 use kinematics_benches::contest::median;
 use std::path::{Path, PathBuf};
 use std::process::Command;

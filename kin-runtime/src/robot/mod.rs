@@ -1,5 +1,6 @@
 //! What a serial arm offers, and the same with a tool or on another base.
 
+mod follow;
 mod frame;
 mod inherent;
 mod kinematics;
@@ -8,6 +9,7 @@ mod no_solution;
 mod placement;
 mod redundant;
 
+pub use follow::{Follow, PathStep};
 pub use frame::{Body, Following, Frame};
 pub use kinematics::Kinematics;
 pub(crate) use kinematics::define_kinematics;

@@ -1,5 +1,6 @@
 //! Arms with one joint more than their targets have coordinates.
 
+use super::follow::{Follow, PathStep, follow};
 #[cfg(feature = "alloc")]
 use crate::{
     Criterion, FeasibleInterval, JointLimit,
@@ -79,13 +80,25 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         (0..count).map(move |i| self.ik_at(&target, from + step * i as f64))
     }
 
+    /// The next configuration along a path of targets, for a controller that asks in every
+    /// cycle: the solution nearest to `from` within limits, with the parameter carried on
+    /// from there, and moved by up to `rate` to where the joints are farther from their
+    /// limits ([`Follow::crowding`]). What cannot be had without a jump is told as one;
+    /// none if there is no solution within limits at the parameter of `from`. Nothing is
+    /// allocated; three to seven calls of [`RedundantKinematics::ik_at`].
+    ///
+    /// `from` reaches the target before: next to this one.
+    fn ik_follow(&self, target: &Pose, from: &[f64; N], how: &Follow<N>) -> Option<PathStep<N>> {
+        follow(self, target, from, how)
+    }
+
     /// The intervals of the parameter in which each branch of solutions exists: their ends
     /// are where it meets another branch, because the joints that are not given are
     /// singular there. Ends are exact to 1e-9.
     ///
     /// Arms whose branches come from a plan are asked for its roots' arguments as well
     /// ([`RedundantKinematics::margins_at`]), so that a branch that comes and goes between
-    /// two samples is found; of others, those that exist for less than a fiftieth of the
+    /// two samples is found; of others, those that exist for less than a sixtieth of the
     /// parameter's range may be missed.
     ///
     /// # Panics

@@ -1,0 +1,101 @@
+//! Along a path of targets with a joint to spare.
+
+use crate::{JointLimit, Nearest, Pose, RedundantKinematics, Solution};
+
+/// How to go on along a path; see [`RedundantKinematics::ik_follow`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Follow<const N: usize> {
+    /// Which solutions count, radians and metres.
+    pub limits: [JointLimit; N],
+    /// By how much every joint may move in one step, radians and metres; what moves more
+    /// is a jump.
+    pub step: [f64; N],
+    /// By how much the parameter may move in one step, radians or metres, beyond what the
+    /// target itself takes.
+    pub rate: f64,
+}
+
+/// The next configuration of a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathStep<const N: usize> {
+    /// The solution for the target that was asked for, wound to lie within the limits.
+    pub solution: Solution<N>,
+    /// Its parameter, radians or metres.
+    pub parameter: f64,
+    /// Whether a joint moves by more than a step: the branch that was followed ends here, or
+    /// leaves the limits, and this is the nearest of another one.
+    pub jumps: bool,
+}
+
+/// Half the way over which the cost's slope is told, as a share of the rate; at least, in
+/// radians or metres, what rounding leaves of it.
+const PROBE: f64 = 0.5;
+const SHORTEST_PROBE: f64 = 1e-5;
+/// The slope at which the parameter moves by half the rate.
+const GENTLE: f64 = 0.2;
+/// Keeps the cost of a joint at its limit finite.
+const ROOM: f64 = 1.02;
+
+impl<const N: usize> Follow<N> {
+    /// Within limits, with steps of every length, and so much of the parameter in one step.
+    pub fn new(limits: &[JointLimit; N], rate: f64) -> Self {
+        Follow {
+            limits: *limits,
+            step: [f64::INFINITY; N],
+            rate,
+        }
+    }
+
+    /// How near joint values are to their limits: Σ u² / (1.02 − u²), where u is ±1 at the
+    /// stops and 0 between them. A joint without two stops adds nothing.
+    pub fn crowding(&self, q: &[f64; N]) -> f64 {
+        let mut sum = 0.0;
+        for (value, limit) in q.iter().zip(&self.limits) {
+            let (lower, upper) = (limit.lower(), limit.upper());
+            let u = (2.0 * value - lower - upper) / (upper - lower);
+            // Also without stops, where it is no number or nothing.
+            if u.abs() <= 1.0 && (upper - lower).is_finite() {
+                sum += u * u / (ROOM - u * u);
+            }
+        }
+        sum
+    }
+}
+
+/// See [`RedundantKinematics::ik_follow`].
+pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    robot: &K,
+    target: &Pose,
+    from: &[f64; N],
+    follow: &Follow<N>,
+) -> Option<PathStep<N>> {
+    let nearest = Nearest::new(*from, &follow.limits);
+    let at = |parameter: f64| {
+        let solution = robot.ik_at(target, parameter).nearest_by(&nearest)?;
+        let moves = |i: usize| (solution.q[i] - from[i]).abs() > follow.step[i];
+        Some(PathStep {
+            parameter: robot.parameter_of(target, &solution.q),
+            jumps: (0..N).any(moves),
+            solution,
+        })
+    };
+    let smooth = |parameter: f64| at(parameter).filter(|step| !step.jumps);
+    let own = robot.parameter_of(target, from);
+    // Downhill, by the slope between two probes; away from the end of a branch, where one
+    // of them finds nothing.
+    let probe = (PROBE * follow.rate).max(SHORTEST_PROBE);
+    let [below, above] = [own - probe, own + probe].map(smooth);
+    let cost = |step: &PathStep<N>| follow.crowding(&step.solution.q);
+    let wanted = match (&below, &above) {
+        (Some(below), Some(above)) => {
+            let slope = (cost(above) - cost(below)) / (2.0 * probe);
+            -follow.rate * slope / (slope.abs() + GENTLE)
+        }
+        (Some(_), None) => -follow.rate,
+        (None, Some(_)) => follow.rate,
+        (None, None) => 0.0,
+    };
+    let tries = [own + wanted, own, own - follow.rate, own + follow.rate];
+    let goes_on = tries.into_iter().find_map(smooth).or(below).or(above);
+    goes_on.or_else(|| at(own))
+}

@@ -1,0 +1,116 @@
+//! Along paths of targets: no jump where none is needed, every target reached, and the
+//! joints farther from their limits than with the parameter at rest.
+
+use crate::random::Random;
+use kinematics::{Follow, JointLimit, Pose, RedundantKinematics};
+
+/// The parameter's rate in one step, and how far a joint may move.
+const RATE: f64 = 2e-3;
+const STEP: f64 = 0.05;
+
+/// From `start`, 0.2 m in a direction and a quarter of a radian about it.
+fn path(start: &Pose, direction: [f64; 3], share: f64) -> Pose {
+    let shift = direction.map(|x| 0.2 * share * x);
+    let turn = Pose::from_axis_angle(direction, 0.25 * share, [0.0; 3]);
+    Pose {
+        rotation: (turn * *start).rotation,
+        translation: std::array::from_fn(|i| start.translation[i] + shift[i]),
+    }
+}
+
+/// Follows a path; none if it ends before the target does.
+fn followed<K: RedundantKinematics<N>, const N: usize>(
+    arm: &K,
+    start: &[f64; N],
+    direction: [f64; 3],
+    rate: f64,
+) -> Option<[f64; N]> {
+    let mut how = Follow::new(&K::LIMITS, rate);
+    how.step = [STEP; N];
+    let mut q = *start;
+    let home = arm.fk(start);
+    for i in 1..=400 {
+        let target = path(&home, direction, f64::from(i) / 400.0);
+        let before = arm.parameter_of(&target, &q);
+        let step = arm.ik_follow(&target, &q, &how)?;
+        if step.jumps {
+            return None;
+        }
+        let next = step.solution.q;
+        assert!(
+            (step.parameter - before).abs() < 1.01 * rate.max(1e-5),
+            "{step:?}"
+        );
+        let moved = next.iter().zip(&q).all(|(a, b)| (a - b).abs() <= STEP);
+        assert!(moved, "{q:?} to {next:?}");
+        let reached = K::TARGET.distance(&arm.fk(&next), &target, 1.0);
+        assert!(reached < 1e-8, "{reached} at {i}");
+        let inside = |(q, limit): (&f64, JointLimit)| {
+            (limit.lower() - 1e-8..=limit.upper() + 1e-8).contains(q)
+        };
+        assert!(next.iter().zip(K::LIMITS).all(inside), "{next:?}");
+        q = next;
+    }
+    Some(q)
+}
+
+fn keeps_away_from_limits<K: RedundantKinematics<N>, const N: usize>(arm: &K) {
+    let how = Follow::new(&K::LIMITS, RATE);
+    let mut random = Random::new(12);
+    let (mut done, mut better, mut stuck) = (0, 0, 0);
+    for _ in 0..40 {
+        let start: [f64; N] = std::array::from_fn(|i| {
+            let (lower, upper) = (
+                K::LIMITS[i].lower().max(-2.0),
+                K::LIMITS[i].upper().min(2.0),
+            );
+            random.between(lower, upper)
+        });
+        let direction: [f64; 3] = random.unit_cube();
+        let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let direction = direction.map(|x| x / length);
+        let carried = followed(arm, &start, direction, RATE);
+        let at_rest = followed(arm, &start, direction, 1e-9);
+        if let (Some(carried), Some(at_rest)) = (carried, at_rest) {
+            done += 1;
+            better += usize::from(how.crowding(&carried) < how.crowding(&at_rest) + 1e-6);
+        }
+        // Downhill now may be a dead end later, but rarely.
+        stuck += usize::from(at_rest.is_some() && carried.is_none());
+    }
+    assert!(done > 10 && 10 * better >= 9 * done, "{better} of {done}");
+    assert!(stuck <= 1, "{stuck} beside {done}");
+}
+
+#[test]
+fn an_iiwa() {
+    keeps_away_from_limits(&crate::Iiwa14);
+}
+
+#[test]
+fn a_panda() {
+    keeps_away_from_limits(&crate::Panda);
+}
+
+#[test]
+fn a_ur5e_with_a_tool_that_turns() {
+    keeps_away_from_limits(&crate::Ur5e);
+}
+
+#[test]
+fn a_step_too_long_is_a_jump() {
+    let start = [0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6];
+    let mut how = Follow::new(&crate::Panda::LIMITS, RATE);
+    how.step = [1e-4; 7];
+    let target = path(&crate::Panda.fk(&start), [0.0, 0.0, 1.0], 0.1);
+    let step = crate::Panda.ik_follow(&target, &start, &how).unwrap();
+    assert!(step.jumps);
+    assert!(
+        crate::Panda
+            .fk(&step.solution.q)
+            .translation_distance(&target)
+            < 1e-9
+    );
+    let far = Pose::from_translation([3.0, 0.0, 0.0]);
+    assert_eq!(crate::Panda.ik_follow(&far, &start, &how), None);
+}
