@@ -77,6 +77,7 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 pub mod __private {
     pub use crate::generated::acceptance::Acceptance;
     pub use crate::generated::branches::Branches;
+    pub use crate::generated::dispatch::{self, Dispatched, dispatch};
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::locked::Locked;

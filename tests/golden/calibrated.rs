@@ -13,7 +13,9 @@
 #[allow(non_snake_case)]
 mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
-    use ::kinematics::__private::{Acceptance, Branches, lanes, math, widen};
+    use ::kinematics::__private::{
+        Acceptance, Branches, Dispatched, dispatch, lanes, math, widen,
+    };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
         Solutions, Target,
@@ -976,325 +978,347 @@ mod __Calibrated {
         /// marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
-            let [px, py, pz] = pose.translation;
-            // The seed, for an angle that the target leaves free
-            let t1 = seed[1] + 1.5707023922013317;
-            let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
-                seed[4],
-                seed[5],
-                seed[0],
-                t1,
-            ]);
-            // 1. q1 by SP4 (what all branches share)
-            let t10 = 0.099599986933972 * r13;
-            let t11 = 0.099599986933972 * r23;
-            let t12 = 0.099599986933972 * r33;
-            let t13 = px - (0.000038951164947 * r11 + t10);
-            let t14 = 0.000038951164947 * r21 + t11 - py;
-            let t15 = t14 * t14 + t13 * t13;
-            let t16 = t15 - 0.017810176447143812;
-            let t17 = math::select(t16 < -(0.041856235397250516 * t15), 1.0, 0.0);
-            let t18 = math::max(t16, 0.004185623539725051 * t15);
-            let t19 = 0.004185623539725051 / math::sqrt(t18 / t15)
-                + 0.004185623539725051;
-            let t20 = math::sqrt(t18);
-            let t21 = -math::sqrt(t15);
-            let t22 = math::max(t21, -math::max(-0.13345477303994718, t21));
-            let t23 = t14 * t22;
-            let t24 = t13 * t22;
-            let t25 = math::select(t15 < 1.7481974060244956e-24, 1.0, 0.0);
-            let t26 = t19
-                + t19
-                    / math::sqrt(
-                        0.5720177804599648 * math::max(t15, 1.7481974060244956e-24),
+            struct Lanes;
+            impl Dispatched<(&Pose, &[f64; 6])> for Lanes {
+                type Output = Branches<6, 8>;
+                #[inline(always)]
+                fn run((pose, seed): (&Pose, &[f64; 6])) -> Self::Output {
+                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
+                        .rotation;
+                    let [px, py, pz] = pose.translation;
+                    // The seed, for an angle that the target leaves free
+                    let t1 = seed[1] + 1.5707023922013317;
+                    let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
+                        seed[4],
+                        seed[5],
+                        seed[0],
+                        t1,
+                    ]);
+                    // 1. q1 by SP4 (what all branches share)
+                    let t10 = 0.099599986933972 * r13;
+                    let t11 = 0.099599986933972 * r23;
+                    let t12 = 0.099599986933972 * r33;
+                    let t13 = px - (0.000038951164947 * r11 + t10);
+                    let t14 = 0.000038951164947 * r21 + t11 - py;
+                    let t15 = t14 * t14 + t13 * t13;
+                    let t16 = t15 - 0.017810176447143812;
+                    let t17 = math::select(
+                        t16 < -(0.041856235397250516 * t15),
+                        1.0,
+                        0.0,
                     );
-            let t27 = 1.0 / t15;
-            // Residual: forward kinematics against the target (what all branches share)
-            let t28 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-            let t29 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-            let t30 = r31 * r32 + (r11 * r12 + r21 * r22);
-            let t31 = r13 - (r21 * r32 - r22 * r31);
-            let t32 = r23 - (r12 * r31 - r11 * r32);
-            let t33 = r33 - (r11 * r22 - r12 * r21);
-            let t34 = t28 * t28 + t29 * t29 + t30 * t30 + t31 * t31 + t32 * t32
-                + t33 * t33;
-            let t35 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                + 1.3221941635117347 * t34;
-            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
-            let e1 = [1.0, -1.0, 1.0, -1.0];
-            let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut s1_ = [0.0; 4];
-            let mut c1_ = [0.0; 4];
-            let mut t53_ = [0.0; 4];
-            let mut t55_ = [0.0; 4];
-            let mut t56_ = [0.0; 4];
-            let mut t61_ = [0.0; 4];
-            let mut invalid_ = [0.0; 4];
-            let mut t67_ = [0.0; 4];
-            let mut t69_ = [0.0; 4];
-            let mut c3_ = [0.0; 4];
-            let mut t70_ = [0.0; 4];
-            let mut t72_ = [0.0; 4];
-            let mut t73_ = [0.0; 4];
-            let mut t74_ = [0.0; 4];
-            let mut t75_ = [0.0; 4];
-            let mut t89_ = [0.0; 4];
-            let mut t90_ = [0.0; 4];
-            let mut t92_ = [0.0; 4];
-            let mut t93_ = [0.0; 4];
-            let mut t104_ = [0.0; 4];
-            let mut q1_ = [0.0; 4];
-            let mut q5_ = [0.0; 4];
-            let mut q6_ = [0.0; 4];
-            for k in 0..4 {
-                // 1. q1 by SP4
-                let t36 = e1[k] * t20;
-                let s1 = math::select(
-                    t15 < 1.7481974060244956e-24,
-                    t4,
-                    (t24 + t14 * t36) * t27,
-                );
-                let c1 = math::select(
-                    t15 < 1.7481974060244956e-24,
-                    t8,
-                    (t23 - t13 * t36) * t27,
-                );
-                // 2. q5 and q6 by SP2, given q1
-                let t37 = r13 * s1 - r23 * c1;
-                let t38 = r21 * c1 - r11 * s1;
-                let t39 = r22 * c1 - r12 * s1;
-                let t40 = t39 * t39 + t38 * t38;
-                let t41 = math::max(
-                    math::max(
-                        t17,
-                        math::select(t15 < 1.7481974060244956e-24, -e1[k], 0.0),
-                    ),
-                    math::select(t40 < -(10.0 * (t26 * t40)), 1.0, 0.0),
-                );
-                let t42 = math::max(t40, 0.004185623539725051 * t40);
-                let t43 = t26 + t26 / math::sqrt(t42 / t40);
-                let t44 = e2[k] * math::sqrt(t42);
-                let t45 = -math::sqrt(t40);
-                let t46 = math::max(t45, -math::max(0.0, t45));
-                let t47 = t43
-                    + t43
-                        / math::sqrt(
-                            0.5720177804599648 * math::max(1.7481974060244956e-24, t40),
+                    let t18 = math::max(t16, 0.004185623539725051 * t15);
+                    let t19 = 0.004185623539725051 / math::sqrt(t18 / t15)
+                        + 0.004185623539725051;
+                    let t20 = math::sqrt(t18);
+                    let t21 = -math::sqrt(t15);
+                    let t22 = math::max(t21, -math::max(-0.13345477303994718, t21));
+                    let t23 = t14 * t22;
+                    let t24 = t13 * t22;
+                    let t25 = math::select(t15 < 1.7481974060244956e-24, 1.0, 0.0);
+                    let t26 = t19
+                        + t19
+                            / math::sqrt(
+                                0.5720177804599648 * math::max(t15, 1.7481974060244956e-24),
+                            );
+                    let t27 = 1.0 / t15;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t28 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                    let t29 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    let t30 = r31 * r32 + (r11 * r12 + r21 * r22);
+                    let t31 = r13 - (r21 * r32 - r22 * r31);
+                    let t32 = r23 - (r12 * r31 - r11 * r32);
+                    let t33 = r33 - (r11 * r22 - r12 * r21);
+                    let t34 = t28 * t28 + t29 * t29 + t30 * t30 + t31 * t31 + t32 * t32
+                        + t33 * t33;
+                    let t35 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
+                        + 1.3221941635117347 * t34;
+                    // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+                    let e1 = [1.0, -1.0, 1.0, -1.0];
+                    let e2 = [1.0, 1.0, -1.0, -1.0];
+                    let mut s1_ = [0.0; 4];
+                    let mut c1_ = [0.0; 4];
+                    let mut t53_ = [0.0; 4];
+                    let mut t55_ = [0.0; 4];
+                    let mut t56_ = [0.0; 4];
+                    let mut t61_ = [0.0; 4];
+                    let mut invalid_ = [0.0; 4];
+                    let mut t67_ = [0.0; 4];
+                    let mut t69_ = [0.0; 4];
+                    let mut c3_ = [0.0; 4];
+                    let mut t70_ = [0.0; 4];
+                    let mut t72_ = [0.0; 4];
+                    let mut t73_ = [0.0; 4];
+                    let mut t74_ = [0.0; 4];
+                    let mut t75_ = [0.0; 4];
+                    let mut t89_ = [0.0; 4];
+                    let mut t90_ = [0.0; 4];
+                    let mut t92_ = [0.0; 4];
+                    let mut t93_ = [0.0; 4];
+                    let mut t104_ = [0.0; 4];
+                    let mut q1_ = [0.0; 4];
+                    let mut q5_ = [0.0; 4];
+                    let mut q6_ = [0.0; 4];
+                    for k in 0..4 {
+                        // 1. q1 by SP4
+                        let t36 = e1[k] * t20;
+                        let s1 = math::select(
+                            t15 < 1.7481974060244956e-24,
+                            t4,
+                            (t24 + t14 * t36) * t27,
                         );
-                let t48 = 1.0 / t40;
-                let s6 = math::select(
-                    t40 < 1.7481974060244956e-24,
-                    t3,
-                    (t38 * t46 + t39 * t44) * t48,
-                );
-                let c6 = math::select(
-                    t40 < 1.7481974060244956e-24,
-                    t7,
-                    (t39 * t46 - t38 * t44) * t48,
-                );
-                let t49 = t38 * c6;
-                let t50 = t39 * s6;
-                let t51 = t49 - t50;
-                let t52 = math::sqrt(t37 * t37 + t51 * t51);
-                let t53 = math::max(
-                    math::max(t25, math::select(t40 < 1.7481974060244956e-24, 1.0, 0.0)),
-                    math::select(t52 < 1e-24, 1.0, 0.0),
-                );
-                let t54 = 1.0 / t52;
-                let s5 = math::select(t52 < 1e-24, t2, (t50 - t49) * t54);
-                let c5 = math::select(t52 < 1e-24, t6, t37 * t54);
-                // 3. q2+q3+q4 by SP1, given q5 and q6
-                let t55 = r31 * s6 + r32 * c6;
-                let t56 = r33 * s5 + c5 * (r32 * s6 - r31 * c6);
-                // 4. q3 by SP3, given q6 (what several branches share)
-                let t57 = 0.099747579771028 * c6;
-                let t58 = 0.099747579771028 * s6 - 0.000038951164947;
-                let t59 = px + (r11 * t58 + r12 * t57 - t10);
-                let t60 = py + (r21 * t58 + r22 * t57 - t11);
-                let t61 = pz + (r31 * t58 + r32 * t57 - t12) - 0.1626;
-                let t62 = t61 * t61;
-                let t63 = 0.5 * (t62 + (t59 * t59 + t60 * t60));
-                let t64 = 0.17606709553354122 - t63;
-                let t65 = 0.02776733395938961 - t64 * t64;
-                let t66 = math::select(
-                    t65
-                        < -(0.2776733395938961
-                            * (t47 + t47 / math::sqrt(math::max(1e-24, t52)))),
-                    1.0,
-                    0.0,
-                );
-                let invalid = math::max(
-                    math::max(
-                        t41,
-                        math::select(t40 < 1.7481974060244956e-24, -e2[k], 0.0),
-                    ),
-                    t66,
-                );
-                let t67 = math::sqrt(math::max(t65, 0.00011622360665582796));
-                let t68 = math::max(
-                    -0.16663533226596816,
-                    -math::max(-0.16663533226596816, t63 - 0.17606709553354122),
-                );
-                let t69 = 6.0011282505434735 * t68;
-                let c3 = -t69;
-                // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                let t70 = c1 * t59 + s1 * t60;
-                let t71 = 0.424760013934646 - 2.3542705697195427 * t68;
-                let t72 = t61 * t71;
-                let t73 = t70 * t71;
-                let t74 = t62 + t70 * t70;
-                let t75 = t71 * t71;
-                // Residual: forward kinematics against the target (what several
-                // branches share)
-                let t76 = s6 * c5;
-                let t77 = s6 * s5;
-                let t78 = t56 * t76 + c6 * t55;
-                let t79 = c6 * t56 - t55 * t76;
-                let t80 = c1 * t79 - s1 * t77;
-                let t81 = s1 * t79 + c1 * t77;
-                let t82 = s5 * t56;
-                let t83 = s5 * t55;
-                let t84 = s1 * c5 - c1 * t83;
-                let t85 = s1 * t83 + c1 * c5;
-                let t86 = 0.000038951164947 * c6;
-                let t87 = c5 * t86 - 0.099599986933972 * s5;
-                let t88 = 0.000038951164947 * s6 - 0.099747579771028;
-                let t89 = t55 * t88 - t56 * t87;
-                let t90 = t55 * t87 + t56 * t88;
-                let t91 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t86);
-                let t92 = c1 * t91;
-                let t93 = s1 * t91;
-                let t94 = t81 * t82 + t78 * t85 - r11;
-                let t95 = t80 - r12;
-                let t96 = t84 - r13;
-                let t97 = t78 * t84 - t80 * t82 - r21;
-                let t98 = t81 - r22;
-                let t99 = r23 + t85;
-                let t100 = t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97 + t98 * t98
-                    + t99 * t99;
-                let t101 = r31 + (t80 * t85 + t81 * t84);
-                let t102 = t78 - r32;
-                let t103 = t82 - r33;
-                let t104 = 0.6610970817558673
-                    * (t100 + t101 * t101 + t102 * t102 + t103 * t103);
-                // Joint values: angles from sines and cosines, in (−π, π]
-                let q1 = lanes::angle(s1, c1);
-                let q5 = lanes::angle(s5, c5);
-                let q6 = lanes::angle(s6, c6);
-                s1_[k] = s1;
-                c1_[k] = c1;
-                t53_[k] = t53;
-                t55_[k] = t55;
-                t56_[k] = t56;
-                t61_[k] = t61;
-                invalid_[k] = invalid;
-                t67_[k] = t67;
-                t69_[k] = t69;
-                c3_[k] = c3;
-                t70_[k] = t70;
-                t72_[k] = t72;
-                t73_[k] = t73;
-                t74_[k] = t74;
-                t75_[k] = t75;
-                t89_[k] = t89;
-                t90_[k] = t90;
-                t92_[k] = t92;
-                t93_[k] = t93;
-                t104_[k] = t104;
-                q1_[k] = q1;
-                q5_[k] = q5;
-                q6_[k] = q6;
+                        let c1 = math::select(
+                            t15 < 1.7481974060244956e-24,
+                            t8,
+                            (t23 - t13 * t36) * t27,
+                        );
+                        // 2. q5 and q6 by SP2, given q1
+                        let t37 = r13 * s1 - r23 * c1;
+                        let t38 = r21 * c1 - r11 * s1;
+                        let t39 = r22 * c1 - r12 * s1;
+                        let t40 = t39 * t39 + t38 * t38;
+                        let t41 = math::max(
+                            math::max(
+                                t17,
+                                math::select(t15 < 1.7481974060244956e-24, -e1[k], 0.0),
+                            ),
+                            math::select(t40 < -(10.0 * (t26 * t40)), 1.0, 0.0),
+                        );
+                        let t42 = math::max(t40, 0.004185623539725051 * t40);
+                        let t43 = t26 + t26 / math::sqrt(t42 / t40);
+                        let t44 = e2[k] * math::sqrt(t42);
+                        let t45 = -math::sqrt(t40);
+                        let t46 = math::max(t45, -math::max(0.0, t45));
+                        let t47 = t43
+                            + t43
+                                / math::sqrt(
+                                    0.5720177804599648 * math::max(1.7481974060244956e-24, t40),
+                                );
+                        let t48 = 1.0 / t40;
+                        let s6 = math::select(
+                            t40 < 1.7481974060244956e-24,
+                            t3,
+                            (t38 * t46 + t39 * t44) * t48,
+                        );
+                        let c6 = math::select(
+                            t40 < 1.7481974060244956e-24,
+                            t7,
+                            (t39 * t46 - t38 * t44) * t48,
+                        );
+                        let t49 = t38 * c6;
+                        let t50 = t39 * s6;
+                        let t51 = t49 - t50;
+                        let t52 = math::sqrt(t37 * t37 + t51 * t51);
+                        let t53 = math::max(
+                            math::max(
+                                t25,
+                                math::select(t40 < 1.7481974060244956e-24, 1.0, 0.0),
+                            ),
+                            math::select(t52 < 1e-24, 1.0, 0.0),
+                        );
+                        let t54 = 1.0 / t52;
+                        let s5 = math::select(t52 < 1e-24, t2, (t50 - t49) * t54);
+                        let c5 = math::select(t52 < 1e-24, t6, t37 * t54);
+                        // 3. q2+q3+q4 by SP1, given q5 and q6
+                        let t55 = r31 * s6 + r32 * c6;
+                        let t56 = r33 * s5 + c5 * (r32 * s6 - r31 * c6);
+                        // 4. q3 by SP3, given q6 (what several branches share)
+                        let t57 = 0.099747579771028 * c6;
+                        let t58 = 0.099747579771028 * s6 - 0.000038951164947;
+                        let t59 = px + (r11 * t58 + r12 * t57 - t10);
+                        let t60 = py + (r21 * t58 + r22 * t57 - t11);
+                        let t61 = pz + (r31 * t58 + r32 * t57 - t12) - 0.1626;
+                        let t62 = t61 * t61;
+                        let t63 = 0.5 * (t62 + (t59 * t59 + t60 * t60));
+                        let t64 = 0.17606709553354122 - t63;
+                        let t65 = 0.02776733395938961 - t64 * t64;
+                        let t66 = math::select(
+                            t65
+                                < -(0.2776733395938961
+                                    * (t47 + t47 / math::sqrt(math::max(1e-24, t52)))),
+                            1.0,
+                            0.0,
+                        );
+                        let invalid = math::max(
+                            math::max(
+                                t41,
+                                math::select(t40 < 1.7481974060244956e-24, -e2[k], 0.0),
+                            ),
+                            t66,
+                        );
+                        let t67 = math::sqrt(math::max(t65, 0.00011622360665582796));
+                        let t68 = math::max(
+                            -0.16663533226596816,
+                            -math::max(-0.16663533226596816, t63 - 0.17606709553354122),
+                        );
+                        let t69 = 6.0011282505434735 * t68;
+                        let c3 = -t69;
+                        // 5. q2 by SP1, given q1, q3 and q6 (what several branches
+                        // share)
+                        let t70 = c1 * t59 + s1 * t60;
+                        let t71 = 0.424760013934646 - 2.3542705697195427 * t68;
+                        let t72 = t61 * t71;
+                        let t73 = t70 * t71;
+                        let t74 = t62 + t70 * t70;
+                        let t75 = t71 * t71;
+                        // Residual: forward kinematics against the target (what several
+                        // branches share)
+                        let t76 = s6 * c5;
+                        let t77 = s6 * s5;
+                        let t78 = t56 * t76 + c6 * t55;
+                        let t79 = c6 * t56 - t55 * t76;
+                        let t80 = c1 * t79 - s1 * t77;
+                        let t81 = s1 * t79 + c1 * t77;
+                        let t82 = s5 * t56;
+                        let t83 = s5 * t55;
+                        let t84 = s1 * c5 - c1 * t83;
+                        let t85 = s1 * t83 + c1 * c5;
+                        let t86 = 0.000038951164947 * c6;
+                        let t87 = c5 * t86 - 0.099599986933972 * s5;
+                        let t88 = 0.000038951164947 * s6 - 0.099747579771028;
+                        let t89 = t55 * t88 - t56 * t87;
+                        let t90 = t55 * t87 + t56 * t88;
+                        let t91 = -0.133454773039947
+                            - (0.099599986933972 * c5 + s5 * t86);
+                        let t92 = c1 * t91;
+                        let t93 = s1 * t91;
+                        let t94 = t81 * t82 + t78 * t85 - r11;
+                        let t95 = t80 - r12;
+                        let t96 = t84 - r13;
+                        let t97 = t78 * t84 - t80 * t82 - r21;
+                        let t98 = t81 - r22;
+                        let t99 = r23 + t85;
+                        let t100 = t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97
+                            + t98 * t98 + t99 * t99;
+                        let t101 = r31 + (t80 * t85 + t81 * t84);
+                        let t102 = t78 - r32;
+                        let t103 = t82 - r33;
+                        let t104 = 0.6610970817558673
+                            * (t100 + t101 * t101 + t102 * t102 + t103 * t103);
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(s1, c1);
+                        let q5 = lanes::angle(s5, c5);
+                        let q6 = lanes::angle(s6, c6);
+                        s1_[k] = s1;
+                        c1_[k] = c1;
+                        t53_[k] = t53;
+                        t55_[k] = t55;
+                        t56_[k] = t56;
+                        t61_[k] = t61;
+                        invalid_[k] = invalid;
+                        t67_[k] = t67;
+                        t69_[k] = t69;
+                        c3_[k] = c3;
+                        t70_[k] = t70;
+                        t72_[k] = t72;
+                        t73_[k] = t73;
+                        t74_[k] = t74;
+                        t75_[k] = t75;
+                        t89_[k] = t89;
+                        t90_[k] = t90;
+                        t92_[k] = t92;
+                        t93_[k] = t93;
+                        t104_[k] = t104;
+                        q1_[k] = q1;
+                        q5_[k] = q5;
+                        q6_[k] = q6;
+                    }
+                    // From 4 lanes to 8: lane k goes on from lane k modulo 4
+                    let s1_ = widen::<4, 8>(s1_);
+                    let c1_ = widen::<4, 8>(c1_);
+                    let t53_ = widen::<4, 8>(t53_);
+                    let t55_ = widen::<4, 8>(t55_);
+                    let t56_ = widen::<4, 8>(t56_);
+                    let t61_ = widen::<4, 8>(t61_);
+                    let invalid_ = widen::<4, 8>(invalid_);
+                    let t67_ = widen::<4, 8>(t67_);
+                    let t69_ = widen::<4, 8>(t69_);
+                    let c3_ = widen::<4, 8>(c3_);
+                    let t70_ = widen::<4, 8>(t70_);
+                    let t72_ = widen::<4, 8>(t72_);
+                    let t73_ = widen::<4, 8>(t73_);
+                    let t74_ = widen::<4, 8>(t74_);
+                    let t75_ = widen::<4, 8>(t75_);
+                    let t89_ = widen::<4, 8>(t89_);
+                    let t90_ = widen::<4, 8>(t90_);
+                    let t92_ = widen::<4, 8>(t92_);
+                    let t93_ = widen::<4, 8>(t93_);
+                    let t104_ = widen::<4, 8>(t104_);
+                    let q1_ = widen::<4, 8>(q1_);
+                    let q5_ = widen::<4, 8>(q5_);
+                    let q6_ = widen::<4, 8>(q6_);
+                    // 8 lanes, by the signs of the roots: e3 of step 4
+                    let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
+                    let mut singular_ = [0.0; 8];
+                    let mut residual_ = [0.0; 8];
+                    let mut q2_ = [0.0; 8];
+                    let mut q3_ = [0.0; 8];
+                    let mut q4_ = [0.0; 8];
+                    for k in 0..8 {
+                        // 4. q3 by SP3, given q6
+                        let t105 = e3[k] * t67_[k];
+                        let t106 = 6.0011282505434735 * t105;
+                        let s3 = -t106;
+                        // 5. q2 by SP1, given q1, q3 and q6
+                        let t107 = 2.3542705697195427 * t105;
+                        let t108 = math::sqrt(t74_[k] * (t75_[k] + t107 * t107));
+                        let singular = math::max(
+                            t53_[k],
+                            math::select(t108 < 1.3221941635117346e-24, 1.0, 0.0),
+                        );
+                        let t109 = 1.0 / t108;
+                        let s2 = math::select(
+                            t108 < 1.3221941635117346e-24,
+                            t5,
+                            (t61_[k] * t107 - t73_[k]) * t109,
+                        );
+                        let c2 = math::select(
+                            t108 < 1.3221941635117346e-24,
+                            t9,
+                            (t72_[k] + t70_[k] * t107) * t109,
+                        );
+                        // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
+                        let t110 = t56_[k] * s2 - t55_[k] * c2;
+                        let t111 = t56_[k] * c2 + t55_[k] * s2;
+                        // Residual: forward kinematics against the target
+                        let t112 = t90_[k]
+                            - (0.424760013934646 * s2
+                                - 0.392304658629206 * (t69_[k] * s2 + t106 * c2));
+                        let t113 = 0.424760013934646 * c2
+                            + 0.392304658629206 * (t106 * s2 - t69_[k] * c2) + t89_[k]
+                            + 0.1626;
+                        let t114 = c1_[k] * t112 - t93_[k] - px;
+                        let t115 = s1_[k] * t112 + t92_[k] - py;
+                        let t116 = t113 - pz;
+                        let residual = math::sqrt(
+                            t35 + (t116 * t116 + (t114 * t114 + t115 * t115)) + t104_[k],
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
+                        let q3 = math::wrap(
+                            lanes::angle(s3, c3_[k]) - 0.00044313587806694065,
+                        );
+                        let t117 = lanes::angle(
+                            -(t69_[k] * t110 + t106 * t111),
+                            t69_[k] * t111 - t106 * t110,
+                        ) - 3.1412434523052912;
+                        let q4 = math::wrap(t117);
+                        singular_[k] = singular;
+                        residual_[k] = residual;
+                        q2_[k] = q2;
+                        q3_[k] = q3;
+                        q4_[k] = q4;
+                    }
+                    Branches {
+                        q: [q1_, q2_, q3_, q4_, q5_, q6_],
+                        residual: residual_,
+                        invalid: invalid_,
+                        singular: singular_,
+                    }
+                }
             }
-            // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let s1_ = widen::<4, 8>(s1_);
-            let c1_ = widen::<4, 8>(c1_);
-            let t53_ = widen::<4, 8>(t53_);
-            let t55_ = widen::<4, 8>(t55_);
-            let t56_ = widen::<4, 8>(t56_);
-            let t61_ = widen::<4, 8>(t61_);
-            let invalid_ = widen::<4, 8>(invalid_);
-            let t67_ = widen::<4, 8>(t67_);
-            let t69_ = widen::<4, 8>(t69_);
-            let c3_ = widen::<4, 8>(c3_);
-            let t70_ = widen::<4, 8>(t70_);
-            let t72_ = widen::<4, 8>(t72_);
-            let t73_ = widen::<4, 8>(t73_);
-            let t74_ = widen::<4, 8>(t74_);
-            let t75_ = widen::<4, 8>(t75_);
-            let t89_ = widen::<4, 8>(t89_);
-            let t90_ = widen::<4, 8>(t90_);
-            let t92_ = widen::<4, 8>(t92_);
-            let t93_ = widen::<4, 8>(t93_);
-            let t104_ = widen::<4, 8>(t104_);
-            let q1_ = widen::<4, 8>(q1_);
-            let q5_ = widen::<4, 8>(q5_);
-            let q6_ = widen::<4, 8>(q6_);
-            // 8 lanes, by the signs of the roots: e3 of step 4
-            let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-            let mut singular_ = [0.0; 8];
-            let mut residual_ = [0.0; 8];
-            let mut q2_ = [0.0; 8];
-            let mut q3_ = [0.0; 8];
-            let mut q4_ = [0.0; 8];
-            for k in 0..8 {
-                // 4. q3 by SP3, given q6
-                let t105 = e3[k] * t67_[k];
-                let t106 = 6.0011282505434735 * t105;
-                let s3 = -t106;
-                // 5. q2 by SP1, given q1, q3 and q6
-                let t107 = 2.3542705697195427 * t105;
-                let t108 = math::sqrt(t74_[k] * (t75_[k] + t107 * t107));
-                let singular = math::max(
-                    t53_[k],
-                    math::select(t108 < 1.3221941635117346e-24, 1.0, 0.0),
-                );
-                let t109 = 1.0 / t108;
-                let s2 = math::select(
-                    t108 < 1.3221941635117346e-24,
-                    t5,
-                    (t61_[k] * t107 - t73_[k]) * t109,
-                );
-                let c2 = math::select(
-                    t108 < 1.3221941635117346e-24,
-                    t9,
-                    (t72_[k] + t70_[k] * t107) * t109,
-                );
-                // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                let t110 = t56_[k] * s2 - t55_[k] * c2;
-                let t111 = t56_[k] * c2 + t55_[k] * s2;
-                // Residual: forward kinematics against the target
-                let t112 = t90_[k]
-                    - (0.424760013934646 * s2
-                        - 0.392304658629206 * (t69_[k] * s2 + t106 * c2));
-                let t113 = 0.424760013934646 * c2
-                    + 0.392304658629206 * (t106 * s2 - t69_[k] * c2) + t89_[k] + 0.1626;
-                let t114 = c1_[k] * t112 - t93_[k] - px;
-                let t115 = s1_[k] * t112 + t92_[k] - py;
-                let t116 = t113 - pz;
-                let residual = math::sqrt(
-                    t35 + (t116 * t116 + (t114 * t114 + t115 * t115)) + t104_[k],
-                );
-                // Joint values: angles from sines and cosines, in (−π, π]
-                let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
-                let q3 = math::wrap(lanes::angle(s3, c3_[k]) - 0.00044313587806694065);
-                let t117 = lanes::angle(
-                    -(t69_[k] * t110 + t106 * t111),
-                    t69_[k] * t111 - t106 * t110,
-                ) - 3.1412434523052912;
-                let q4 = math::wrap(t117);
-                singular_[k] = singular;
-                residual_[k] = residual;
-                q2_[k] = q2;
-                q3_[k] = q3;
-                q4_[k] = q4;
-            }
-            Branches {
-                q: [q1_, q2_, q3_, q4_, q5_, q6_],
-                residual: residual_,
-                invalid: invalid_,
-                singular: singular_,
-            }
+            dispatch::<Lanes, _>((pose, seed))
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside

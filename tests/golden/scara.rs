@@ -12,7 +12,9 @@
 #[allow(non_snake_case)]
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
-    use ::kinematics::__private::{Acceptance, Branches, lanes, math};
+    use ::kinematics::__private::{
+        Acceptance, Branches, Dispatched, dispatch, lanes, math,
+    };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
         Solutions, Target,
@@ -348,121 +350,140 @@ mod __Scara {
         /// marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 4]) -> Branches<4, 2> {
-            let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
-            let [px, py, pz] = pose.translation;
-            // The seed, for an angle that the target leaves free
-            let (t1, t2) = math::sin_cos(seed[2]);
-            // 1. q1+q2+q3 by SP1
-            // 2. q4 by T2
-            let t3 = r31 * pz + (r11 * px + r21 * py);
-            let t4 = r32 * pz + (r12 * px + r22 * py);
-            let t5 = r33 * pz + (r13 * px + r23 * py);
-            let d4 = t5 - 0.5;
-            // 3. q2 by SP3, given q4 (what all branches share)
-            let t6 = -0.5 - d4;
-            let t7 = px + r13 * t6;
-            let t8 = py + r23 * t6;
-            let t9 = pz + r33 * t6;
-            let t10 = 0.5 * (t9 * t9 + (t7 * t7 + t8 * t8));
-            let t11 = 0.125 - t10;
-            let t12 = 0.014399999999999996 - t11 * t11;
-            let t13 = math::select(t12 < 1.4399999999999997e-15, 1.0, 0.0);
-            let t14 = math::sqrt(math::select(t12 < 1.4399999999999997e-15, 0.0, t12));
-            let t15 = math::max(
-                -0.11999999999999998,
-                -math::max(-0.11999999999999998, t10 - 0.125),
-            );
-            let t16 = 8.333333333333334 * t15;
-            let c2 = -t16;
-            // 4. q3 by SP1, given q2 and q4 (what all branches share)
-            let t17 = 3.333333333333334 * t15 - 0.3;
-            let t18 = t4 * t17;
-            let t19 = t3 * t17;
-            let t20 = t17 * t17;
-            let t21 = t3 * t3 + t4 * t4;
-            // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
-            // branches share)
-            let t22 = r11 * t16;
-            let t23 = r12 * t16;
-            // Residual: forward kinematics against the target (what all branches share)
-            let t24 = r31 * r31;
-            let t25 = 0.5 * (t24 + (r11 * r11 + r21 * r21) - 1.0);
-            let t26 = r32 * r32;
-            let t27 = 0.5 * (t26 + (r12 * r12 + r22 * r22) - 1.0);
-            let t28 = r31 * r32 + (r11 * r12 + r21 * r22);
-            let t29 = r13 - (r21 * r32 - r22 * r31);
-            let t30 = r23 - (r12 * r31 - r11 * r32);
-            let t31 = r33 - (r11 * r22 - r12 * r21);
-            let t32 = t25 * t25 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
-                + t31 * t31;
-            let t33 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                + 1.44 * t32;
-            let t34 = t5 - pz;
-            let t35 = t34 * t34;
-            let t36 = r12 + r21;
-            let t37 = r11 - r22;
-            let t38 = 1.0 - r33;
-            let t39 = t26 + (t24 + (r13 * r13 + t36 * t36 + t37 * t37 + r23 * r23))
-                + t38 * t38;
-            let t40 = 0.72 * t39;
-            // 2 lanes, by the signs of the roots: e1 of step 3
-            let e1 = [1.0, -1.0];
-            let mut invalid_ = [0.0; 2];
-            let mut singular_ = [0.0; 2];
-            let mut residual_ = [0.0; 2];
-            let mut q1_ = [0.0; 2];
-            let mut q2_ = [0.0; 2];
-            let mut q3_ = [0.0; 2];
-            for k in 0..2 {
-                // 3. q2 by SP3, given q4
-                let invalid = math::select(t12 < 1.4399999999999997e-15, -e1[k], 0.0);
-                let t41 = e1[k] * t14;
-                let t42 = 8.333333333333334 * t41;
-                let s2 = -t42;
-                // 4. q3 by SP1, given q2 and q4
-                let t43 = 3.333333333333334 * t41;
-                let t44 = math::sqrt((t43 * t43 + t20) * t21);
-                let singular = math::max(
-                    t13,
-                    math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
-                );
-                let t45 = 1.0 / t44;
-                let s3 = math::select(
-                    t44 < 1.4399999999999998e-24,
-                    t1,
-                    (t4 * t43 - t19) * t45,
-                );
-                let c3 = math::select(
-                    t44 < 1.4399999999999998e-24,
-                    t2,
-                    -((t3 * t43 + t18) * t45),
-                );
-                // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
-                let t46 = t23 + r11 * t42;
-                let t47 = r12 * t42 - t22;
-                let t48 = c3 * t46 - s3 * t47;
-                let t49 = c3 * t47 + s3 * t46;
-                // Residual: forward kinematics against the target
-                let t50 = 0.3 * (t16 * t48 + t42 * t49) - 0.4 * t48 - px;
-                let t51 = 0.4 * t49 + 0.3 * (t42 * t48 - t16 * t49) - py;
-                let residual = math::sqrt(t33 + (t35 + (t50 * t50 + t51 * t51)) + t40);
-                // Joint values: angles from sines and cosines, in (−π, π]
-                let q1 = lanes::angle(t48, t49);
-                let q2 = lanes::angle(s2, c2);
-                let q3 = lanes::angle(s3, c3);
-                invalid_[k] = invalid;
-                singular_[k] = singular;
-                residual_[k] = residual;
-                q1_[k] = q1;
-                q2_[k] = q2;
-                q3_[k] = q3;
+            struct Lanes;
+            impl Dispatched<(&Pose, &[f64; 4])> for Lanes {
+                type Output = Branches<4, 2>;
+                #[inline(always)]
+                fn run((pose, seed): (&Pose, &[f64; 4])) -> Self::Output {
+                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
+                        .rotation;
+                    let [px, py, pz] = pose.translation;
+                    // The seed, for an angle that the target leaves free
+                    let (t1, t2) = math::sin_cos(seed[2]);
+                    // 1. q1+q2+q3 by SP1
+                    // 2. q4 by T2
+                    let t3 = r31 * pz + (r11 * px + r21 * py);
+                    let t4 = r32 * pz + (r12 * px + r22 * py);
+                    let t5 = r33 * pz + (r13 * px + r23 * py);
+                    let d4 = t5 - 0.5;
+                    // 3. q2 by SP3, given q4 (what all branches share)
+                    let t6 = -0.5 - d4;
+                    let t7 = px + r13 * t6;
+                    let t8 = py + r23 * t6;
+                    let t9 = pz + r33 * t6;
+                    let t10 = 0.5 * (t9 * t9 + (t7 * t7 + t8 * t8));
+                    let t11 = 0.125 - t10;
+                    let t12 = 0.014399999999999996 - t11 * t11;
+                    let t13 = math::select(t12 < 1.4399999999999997e-15, 1.0, 0.0);
+                    let t14 = math::sqrt(
+                        math::select(t12 < 1.4399999999999997e-15, 0.0, t12),
+                    );
+                    let t15 = math::max(
+                        -0.11999999999999998,
+                        -math::max(-0.11999999999999998, t10 - 0.125),
+                    );
+                    let t16 = 8.333333333333334 * t15;
+                    let c2 = -t16;
+                    // 4. q3 by SP1, given q2 and q4 (what all branches share)
+                    let t17 = 3.333333333333334 * t15 - 0.3;
+                    let t18 = t4 * t17;
+                    let t19 = t3 * t17;
+                    let t20 = t17 * t17;
+                    let t21 = t3 * t3 + t4 * t4;
+                    // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
+                    // branches share)
+                    let t22 = r11 * t16;
+                    let t23 = r12 * t16;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t24 = r31 * r31;
+                    let t25 = 0.5 * (t24 + (r11 * r11 + r21 * r21) - 1.0);
+                    let t26 = r32 * r32;
+                    let t27 = 0.5 * (t26 + (r12 * r12 + r22 * r22) - 1.0);
+                    let t28 = r31 * r32 + (r11 * r12 + r21 * r22);
+                    let t29 = r13 - (r21 * r32 - r22 * r31);
+                    let t30 = r23 - (r12 * r31 - r11 * r32);
+                    let t31 = r33 - (r11 * r22 - r12 * r21);
+                    let t32 = t25 * t25 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
+                        + t31 * t31;
+                    let t33 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
+                        + 1.44 * t32;
+                    let t34 = t5 - pz;
+                    let t35 = t34 * t34;
+                    let t36 = r12 + r21;
+                    let t37 = r11 - r22;
+                    let t38 = 1.0 - r33;
+                    let t39 = t26
+                        + (t24 + (r13 * r13 + t36 * t36 + t37 * t37 + r23 * r23))
+                        + t38 * t38;
+                    let t40 = 0.72 * t39;
+                    // 2 lanes, by the signs of the roots: e1 of step 3
+                    let e1 = [1.0, -1.0];
+                    let mut invalid_ = [0.0; 2];
+                    let mut singular_ = [0.0; 2];
+                    let mut residual_ = [0.0; 2];
+                    let mut q1_ = [0.0; 2];
+                    let mut q2_ = [0.0; 2];
+                    let mut q3_ = [0.0; 2];
+                    for k in 0..2 {
+                        // 3. q2 by SP3, given q4
+                        let invalid = math::select(
+                            t12 < 1.4399999999999997e-15,
+                            -e1[k],
+                            0.0,
+                        );
+                        let t41 = e1[k] * t14;
+                        let t42 = 8.333333333333334 * t41;
+                        let s2 = -t42;
+                        // 4. q3 by SP1, given q2 and q4
+                        let t43 = 3.333333333333334 * t41;
+                        let t44 = math::sqrt((t43 * t43 + t20) * t21);
+                        let singular = math::max(
+                            t13,
+                            math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
+                        );
+                        let t45 = 1.0 / t44;
+                        let s3 = math::select(
+                            t44 < 1.4399999999999998e-24,
+                            t1,
+                            (t4 * t43 - t19) * t45,
+                        );
+                        let c3 = math::select(
+                            t44 < 1.4399999999999998e-24,
+                            t2,
+                            -((t3 * t43 + t18) * t45),
+                        );
+                        // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
+                        let t46 = t23 + r11 * t42;
+                        let t47 = r12 * t42 - t22;
+                        let t48 = c3 * t46 - s3 * t47;
+                        let t49 = c3 * t47 + s3 * t46;
+                        // Residual: forward kinematics against the target
+                        let t50 = 0.3 * (t16 * t48 + t42 * t49) - 0.4 * t48 - px;
+                        let t51 = 0.4 * t49 + 0.3 * (t42 * t48 - t16 * t49) - py;
+                        let residual = math::sqrt(
+                            t33 + (t35 + (t50 * t50 + t51 * t51)) + t40,
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(t48, t49);
+                        let q2 = lanes::angle(s2, c2);
+                        let q3 = lanes::angle(s3, c3);
+                        invalid_[k] = invalid;
+                        singular_[k] = singular;
+                        residual_[k] = residual;
+                        q1_[k] = q1;
+                        q2_[k] = q2;
+                        q3_[k] = q3;
+                    }
+                    Branches {
+                        q: [q1_, q2_, q3_, [d4; 2]],
+                        residual: residual_,
+                        invalid: invalid_,
+                        singular: singular_,
+                    }
+                }
             }
-            Branches {
-                q: [q1_, q2_, q3_, [d4; 2]],
-                residual: residual_,
-                invalid: invalid_,
-                singular: singular_,
-            }
+            dispatch::<Lanes, _>((pose, seed))
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside

@@ -27,14 +27,16 @@ const PUBLIC: [&str; 18] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 12] = [
+const PRIVATE: [&str; 14] = [
     "Acceptance",
     "Branches",
+    "Dispatched",
     "Elimination",
     "FREE_BELOW",
     "FreeAngle",
     "Locked",
     "Univariate",
+    "dispatch",
     "lanes",
     "math",
     "three_spheres",

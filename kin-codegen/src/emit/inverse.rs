@@ -83,11 +83,12 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
         quote!(locked[#k])
     });
     let free = [quote!(free)];
-    let (takes, passes) = match locked {
-        0 => (quote!(), quote!()),
+    let (takes, passes, kind) = match locked {
+        0 => (quote!(), quote!(), quote!()),
         k => {
             let k = Literal::usize_unsuffixed(k);
-            (quote!(, locked: &[f64; #k]), quote!(, locked))
+            let kind = quote!(&[f64; #k]);
+            (quote!(, locked: #kind), quote!(, locked), quote!(, #kind))
         }
     };
     let (statements, lanes) = statements(solver, inverse, seed.chain(given).chain(free));
@@ -109,6 +110,12 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
         }
     };
     let Some((free, said)) = inverse.free_angle.zip(lanes.free_angle) else {
+        let run = dispatched(
+            &quote!((pose, seed #passes)),
+            &quote!((&Pose, &[f64; #n] #kind)),
+            &quote!(Branches<#n, #width>),
+            &quote!(#statements #branches),
+        );
         return quote! {
             /// All branches of the plan as lanes, those that do not exist
             /// marked.
@@ -116,8 +123,7 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
             fn branches(
                 &self, pose: &Pose, seed: &[f64; #n] #takes
             ) -> Branches<#n, #width> {
-                #statements
-                #branches
+                #run
             }
         };
     };
@@ -125,6 +131,12 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
     let where_it_goes = comment(
         "A free angle at the seed's value can leave a later step no root: it turns to where it \
          leaves the most room",
+    );
+    let run = dispatched(
+        &quote!((pose, seed #passes, free)),
+        &quote!((&Pose, &[f64; #n] #kind, f64)),
+        &quote!((Branches<#n, #width>, FreeAngle<#width>)),
+        &quote!(#statements (#branches, #said)),
     );
     quote! {
         /// All branches of the plan as lanes, those that do not exist marked.
@@ -153,9 +165,31 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
             #takes,
             free: f64,
         ) -> (Branches<#n, #width>, FreeAngle<#width>) {
-            #statements
-            (#branches, #said)
+            #run
         }
+    }
+}
+
+/// A body that is compiled for several instruction sets, of which the processor's
+/// is chosen when it runs.
+fn dispatched(
+    input: &TokenStream,
+    of: &TokenStream,
+    output: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    quote! {
+        struct Lanes;
+
+        impl Dispatched<#of> for Lanes {
+            type Output = #output;
+
+            #[inline(always)]
+            fn run(#input: #of) -> Self::Output {
+                #body
+            }
+        }
+        dispatch::<Lanes, _>(#input)
     }
 }
 

@@ -1,6 +1,7 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
 use super::acceptance::Acceptance;
+use super::dispatch::{Dispatched, dispatch};
 use super::refinement::{NEARLY, Problem, correct_branches, refine_branches};
 use crate::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 
@@ -17,6 +18,21 @@ pub struct Branches<const N: usize, const L: usize> {
     pub invalid: [f64; L],
     /// Positive where a root is double or an angle is free.
     pub singular: [f64; L],
+}
+
+/// The choice of the branch that moves least.
+struct Choice;
+
+type ChoiceOf<'a, const N: usize, const L: usize> =
+    (&'a Branches<N, L>, &'a Acceptance, &'a Nearest<N>);
+
+impl<const N: usize, const L: usize> Dispatched<ChoiceOf<'_, N, L>> for Choice {
+    type Output = Option<Solution<N>>;
+
+    #[inline(always)]
+    fn run((branches, accept, nearest): ChoiceOf<'_, N, L>) -> Self::Output {
+        branches.choose(accept, nearest)
+    }
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {
@@ -46,6 +62,11 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     /// [`Self::solutions`], without writing the others down.
     #[inline(always)]
     pub fn nearest(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
+        dispatch::<Choice, _>((self, accept, nearest))
+    }
+
+    #[inline(always)]
+    fn choose(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
         let joints = nearest.motion(accept.prismatic);
         let mut motions = [0.0; L];
         for k in 0..L {

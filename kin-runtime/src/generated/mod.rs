@@ -4,6 +4,7 @@
 
 pub mod acceptance;
 pub mod branches;
+pub mod dispatch;
 pub mod free_angle;
 pub mod lanes;
 pub mod locked;

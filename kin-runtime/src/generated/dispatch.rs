@@ -1,0 +1,128 @@
+//! The widest instructions that the processor has, chosen when the program runs.
+//!
+//! Lanes are plain loops, which the compiler turns into the vector instructions
+//! that it may use; by default on x86-64 those are SSE2's, two lanes at a time.
+//! [`dispatch`] has the same source compiled for AVX2 and AVX-512 beside that,
+//! and takes what there is. The results are the same to the last bit: each
+//! operation is rounded as IEEE 754 says, whatever the width, and the compiler
+//! never contracts a product and a sum to a fused operation.
+//!
+//! Nothing is dispatched where the program is compiled for AVX2 or more
+//! (`-C target-cpu=native`), on other architectures (NEON is part of aarch64),
+//! and without the feature `std`, which knows what the processor has.
+
+/// What is compiled for several instruction sets. `run` has to be
+/// `#[inline(always)]`, and so has all that it calls: what stays a call is
+/// compiled once.
+pub trait Dispatched<I> {
+    /// What comes of it.
+    type Output;
+    /// Computes it.
+    fn run(input: I) -> Self::Output;
+}
+
+/// Runs `T` by the widest instructions that the processor has.
+///
+/// ```
+/// use kin_runtime::__private::dispatch::{Dispatched, dispatch};
+/// struct Sum;
+/// impl Dispatched<&[f64; 8]> for Sum {
+///     type Output = f64;
+///     #[inline(always)]
+///     fn run(x: &[f64; 8]) -> f64 {
+///         x.iter().sum()
+///     }
+/// }
+/// assert_eq!(dispatch::<Sum, _>(&[0.5; 8]), 4.0);
+/// ```
+#[inline(always)]
+pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
+    {
+        x86_64::dispatch::<T, I>(input)
+    }
+    #[cfg(not(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2"))))]
+    {
+        T::run(input)
+    }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
+pub use x86_64::{Instructions, use_at_most};
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
+mod x86_64 {
+    use super::Dispatched;
+    use core::sync::atomic::{AtomicU8, Ordering};
+
+    /// Instruction sets that code is compiled for, from narrow to wide.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    #[repr(u8)]
+    pub enum Instructions {
+        /// What every x86-64 processor has.
+        Sse2 = 1,
+        /// AVX2, four lanes at a time.
+        Avx2 = 2,
+        /// AVX-512 with its parts F, VL and DQ, eight lanes at a time.
+        Avx512 = 3,
+    }
+
+    /// The instructions to use; 0 before the processor was asked.
+    static CHOSEN: AtomicU8 = AtomicU8::new(0);
+
+    impl Instructions {
+        /// The widest that the processor has.
+        pub fn of_this_processor() -> Self {
+            if std::is_x86_feature_detected!("avx512f")
+                && std::is_x86_feature_detected!("avx512vl")
+                && std::is_x86_feature_detected!("avx512dq")
+            {
+                Self::Avx512
+            } else if std::is_x86_feature_detected!("avx2") {
+                Self::Avx2
+            } else {
+                Self::Sse2
+            }
+        }
+    }
+
+    /// From now on uses no wider instructions than these, nor than the processor
+    /// has, in all threads: for tests and measurements. Tells which.
+    pub fn use_at_most(instructions: Instructions) -> Instructions {
+        let chosen = instructions.min(Instructions::of_this_processor());
+        CHOSEN.store(chosen as u8, Ordering::Relaxed);
+        chosen
+    }
+
+    #[cold]
+    fn ask_processor() -> u8 {
+        use_at_most(Instructions::Avx512) as u8
+    }
+
+    #[inline(always)]
+    pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
+        const AVX2: u8 = Instructions::Avx2 as u8;
+        const AVX512: u8 = Instructions::Avx512 as u8;
+        let chosen = match CHOSEN.load(Ordering::Relaxed) {
+            0 => ask_processor(),
+            chosen => chosen,
+        };
+        match chosen {
+            // SAFETY: what is chosen is not more than the processor has.
+            AVX512 => unsafe { with_avx512::<T, I>(input) },
+            // SAFETY: as above.
+            AVX2 => unsafe { with_avx2::<T, I>(input) },
+            _ => T::run(input),
+        }
+    }
+
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
+    fn with_avx512<T: Dispatched<I>, I>(input: I) -> T::Output {
+        T::run(input)
+    }
+
+    #[target_feature(enable = "avx2")]
+    fn with_avx2<T: Dispatched<I>, I>(input: I) -> T::Output {
+        T::run(input)
+    }
+}

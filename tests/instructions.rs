@@ -1,0 +1,83 @@
+//! Wider instructions change how long it takes, and nothing else. What forbids
+//! unsafe code compiles with generated robots all the same.
+
+#![forbid(unsafe_code)]
+// Nothing is dispatched where the program is compiled for wide instructions, and
+// on other architectures.
+#![cfg(all(target_arch = "x86_64", not(target_feature = "avx2")))]
+
+mod random;
+
+use kinematics::__private::dispatch::{Instructions, use_at_most};
+use kinematics::{Kinematics, Pose, Solution};
+use random::Random;
+
+kinematics::kinematics!("../robots/ur5e.urdf");
+kinematics::kinematics!("../robots/kr6_r900.yaml");
+kinematics::kinematics!("../robots/stanford.yaml");
+kinematics::kinematics!("../robots/scara.yaml", target = position_yaw);
+kinematics::kinematics!("robots/noisy/calibrated.yaml");
+
+/// What a robot says of targets: regular ones, singular ones, and some out of
+/// reach; all numbers with all bits.
+fn answers<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>> {
+    let mut random = Random::new(11);
+    let mut said = Vec::new();
+    for k in 0..400 {
+        let mut q: [f64; N] = std::array::from_fn(|_| random.angle());
+        let seed: [f64; N] = std::array::from_fn(|_| random.angle());
+        if k % 4 == 0 {
+            // The wrist, or the elbow, is singular.
+            q[k % N] = random.right_angle();
+        }
+        let mut target = robot.fk(&q);
+        if k % 10 == 0 {
+            target.translation[k % 3] += 0.6;
+        }
+        said.extend(of(robot, &target, &seed));
+    }
+    said
+}
+
+fn of<K: Kinematics<N>, const N: usize>(
+    robot: &K,
+    target: &Pose,
+    seed: &[f64; N],
+) -> Vec<Option<Vec<u64>>> {
+    let mut said: Vec<_> = robot.ik_seeded(target, seed).iter().map(bits).collect();
+    said.extend([
+        robot.ik_nearest(target, seed).as_ref().and_then(bits),
+        robot.ik_approximate(target).as_ref().and_then(bits),
+    ]);
+    said
+}
+
+fn bits<const N: usize>(solution: &Solution<N>) -> Option<Vec<u64>> {
+    let numbers = solution.q.iter().chain([&solution.residual]);
+    let flags = [u64::from(solution.branch), u64::from(solution.singular)];
+    Some(numbers.map(|x| x.to_bits()).chain(flags).collect())
+}
+
+#[test]
+fn all_instructions_give_the_same_bits() {
+    let widest = Instructions::of_this_processor();
+    let all = || {
+        [
+            answers(&Ur5e),
+            answers(&Kr6R900),
+            answers(&Stanford),
+            answers(&Scara),
+            answers(&Calibrated),
+        ]
+    };
+    let [sse2, avx2, avx512] =
+        [Instructions::Sse2, Instructions::Avx2, Instructions::Avx512].map(|instructions| {
+            assert_eq!(use_at_most(instructions), instructions.min(widest));
+            all()
+        });
+    for (narrow, wide) in sse2.iter().zip(&avx2).chain(sse2.iter().zip(&avx512)) {
+        let solutions = narrow.iter().flatten().count();
+        assert!(solutions > 800, "{solutions} solutions tell little");
+        assert!(narrow == wide, "the results depend on the instructions");
+    }
+}
