@@ -5,6 +5,7 @@
 //! cargo run --release --bin compare
 //! RUSTFLAGS="-C target-cpu=native" cargo run --release --bin compare
 //! cargo run --release --bin generate      # what compiling a robot costs
+//! cargo run --release --bin tail          # the slowest calls
 //! ```
 //!
 //! `--features ik-geo` adds one more peer, which needs CMake.

@@ -2,12 +2,12 @@
 
 use kin_cli::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::arm::CompiledArm;
-use kin_codegen::closed_form::{ClosedForm, Inverse};
+use kin_codegen::closed_form::{ClosedForm, Inverse, Refinement};
 use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::expr::{Choice, Node};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
-use kin_codegen::{Compiled, Options, Source, Target, compile};
+use kin_codegen::{Compiled, Options, Source, Target, compile, univariate};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -160,7 +160,9 @@ fn a_refinement_onto_another_arm_is_unsound() {
     assert!(!form.is_exact());
     let mut other = model.clone();
     other.home.translation[0] += 1e-6;
-    form.given = Linkage::new(&other);
+    let other = Linkage::new(&other);
+    let arm = univariate::Arm::keeping_each(&other).remove(0);
+    (form.given, form.refinement) = (other, Refinement::Univariate(Box::new(arm)));
     let tally = swept(&(model, form));
     assert!(tally.unsound > SETTINGS.targets, "{tally}");
 }

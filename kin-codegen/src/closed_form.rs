@@ -21,6 +21,9 @@ pub const TOLERANCE: f64 = 1e-9;
 /// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
 
+/// Below this conditioning an elimination may not tell two solutions apart.
+const DROWNED: f64 = 1e-4;
+
 /// What computes the branches of a plan.
 #[derive(Clone, Debug)]
 pub enum Inverse {
@@ -46,9 +49,21 @@ pub struct ClosedForm {
     pub inverse: Inverse,
     /// How far the idealized arm's tip is from the given one's, metres.
     pub tip_shift: f64,
-    /// Newton steps at most that refine every branch onto the arm as given; 0
-    /// if that is the idealized one.
-    pub refinement: usize,
+    /// From the branches to solutions of the arm as given.
+    pub refinement: Refinement,
+}
+
+/// From the branches of an idealized arm to the solutions of the arm as given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refinement {
+    /// They are the same.
+    None,
+    /// So many steps of Newton's method at most, and where roots have nearly met,
+    /// curves are followed to where others went.
+    Branches(usize),
+    /// Newton's method, and where the branches do not tell all solutions, an
+    /// elimination of all joints but one.
+    Univariate(Box<univariate::Arm>),
 }
 
 /// One solution, by the interpreter.
@@ -75,11 +90,22 @@ impl BranchSolution {
     }
 }
 
+impl BranchSolution {
+    fn start<const N: usize>(&self) -> Solution<N> {
+        Solution {
+            q: std::array::from_fn(|i| self.q[i]),
+            residual: self.residual,
+            branch: self.branch,
+            singular: self.singular,
+        }
+    }
+}
+
 impl ClosedForm {
     /// Whether the arm as given has the relations exactly, so that no branch
     /// needs refinement.
     pub fn is_exact(&self) -> bool {
-        self.refinement == 0
+        self.refinement == Refinement::None
     }
 
     /// What the generated function will return, computed by the interpreter; of an arm
@@ -97,6 +123,11 @@ impl ClosedForm {
             return found.iter().map(BranchSolution::of).collect();
         }
         let mut branches = self.branches(target, parameters);
+        if let Refinement::Univariate(arm) = &self.refinement {
+            let starts = branches.iter().map(BranchSolution::start);
+            let found = arm.refined(target, starts, self.untold());
+            return found.iter().map(BranchSolution::of).collect();
+        }
         if self.plan.target.is_projected() {
             let tolerance = self.acceptance().tolerance;
             branches.retain(|solution| solution.residual <= tolerance);
@@ -180,24 +211,28 @@ impl ClosedForm {
             size: self.linkage.size,
             counts: self.plan.target,
         };
-        let start = |branch: &BranchSolution| Solution {
-            q: std::array::from_fn(|i| branch.q[i]),
-            residual: branch.residual,
-            branch: branch.branch,
-            singular: branch.singular,
-        };
-        let starts = branches.iter().map(start);
+        let starts = branches.iter().map(BranchSolution::start);
         let accept = self.acceptance();
-        let found = match self.is_exact() {
-            true => correct_branches(&problem, starts, &accept),
-            false => refine_branches(&problem, starts, &accept, self.refinement),
+        let found = match self.refinement {
+            Refinement::Branches(steps) => refine_branches(&problem, starts, &accept, steps),
+            _ => correct_branches(&problem, starts, &accept),
         };
         found.iter().map(BranchSolution::of).collect()
     }
 
-    /// Below this conditioning of the Jacobian the branches of the idealized arm
-    /// do not tell those of the arm as given; 0 if they are one.
+    /// Below this conditioning of the Jacobian solutions may be lost, 0 if none
+    /// may.
     pub fn near_singular(&self) -> f64 {
+        match self.refinement {
+            Refinement::None => 0.0,
+            Refinement::Branches(_) => self.untold(),
+            Refinement::Univariate(_) => DROWNED,
+        }
+    }
+
+    /// Below this conditioning the branches of the idealized arm do not tell those
+    /// of the arm as given; 0 if they are one.
+    pub fn untold(&self) -> f64 {
         match self.is_exact() {
             true => 0.0,
             false => NEAR_SINGULAR * (self.tip_shift / self.linkage.size).sqrt(),
@@ -214,7 +249,7 @@ impl ClosedForm {
         Acceptance {
             size,
             tolerance: TOLERANCE * size,
-            near_singular: self.near_singular(),
+            near_singular: self.untold(),
             prismatic: sliding.fold(0, |mask, i| mask | 1 << i),
         }
     }

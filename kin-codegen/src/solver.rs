@@ -2,14 +2,14 @@
 //! tolerance, and the plans for them certified, until one stands.
 
 use crate::certificate::{Certificate, Failure, Trials, certify};
-use crate::closed_form::{ClosedForm, Inverse};
+use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate, size,
 };
 use crate::model::Model;
 use crate::plan::{Atom, Plan, Plans, Step, Subproblem, Target};
-use crate::univariate;
+use crate::univariate::{self, Kept};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
@@ -36,9 +36,11 @@ pub(crate) const DESIGNED: f64 = 5e-3;
 /// configuration. Near a singular one the first steps have to find the way.
 const REFINEMENT: usize = 24;
 
-/// A root may be out of domain by this many times the shift of the tip and
-/// still have a solution on the arm as given.
-const DOMAIN_MARGIN: f64 = 5.0;
+/// A joint whose share in a motion is less hardly takes part in it.
+const TAKES_PART: f64 = 0.1;
+
+/// With more noise an elimination is not asked beside an idealized arm.
+const NOISY: f64 = 1e-11;
 
 /// Values of locked joints at which nothing is aligned.
 pub(crate) const SOMEWHERE: f64 = 0.83;
@@ -118,6 +120,13 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             continue;
         }
         last = Some(idealized.moved.clone());
+        let shift = tip_shift(model, &idealized.model);
+        if best.is_none()
+            && shift > DESIGNED * linkage.size
+            && let Ok(found) = last_resort(&trials, target, refusal.clone())
+        {
+            return Ok(found);
+        }
         match solve_idealized(&trials, idealized, target) {
             Ok(found) => {
                 // The reading that answers more singular targets wins; one
@@ -133,9 +142,6 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         }
     }
     match best {
-        Some(best) if best.form.tip_shift > DESIGNED * linkage.size => {
-            Ok(last_resort(&trials, target, refusal).unwrap_or(best))
-        }
         Some(best) => Ok(best),
         None => last_resort(&trials, target, refusal),
     }
@@ -186,7 +192,7 @@ fn last_resort(
         },
         inverse: Inverse::Univariate(Box::new(arm)),
         tip_shift: 0.0,
-        refinement: 0,
+        refinement: Refinement::None,
     };
     match certify(trials, &form, usize::MAX) {
         Ok(certificate) => Ok(Certified { form, certificate }),
@@ -232,9 +238,9 @@ fn solve_idealized(
     if !exact && target.is_projected() {
         return Err(NoClosedForm::Noisy);
     }
-    let (refinement, margin) = match exact {
-        true => (0, 0.0),
-        false => (REFINEMENT, DOMAIN_MARGIN * tip_shift / linkage.size),
+    let margin = match exact {
+        true => 0.0,
+        false => tip_shift / linkage.size,
     };
     let form = |plan: &Plan, free: FreeAngles| ClosedForm {
         idealized: idealized.clone(),
@@ -248,7 +254,10 @@ fn solve_idealized(
             free,
         ))),
         tip_shift,
-        refinement,
+        refinement: match exact {
+            true => Refinement::None,
+            false => Refinement::Branches(REFINEMENT),
+        },
     };
     let mut plans = Plans::new(&linkage, target);
     // The search estimates what a plan costs; of those that it comes by first, the
@@ -264,6 +273,10 @@ fn solve_idealized(
             inverse.map(|inverse| inverse.all_branches().weight())
         });
     }
+    let beside = match first.first() {
+        Some(first) if !exact => elimination_beside(trials, first),
+        _ => None,
+    };
     let later = plans.map(|plan| form(&plan, FreeAngles::Seeded));
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
@@ -280,7 +293,10 @@ fn solve_idealized(
         };
         let turned = turned.map(FreeAngles::TurnedAt);
         let turned = turned.filter(|free| free.may_help(&plan));
-        for form in std::iter::once(seeded).chain(turned.map(|free| form(&plan, free))) {
+        for mut form in std::iter::once(seeded).chain(turned.map(|free| form(&plan, free))) {
+            if let Some(arm) = &beside {
+                form.refinement = Refinement::Univariate(Box::new(arm.clone()));
+            }
             let losses = best
                 .as_ref()
                 .map_or(usize::MAX, |best| best.certificate.lost);
@@ -307,6 +323,27 @@ fn solve_idealized(
         }
     }
     best.ok_or(refusal)
+}
+
+/// The elimination to ask beside the branches of an idealized arm: near a singular
+/// configuration two solutions are apart along the motion that moves the tip least, and
+/// a joint tells them apart if it takes part in that.
+fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
+    if form.plan.target != Target::Pose || !trials.linkage().locked.is_empty() {
+        return None;
+    }
+    let motions = trials.weak_motions(form.untold());
+    let arms = univariate::Arm::keeping_each(trials.linkage()).into_iter();
+    let trusted = arms.filter(|arm| arm.kept[0].noise < NOISY);
+    trusted.min_by_key(|arm| {
+        let Kept {
+            elimination, noise, ..
+        } = arm.kept[0];
+        let kept = usize::from(elimination.joints[0]);
+        let hardly = |motion: &&[f64; 6]| motion[kept].abs() < TAKES_PART;
+        let untold = motions.iter().filter(hardly).count();
+        (untold, elimination.degree, noise.to_bits())
+    })
 }
 
 /// How far apart the tips of two arms get, with orientation as a length at

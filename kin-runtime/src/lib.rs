@@ -83,6 +83,7 @@ pub mod __private {
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement;
     pub use crate::generated::univariate::{self, Elimination, Univariate};
+    pub use crate::linear::singular_values::SingularValues;
     pub use crate::linear::span::Span;
     pub use crate::parallel::three_spheres;
     pub use crate::scalar::math;

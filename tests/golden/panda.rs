@@ -753,7 +753,7 @@ mod __Panda {
                     let t26 = t23 * t23 + t25 * t25;
                     let t27 = 1e-13 * t26;
                     let t28 = -math::sqrt(t26);
-                    let t29 = math::select(t26 < 9.532115696657996e-25, 1.0, 0.0);
+                    let t29 = math::select(t26 < 9.763255449212622e-25, 1.0, 0.0);
                     let t30 = 1.0 / t26;
                     let t31 = t24 * t24;
                     // Residual: forward kinematics against the target (what all
@@ -822,15 +822,15 @@ mod __Panda {
                                 math::select(t14 < 1.645395867506249e-15, -e1[k], 0.0),
                                 math::select(t46 < t27, t47, 0.0),
                             ),
-                            math::select(t26 < 9.532115696657996e-25, t47, 0.0),
+                            math::select(t26 < 9.763255449212622e-25, t47, 0.0),
                         );
                         let s6 = math::select(
-                            t26 < 9.532115696657996e-25,
+                            t26 < 9.763255449212622e-25,
                             t2,
                             -((t25 * t49 + t23 * t48) * t30),
                         );
                         let c6 = math::select(
-                            t26 < 9.532115696657996e-25,
+                            t26 < 9.763255449212622e-25,
                             t5,
                             (t25 * t48 - t23 * t49) * t30,
                         );
@@ -1105,7 +1105,7 @@ mod __Panda {
                 let t20 = 19.205104755667552 * (t11 + 0.057749999999999996 * t19)
                     + 5.013990956780295 * (t12 - 0.11453774999999997 * t19);
                 let t21 = t20 - 0.384;
-                let margin = -math::max(t18, -(1.049085042422014 * (t17 - t21 * t21)));
+                let margin = -math::max(t18, -(1.0242485257114184 * (t17 - t21 * t21)));
                 // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
                 // 4. q3 by SP1, given q1, q4, q5, q6 and q7
                 // Residual: forward kinematics against the target

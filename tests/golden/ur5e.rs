@@ -703,7 +703,7 @@ mod __Ur5e {
                     let t20 = t11 * t18;
                     let t21 = math::max(
                         math::select(t14 < t15, 1.0, 0.0),
-                        math::select(t13 < 2.965736179997062e-24, 1.0, 0.0),
+                        math::select(t13 < 1.7221312899999994e-24, 1.0, 0.0),
                     );
                     let t22 = 1.0 / t13;
                     // 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share)
@@ -754,12 +754,12 @@ mod __Ur5e {
                         let t32 = -e1[k];
                         let t33 = e1[k] * t16;
                         let s1 = math::select(
-                            t13 < 2.965736179997062e-24,
+                            t13 < 1.7221312899999994e-24,
                             t2,
                             (t20 + t12 * t33) * t22,
                         );
                         let c1 = math::select(
-                            t13 < 2.965736179997062e-24,
+                            t13 < 1.7221312899999994e-24,
                             t5,
                             (t19 - t11 * t33) * t22,
                         );
@@ -773,7 +773,7 @@ mod __Ur5e {
                         let t39 = math::max(
                             math::max(
                                 math::select(t14 < t15, t32, 0.0),
-                                math::select(t13 < 2.965736179997062e-24, t32, 0.0),
+                                math::select(t13 < 1.7221312899999994e-24, t32, 0.0),
                             ),
                             math::select(t38 < free, -e2[k], 0.0),
                         );

@@ -1,6 +1,6 @@
 //! What it took to read exact relations into the axes of a file.
 
-use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::closed_form::{ClosedForm, Refinement};
 use serde::Serialize;
 
 /// The file's axes are off exact relations: the closed form runs on an arm
@@ -14,8 +14,8 @@ pub struct Idealization {
     pub moved: Vec<Moved>,
     /// How far the tips of the two arms are apart.
     pub tip_shift: f64,
-    /// Newton steps at most that return a branch to the file's arm.
-    pub refinement_steps: usize,
+    /// How branches become solutions of the file's arm, in a sentence.
+    pub refinement: String,
 }
 
 /// One axis that moved.
@@ -44,7 +44,25 @@ impl Idealization {
             tolerance: form.idealized.tolerance,
             moved: form.idealized.moved.iter().map(moved).collect(),
             tip_shift: form.tip_shift,
-            refinement_steps: form.refinement,
+            refinement: refinement(&form.refinement),
         })
+    }
+}
+
+fn refinement(refinement: &Refinement) -> String {
+    match refinement {
+        Refinement::None => String::new(),
+        Refinement::Branches(steps) => {
+            format!("At most {steps} Newton steps refine every branch onto the file's arm.")
+        }
+        Refinement::Univariate(arm) => {
+            let elimination = arm.kept[0].elimination;
+            format!(
+                "Newton's method refines every branch onto the file's arm; near singular ones the \
+                 roots of a polynomial in q{} of degree {} tell the others.",
+                elimination.joints[0] + 1,
+                elimination.degree
+            )
+        }
     }
 }

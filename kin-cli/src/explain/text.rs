@@ -278,9 +278,8 @@ impl Display for Idealization {
         }
         writeln!(
             f,
-            "    whose tip is within {:.1e} m of the file's. At most {} Newton steps refine every \
-             branch onto the file's arm.",
-            self.tip_shift, self.refinement_steps
+            "    whose tip is within {:.1e} m of the file's. {}",
+            self.tip_shift, self.refinement
         )
     }
 }

@@ -34,6 +34,9 @@ const ELSEWHERE: usize = 32;
 /// Random configurations whose conditioning tells how many are excused.
 const SHARE: usize = 400;
 
+/// Configurations near singular ones.
+const NEAR: usize = 240;
+
 /// Above this conditioning a configuration is far from singular.
 const REGULAR: f64 = 1e-3;
 
@@ -156,6 +159,30 @@ impl<'a> Trials<'a> {
     /// Its frames.
     pub fn linkage(&self) -> &Linkage {
         self.linkage
+    }
+
+    /// How the tip moves least, by joint and of length 1, at configurations that are nearer
+    /// to singular than some conditioning, though not singular: next to singular ones
+    /// there are some at every distance. Of arms of six joints without locked ones.
+    pub fn weak_motions(&self, untold: f64) -> Vec<[f64; 6]> {
+        let mut random = Random(0x94d0_49bb_1331_11eb);
+        let mut nearby = |q: &[f64]| -> Vec<f64> {
+            let off = untold * random.between(0.0, 4.0);
+            let shifted = q.iter().map(|x| x + off * random.between(-1.0, 1.0));
+            shifted.collect()
+        };
+        let Some(held) = self.held.first().filter(|held| held.parameters.is_empty()) else {
+            return Vec::new();
+        };
+        let size = self.linkage.size;
+        let starts = held.all.iter().cycle().take(16 * held.all.len());
+        let near = starts.map(|trial| nearby(&trial.q)).filter(|q| {
+            let conditioning = geometry::conditioning(&held.chain, q, size, self.target);
+            (0.01 * SINGULAR..untold).contains(&conditioning)
+        });
+        near.take(NEAR)
+            .filter_map(|q| geometry::weak_motion(&held.chain, &q, size))
+            .collect()
     }
 
     /// The share of random configurations of less conditioning.
@@ -288,10 +315,13 @@ impl Certificate {
     /// What is not promised, in sentences.
     pub fn reservations(&self) -> Vec<String> {
         let excused = (self.excused > 0).then(|| {
+            let share = match 100.0 * self.excused_share {
+                percent if percent < 0.05 => "Less than 0.1 %".to_owned(),
+                percent => format!("{percent:.1} %"),
+            };
             format!(
-                "{:.1} % of random configurations are so near to singular that a solution to \
-                 their targets may be missing.",
-                100.0 * self.excused_share
+                "{share} of random configurations are so near to singular that a solution to \
+                 their targets may be missing."
             )
         });
         let lost = (self.lost > 0).then(|| {

@@ -6,7 +6,7 @@ use super::postures::Postures;
 use super::redundant::given;
 use super::text::{code, degrees, number, one_line};
 use crate::arm::CompiledArm;
-use crate::closed_form::{ClosedForm, Inverse};
+use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::geometry::{Linkage, structure};
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};
@@ -286,6 +286,17 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
                 .fold(0.0, f64::max),
             solver.tip_shift,
         ));
+        if let Refinement::Univariate(arm) = &solver.refinement {
+            let elimination = arm.kept[0].elimination;
+            lines.push(format!(
+                "Near singular configurations, where branches do not tell all solutions, the \
+                 roots of a polynomial of degree {} in q{} do; what they add is numbered from \
+                 {} on.",
+                elimination.degree,
+                elimination.joints[0] + 1,
+                solver.plan.branches(),
+            ));
+        }
     }
     lines
 }

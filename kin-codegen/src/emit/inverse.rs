@@ -4,7 +4,7 @@ use super::comment::comment;
 use super::lanes::{Lanes, lanes};
 use super::straight::literal;
 use super::univariate;
-use crate::closed_form::{ClosedForm, Inverse};
+use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
@@ -27,7 +27,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let plan = format!(" Solved by {}.", solver.plan);
     let assumes = assumes(solver);
     quote! {
-        const ACCEPT: Acceptance = #accept;
+        #accept
 
         #[doc = #what]
         ///
@@ -288,17 +288,25 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
         return quote!(branches.solutions(&Self::ACCEPT));
     }
     let target = format_ident!("{target:?}");
-    if solver.is_exact() {
-        return quote! {
+    match &solver.refinement {
+        Refinement::None => quote! {
             branches.corrected(|q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT)
-        };
-    }
-    let steps = Literal::usize_unsuffixed(solver.refinement);
-    quote! {
-        branches.refined(|q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT)
+        },
+        Refinement::Branches(steps) => {
+            let steps = Literal::usize_unsuffixed(*steps);
+            quote! {
+                branches.refined(
+                    |q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT
+                )
+            }
+        }
+        Refinement::Univariate(_) => quote! {
+            branches.refined_onto(&Self::UNIVARIATE, pose, &Self::ACCEPT)
+        },
     }
 }
 
+/// The constants by which branches become solutions.
 pub fn acceptance(solver: &ClosedForm) -> TokenStream {
     let Acceptance {
         size,
@@ -308,13 +316,18 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
     } = solver.acceptance();
     let [size, tolerance, near_singular] = [size, tolerance, near_singular].map(literal);
     let prismatic = Literal::u32_unsuffixed(prismatic);
+    let beside = match &solver.refinement {
+        Refinement::Univariate(arm) => Some(univariate::constant(arm)),
+        _ => None,
+    };
     quote! {
-        Acceptance {
+        const ACCEPT: Acceptance = Acceptance {
             size: #size,
             tolerance: #tolerance,
             near_singular: #near_singular,
             prismatic: #prismatic,
-        }
+        };
+        #beside
     }
 }
 

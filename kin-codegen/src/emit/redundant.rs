@@ -4,7 +4,7 @@
 use super::headings::list;
 use super::straight::signed;
 use super::{Names, inverse, text, univariate};
-use crate::closed_form::{ClosedForm, Inverse};
+use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::geometry::Carried;
 use crate::model::Model;
 use crate::redundancy::Redundancy;
@@ -31,7 +31,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
             let accept = inverse::acceptance(solver);
             let branches = inverse::branches(solver, inverse);
             quote! {
-                const ACCEPT: Acceptance = #accept;
+                #accept
                 #branches
             }
         }
@@ -169,11 +169,13 @@ fn sorted(solver: &ClosedForm, locked: bool) -> TokenStream {
     }
     let target = format_ident!("{target:?}");
     let arm = quote!(|q| self.fk_jacobian(q), pose, Target::#target);
-    if solver.is_exact() {
-        return quote!(locked.corrected(&branches, #arm, &Self::ACCEPT));
+    match solver.refinement {
+        Refinement::Branches(steps) => {
+            let steps = usize_literal(steps);
+            quote!(locked.refined(&branches, #arm, #steps, &Self::ACCEPT))
+        }
+        _ => quote!(locked.corrected(&branches, #arm, &Self::ACCEPT)),
     }
-    let steps = usize_literal(solver.refinement);
-    quote!(locked.refined(&branches, #arm, #steps, &Self::ACCEPT))
 }
 
 /// The target of the joints between those that are given.

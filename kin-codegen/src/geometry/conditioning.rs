@@ -2,6 +2,7 @@
 
 use super::{along, cross, dot, size};
 use crate::model::{Model, configurations};
+use kin_runtime::__private::SingularValues;
 use kin_runtime::{Chain, Target, Twist};
 
 /// Columns that are all shorter than this, relative to the arm's size, are
@@ -50,6 +51,18 @@ pub fn conditioning(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 
     lengths(chain, q, size, target)
         .into_iter()
         .fold(f64::INFINITY, f64::min)
+}
+
+/// The motion of six joints that moves the tip least, of length 1; none of more or fewer.
+pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
+    let columns: [Twist; 6] = chain.geometric_jacobian(q).try_into().ok()?;
+    let entry = |row: usize, twist: &Twist| match row {
+        0..3 => twist.linear[row] / size,
+        _ => twist.angular[row - 3],
+    };
+    let rows = std::array::from_fn(|row| columns.each_ref().map(|twist| entry(row, twist)));
+    let values = SingularValues::<6, 6>::new(&rows);
+    Some(values.right(5))
 }
 
 /// The lengths of the Jacobian's columns when each is made perpendicular to

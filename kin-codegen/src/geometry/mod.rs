@@ -12,7 +12,7 @@ mod structure;
 pub use crate::vector::{Vec3, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
 pub use carried::Carried;
-pub use conditioning::{conditioning, natural_target, rank};
+pub use conditioning::{conditioning, natural_target, rank, weak_motion};
 pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use linkage::without_noise;
 pub use linkage::{Link, Linkage, Run};

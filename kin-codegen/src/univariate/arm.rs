@@ -1,11 +1,14 @@
 //! An arm that is solved by a polynomial in one joint.
 
-use super::choose::{Kept, choose};
+use super::choose::{Kept, choose, each};
 use super::frames::frames;
 use crate::geometry::{Carried, Linkage};
 use crate::model::Model;
 use kin_runtime::__private::univariate::{Elimination, Univariate};
-use kin_runtime::{Pose, Solutions};
+use kin_runtime::{Pose, Solution, Solutions};
+
+/// Targets that tell how noisy an elimination is.
+const FEW: usize = 16;
 
 /// An arm of six revolute joints, and the joints that are kept.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,15 +45,44 @@ impl Arm {
         }
     }
 
+    /// The arm with every joint kept that can be, one at a time; none if it is no arm
+    /// of six joints that turn.
+    pub fn keeping_each(linkage: &Linkage) -> Vec<Self> {
+        let Some(frames) = frames(linkage) else {
+            return Vec::new();
+        };
+        let size = linkage.size;
+        let arm = |kept| Self {
+            frames,
+            size,
+            kept: vec![kept],
+        };
+        each(&frames, FEW).into_iter().map(arm).collect()
+    }
+
+    /// What generated code computes for a target from the branches of an idealized arm;
+    /// see [`Univariate::refined`].
+    pub fn refined(
+        &self,
+        target: &Pose,
+        branches: impl Iterator<Item = Solution<6>>,
+        near_singular: f64,
+    ) -> Solutions<6> {
+        self.with(|arm| arm.refined(target, branches, near_singular))
+    }
+
     /// What generated code computes for a target.
     pub fn solutions(&self, target: &Pose) -> Solutions<6> {
+        self.with(|arm| arm.solutions(target))
+    }
+
+    fn with<T>(&self, run: impl FnOnce(&Univariate) -> T) -> T {
         let eliminations: Vec<Elimination> =
             self.kept.iter().map(|kept| kept.elimination).collect();
-        let arm = Univariate {
+        run(&Univariate {
             frames: self.frames,
             size: self.size,
             eliminations: &eliminations,
-        };
-        arm.solutions(target)
+        })
     }
 }

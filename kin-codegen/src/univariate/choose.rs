@@ -5,13 +5,13 @@ use super::frames::forward;
 use crate::random::Random;
 use kin_runtime::__private::univariate::{Elimination, Univariate};
 use kin_runtime::Pose;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Targets that every joint is tried on.
-const TARGETS: usize = 64;
-/// Eliminations at most: the second and third are asked where the first is not
-/// sure of its answer.
-const MOST: usize = 6;
+const TARGETS: usize = 128;
+/// Eliminations at most: the next is asked where one is not sure of its
+/// answer.
+const MOST: usize = 3;
 
 /// An elimination, and how it did on random targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,14 +28,8 @@ pub struct Kept {
 /// The joints to keep, the one that separates solutions best first; empty where no
 /// joint will do.
 pub fn choose(frames: &[Pose; 7]) -> Vec<Kept> {
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
-    let target = |_| forward(frames, &std::array::from_fn(|_| random.between(-PI, PI)));
-    let targets: Vec<Pose> = (0..TARGETS).map(target).collect();
-    let eliminations = (0..6).filter_map(|joint| eliminate(frames, joint));
-    let mut kept: Vec<Kept> = eliminations
-        .map(|elimination| tried(frames, elimination, &targets))
-        .filter(|kept| kept.unsure < 100.0)
-        .collect();
+    let mut kept = each(frames, TARGETS);
+    kept.retain(|kept| kept.unsure < 100.0);
     let by_quality = |a: &Kept, b: &Kept| {
         a.unsure
             .total_cmp(&b.unsure)
@@ -44,6 +38,25 @@ pub fn choose(frames: &[Pose; 7]) -> Vec<Kept> {
     kept.sort_by(by_quality);
     kept.truncate(MOST);
     kept
+}
+
+/// The joints that can be kept, as they did on random targets and on those of
+/// nearly round configurations, at which solutions like to share values of a joint.
+pub fn each(frames: &[Pose; 7], targets: usize) -> Vec<Kept> {
+    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let target = |k: usize| {
+        let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
+        for _ in 0..k % 3 {
+            let round = random.below(4) as f64 * FRAC_PI_2;
+            q[random.below(6)] = round + 10f64.powf(random.between(-8.0, -1.0));
+        }
+        forward(frames, &q)
+    };
+    let targets: Vec<Pose> = (0..targets).map(target).collect();
+    let eliminations = (0..6).filter_map(|joint| eliminate(frames, joint));
+    eliminations
+        .map(|elimination| tried(frames, elimination, &targets))
+        .collect()
 }
 
 fn tried(frames: &[Pose; 7], elimination: Elimination, targets: &[Pose]) -> Kept {

@@ -13,7 +13,12 @@ use std::f64::consts::PI;
 const SAMPLES: usize = 24;
 /// Rows whose pivots would be below this depend on those taken.
 const DEPENDENT: f64 = 1e-6;
+/// A row that raises the degree less than others do is not worth a pivot below this:
+/// of an arm that has its relations nearly, those that vanish with them.
+const WEAK: f64 = 1e-2;
 const SIZE: usize = 16;
+/// What a functional costs that sees all that turns.
+const FULL: usize = 2;
 
 /// A candidate row: which functional, and times which half tangents.
 type Row = [u8; 2];
@@ -77,7 +82,7 @@ fn cost(elimination: &Elimination, functional: usize) -> usize {
     match (functional < usize::from(elimination.half), turns) {
         (true, _) => 1,
         (false, false) => 0,
-        (false, true) => 2,
+        (false, true) => FULL,
     }
 }
 
@@ -137,12 +142,13 @@ impl Order<'_> {
             .collect();
         let (row, column) = allowed
             .filter_map(|cost| {
+                let least = if cost < FULL { WEAK } else { DEPENDENT };
                 let open = (0..self.costs.len()).filter(|row| {
                     self.costs[*row] == cost
                         && rows(self.candidates[*row])
                         && !self.rows.contains(row)
                 });
-                largest(&self.samples, open, &columns)
+                largest(&self.samples, open, &columns, least)
             })
             .next()?;
         for m in &mut self.samples {
@@ -166,8 +172,9 @@ fn largest(
     samples: &[Vec<[f64; SIZE]>],
     rows: impl Iterator<Item = usize>,
     columns: &[usize],
+    least: f64,
 ) -> Option<(usize, usize)> {
-    let mut best = (DEPENDENT.ln(), None);
+    let mut best = (least.ln(), None);
     for row in rows {
         for &column in columns {
             let size = |m: &Vec<[f64; SIZE]>| (m[row][column].abs() + f64::MIN_POSITIVE).ln();

@@ -152,8 +152,8 @@ impl Solved {
 
     /// How the arm was read.
     fn reading(&self) -> String {
-        let (shift, steps) = (self.form.tip_shift, self.form.refinement);
-        format!("tip shifted by {shift:e} m, {steps} steps of refinement")
+        let (shift, how) = (self.form.tip_shift, &self.form.refinement);
+        format!("tip shifted by {shift:e} m, {how:?}")
     }
 
     /// What the numerical search finds.

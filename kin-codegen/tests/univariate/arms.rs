@@ -41,6 +41,21 @@ pub fn random_arm(pattern: &[Neighbour; 5], random: &mut Random) -> [Pose; 7] {
     })
 }
 
+/// Right angles, upper arm and forearm in one plane, and a wrist whose last axis
+/// passes the point where the two before it meet.
+pub fn cobot() -> [Pose; 7] {
+    let quarter = std::f64::consts::FRAC_PI_2;
+    [
+        link(0.25, 0.0, 0.0),
+        link(0.0, 0.0, -quarter),
+        link(0.0, 0.71, PI),
+        link(0.0, 0.0, -quarter),
+        link(-0.69, 0.0, quarter),
+        link(0.19, 0.0, -quarter),
+        link(-0.21, 0.0, PI),
+    ]
+}
+
 /// The same arm as a product of exponentials.
 pub fn chain(frames: &[Pose; 7]) -> Chain {
     let mut pose = frames[0];

@@ -4,7 +4,8 @@
 mod arms;
 
 use arms::{
-    Neighbour, anywhere, chain, least_singular_value, miss, near_singular, patterns, random_arm,
+    Neighbour, anywhere, chain, cobot, least_singular_value, miss, near_singular, patterns,
+    random_arm,
 };
 use kin_codegen::random::Random;
 use kin_codegen::univariate::{choose, eliminate, forward};
@@ -189,6 +190,30 @@ fn aligned_configurations_are_found() {
             assert!(check(&frames, &found, &q, 1e-6), "{q:?}");
         }
     }
+}
+
+/// Next to round configurations of a cobot with an offset wrist three or four solutions
+/// share the kept joint's value, or nearly: a change of sign may hide three roots.
+#[test]
+fn solutions_that_nearly_share_a_value_are_told_apart() {
+    let mut random = Random(18);
+    let frames = cobot();
+    let eliminations = chosen(&frames);
+    let mut lost = Vec::new();
+    for k in 0..6000 {
+        let mut q = anywhere(&mut random);
+        for _ in 0..1 + k % 3 {
+            let round = random.below(4) as f64 * FRAC_PI_2;
+            q[random.below(6)] = round + 10_f64.powf(random.between(-6.0, -1.0));
+        }
+        let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+        let sigma = least_singular_value(&frames, &q);
+        let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
+        if sigma > 1e-5 && !check(&frames, &found, &q, tolerance) {
+            lost.push((q, sigma));
+        }
+    }
+    assert!(lost.is_empty(), "{lost:?}");
 }
 
 #[test]

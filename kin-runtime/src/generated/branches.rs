@@ -3,6 +3,7 @@
 use super::acceptance::Acceptance;
 use super::dispatch::{Dispatched, dispatch};
 use super::refinement::{NEARLY, Problem, correct_branches, refine_branches};
+use super::univariate::Univariate;
 use crate::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
@@ -225,5 +226,19 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             counts,
         };
         refine_branches(&problem, self.existing(), accept, steps)
+    }
+}
+
+impl<const L: usize> Branches<6, L> {
+    /// The branches of an idealized arm, refined to the solutions of the arm as given; see
+    /// [`Univariate::refined`].
+    #[inline]
+    pub fn refined_onto(
+        &self,
+        arm: &Univariate,
+        target: &Pose,
+        accept: &Acceptance,
+    ) -> Solutions<6> {
+        arm.refined(target, self.existing(), accept.near_singular)
     }
 }

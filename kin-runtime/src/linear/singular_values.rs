@@ -16,7 +16,7 @@ const SWEEPS: usize = 30;
 const ORTHOGONAL: f64 = 8.0 * f64::EPSILON;
 
 /// A = Σ uᵢ σᵢ vᵢᵀ, the largest σ first.
-pub(crate) struct SingularValues<const R: usize, const N: usize> {
+pub struct SingularValues<const R: usize, const N: usize> {
     /// σ; those that are not above rounding are 0.
     pub values: [f64; R],
     /// The rows are u, a complete orthonormal basis.
@@ -29,6 +29,7 @@ impl<const R: usize, const N: usize> SingularValues<R, N> {
     /// How many there are; any further ones are 0.
     pub const COUNT: usize = if R < N { R } else { N };
 
+    /// Of a matrix by its rows.
     pub fn new(rows: &[[f64; N]; R]) -> Self {
         let mut rows = *rows;
         let mut left = [[0.0; R]; R];

@@ -73,8 +73,7 @@ impl Writer<'_> {
         let back = self.g.cross(right, w);
         let (a2, b2, d2) = self.cosine_sine(v, back, zero);
         let [a, b, d] = [(a, a2), (b, b2), (d, d2)].map(|(x, y)| self.g.add(x, y));
-        self.unit = self.linkage.size.powi(2);
-        let trig = self.angle_with(turn, a, b, d, None);
+        let trig = self.angle_with(turn, a, b, d, None, self.linkage.size);
         self.set(turn, trig);
         let [right, w] = [right, w].map(|x| self.g.turn(trig, x));
         let gap = self.g.minus(left, right);

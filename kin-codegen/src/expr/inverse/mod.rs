@@ -46,7 +46,8 @@ pub struct InverseGraph {
     pub residual: Expr,
     /// Positive where the branch does not exist or repeats another.
     pub invalid: Expr,
-    /// Positive where a root is double or an angle is free.
+    /// Positive where a root is double or an angle is free; on an idealized arm,
+    /// to what it differs from the given one.
     pub singular: Expr,
     /// How far the roots are from having no solution: the least argument of a square root
     /// by the unit of its equation, positive where the branch exists; none where no root can be out of
@@ -196,9 +197,6 @@ struct Writer<'a> {
     singular: Expr,
     /// See [`InverseGraph::margin`].
     margin: Option<Expr>,
-    /// What the argument of the next square root is a multiple of: 1, or a power of the
-    /// arm's size.
-    unit: f64,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
     /// Vectors shorter than this, squared and relative to their scale, leave the
@@ -283,7 +281,6 @@ impl<'a> Writer<'a> {
             invalid: zero,
             singular: zero,
             margin: None,
-            unit: 1.0,
             watched: Vec::new(),
             free: zero,
             may_be_free: None,

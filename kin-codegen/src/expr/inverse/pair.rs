@@ -106,8 +106,10 @@ impl Writer<'_> {
         self.singular = self.g.max(self.singular, is_double);
         let present = self.g.select_less(double, state, zero, one);
         let absent = self.g.select_less(some, state, present, zero);
-        if self.deviation.is_none() {
-            self.refuse(absent);
+        match self.deviation {
+            None => self.refuse(absent),
+            // Roots that nearly exist are not seen.
+            Some(_) => self.singular = one,
         }
         let minus = self.g.constant(-1.0);
         let margin = self.g.select_less(some, state, one, minus);

@@ -10,7 +10,9 @@ use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE};
 /// square of the amplitude. Branches nearer than its square root are one.
 pub(super) const NOISE: f64 = 1e-13;
 /// On an idealized arm a root may be out of domain by this many times what the
-/// arms differ and still have a solution on the given one.
+/// arms differ and still have a solution on the given one; one that is in domain
+/// by less, or an angle that a vector as short tells, does not tell the solutions
+/// apart.
 const BEYOND: f64 = 10.0;
 /// A root this small (angle 3e-7) is reported singular.
 const SINGULAR: f64 = 1e-13;
@@ -39,7 +41,8 @@ impl Writer<'_> {
     }
 
     /// a cos θ + b sin θ = d, both roots. `known` is its discriminant where
-    /// there is a better way to compute it.
+    /// there is a better way to compute it, `unit` what the coefficients are
+    /// multiples of.
     pub(super) fn angle_with(
         &mut self,
         unknown: Atom,
@@ -47,6 +50,7 @@ impl Writer<'_> {
         b: Expr,
         d: Expr,
         known: Option<Discriminant>,
+        unit: f64,
     ) -> Trig {
         let [aa, bb] = [self.g.square(a), self.g.square(b)];
         let amplitude = self.g.add(aa, bb);
@@ -65,7 +69,7 @@ impl Writer<'_> {
             discriminant: discriminant.value,
         });
         let sign = self.g.sign();
-        let root = self.root(sign, discriminant, amplitude);
+        let root = self.root(sign, discriminant, amplitude, unit);
         // Out of domain the nearest angle is that of d at its limit.
         let d = if exact { d } else { self.clamped(d, amplitude) };
         let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
@@ -74,7 +78,7 @@ impl Writer<'_> {
             sin: self.g.add(bd, ar),
             cos: self.g.sub(ad, br),
         };
-        let scale = self.g.constant(self.linkage.size.powi(4));
+        let scale = self.g.constant(unit * unit);
         if self.g.value(amplitude).is_none() {
             // Where the angle is free its two roots are one.
             let nothing = self.free_below(scale);
@@ -99,14 +103,20 @@ impl Writer<'_> {
 
     /// ± the square root, with what it says about the branch: out of domain is
     /// invalid, a double root is singular and keeps its first branch only.
-    pub(super) fn root(&mut self, sign: Expr, discriminant: Discriminant, amplitude: Expr) -> Expr {
+    pub(super) fn root(
+        &mut self,
+        sign: Expr,
+        discriminant: Discriminant,
+        amplitude: Expr,
+        unit: f64,
+    ) -> Expr {
         let Discriminant { value, noise } = discriminant;
         if !discriminant.is_sum_of_squares() {
-            let margin = self.scaled(self.unit.recip(), value);
+            let margin = self.scaled(unit.powi(-2), value);
             self.narrow(margin);
         }
         if let Some(deviation) = self.deviation {
-            return self.idealized_root(sign, value, amplitude, deviation);
+            return self.idealized_root(sign, value, amplitude, deviation, unit);
         }
         // Out of domain both branches go to the nearest angle, and the residual
         // tells whether the target is in reach.
@@ -144,11 +154,18 @@ impl Writer<'_> {
         discriminant: Expr,
         amplitude: Expr,
         deviation: Deviation,
+        unit: f64,
     ) -> Expr {
         let [zero, one] = [self.g.zero(), self.g.one()];
         let apart = self.scaled(deviation.least, amplitude);
-        let off = self.g.mul(deviation.shift, amplitude);
-        let least = self.scaled(-BEYOND, off);
+        // Coefficients that are off by δ make a² + b² − d² off by δ √(a² + b²), or
+        // δ² where they are as small as that.
+        let off = self.scaled(BEYOND * unit, deviation.shift);
+        let length = self.g.sqrt(amplitude);
+        let length = self.g.max(length, off);
+        let beyond = self.g.mul(off, length);
+        self.watch(discriminant, beyond);
+        let least = self.g.neg(beyond);
         let invalid = self.g.select_less(discriminant, least, one, zero);
         self.refuse(invalid);
         let kept = self.g.max(discriminant, apart);
@@ -245,12 +262,17 @@ impl Writer<'_> {
     /// the square of the sine that tells the angle.
     pub(super) fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
         let nothing = self.free_below(scale);
-        self.watch(factor, nothing);
         if let Some(deviation) = self.deviation {
+            let blurred = self.scaled(BEYOND, deviation.shift);
+            let blurred = self.g.square(blurred);
+            let blurred = self.g.mul(blurred, scale);
+            self.watch(factor, blurred);
             let share = self.g.max(factor, nothing);
             let share = self.g.div(share, scale);
             let share = self.g.sqrt(share);
             self.amplify(deviation, share);
+        } else {
+            self.watch(factor, nothing);
         }
         nothing
     }

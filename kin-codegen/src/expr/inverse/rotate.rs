@@ -125,12 +125,8 @@ impl Writer<'_> {
         let squares = square
             .filter(Discriminant::is_sum_of_squares)
             .map(|squares| squares.value);
-        self.unit = if point {
-            self.linkage.size.powi(4)
-        } else {
-            1.0
-        };
-        let mut trig = self.angle_with(second, a, b, d, square);
+        let unit = if point { self.linkage.size } else { 1.0 };
+        let mut trig = self.angle_with(second, a, b, d, square, unit);
         if point && square.is_some() {
             // Of a point out of reach the Gram determinant is that of no angle.
             trig = self.unit(trig);

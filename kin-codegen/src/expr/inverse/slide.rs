@@ -46,8 +46,7 @@ impl Writer<'_> {
             value: discriminant,
             noise: NOISE,
         };
-        self.unit = self.linkage.size.powi(2);
-        let root = self.root(sign, discriminant, scale);
+        let root = self.root(sign, discriminant, scale, self.linkage.size);
         self.g.add(foot, root)
     }
 

@@ -58,8 +58,7 @@ impl Writer<'_> {
                     equation = self.steeper(equation, other);
                 }
                 let CosineSine { a, b, d, unit } = equation;
-                self.unit = unit.powi(2);
-                let trig = self.angle_with(unknown, a, b, d, None);
+                let trig = self.angle_with(unknown, a, b, d, None, unit);
                 self.set(unknown, trig);
             }
             (Subproblem::Slides, unknowns) => self.slides(relation, unknowns),

@@ -162,6 +162,32 @@ pub(super) fn null_vector_of_triangle<const L: usize>(m: &Matrices<L>) -> Vector
     x
 }
 
+/// An orthonormal basis of the plane that Q R nearly takes to zero: the two least right
+/// singular vectors, by subspace iteration.
+#[inline(always)]
+pub(super) fn null_plane_of_triangle<const L: usize>(m: &Matrices<L>) -> [Vectors<L>; 2] {
+    // Starts that no arm is square to.
+    let start = |of: usize| core::array::from_fn(|i| [math::sin_cos((1 + i * of) as f64).0; L]);
+    let mut plane = [start(1), start(2)];
+    for _ in 0..3 {
+        let [first, second] = plane.map(|x| improved(m, x));
+        let mut along = [0.0; L];
+        for (x, y) in first.iter().zip(&second) {
+            for lane in 0..L {
+                along[lane] += x[lane] * y[lane];
+            }
+        }
+        let mut across = second;
+        for (x, y) in first.iter().zip(&mut across) {
+            for lane in 0..L {
+                y[lane] -= along[lane] * x[lane];
+            }
+        }
+        plane = [first, unit(&across)];
+    }
+    plane
+}
+
 /// An orthonormal basis, by lane, of what Q R nearly takes to zero, if all lanes are
 /// one matrix: the least right singular vectors, by subspace iteration.
 pub(super) fn null_space_of_triangle<const L: usize>(m: &Matrices<L>) -> Vectors<L> {

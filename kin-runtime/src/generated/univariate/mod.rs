@@ -17,8 +17,10 @@ mod bernstein;
 mod closest;
 mod determinant;
 mod elimination;
+mod found;
 mod harmonics;
 mod line;
+mod pair;
 mod polish;
 mod polynomial;
 mod recover;
@@ -63,20 +65,31 @@ impl Univariate<'_> {
     /// All configurations that put the tip at the target, in the order of the joint
     /// that is kept first; those of singular targets last.
     ///
-    /// One elimination is asked. Where it is not sure of its answer, so are the
-    /// others, and the neighbours of solutions that have nearly met are looked for.
+    /// One elimination is asked. Where it is not sure of its answer, so is another.
     pub fn solutions(&self, target: &Pose) -> Solutions<6> {
-        let mut search = Search::new(self, target);
-        search.run();
-        search.in_order()
+        Search::new(self, target).run()
     }
 
     /// The same; if `seed` is a singular solution, it is among them.
     pub fn solutions_near(&self, target: &Pose, seed: &[f64; 6]) -> Solutions<6> {
         let mut search = Search::new(self, target);
         search.keep(seed);
-        search.run();
-        search.in_order()
+        search.run()
+    }
+
+    /// All configurations that put the tip at the target, of an arm next to an idealized
+    /// one: Newton's method from that one's branches, and one elimination where these do
+    /// not tell all, because one is flagged singular, leads nowhere or where another one
+    /// does, or to a solution whose Jacobian has a least pivot of less than
+    /// `near_singular` times the largest. What it adds is numbered from the last branch
+    /// on.
+    pub fn refined(
+        &self,
+        target: &Pose,
+        branches: impl Iterator<Item = Solution<6>>,
+        near_singular: f64,
+    ) -> Solutions<6> {
+        Search::new(self, target).refine(branches, near_singular)
     }
 
     /// A solution, or where there is none, a configuration of which no small motion

@@ -10,6 +10,11 @@ type Vector = [Lanes; 3];
 /// Relative to the arm's size, a residual below this is rounding.
 const ROUNDING: f64 = 1e-14;
 
+/// From so many steps on, a configuration that does not come nearer by this factor in a
+/// step is not waited for: at a double root Newton's method gains a factor of 4.
+const PATIENCE: usize = 4;
+const GAIN: f64 = 0.6;
+
 /// No joint moves by more than this in one step, radians.
 const STRIDE: f64 = 0.3;
 
@@ -22,8 +27,6 @@ pub(super) struct Polished {
     pub residual: Lanes,
     /// The least pivot of the Jacobian by the largest.
     pub independence: Lanes,
-    /// The motion of the joints that moves the tip least, of length 1.
-    pub weak: [Lanes; 6],
 }
 
 /// Moves the configurations towards the target until they are there, or for so many
@@ -37,23 +40,24 @@ pub(super) fn polished(
 ) -> Polished {
     let mut q = *start;
     let mut step = 0;
+    let mut before = [f64::INFINITY; LANES];
     loop {
         let mut system = linearized(frames, target, &q);
-        let (mut worst, mut open) = (0.0, false);
+        let mut open = false;
         for k in 0..LANES {
             let away = system.residual[k] > ROUNDING;
-            open |= away;
-            worst = math::max(worst, system.residual[k]);
+            let nearer = system.residual[k] < GAIN * before[k];
+            open |= away & (nearer | (step < PATIENCE));
         }
+        before = system.residual;
         let triangle = solve(&mut system);
         if step == steps || !open {
             let residual = system.residual;
-            let (independence, weak) = (independence(&triangle), weak(&triangle));
+            let independence = independence(&triangle);
             return Polished {
                 q,
                 residual,
                 independence,
-                weak,
             };
         }
         for k in 0..LANES {
@@ -69,6 +73,61 @@ pub(super) fn polished(
         step += 1;
     }
 }
+
+/// Near a nearly singular configuration, the two others at which the target may be
+/// reached, to second order.
+///
+/// Where J v is small, what is missing is e = J δ + ½ H(δ, δ) with δ = α v + …, and along
+/// v the roots of v·J⁻¹e = α + ½ α² v·J⁻¹H(v, v) tell α; where there are none, both are
+/// where the tip comes nearest (D. W. Decker and C. T. Kelley, SIAM J. Numer. Anal. 17,
+/// 1980, on Newton's method at singular points). H(v, v) is a second difference.
+#[inline(never)]
+pub(super) fn split(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
+    let along = |v: &[Lanes; 6], by: f64| {
+        let q: [Lanes; 6] =
+            core::array::from_fn(|i| core::array::from_fn(|k| q[i][k] + by * v[i][k]));
+        linearized(frames, target, &q)
+    };
+    let zero = [ZERO; 6];
+    let mut here = along(&zero, 0.0);
+    let missing = here.error;
+    let v = weak(&solve(&mut here));
+    let [ahead, behind] = [BEND, -BEND].map(|by| along(&v, by).error);
+    let mut bend = along(&zero, 0.0);
+    for i in 0..6 {
+        for k in 0..LANES {
+            bend.error[i][k] = (2.0 * missing[i][k] - ahead[i][k] - behind[i][k]) / (BEND * BEND);
+        }
+    }
+    solve(&mut bend);
+    let (step, bent) = (here.error, bend.error);
+    let mut out = [*q; 2];
+    for k in 0..LANES {
+        let (mut e, mut a) = (0.0, 0.0);
+        for i in 0..6 {
+            e += v[i][k] * step[i][k];
+            a += v[i][k] * bent[i][k];
+        }
+        let root = math::sqrt(math::max(1.0 + 2.0 * a * e, 0.0));
+        // α = (−1 ± root) / a, without cancellation.
+        let alphas = [2.0 * e / (1.0 + root), -(1.0 + root) / a];
+        for (out, alpha) in out.iter_mut().zip(alphas) {
+            let alpha = alpha.clamp(-FARTHEST, FARTHEST);
+            for i in 0..6 {
+                let across = |x: f64, along: f64| x - along * v[i][k];
+                out[i][k] += alpha * v[i][k] + across(step[i][k], e)
+                    - 0.5 * alpha * alpha * across(bent[i][k], a);
+            }
+        }
+    }
+    out
+}
+
+/// How far the second derivative is taken, radians.
+const BEND: f64 = 1e-3;
+
+/// So far the second order may tell anything, radians.
+const FARTHEST: f64 = 0.5;
 
 /// What is missing and the geometric Jacobian that makes it, lengths in units of
 /// the arm's size.
@@ -204,7 +263,8 @@ fn independence(triangle: &[[Lanes; 6]; 6]) -> Lanes {
     })
 }
 
-/// The least right singular vector, by inverse iteration on Rᵀ R.
+/// The motion of the joints that moves the tip least, of length 1: the least right
+/// singular vector, by inverse iteration on Rᵀ R.
 fn weak(triangle: &[[Lanes; 6]; 6]) -> [Lanes; 6] {
     // A start that no arm is square to.
     let mut x: [Lanes; 6] = core::array::from_fn(|i| [1.0 + 0.3 * i as f64; LANES]);

@@ -2,12 +2,13 @@
 
 use super::LANES;
 use super::determinant::{
-    Vectors, eliminate, null_space_of_triangle, null_vector_of_factors, null_vector_of_triangle,
-    reflect, times,
+    Matrices, Vectors, eliminate, null_plane_of_triangle, null_space_of_triangle,
+    null_vector_of_factors, null_vector_of_triangle, reflect, times,
 };
 use super::elimination::{Elimination, Equations, Loop, SIZE};
 use super::line::{ENTRIES, Lines};
-use super::sharing::{SHARING, monomial_vectors};
+use super::pair;
+use super::sharing::{self, SHARING};
 use crate::generated::lanes::{angle, sin_cos};
 use crate::math;
 
@@ -40,26 +41,19 @@ impl Recovery<'_> {
         self.of_null_vectors(kept, &null)
     }
 
-    /// The joints of several configurations that share a value of the kept joint: of
-    /// vectors that are nearly taken to zero, those that are monomials.
-    pub fn sharing(&self, kept: f64) -> Starts {
-        let (sine, cosine) = math::sin_cos(0.5 * kept);
-        let mut factors = [[[0.0; SHARING]; SIZE]; SIZE];
-        let (cosine, sine) = ([cosine; SHARING], [sine; SHARING]);
+    /// What several configurations each have in common that share a value of the kept
+    /// joint, or have nearly met there.
+    pub fn several<'r>(&'r self, kept: &'r Lanes) -> Several<'r> {
+        let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
+        let mut triangle = [[[0.0; LANES]; SIZE]; SIZE];
         self.equations
-            .write(self.elimination, &cosine, &sine, &mut factors);
-        reflect(&mut factors);
-        let space = null_space_of_triangle(&factors);
-        let monomials = |i: usize, j: usize| &space[self.column(i, j)];
-        let weights = monomial_vectors(&monomials);
-        let mut null = [[0.0; LANES]; SIZE];
-        for (out, space) in null.iter_mut().zip(&space) {
-            for k in 0..LANES {
-                let weights = &weights[k % SHARING];
-                out[k] = (0..SHARING).map(|i| space[i] * weights[i]).sum();
-            }
+            .write(self.elimination, &cosine, &sine, &mut triangle);
+        reflect(&mut triangle);
+        Several {
+            recovery: self,
+            kept,
+            triangle,
         }
-        self.of_null_vectors(&[kept; LANES], &null)
     }
 
     /// Where a monomial of the half tangents stands.
@@ -168,6 +162,54 @@ impl Recovery<'_> {
             }
         }
         core::array::from_fn(|k| angle(x[1][k], x[0][k]))
+    }
+}
+
+/// Several configurations at each of some values of the kept joint: of what is nearly taken
+/// to zero, the vectors that are monomials.
+pub(super) struct Several<'a> {
+    recovery: &'a Recovery<'a>,
+    kept: &'a Lanes,
+    /// Q R without Q.
+    triangle: Matrices<LANES>,
+}
+
+impl Several<'_> {
+    /// Two at every value.
+    pub fn pairs(&self) -> [Starts; 2] {
+        let plane = null_plane_of_triangle(&self.triangle);
+        let weights = pair::monomial_vectors(&plane, |i, j| self.recovery.column(i, j));
+        weights.map(|[a, b]| {
+            let mut null = [[0.0; LANES]; SIZE];
+            for (out, (x, y)) in null.iter_mut().zip(plane[0].iter().zip(&plane[1])) {
+                for k in 0..LANES {
+                    out[k] = a[k] * x[k] + b[k] * y[k];
+                }
+            }
+            self.recovery.of_null_vectors(self.kept, &null)
+        })
+    }
+
+    /// Up to [`SHARING`] at the value in a lane, as the first lanes.
+    pub fn sharing(&self, lane: usize) -> Starts {
+        let mut triangle = [[[0.0; SHARING]; SIZE]; SIZE];
+        for (row, all) in triangle.iter_mut().zip(&self.triangle) {
+            for (entry, all) in row.iter_mut().zip(all) {
+                *entry = [all[lane]; SHARING];
+            }
+        }
+        let space = null_space_of_triangle(&triangle);
+        let monomials = |i: usize, j: usize| &space[self.recovery.column(i, j)];
+        let weights = sharing::monomial_vectors(&monomials);
+        let mut null = [[0.0; LANES]; SIZE];
+        for (out, space) in null.iter_mut().zip(&space) {
+            for k in 0..LANES {
+                let weights = &weights[k % SHARING];
+                out[k] = (0..SHARING).map(|i| space[i] * weights[i]).sum();
+            }
+        }
+        self.recovery
+            .of_null_vectors(&[self.kept[lane]; LANES], &null)
     }
 }
 

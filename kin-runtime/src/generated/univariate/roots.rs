@@ -7,9 +7,11 @@
 //! intervals on which the signs are those of rounding end at a width at which
 //! two terms of Taylor's series tell all.
 
+use super::LANES;
 use super::bernstein::{ARCS, COEFFICIENTS, REACH, middle, on_arcs};
 use super::harmonics::Harmonics;
 use crate::math;
+use core::f64::consts::TAU;
 
 /// Candidates at most: more than a polynomial of the highest degree has roots.
 pub(super) const MOST: usize = 32;
@@ -22,7 +24,7 @@ const HALVINGS: usize = 192;
 const WAITING: usize = 16;
 
 /// In multiples of the noise, what a coefficient may be without having a sign.
-const UNSIGNED: f64 = 16.0;
+const UNSIGNED: f64 = 256.0;
 
 /// Below this an interval, in radians, is told by Taylor's series.
 const NARROW: f64 = 4e-4;
@@ -59,6 +61,21 @@ pub(super) struct Roots {
 }
 
 impl Roots {
+    /// None of a polynomial, but candidates at equal distances, each of which may be two.
+    pub fn all_round() -> Self {
+        let mut angles = [0.0; MOST];
+        for (i, angle) in angles[..LANES].iter_mut().enumerate() {
+            *angle = TAU / LANES as f64 * i as f64;
+        }
+        Self {
+            angles,
+            count: LANES,
+            double: (1 << LANES) - 1,
+            several: 0,
+            incomplete: true,
+        }
+    }
+
     /// Whether a candidate is two.
     pub fn is_double(&self, i: usize) -> bool {
         self.double >> i & 1 == 1
@@ -123,7 +140,9 @@ fn signs(coefficients: &[f64], noise: f64) -> Signs {
         if unsigned(b) {
             continue;
         }
-        if a * b < 0.0 {
+        // One without a sign between two of different signs changes nothing; more may
+        // hide two roots.
+        if a * b < 0.0 && i <= before + 2 {
             changes += 1;
             share = (before as f64 + a / (a - b) * (i - before) as f64) / last as f64;
         } else if i > before + 1 {
@@ -311,7 +330,6 @@ impl Search<'_> {
 
     /// Newton's method on all brackets at once, halving where it leaves them.
     fn simple(&self, found: &mut Roots) {
-        const LANES: usize = 8;
         for chunk in self.brackets[..self.count].chunks(LANES) {
             let at = |k: usize| chunk[k.min(chunk.len() - 1)];
             let mut x: [f64; LANES] = core::array::from_fn(|k| at(k).guess);

@@ -1,10 +1,11 @@
-//! The solutions of one target.
+//! The search for the solutions of one target.
 
 use super::elimination::{Elimination, Equations, Loop};
-use super::polish::{Polished, polished};
+use super::found::{Found, Waiting};
+use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
-use super::recover::Recovery;
-use super::roots::{CLUSTER, Roots, roots};
+use super::recover::{Recovery, Starts};
+use super::roots::{CLUSTER, MOST, Roots, roots};
 use super::sharing::SHARING;
 use super::{LANES, Told, Univariate};
 use crate::{Pose, Solution, Solutions, math};
@@ -16,46 +17,48 @@ const EXTRANEOUS: f64 = 0.05;
 /// Where they are off by less, a null vector is of one solution, and no mixture.
 const PURE: f64 = 1e-3;
 
-/// Solutions reach the target to this, in units of the arm's size.
-const REACHED: f64 = 1e-13;
-
 /// The rotation of a target may be off an orthonormal one by this.
 const ORTHONORMAL: f64 = 1e-9;
 
+/// So many eliminations are asked at most: where one is not sure of its answer,
+/// the next is.
+const ASKED: usize = 3;
+
+/// Noise of which nothing stands out.
+const DROWNED: f64 = 1e-3;
+
 /// Steps of Newton's method at most; twice as many where it converges slowly.
 const STEPS: usize = 6;
-
-/// Below this a pivot of the Jacobian, relative to the largest, is that of a
-/// singular configuration.
-const SINGULAR: f64 = 1e-5;
-
-/// Singular solutions that are nearer to each other, radians, are one, or members of a
-/// family.
-const FAMILY: f64 = 1e-4;
 
 /// Below this another solution may be so near that roots of the polynomial do not
 /// tell the two apart.
 const MEETING: f64 = 3e-3;
 
-/// How far it is looked for, radians: Newton's method halves the distance at every
-/// step until it is there.
-const DISTANCES: [f64; LANES] = [-1e-5, 1e-5, -1e-4, 1e-4, -1e-3, 1e-3, -1e-2, 1e-2];
+/// In units of the arm's size, how near Newton's method comes to a target that it
+/// converges to slowly, or that is out of reach by little.
+const NEARLY: f64 = 1e-3;
 
-/// The solutions so far.
+/// Rounds of looking for them at most: where several meet, each shows the next.
+const MEETINGS: usize = 4;
+
+/// What is known of one target.
 pub(super) struct Search<'a> {
     arm: &'a Univariate<'a>,
     /// Orthonormal; lengths in units of half the arm's size.
     target: Pose,
-    /// How far the target's rotation is from that.
-    gap: f64,
-    regular: Solutions<6>,
-    /// Of each regular solution, the least pivot of the Jacobian by the largest.
-    independence: [f64; Solutions::<6>::CAPACITY],
-    /// Where the Jacobian loses rank: these may be members of families, and must not
-    /// take the place of others.
-    singular: Solutions<6>,
-    /// Bit i is set where the elimination that was asked last knows regular solution i.
-    own: u32,
+    /// Whether the given one was so nearly.
+    is_rotation: bool,
+    found: Found,
+    /// The branch of the next solution.
+    branch: u32,
+    /// Configurations to start Newton's method from.
+    starts: Waiting,
+    /// Configurations near the target that it led to, and no further.
+    stuck: Waiting,
+    /// Below this independence another solution may be near.
+    meeting: f64,
+    /// Of so many regular solutions the neighbours were looked for.
+    looked_at: usize,
 }
 
 impl<'a> Search<'a> {
@@ -65,38 +68,85 @@ impl<'a> Search<'a> {
             rotation,
             translation: target.translation.map(|x| x * (2.0 / arm.size)),
         };
-        let (regular, singular) = (Solutions::new(), Solutions::new());
         Self {
             arm,
             target,
-            gap,
-            regular,
-            independence: [0.0; Solutions::<6>::CAPACITY],
-            singular,
-            own: 0,
+            is_rotation: gap <= ORTHONORMAL,
+            found: Found::new(arm.size, gap),
+            branch: 0,
+            starts: Waiting::default(),
+            stuck: Waiting::default(),
+            meeting: MEETING,
+            looked_at: 0,
         }
     }
 
     /// Asks the eliminations in turn until one is sure of its answer.
-    pub fn run(&mut self) {
-        if self.gap > ORTHONORMAL || self.gap.is_nan() {
-            return;
+    pub fn run(mut self) -> Solutions<6> {
+        if self.is_rotation {
+            let mut eliminations = self.arm.eliminations.iter().take(ASKED);
+            while eliminations
+                .next()
+                .is_some_and(|next| !self.ask(next).certain)
+            {}
         }
-        for elimination in self.arm.eliminations {
-            if self.ask(elimination).certain {
-                return;
+        let first = self.arm.eliminations.first();
+        let joint = first.map_or(0, |first| usize::from(first.joints[0] % 6));
+        self.found.by_joint(joint)
+    }
+
+    /// Moves the branches of an idealized arm to solutions of this one. Where one is lost,
+    /// or too near to another one to tell them apart, an elimination is asked for the
+    /// others.
+    pub fn refine(
+        mut self,
+        branches: impl Iterator<Item = Solution<6>>,
+        near_singular: f64,
+    ) -> Solutions<6> {
+        if !self.is_rotation {
+            return Solutions::new();
+        }
+        self.meeting = math::max(MEETING, near_singular);
+        let mut clear = true;
+        let mut numbers = [0; LANES];
+        for branch in branches {
+            clear &= !branch.singular;
+            numbers[self.starts.count] = branch.branch;
+            self.starts.push(branch.q);
+            if self.starts.is_full() {
+                clear &= self.refined(&numbers);
+            }
+            self.branch = self.branch.max(branch.branch + 1);
+        }
+        if self.starts.count > 0 {
+            clear &= self.refined(&numbers);
+        }
+        let mut independence = self.found.independence[..self.found.regular.len()].iter();
+        clear &= !independence.any(|&x| x < near_singular);
+        if let (false, Some(elimination)) = (clear, self.arm.eliminations.first()) {
+            self.ask(elimination);
+        }
+        self.found.by_branch()
+    }
+
+    /// Starts Newton's method from branches of the ideal arm; whether all lead to regular
+    /// solutions, each to one of its own.
+    fn refined(&mut self, numbers: &[u32; LANES]) -> bool {
+        let (starts, count) = self.starts.take();
+        let arrived = self.polished(&starts, STEPS);
+        let before = self.found.regular.len();
+        for (k, &number) in numbers[..count].iter().enumerate() {
+            if !self.found.insert(&arrived, k, number) {
+                self.stick(&arrived, k);
             }
         }
-        let known = self.regular;
-        known.iter().for_each(|solution| self.around(&solution.q));
+        self.found.regular.len() == before + count
     }
 
     /// Takes a configuration in if it is singular, and nearly a solution.
     pub fn keep(&mut self, seed: &[f64; 6]) {
-        let found = self.polished(&seed.map(|q| [q; LANES]), STEPS);
-        if found.independence[0] < SINGULAR {
-            self.insert(&found, 0);
-        }
+        let arrived = self.polished(&seed.map(|q| [q; LANES]), STEPS);
+        self.found.insert_singular(&arrived, 0);
     }
 
     /// Adds what one elimination finds.
@@ -113,7 +163,11 @@ impl<'a> Search<'a> {
         if !f.noise.is_finite() {
             return told;
         }
-        let roots = roots(&f);
+        // Of a family of solutions the polynomial is nothing, and its members are all round.
+        let roots = match f.noise < DROWNED {
+            true => roots(&f),
+            false => Roots::all_round(),
+        };
         let recovery = Recovery {
             elimination,
             round: &round,
@@ -121,30 +175,143 @@ impl<'a> Search<'a> {
             equations: &equations,
         };
         told.roots = roots.count;
-        told.certain = !roots.incomplete && f.noise < NOISY;
-        self.own = 0;
+        self.found.again = 0;
+        let unclear = self.one_each(&recovery, &roots);
+        self.several_each(&recovery, &roots, &unclear);
+        self.meet();
+        let mut unclear = unclear.all();
+        told.certain = !roots.incomplete
+            && f.noise < NOISY
+            && unclear.all(|candidate| self.resolves(elimination, &roots, candidate))
+            && self.found.all_again();
+        told
+    }
+
+    /// Adds the solution at every root, if it has one; those that may have more.
+    fn one_each(&mut self, recovery: &Recovery, roots: &Roots) -> Candidates {
+        let mut unclear = Candidates::default();
         for (i, chunk) in roots.angles[..roots.count].chunks(LANES).enumerate() {
-            let kept = core::array::from_fn(|k| chunk[k.min(chunk.len() - 1)]);
-            let starts = recovery.joints(&kept);
-            let found = self.polished(&starts.q, STEPS);
+            let at = |k: usize| chunk[k.min(chunk.len() - 1)];
+            let starts = recovery.joints(&core::array::from_fn(at));
+            let mut new = Waiting::default();
+            let mut candidates = [0; LANES];
             for k in 0..chunk.len() {
-                let before = self.own;
-                let reached = self.insert(&found, k);
-                let off = starts.inconsistency[k];
                 let candidate = LANES * i + k;
+                let before = self.found.again;
+                let off = starts.inconsistency[k];
                 let one = !roots.is_double(candidate) && !roots.is_several(candidate);
-                if !reached && off > EXTRANEOUS && one {
-                    continue;
+                let known = self.knows(&starts.q, k);
+                if known && (self.found.again == before || off > PURE) || !one {
+                    unclear.push(candidate);
+                } else if !known && off < EXTRANEOUS {
+                    candidates[new.count] = candidate;
+                    new.push(starts.q.map(|q| q[k]));
                 }
-                if self.own == before || off > PURE || !one {
-                    self.share(&recovery, chunk[k]);
-                    self.around(&starts.q.map(|q| q[k]));
-                    told.certain &= self.resolves(elimination, &roots, candidate);
+            }
+            if new.count == 0 {
+                continue;
+            }
+            let (from, count) = new.take();
+            let arrived = self.polished(&from, STEPS);
+            for (k, &candidate) in candidates[..count].iter().enumerate() {
+                let before = self.found.again;
+                self.insert(&arrived, k);
+                if self.found.again == before {
+                    unclear.push(candidate);
                 }
             }
         }
-        told.certain &= self.own == (1 << self.regular.len()) - 1;
-        told
+        unclear
+    }
+
+    /// Adds the solutions that share a value of the kept joint.
+    fn several_each(&mut self, recovery: &Recovery, roots: &Roots, unclear: &Candidates) {
+        for chunk in unclear.chunks() {
+            let at = |k: usize| roots.angles[usize::from(chunk[k.min(chunk.len() - 1)])];
+            let kept = core::array::from_fn(at);
+            let several = recovery.several(&kept);
+            for starts in several.pairs() {
+                (0..chunk.len()).for_each(|k| self.start_of(&starts, k));
+            }
+            for (k, &candidate) in chunk.iter().enumerate() {
+                if roots.is_several(candidate.into()) {
+                    let starts = several.sharing(k);
+                    (0..SHARING).for_each(|k| self.start_of(&starts, k));
+                }
+            }
+        }
+        self.arrive();
+    }
+
+    /// Adds the solutions that nearly singular ones have nearly met, and those between
+    /// which Newton's method got stuck.
+    fn meet(&mut self) {
+        let mut points = core::mem::take(&mut self.stuck);
+        for _ in 0..MEETINGS {
+            while !points.is_full() && self.looked_at < self.found.regular.len() {
+                if self.found.independence[self.looked_at] < self.meeting {
+                    points.push(self.found.regular[self.looked_at].q);
+                }
+                self.looked_at += 1;
+            }
+            let (from, count) = points.take();
+            if count == 0 {
+                break;
+            }
+            for starts in split(&self.arm.frames, &self.target, &from) {
+                (0..count).for_each(|k| self.start(&starts, k));
+            }
+            self.arrive();
+        }
+        self.stuck = Waiting::default();
+    }
+
+    /// Starts Newton's method from the configuration in a lane, as soon as there are
+    /// enough of them.
+    fn start(&mut self, q: &[[f64; LANES]; 6], lane: usize) {
+        self.starts.push(q.map(|q| q[lane]));
+        if self.starts.is_full() {
+            self.arrive();
+        }
+    }
+
+    fn knows(&mut self, q: &[[f64; LANES]; 6], lane: usize) -> bool {
+        self.found.knows(&q.map(|q| q[lane]), self.meeting)
+    }
+
+    /// The same, if it may be near a solution that is not known.
+    fn start_of(&mut self, starts: &Starts, lane: usize) {
+        if starts.inconsistency[lane] < EXTRANEOUS && !self.knows(&starts.q, lane) {
+            self.start(&starts.q, lane);
+        }
+    }
+
+    /// Starts it from those that wait.
+    fn arrive(&mut self) {
+        if self.starts.count == 0 {
+            return;
+        }
+        let (starts, count) = self.starts.take();
+        let arrived = self.polished(&starts, 2 * STEPS);
+        for k in 0..count {
+            if !self.insert(&arrived, k) {
+                self.stick(&arrived, k);
+            }
+        }
+    }
+
+    /// Keeps where Newton's method has come near.
+    fn stick(&mut self, arrived: &Polished, lane: usize) {
+        if arrived.residual[lane] < NEARLY {
+            self.stuck.push_distinct(arrived.q.map(|q| q[lane]));
+        }
+    }
+
+    fn insert(&mut self, arrived: &Polished, lane: usize) -> bool {
+        let before = self.found.len();
+        let reached = self.found.insert(arrived, lane, self.branch);
+        self.branch += u32::from(self.found.len() > before);
+        reached
     }
 
     /// Whether the solutions near a candidate are known to be all: two that share a value
@@ -154,7 +321,7 @@ impl<'a> Search<'a> {
         let sign = if elimination.backwards { -1.0 } else { 1.0 };
         let joint = usize::from(elimination.joints[0] % 6);
         let near = |q: f64| math::wrap(q - kept).abs() < CLUSTER;
-        let solutions = self.regular.iter().zip(&self.independence);
+        let solutions = self.found.regular.iter().zip(&self.found.independence);
         let (mut count, mut least) = (0, f64::INFINITY);
         for (_, independence) in solutions.filter(|(found, _)| near(sign * found.q[joint])) {
             count += 1;
@@ -182,94 +349,28 @@ impl<'a> Search<'a> {
     fn polished(&self, start: &[[f64; LANES]; 6], steps: usize) -> Polished {
         polished(&self.arm.frames, &self.target, start, steps)
     }
-
-    /// Adds the solution in a lane, if it is one.
-    fn insert(&mut self, found: &Polished, lane: usize) -> bool {
-        let residual = found.residual[lane];
-        if residual > REACHED || residual.is_nan() {
-            return false;
-        }
-        let q = found.q.map(|q| math::wrap(q[lane]));
-        let singular = found.independence[lane] < SINGULAR;
-        let residual = self.arm.size * math::sqrt(residual * residual + self.gap * self.gap);
-        let solution = Solution {
-            q,
-            residual,
-            branch: 0,
-            singular,
-        };
-        if !singular {
-            let place = self.regular.insert_distinct(solution);
-            if let Some(place) = place {
-                self.own |= 1 << place;
-                self.independence[place] = found.independence[lane];
-            }
-        } else if self
-            .singular
-            .iter()
-            .all(|known| apart(&known.q, &q) > FAMILY)
-        {
-            self.singular.push_if(true, solution);
-        }
-        true
-    }
-
-    /// Adds the solutions that share a value of the kept joint.
-    fn share(&mut self, recovery: &Recovery, kept: f64) {
-        let found = self.polished(&recovery.sharing(kept).q, STEPS);
-        for lane in 0..SHARING {
-            self.insert(&found, lane);
-        }
-    }
-
-    /// Adds solutions near a nearly singular configuration: they are along the motion
-    /// that moves the tip least, at some distance.
-    fn around(&mut self, q: &[f64; 6]) {
-        let here = self.polished(&q.map(|q| [q; LANES]), 0);
-        if here.independence[0] > MEETING {
-            return;
-        }
-        let along = |j: usize, k: usize| here.q[j][k] + DISTANCES[k] * here.weak[j][k];
-        let start = core::array::from_fn(|j| core::array::from_fn(|k| along(j, k)));
-        let found = self.polished(&start, 2 * STEPS);
-        for lane in 0..LANES {
-            self.insert(&found, lane);
-        }
-    }
-
-    /// The regular solutions, then the singular ones as far as there is room, each in
-    /// the order of the joint that is kept first.
-    pub fn in_order(&self) -> Solutions<6> {
-        let first = self.arm.eliminations.first();
-        let joint = first.map_or(0, |first| usize::from(first.joints[0] % 6));
-        Solutions::build(|out| {
-            for solutions in [&self.regular, &self.singular] {
-                let mut taken = 0_u32;
-                for _ in 0..solutions.len() {
-                    let left = (0..solutions.len()).filter(|i| taken >> i & 1 == 0);
-                    let value = |i: &usize| solutions[*i].q[joint];
-                    let Some(next) = left.min_by(|a, b| value(a).total_cmp(&value(b))) else {
-                        break;
-                    };
-                    taken |= 1 << next;
-                    let branch = out.len() as u32;
-                    out.push_if(
-                        true,
-                        Solution {
-                            branch,
-                            ..solutions[next]
-                        },
-                    );
-                }
-            }
-        })
-    }
 }
 
-/// The largest difference of two angles.
-fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
-    let turns = a.iter().zip(b).map(|(a, b)| math::wrap(a - b).abs());
-    turns.fold(0.0, math::max)
+/// Roots by number.
+#[derive(Default)]
+struct Candidates {
+    numbers: [u8; MOST],
+    count: usize,
+}
+
+impl Candidates {
+    fn push(&mut self, number: usize) {
+        self.numbers[self.count % MOST] = number as u8;
+        self.count += 1;
+    }
+
+    fn chunks(&self) -> impl Iterator<Item = &[u8]> {
+        self.numbers[..self.count].chunks(LANES)
+    }
+
+    fn all(&self) -> impl Iterator<Item = usize> {
+        self.numbers[..self.count].iter().map(|&i| i.into())
+    }
 }
 
 /// The rotation next to a matrix that is one but for rounding, and how far off it is:

@@ -1,0 +1,132 @@
+//! Arms that are off their design by noise of all sizes: nothing is lost next to where
+//! the design is singular, and solving them takes a bounded number of steps.
+
+use kin_codegen::certificate::recovered;
+use kin_codegen::closed_form::{ClosedForm, Refinement, TOLERANCE};
+use kin_codegen::geometry::{Linkage, conditioning, size};
+use kin_codegen::model::Model;
+use kin_codegen::plan::Target;
+use kin_codegen::random::Random;
+use kin_codegen::solver::{Certified, solve};
+use kin_codegen::spec::{ArmSpec, Source};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
+
+/// Below this conditioning solutions may be lost.
+const DROWNED: f64 = 1e-4;
+
+fn design(path: &str) -> Model {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let text = std::fs::read_to_string(root.join(path)).unwrap();
+    let source = Source {
+        path: path.into(),
+        text,
+    };
+    Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap()
+}
+
+/// The design with every axis turned by up to `noise` radians and shifted by up to as
+/// much of the arm's size.
+fn measured(design: &Model, noise: f64, random: &mut Random) -> Model {
+    let mut model = design.clone();
+    let length = size(design);
+    for joint in &mut model.joints {
+        let mut side = || [0; 3].map(|_| noise * random.between(-1.0, 1.0));
+        let (turn, shift) = (side(), side());
+        let axis = joint.axis;
+        let turned = [0, 1, 2].map(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            axis[i] + turn[j] * axis[k] - turn[k] * axis[j]
+        });
+        let norm = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
+        joint.axis = turned.map(|x| x / norm);
+        for (x, shift) in joint.point.iter_mut().zip(shift) {
+            *x += length * shift;
+        }
+    }
+    model
+}
+
+/// Anywhere, or with a joint or two as near to a round value as 1e-6.
+fn configuration(k: usize, random: &mut Random) -> Vec<f64> {
+    let mut q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
+    for _ in 0..k % 3 {
+        let round = random.below(4) as f64 * FRAC_PI_2;
+        q[random.below(6)] = round + 10_f64.powf(random.between(-6.0, -1.0));
+    }
+    q
+}
+
+fn nothing_is_lost(path: &str) {
+    let design = design(path);
+    let mut random = Random(0x5eed);
+    for noise in [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let model = measured(&design, noise, &mut random);
+        let (chain, length) = (model.chain(), size(&model));
+        let Certified { form, certificate } =
+            solve(&model, &Linkage::new(&model), Target::Pose).unwrap();
+        assert!(
+            !matches!(form.refinement, Refinement::Branches(_)),
+            "{noise:e}: no curve is followed"
+        );
+        assert!(certificate.excused_share < 0.02, "{noise:e}");
+        for k in 0..600 {
+            let q = configuration(k, &mut random);
+            let target = chain.fk(&q);
+            let solutions = form.solutions(&target);
+            for solution in &solutions {
+                let miss = Target::Pose.distance(&chain.fk(&solution.q), &target, length);
+                assert!(miss < TOLERANCE * length, "{noise:e} {q:?}: {solution:?}");
+            }
+            let conditioning = conditioning(&chain, &q, length, Target::Pose);
+            let back = recovered(&model, &q, &solutions, conditioning);
+            assert!(
+                conditioning < DROWNED || back.is_ok(),
+                "{noise:e}, conditioning {conditioning:e}: {back:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_is_lost_of_three_parallel_axes() {
+    nothing_is_lost("robots/ur5e.urdf");
+}
+
+#[test]
+fn nothing_is_lost_of_an_offset_elbow_and_a_wrist() {
+    nothing_is_lost("robots/kr6_r900.yaml");
+}
+
+#[test]
+fn nothing_is_lost_of_an_offset_shoulder_and_a_wrist() {
+    nothing_is_lost("robots/puma560.yaml");
+}
+
+/// Solutions next to a singularity of the design are there in twos and fours: the
+/// branches alone do not tell them.
+#[test]
+fn branches_alone_lose_some() {
+    let mut random = Random(0x5eed);
+    let model = measured(&design("robots/kr6_r900.yaml"), 1e-3, &mut random);
+    let linkage = Linkage::new(&model);
+    let mut form = solve(&model, &linkage, Target::Pose).unwrap().form;
+    let chain = model.chain();
+    let lost = |form: &ClosedForm| {
+        let mut random = Random(7);
+        let mut lost = 0;
+        for k in 0..600 {
+            let q = configuration(k, &mut random);
+            let conditioning = conditioning(&chain, &q, linkage.size, Target::Pose);
+            let solutions = form.solutions(&chain.fk(&q));
+            lost += usize::from(recovered(&model, &q, &solutions, conditioning).is_err());
+        }
+        lost
+    };
+    assert_eq!(lost(&form), 0);
+    let Refinement::Univariate(arm) = &mut form.refinement else {
+        panic!("the arm is refined beside an elimination");
+    };
+    arm.kept.clear();
+    assert!(lost(&form) > 0);
+}

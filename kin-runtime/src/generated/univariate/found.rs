@@ -1,0 +1,193 @@
+//! The solutions of a target, as they are found.
+
+use super::LANES;
+use super::polish::Polished;
+use crate::{Solution, Solutions, math};
+
+/// Solutions reach the target to this, in units of the arm's size.
+const REACHED: f64 = 1e-13;
+
+/// Below this a pivot of the Jacobian, relative to the largest, is that of a
+/// singular configuration.
+const SINGULAR: f64 = 1e-5;
+
+/// Singular solutions that are nearer to each other, radians, are one, or members of a
+/// family.
+const FAMILY: f64 = 1e-4;
+
+/// From so near, radians, Newton's method leads to a regular solution.
+const BESIDE: f64 = 1e-4;
+
+/// The solutions so far.
+pub(super) struct Found {
+    /// The arm's size, metres.
+    size: f64,
+    /// How far the target's rotation is from the one that is reached, radians.
+    gap: f64,
+    pub regular: Solutions<6>,
+    /// Of each regular solution, the least pivot of the Jacobian by the largest.
+    pub independence: [f64; Solutions::<6>::CAPACITY],
+    /// Where the Jacobian loses rank: these may be members of families, and must not
+    /// take the place of others.
+    singular: Solutions<6>,
+    /// Bit i is set where regular solution i was found again since this was cleared.
+    pub again: u32,
+}
+
+impl Found {
+    pub fn new(size: f64, gap: f64) -> Self {
+        Self {
+            size,
+            gap,
+            regular: Solutions::new(),
+            independence: [0.0; Solutions::<6>::CAPACITY],
+            singular: Solutions::new(),
+            again: 0,
+        }
+    }
+
+    /// Adds the configuration in a lane, if it is a solution; whether it is one.
+    pub fn insert(&mut self, arrived: &Polished, lane: usize, branch: u32) -> bool {
+        let residual = arrived.residual[lane];
+        if residual > REACHED || residual.is_nan() {
+            return false;
+        }
+        let independence = arrived.independence[lane];
+        let solution = Solution {
+            q: arrived.q.map(|q| math::wrap(q[lane])),
+            residual: self.size * math::sqrt(residual * residual + self.gap * self.gap),
+            branch,
+            singular: independence < SINGULAR,
+        };
+        if !solution.singular {
+            if let Some(place) = self.regular.insert_distinct(solution) {
+                self.again |= 1 << place;
+                self.independence[place] = independence;
+            }
+        } else if !near(self.singular.iter().map(|known| &known.q), &solution.q) {
+            self.singular.push_if(true, solution);
+        }
+        true
+    }
+
+    /// Whether the solution next to a configuration is known: a regular one, with no other
+    /// beside it, where the least pivot is above `meeting` times the largest.
+    pub fn knows(&mut self, q: &[f64; 6], meeting: f64) -> bool {
+        let beside = |known: &Solution<6>| {
+            let mut turns = known.q.iter().zip(q);
+            turns.all(|(a, b)| math::wrap(a - b).abs() < BESIDE)
+        };
+        let mut known = self.regular.iter().zip(&self.independence);
+        let place = known.position(|(known, &x)| x > meeting && beside(known));
+        if let Some(place) = place {
+            self.again |= 1 << place;
+        }
+        place.is_some()
+    }
+
+    /// Adds the configuration in a lane if it is a singular solution.
+    pub fn insert_singular(&mut self, arrived: &Polished, lane: usize) {
+        if arrived.independence[lane] < SINGULAR {
+            self.insert(arrived, lane, 0);
+        }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.regular.len() + self.singular.len()
+    }
+
+    /// Whether all regular solutions were found again.
+    pub fn all_again(&self) -> bool {
+        self.again == (1 << self.regular.len()) - 1
+    }
+
+    /// The solutions in the order of their branches, as far as there is room for singular
+    /// ones.
+    pub fn by_branch(&self) -> Solutions<6> {
+        let mut all = Solutions::new();
+        for solution in self.regular.iter().chain(self.singular.iter()) {
+            all.push_if(true, *solution);
+        }
+        in_order(&all, |solution| f64::from(solution.branch))
+    }
+
+    /// The regular solutions, then the singular ones as far as there is room, each in
+    /// the order of a joint; their branch is their place.
+    pub fn by_joint(&self, joint: usize) -> Solutions<6> {
+        let ordered = [&self.regular, &self.singular].map(|some| in_order(some, |s| s.q[joint]));
+        Solutions::build(|out| {
+            for solution in ordered.iter().flat_map(Solutions::iter) {
+                let branch = out.len() as u32;
+                out.push_if(
+                    true,
+                    Solution {
+                        branch,
+                        ..*solution
+                    },
+                );
+            }
+        })
+    }
+}
+
+fn in_order(solutions: &Solutions<6>, by: impl Fn(&Solution<6>) -> f64) -> Solutions<6> {
+    let mut taken = 0_u32;
+    Solutions::build(|out| {
+        for _ in 0..solutions.len() {
+            let left = (0..solutions.len()).filter(|i| taken >> i & 1 == 0);
+            let Some(next) = left.min_by(|a, b| by(&solutions[*a]).total_cmp(&by(&solutions[*b])))
+            else {
+                break;
+            };
+            taken |= 1 << next;
+            out.push_if(true, solutions[next]);
+        }
+    })
+}
+
+/// Configurations, as many as are worked on at once.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Waiting {
+    q: [[f64; 6]; LANES],
+    pub count: usize,
+}
+
+impl Waiting {
+    /// Takes one in if there is room.
+    pub fn push(&mut self, q: [f64; 6]) {
+        if let Some(place) = self.q.get_mut(self.count) {
+            *place = q;
+            self.count += 1;
+        }
+    }
+
+    /// The same, unless one is near it already.
+    pub fn push_distinct(&mut self, q: [f64; 6]) {
+        if !near(self.q[..self.count].iter(), &q) {
+            self.push(q);
+        }
+    }
+
+    pub fn is_full(&self) -> bool {
+        self.count == LANES
+    }
+
+    /// Empties it: by joint, the last one again in the lanes that are left, and how many
+    /// they were.
+    pub fn take(&mut self) -> ([[f64; LANES]; 6], usize) {
+        let count = core::mem::take(&mut self.count);
+        let at = |k: usize| &self.q[k.min(count.saturating_sub(1))];
+        (
+            core::array::from_fn(|j| core::array::from_fn(|k| at(k)[j])),
+            count,
+        )
+    }
+}
+
+fn near<'a>(mut known: impl Iterator<Item = &'a [f64; 6]>, q: &[f64; 6]) -> bool {
+    known.any(|other| {
+        let mut turns = other.iter().zip(q);
+        turns.all(|(a, b)| math::wrap(a - b).abs() <= FAMILY)
+    })
+}
