@@ -38,6 +38,10 @@ impl Refusal {
                  of the chain by another base or tip. `ik = none` generates forward kinematics \
                  and Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Redundant(_)) => {
+                "there are too many sets of joints to choose from: name those that stay free, one \
+                 for each coordinate too many, with `free`"
+            }
             Reason::Arm(NoClosedForm::Free { .. }) => {
                 "let a joint at an end of the chain stay free, or leave out `free`; `ik = none` \
                  generates forward kinematics and Jacobians alone"

@@ -165,3 +165,21 @@ fn an_inner_joint_without_a_closed_form_is_refused() {
         "`ik = none`",
     );
 }
+
+#[test]
+fn of_too_many_joints_some_have_to_be_named() {
+    let mut text = "robot: snake\nunits: {angle: deg, length: m}\ndh:\n".to_owned();
+    for i in 0..10 {
+        let alpha = if i % 2 == 0 { 90 } else { -90 };
+        text += &format!("  - {{name: j{i}, theta: 0, d: 0, a: 0.1, alpha: {alpha}}}\n");
+    }
+    let source = Source {
+        path: "snake.yaml".into(),
+        text,
+    };
+    let said = compile(&source, &Options::default())
+        .unwrap_err()
+        .to_string();
+    let remedy = "name those that stay free, one for each coordinate too many, with `free`";
+    assert!(said.contains(remedy), "{said}");
+}
