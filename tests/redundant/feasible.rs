@@ -151,3 +151,49 @@ fn limits_are_kept<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K,
     }
     assert!(held_at_all > 0);
 }
+
+/// A joint that looks over its limit between two samples and comes back.
+#[test]
+fn a_limit_that_is_hardly_passed_cuts_an_interval() {
+    let robot = Subject::new(crate::Panda, "../robots/panda.yaml", Target::Pose);
+    let mut cuts = 0;
+    for q in robot.random(12) {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        let Some(interval) = intervals.iter().find(|it| it.to - it.from > 1.0) else {
+            continue;
+        };
+        // The branch along the interval, by continuity from its middle.
+        let count = 4000;
+        let value = |i: usize| {
+            let middle = 0.5 * (interval.from + interval.to);
+            middle + 0.45 * (interval.to - interval.from) * i as f64 / count as f64
+        };
+        let mut here = interval.middle;
+        let mut branch = Vec::new();
+        for i in 0..count {
+            let all = robot.arm.ik_at(&target, value(i));
+            let near = |a: &[f64; 7]| robot.apart(a, &here);
+            let next = all.iter().min_by(|a, b| near(&a.q).total_cmp(&near(&b.q)));
+            here = next.unwrap().q;
+            branch.push(here);
+        }
+        for joint in 0..6 {
+            let at = |i: usize| branch[i][joint];
+            let peaks = (1..count - 1).filter(|&i| at(i) > at(i - 1) && at(i) > at(i + 1));
+            // No wrap from π to −π.
+            let peaks = peaks.filter(|&i| at(i) - at(i - 1) < 0.1 && at(i) - at(i + 1) < 0.1);
+            for peak in peaks {
+                let upper = at(peak) - 1e-6;
+                let mut limits = [kinematics::JointLimit::Continuous; 7];
+                limits[joint] = kinematics::JointLimit::revolute(upper - 6.2, upper);
+                let within = robot.arm.feasible_within(&target, &limits);
+                let solutions = robot.arm.ik_at(&target, value(peak)).within_limits(&limits);
+                let held = holding::<crate::Panda, 7>(&within, value(peak));
+                assert_eq!(held, solutions.len(), "q{} at {}", joint + 1, value(peak));
+                cuts += 1;
+            }
+        }
+    }
+    assert!(cuts > 5, "{cuts}");
+}
