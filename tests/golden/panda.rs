@@ -35,7 +35,7 @@ mod __Panda {
     /// let parameter = Panda.redundancy(&q);
     /// let solutions = Panda.ik_at(&pose, parameter);
     /// assert_eq!(solutions.len(), 4);
-    /// let nearest = Panda.ik_nearest(&pose, &q).unwrap();
+    /// let nearest = solutions.nearest(&q, &Panda::LIMITS).unwrap();
     /// assert!((0..7).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));
     /// ```
     ///
@@ -1052,7 +1052,7 @@ mod __Panda {
         singularities : none
     }
 
-    impl ::kinematics::RedundantKinematics<7> for Panda {
+    impl RedundantKinematics<7> for Panda {
         const PARAMETER: Parameter = Self::PARAMETERS[0];
         const BRANCHES_AT: usize = Self::BRANCHES_AT;
         #[inline]
@@ -1061,6 +1061,7 @@ mod __Panda {
         }
 
         const EXACT_MARGINS: bool = true;
+        #[allow(unused_variables)]
         fn margins_at(
             &self,
             pose: &Pose,

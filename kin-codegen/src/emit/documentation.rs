@@ -394,7 +394,12 @@ fn example(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
         Some(count) => lines.extend([
             asks,
             format!("assert_eq!(solutions.len(), {count});"),
-            format!("let nearest = {name}.ik_nearest(&pose, &q).unwrap();"),
+            match compiled.redundancy {
+                None => format!("let nearest = {name}.ik_nearest(&pose, &q).unwrap();"),
+                Some(_) => {
+                    format!("let nearest = solutions.nearest(&q, &{name}::LIMITS).unwrap();")
+                }
+            },
             format!(
                 "assert!((0..{}).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));",
                 q.len()

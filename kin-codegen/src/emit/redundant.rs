@@ -239,7 +239,7 @@ pub fn kinematics(
     names: &Names,
     n: &Literal,
 ) -> Option<TokenStream> {
-    let (name, runtime) = (&names.robot, &names.runtime);
+    let name = &names.robot;
     let margins = margins(solver, redundancy);
     let exact = margins.as_ref().filter(|_| solver.is_exact());
     let exact = exact.map(|_| {
@@ -249,7 +249,7 @@ pub fn kinematics(
     });
     (redundancy.parameters() == 1).then(|| {
         quote! {
-            impl #runtime::RedundantKinematics<#n> for #name {
+            impl RedundantKinematics<#n> for #name {
                 const PARAMETER: Parameter = Self::PARAMETERS[0];
                 const BRANCHES_AT: usize = Self::BRANCHES_AT;
 
@@ -277,6 +277,8 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
     let margin = &lanes.residual;
     let width = usize_literal(solver.plan.branches());
     Some(quote! {
+        // Of lanes that differ in nothing that a margin depends on.
+        #[allow(unused_variables)]
         fn margins_at(
             &self, pose: &Pose, parameter: f64
         ) -> ::core::option::Option<[f64; 16]> {
