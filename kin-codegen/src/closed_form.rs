@@ -125,7 +125,7 @@ impl ClosedForm {
         let mut branches = self.branches(target, parameters);
         if let Refinement::Univariate(arm) = &self.refinement {
             let starts = branches.iter().map(BranchSolution::start);
-            let found = arm.refined(target, starts, self.untold());
+            let found = arm.refined(target, starts, self.plan.branches(), self.untold());
             return found.iter().map(BranchSolution::of).collect();
         }
         if self.plan.target.is_projected() {

@@ -9,6 +9,7 @@ use kin_codegen::plan::Target;
 use kin_codegen::random::Random;
 use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
+use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
@@ -74,6 +75,8 @@ fn nothing_is_lost(path: &str) {
             let q = configuration(k, &mut random);
             let target = chain.fk(&q);
             let solutions = form.solutions(&target);
+            let numbers: BTreeSet<u32> = solutions.iter().map(|s| s.branch).collect();
+            assert_eq!(numbers.len(), solutions.len(), "{noise:e} {q:?}");
             for solution in &solutions {
                 let miss = Target::Pose.distance(&chain.fk(&solution.q), &target, length);
                 assert!(miss < TOLERANCE * length, "{noise:e} {q:?}: {solution:?}");

@@ -66,9 +66,10 @@ impl Arm {
         &self,
         target: &Pose,
         branches: impl Iterator<Item = Solution<6>>,
+        count: usize,
         near_singular: f64,
     ) -> Solutions<6> {
-        self.with(|arm| arm.refined(target, branches, near_singular))
+        self.with(|arm| arm.refined(target, branches, count, near_singular))
     }
 
     /// What generated code computes for a target.

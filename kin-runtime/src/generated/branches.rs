@@ -239,6 +239,6 @@ impl<const L: usize> Branches<6, L> {
         target: &Pose,
         accept: &Acceptance,
     ) -> Solutions<6> {
-        arm.refined(target, self.existing(), accept.near_singular)
+        arm.refined(target, self.existing(), L, accept.near_singular)
     }
 }

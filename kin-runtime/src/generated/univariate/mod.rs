@@ -81,15 +81,16 @@ impl Univariate<'_> {
     /// one: Newton's method from that one's branches, and one elimination where these do
     /// not tell all, because one is flagged singular, leads nowhere or where another one
     /// does, or to a solution whose Jacobian has a least pivot of less than
-    /// `near_singular` times the largest. What it adds is numbered from the last branch
-    /// on.
+    /// `near_singular` times the largest. What it adds is numbered from `count` on, of
+    /// which all branches are below.
     pub fn refined(
         &self,
         target: &Pose,
         branches: impl Iterator<Item = Solution<6>>,
+        count: usize,
         near_singular: f64,
     ) -> Solutions<6> {
-        Search::new(self, target).refine(branches, near_singular)
+        Search::new(self, target).refine(branches, count, near_singular)
     }
 
     /// A solution, or where there is none, a configuration of which no small motion

@@ -97,16 +97,18 @@ impl<'a> Search<'a> {
 
     /// Moves the branches of an idealized arm to solutions of this one. Where one is lost,
     /// or too near to another one to tell them apart, an elimination is asked for the
-    /// others.
+    /// others, which are numbered from `count` on.
     pub fn refine(
         mut self,
         branches: impl Iterator<Item = Solution<6>>,
+        count: usize,
         near_singular: f64,
     ) -> Solutions<6> {
         if !self.is_rotation {
             return Solutions::new();
         }
         self.meeting = math::max(MEETING, near_singular);
+        self.branch = count as u32;
         let mut clear = true;
         let mut numbers = [0; LANES];
         for branch in branches {
@@ -116,7 +118,6 @@ impl<'a> Search<'a> {
             if self.starts.is_full() {
                 clear &= self.refined(&numbers);
             }
-            self.branch = self.branch.max(branch.branch + 1);
         }
         if self.starts.count > 0 {
             clear &= self.refined(&numbers);
