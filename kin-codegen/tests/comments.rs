@@ -21,12 +21,23 @@ fn generated(robot: &str) -> kin_codegen::Generated {
     generate(&source, &Options::default()).unwrap()
 }
 
-/// The function that computes the branches, line by line.
-fn branches(code: &str) -> Vec<&str> {
+/// The function that computes the branches, line by line; a comment that takes several
+/// is one.
+fn branches(code: &str) -> Vec<String> {
     let lines = code.lines().map(str::trim_start);
     let body = lines.skip_while(|line| !line.starts_with("let [["));
-    body.take_while(|line| !line.starts_with("Branches {"))
-        .collect()
+    let body = body.take_while(|line| !line.starts_with("Branches {"));
+    let mut whole: Vec<String> = Vec::new();
+    for line in body {
+        match (line.strip_prefix("// "), whole.last_mut()) {
+            (Some(rest), Some(before)) if before.starts_with("//") && number(line).is_none() => {
+                before.push(' ');
+                before.push_str(rest);
+            }
+            _ => whole.push(line.to_owned()),
+        }
+    }
+    whole
 }
 
 /// The number of a heading, if the line is one.
@@ -37,7 +48,7 @@ fn number(line: &str) -> Option<usize> {
 
 /// Whether a heading is of values that branches share; its step comes later.
 fn is_ahead(line: &str) -> bool {
-    line.ends_with(" share)") || line.ends_with("(what all") || line.ends_with("(what several")
+    line.ends_with(" share)")
 }
 
 #[test]
@@ -79,7 +90,8 @@ fn a_step_is_named_with_what_it_is_given() {
         "// 2. q2+q3+q4 and q5 by SP2, given q1",
         "// 3. q6 by SP1, given q1 and q2+q3+q4",
     ];
-    let lines: Vec<&str> = branches(&code);
+    let lines = branches(&code);
+    let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
     for heading in opened {
         assert!(lines.contains(&heading), "{heading}");
     }
