@@ -29,7 +29,7 @@ pub(super) struct Found {
     pub independence: [f64; Solutions::<6>::CAPACITY],
     /// Where the Jacobian loses rank: these may be members of families, and must not
     /// take the place of others.
-    singular: Solutions<6>,
+    pub singular: Solutions<6>,
     /// Bit i is set where regular solution i was found again since this was cleared.
     pub again: u32,
 }

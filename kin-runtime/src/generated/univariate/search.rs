@@ -59,6 +59,8 @@ pub(super) struct Search<'a> {
     meeting: f64,
     /// Of so many regular solutions the neighbours were looked for.
     looked_at: usize,
+    /// The same of singular ones.
+    looked_at_singular: usize,
 }
 
 impl<'a> Search<'a> {
@@ -78,6 +80,7 @@ impl<'a> Search<'a> {
             stuck: Waiting::default(),
             meeting: MEETING,
             looked_at: 0,
+            looked_at_singular: 0,
         }
     }
 
@@ -254,6 +257,10 @@ impl<'a> Search<'a> {
                     points.push(self.found.regular[self.looked_at].q);
                 }
                 self.looked_at += 1;
+            }
+            while !points.is_full() && self.looked_at_singular < self.found.singular.len() {
+                points.push(self.found.singular[self.looked_at_singular].q);
+                self.looked_at_singular += 1;
             }
             let (from, count) = points.take();
             if count == 0 {
