@@ -8,8 +8,8 @@ use alloc::vec::Vec;
 
 /// Configurations of an arc that are looked at before the least is refined, for each
 /// radian or metre of the parameter, and at least so many.
-const DENSITY: f64 = 12.0;
-const FEWEST: usize = 6;
+const DENSITY: f64 = 24.0;
+const FEWEST: usize = 24;
 /// Golden-section steps: the parameter to the square root of rounding.
 const STEPS: usize = 40;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
