@@ -1617,7 +1617,7 @@ mod __Calibrated {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        /// [`Nearest`]. None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,

@@ -1019,7 +1019,7 @@ mod __Kr6R900 {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        /// [`Nearest`]. None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,

@@ -510,7 +510,7 @@ mod __Scara {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        /// [`Nearest`]. None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,

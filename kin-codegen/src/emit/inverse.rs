@@ -257,7 +257,7 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`](::kinematics::Nearest). None if there is none.
+        /// [`Nearest`]. None if there is none.
         #[must_use]
         pub fn ik_nearest_by(&self, pose: &Pose, nearest: &Nearest<#n>)
             -> ::core::option::Option<Solution<#n>>
