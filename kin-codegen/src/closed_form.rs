@@ -205,14 +205,10 @@ impl ClosedForm {
         parameters: &[f64],
         branches: &[BranchSolution],
     ) -> Vec<BranchSolution> {
-        let problem = Problem {
-            fk_jacobian: |q: &[f64; N]| self.given.fk_jacobian(q, parameters),
-            target,
-            size: self.linkage.size,
-            counts: self.plan.target,
-        };
-        let starts = branches.iter().map(BranchSolution::start);
         let accept = self.acceptance();
+        let fk_jacobian = |q: &[f64; N]| self.given.fk_jacobian(q, parameters);
+        let problem = Problem::new(fk_jacobian, target, self.plan.target, &accept);
+        let starts = branches.iter().map(BranchSolution::start);
         let found = match self.refinement {
             Refinement::Branches(steps) => refine_branches(&problem, starts, &accept, steps),
             _ => correct_branches(&problem, starts, &accept),

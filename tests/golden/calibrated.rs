@@ -10,7 +10,7 @@
 // sines with cosines, 6 arctangents, 45 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
-#[allow(non_snake_case)]
+#[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -85,7 +85,12 @@ mod __Calibrated {
     /// - Step 4: the sign of the root that gives q3.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Calibrated;
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        reason = "constants are written with the digits that they have"
+    )]
     impl Calibrated {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -1676,5 +1681,5 @@ mod __Calibrated {
     }
 }
 
-#[allow(unused_imports)]
+#[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
 pub use __Calibrated::Calibrated;

@@ -11,7 +11,7 @@
 // left out).
 // Made again, beside the robot file, by: kin generate delta.yaml
 
-#[allow(non_snake_case)]
+#[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 mod __Delta {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::three_spheres;
@@ -2448,5 +2448,5 @@ mod __Delta {
     }
 }
 
-#[allow(unused_imports)]
+#[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
 pub use __Delta::Delta;

@@ -10,7 +10,7 @@
 // cosines, 6 arctangents, 29 selections.
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
-#[allow(non_snake_case)]
+#[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -79,7 +79,12 @@ mod __Kr6R900 {
     /// - Wrist not flipped: q5 is between 0° and 180°.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Kr6R900;
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        reason = "constants are written with the digits that they have"
+    )]
     impl Kr6R900 {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -1086,5 +1091,5 @@ mod __Kr6R900 {
     }
 }
 
-#[allow(unused_imports)]
+#[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
 pub use __Kr6R900::Kr6R900;

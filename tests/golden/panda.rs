@@ -10,7 +10,7 @@
 // arctangents, 29 selections.
 // Made again, beside the robot file, by: kin generate panda.yaml
 
-#[allow(non_snake_case)]
+#[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -82,7 +82,12 @@ mod __Panda {
     /// - Step 3: the sign of the root that gives q1 and q2.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Panda;
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        reason = "constants are written with the digits that they have"
+    )]
     impl Panda {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -1061,7 +1066,6 @@ mod __Panda {
         }
 
         const EXACT_MARGINS: bool = true;
-        #[allow(unused_variables)]
         fn margins_at(
             &self,
             pose: &Pose,
@@ -1096,10 +1100,10 @@ mod __Panda {
             let t16 = t15 - 0.088;
             let t17 = t14 * t14 + t16 * t16;
             let t18 = -(1.049085042422014 * t8);
-            // 4 lanes, by the signs of the roots: e1 of step 1
-            let e1 = [1.0, -1.0, 1.0, -1.0];
-            let mut margin_ = [0.0; 4];
-            for k in 0..4 {
+            // 2 lanes, by the signs of the roots: e1 of step 1
+            let e1 = [1.0, -1.0];
+            let mut margin_ = [0.0; 2];
+            for k in 0..2 {
                 // 1. q4 by SP3, given q7
                 let t19 = e1[k] * t9;
                 // 2. q5 and q6 by SP2, given q4 and q7
@@ -1107,22 +1111,16 @@ mod __Panda {
                     + 5.013990956780295 * (t12 - 0.11453774999999997 * t19);
                 let t21 = t20 - 0.384;
                 let margin = -math::max(t18, -(1.0242485257114184 * (t17 - t21 * t21)));
-                // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
-                // 4. q3 by SP1, given q1, q4, q5, q6 and q7
-                // Residual: forward kinematics against the target
-                // Joint values: angles from sines and cosines, in (−π, π]
                 margin_[k] = margin;
             }
-            // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let margin_ = widen::<4, 8>(margin_);
-            // 8 lanes, one for every branch
-            for k in 0..8 {}
             let mut margins = [0.0; 16];
-            margins[..8].copy_from_slice(&margin_);
+            for (k, branch) in margins[..8].iter_mut().enumerate() {
+                *branch = margin_[k % 2];
+            }
             Some(margins)
         }
     }
 }
 
-#[allow(unused_imports)]
+#[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
 pub use __Panda::Panda;

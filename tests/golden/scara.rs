@@ -9,7 +9,7 @@
 // arctangents, 9 selections.
 // Made again, beside the robot file, by: kin generate scara.yaml
 
-#[allow(non_snake_case)]
+#[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -68,7 +68,12 @@ mod __Scara {
     /// - Elbow left or right: the side of the line from axis 1 to axis 3 on which axis 2 is, seen from above.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Scara;
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        reason = "constants are written with the digits that they have"
+    )]
     impl Scara {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -554,5 +559,5 @@ mod __Scara {
     }
 }
 
-#[allow(unused_imports)]
+#[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
 pub use __Scara::Scara;

@@ -10,7 +10,7 @@
 // sines with cosines, 6 arctangents, 33 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
-#[allow(non_snake_case)]
+#[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -81,7 +81,12 @@ mod __Ur5e {
     /// - Wrist not flipped: q5 is between 0° and 180°.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Ur5e;
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+    #[allow(
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        reason = "constants are written with the digits that they have"
+    )]
     impl Ur5e {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -1092,5 +1097,5 @@ mod __Ur5e {
     }
 }
 
-#[allow(unused_imports)]
+#[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
 pub use __Ur5e::Ur5e;

@@ -6,33 +6,6 @@ use kin_codegen::Target;
 use kinematics::{FeasibleInterval, Parameter, Pose, RedundantKinematics};
 use std::f64::consts::{PI, TAU};
 
-/// A property of all robots, one test for each.
-macro_rules! for_every_robot {
-    ($($property:ident)*) => { $(
-        mod $property {
-            use super::*;
-            for_every_robot! { $property:
-                iiwa14 Iiwa14 "../robots/iiwa14.yaml" Pose,
-                iiwa_by_elbow IiwaByElbow "../robots/iiwa14.yaml" Pose,
-                panda Panda "../robots/panda.yaml" Pose,
-                sawyer Sawyer "../robots/sawyer.yaml" Pose,
-                rail Rail "robots/redundant/rail.yaml" Pose,
-                stray_iiwa StrayIiwa "robots/redundant/stray_iiwa.yaml" Pose,
-                ur5e Ur5e "../robots/ur5e.urdf" Pose,
-                kr6_r900 Kr6R900 "../robots/kr6_r900.yaml" Pose,
-                xarm6 Xarm6 "../robots/xarm6.yaml" Pose,
-                ur5e_by_wrist Ur5eByWrist "../robots/ur5e.urdf" PositionAxis,
-            }
-        }
-    )* };
-    ($property:ident: $($test:ident $robot:ident $path:literal $counts:ident,)*) => { $(
-        #[test]
-        fn $test() {
-            super::$property(&Subject::new(crate::$robot, $path, Target::$counts));
-        }
-    )* };
-}
-
 for_every_robot! {
     as_many_branches_exist_as_there_are_solutions
     ends_are_where_solutions_meet

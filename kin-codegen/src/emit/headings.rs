@@ -130,11 +130,13 @@ impl Headings {
 
     /// The headings of a stage, by the first node that they stand in front of.
     /// Every part has one in the last stage that it reaches, and in those
-    /// before where it has statements of its own.
+    /// before where it has statements of its own; behind the last that has any, none.
     pub fn of_stage(&self, writer: &Writer, stages: &[usize], stage: usize) -> StageHeadings {
+        let has_own = |part: &Part| (part.begins..part.ends).any(|i| writer.needs_operation(i));
+        let end = self.parts.iter().rposition(has_own).map_or(0, |i| i + 1);
         let mut last = 0;
         let mut headings = Vec::new();
-        for part in &self.parts {
+        for part in &self.parts[..end] {
             let own = (part.begins..part.ends).filter(|&i| writer.needs_operation(i));
             last = own.map(|i| stages[i]).max().unwrap_or(last);
             let stands = (part.begins..part.ends).any(|i| stages[i] == stage && writer.awaits(i));

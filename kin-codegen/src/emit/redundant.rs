@@ -267,6 +267,7 @@ pub fn kinematics(
 /// How far the branches are from having no root, if they come from a plan.
 fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
     let margin = solver.expressions()?.of_margin()?;
+    let choices = margin.graph.choices();
     let turned = redundancy
         .turn
         .then(|| quote!(let pose = &pose.turned(parameter);));
@@ -275,17 +276,18 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
     let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
     let (statements, lanes) = inverse::statements(solver, &margin, inputs);
     let margin = &lanes.residual;
-    let width = usize_literal(solver.plan.branches());
+    let branches = usize_literal(solver.plan.branches());
+    let width = usize_literal(1 << choices);
     Some(quote! {
-        // Of lanes that differ in nothing that a margin depends on.
-        #[allow(unused_variables)]
         fn margins_at(
             &self, pose: &Pose, parameter: f64
         ) -> ::core::option::Option<[f64; 16]> {
             #turned
             #statements
             let mut margins = [0.0; 16];
-            margins[..#width].copy_from_slice(&#margin);
+            for (k, branch) in margins[..#branches].iter_mut().enumerate() {
+                *branch = #margin[k % #width];
+            }
             Some(margins)
         }
     })

@@ -40,8 +40,10 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let redundant = redundant.and_then(|(it, form)| redundant::kinematics(form, it, names, &n));
     let generated_by = generated_by(runtime);
     let items = quote! {
-        // Constants are written with the digits that they have.
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            clippy::all, clippy::pedantic, clippy::nursery,
+            reason = "constants are written with the digits that they have"
+        )]
         impl #name {
             #constants
             #methods
@@ -73,9 +75,9 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
 pub(super) fn in_module(name: &Ident, items: &TokenStream) -> TokenStream {
     let module = format_ident!("__{name}");
     quote! {
-        #[allow(non_snake_case)]
+        #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
         mod #module { #items }
-        #[allow(unused_imports)]
+        #[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
         pub use #module::#name;
     }
 }

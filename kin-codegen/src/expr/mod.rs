@@ -203,6 +203,11 @@ impl Graph {
         self.intern(Node::Sign(choice))
     }
 
+    /// Forgets the choices that an expression does not see.
+    pub fn keep_choices_of(&mut self, e: Expr) {
+        self.choices = self.levels()[e.index()];
+    }
+
     /// How many choices there are; the branches are 2 to this power.
     pub fn choices(&self) -> u8 {
         self.choices

@@ -163,12 +163,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         counts: Target,
         accept: &Acceptance,
     ) -> Solutions<N> {
-        let problem = Problem {
-            fk_jacobian,
-            target,
-            size: accept.size,
-            counts,
-        };
+        let problem = Problem::new(fk_jacobian, target, counts, accept);
         correct_branches(&problem, self.existing(), accept)
     }
 
@@ -219,12 +214,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         steps: usize,
         accept: &Acceptance,
     ) -> Solutions<N> {
-        let problem = Problem {
-            fk_jacobian,
-            target,
-            size: accept.size,
-            counts,
-        };
+        let problem = Problem::new(fk_jacobian, target, counts, accept);
         refine_branches(&problem, self.existing(), accept, steps)
     }
 }

@@ -166,14 +166,10 @@ impl<const K: usize> Locked<K> {
         counts: Target,
         accept: &Acceptance,
     ) -> Problem<'a, impl Fn(&[f64; N]) -> (Pose, Jacobian<N>) + 'a> {
-        Problem {
-            fk_jacobian: move |q: &[f64; N]| {
-                let (pose, jacobian) = fk_jacobian(&self.whole(q));
-                (pose, self.columns(&jacobian))
-            },
-            target,
-            size: accept.size,
-            counts,
-        }
+        let of_the_others = move |q: &[f64; N]| {
+            let (pose, jacobian) = fk_jacobian(&self.whole(q));
+            (pose, self.columns(&jacobian))
+        };
+        Problem::new(of_the_others, target, counts, accept)
     }
 }

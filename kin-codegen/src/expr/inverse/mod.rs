@@ -106,7 +106,8 @@ impl InverseGraph {
         all
     }
 
-    /// The same graph with the margin in place of all else that is returned.
+    /// The same graph with the margin in place of all else that is returned, and only the
+    /// choices that it depends on.
     pub fn of_margin(&self) -> Option<Self> {
         let margin = self.margin?;
         let mut of_margin = self.clone();
@@ -115,6 +116,7 @@ impl InverseGraph {
         of_margin.free_angle = None;
         of_margin.residual = of_margin.graph.named(margin, "margin");
         [of_margin.invalid, of_margin.singular] = [zero; 2];
+        of_margin.graph.keep_choices_of(margin);
         Some(of_margin)
     }
 

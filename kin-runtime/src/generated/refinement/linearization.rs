@@ -1,6 +1,7 @@
 //! A configuration as the target sees it: what is missing, and how the joints
 //! make it.
 
+use crate::generated::acceptance::Acceptance;
 use crate::{Jacobian, Pose, Target};
 
 /// A target for an arm.
@@ -14,6 +15,18 @@ pub struct Problem<'a, F> {
     pub size: f64,
     /// What of the target counts.
     pub counts: Target,
+}
+
+impl<'a, F> Problem<'a, F> {
+    /// The target of an arm whose branches are accepted so.
+    pub fn new(fk_jacobian: F, target: &'a Pose, counts: Target, accept: &Acceptance) -> Self {
+        Self {
+            fk_jacobian,
+            target,
+            size: accept.size,
+            counts,
+        }
+    }
 }
 
 /// A configuration as the target sees it.

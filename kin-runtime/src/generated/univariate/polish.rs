@@ -79,8 +79,9 @@ pub(super) fn polished(
 ///
 /// Where J v is small, what is missing is e = J δ + ½ H(δ, δ) with δ = α v + …, and along
 /// v the roots of v·J⁻¹e = α + ½ α² v·J⁻¹H(v, v) tell α; where there are none, both are
-/// where the tip comes nearest (D. W. Decker and C. T. Kelley, SIAM J. Numer. Anal. 17,
-/// 1980, on Newton's method at singular points). H(v, v) is a second difference.
+/// where the tip comes nearest: the bifurcation equation of Lyapunov and Schmidt to second
+/// order (M. Golubitsky and D. G. Schaeffer, Singularities and Groups in Bifurcation Theory
+/// I, 1985, chapter I). H(v, v) is a second difference.
 #[inline(never)]
 pub(super) fn split(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
     let along = |v: &[Lanes; 6], by: f64| {

@@ -65,10 +65,11 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub fn new(arm: &'a Univariate<'a>, target: &Pose) -> Self {
-        let (rotation, gap) = orthonormal(&target.rotation);
+        let gap = target.rotation_error();
+        let rotated = target.orthonormalized().unwrap_or(*target);
         let target = Pose {
-            rotation,
             translation: target.translation.map(|x| x * (2.0 / arm.size)),
+            ..rotated
         };
         Self {
             arm,
@@ -283,10 +284,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn knows(&mut self, q: &[[f64; LANES]; 6], lane: usize) -> bool {
-        self.found.knows(&q.map(|q| q[lane]), self.meeting)
-    }
-
     /// The same, if it may be near a solution that is not known.
     fn start_of(&mut self, starts: &Starts, lane: usize) {
         if starts.inconsistency[lane] < EXTRANEOUS && !self.knows(&starts.q, lane) {
@@ -294,7 +291,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Starts it from those that wait.
+    /// Whether the solution next to the configuration in a lane is known.
+    fn knows(&mut self, q: &[[f64; LANES]; 6], lane: usize) -> bool {
+        self.found.knows(&q.map(|q| q[lane]), self.meeting)
+    }
+
+    /// Starts Newton's method from the configurations that wait.
     fn arrive(&mut self) {
         if self.starts.count == 0 {
             return;
@@ -379,22 +381,4 @@ impl Candidates {
     fn all(&self) -> impl Iterator<Item = usize> {
         self.numbers[..self.count].iter().map(|&i| i.into())
     }
-}
-
-/// The rotation next to a matrix that is one but for rounding, and how far off it is:
-/// a step of Newton's method for the polar decomposition (N. J. Higham, SIAM J. Sci.
-/// Stat. Comput. 7, 1986).
-fn orthonormal(r: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
-    let product = |i: usize, j: usize| (0..3).map(|k| r[k][i] * r[k][j]).sum::<f64>();
-    let mut out = *r;
-    let mut square = 0.0;
-    for i in 0..3 {
-        for j in 0..3 {
-            let along: f64 = (0..3).map(|k| r[i][k] * product(k, j)).sum();
-            let step = 0.5 * (r[i][j] - along);
-            out[i][j] += step;
-            square += 0.5 * step * step;
-        }
-    }
-    (out, math::sqrt(square))
 }
