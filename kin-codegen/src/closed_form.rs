@@ -10,7 +10,7 @@ use crate::univariate;
 use kin_runtime::__private::Acceptance;
 use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE, SAMPLES, roomiest_turn};
 use kin_runtime::__private::refinement::{Problem, correct_branches, refine_branches};
-use kin_runtime::{Pose, Solution};
+use kin_runtime::{Pose, Solution, Solutions};
 
 /// Solutions reach the target to this, relative to the arm's size.
 pub const TOLERANCE: f64 = 1e-9;
@@ -20,6 +20,10 @@ pub const TOLERANCE: f64 = 1e-9;
 /// as given: two roots that are nearer may have met on one of the two arms and
 /// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
+
+/// An idealized arm whose tip moved less than this, relative to its size, is
+/// the given one to rounding.
+pub(crate) const UNMOVED: f64 = 1e-12;
 
 /// Below this conditioning an elimination may not tell two solutions apart.
 const DROWNED: f64 = 1e-4;
@@ -53,7 +57,7 @@ pub struct ClosedForm {
     pub refinement: Refinement,
 }
 
-/// From the branches of an idealized arm to the solutions of the arm as given.
+/// From the branches of the plan to the solutions of the arm as given.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refinement {
     /// They are the same.
@@ -61,8 +65,8 @@ pub enum Refinement {
     /// So many steps of Newton's method at most, and where roots have nearly met,
     /// curves are followed to where others went.
     Branches(usize),
-    /// Newton's method, and where the branches do not tell all solutions, an
-    /// elimination of all joints but one.
+    /// Newton's method, and where the branches do not tell all solutions, because the arm
+    /// is off the idealized one or a step degenerates, an elimination of all joints but one.
     Univariate(Box<univariate::Arm>),
 }
 
@@ -102,10 +106,18 @@ impl BranchSolution {
 }
 
 impl ClosedForm {
-    /// Whether the arm as given has the relations exactly, so that no branch
-    /// needs refinement.
+    /// Whether the arm as given has the relations exactly.
     pub fn is_exact(&self) -> bool {
-        self.refinement == Refinement::None
+        self.tip_shift < UNMOVED * self.linkage.size
+    }
+
+    /// The elimination of all joints but one, if the arm is solved by that or has it beside
+    /// its branches.
+    pub fn elimination(&self) -> Option<&univariate::Arm> {
+        match (&self.inverse, &self.refinement) {
+            (Inverse::Univariate(arm), _) | (_, Refinement::Univariate(arm)) => Some(arm),
+            _ => None,
+        }
     }
 
     /// What the generated function will return, computed by the interpreter; of an arm
@@ -117,30 +129,39 @@ impl ClosedForm {
     /// The same with the values of the locked joints, which are left out of the
     /// configurations.
     pub fn solutions_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
-        if let Inverse::Univariate(arm) = &self.inverse {
-            let carried = Carried::new(&self.given);
-            let found = arm.solutions(&carried.target(target, parameters));
-            return found.iter().map(BranchSolution::of).collect();
-        }
-        let mut branches = self.branches(target, parameters);
-        if let Refinement::Univariate(arm) = &self.refinement {
-            let starts = branches.iter().map(BranchSolution::start);
-            let found = arm.refined(target, starts, self.plan.branches(), self.untold());
-            return found.iter().map(BranchSolution::of).collect();
-        }
         if self.plan.target.is_projected() {
+            let mut branches = self.branches(target, parameters);
             let tolerance = self.acceptance().tolerance;
             branches.retain(|solution| solution.residual <= tolerance);
             return branches;
         }
         match self.given.variables() {
-            1 => self.refined::<1>(target, parameters, &branches),
-            2 => self.refined::<2>(target, parameters, &branches),
-            3 => self.refined::<3>(target, parameters, &branches),
-            4 => self.refined::<4>(target, parameters, &branches),
-            5 => self.refined::<5>(target, parameters, &branches),
-            _ => self.refined::<6>(target, parameters, &branches),
+            1 => self.solved::<1>(target, parameters),
+            2 => self.solved::<2>(target, parameters),
+            3 => self.solved::<3>(target, parameters),
+            4 => self.solved::<4>(target, parameters),
+            5 => self.solved::<5>(target, parameters),
+            _ => self.solved::<6>(target, parameters),
         }
+    }
+
+    /// The solutions of an arm of N joints without the locked ones.
+    fn solved<const N: usize>(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
+        let branches = self.branches(target, parameters);
+        let starts = branches.iter().map(BranchSolution::start);
+        let found = match (&self.inverse, &self.refinement) {
+            (Inverse::Univariate(arm), _) => {
+                let carried = Carried::new(&self.given);
+                arm.solutions::<N>(&carried.target(target, parameters))
+            }
+            (_, Refinement::Univariate(arm))
+                if !self.is_exact() || branches.iter().any(|branch| branch.singular) =>
+            {
+                arm.refined(target, starts, self.plan.branches(), self.untold())
+            }
+            _ => self.refined(target, parameters, starts),
+        };
+        found.iter().map(BranchSolution::of).collect()
     }
 
     /// All joint values, from those that a target is solved for and those of locked
@@ -203,23 +224,22 @@ impl ClosedForm {
         &self,
         target: &Pose,
         parameters: &[f64],
-        branches: &[BranchSolution],
-    ) -> Vec<BranchSolution> {
+        starts: impl Iterator<Item = Solution<N>> + Clone,
+    ) -> Solutions<N> {
         let accept = self.acceptance();
         let fk_jacobian = |q: &[f64; N]| self.given.fk_jacobian(q, parameters);
         let problem = Problem::new(fk_jacobian, target, self.plan.target, &accept);
-        let starts = branches.iter().map(BranchSolution::start);
-        let found = match self.refinement {
+        match self.refinement {
             Refinement::Branches(steps) => refine_branches(&problem, starts, &accept, steps),
             _ => correct_branches(&problem, starts, &accept),
-        };
-        found.iter().map(BranchSolution::of).collect()
+        }
     }
 
     /// Below this conditioning of the Jacobian solutions may be lost, 0 if none
     /// may.
     pub fn near_singular(&self) -> f64 {
         match self.refinement {
+            _ if self.is_exact() => 0.0,
             Refinement::None => 0.0,
             Refinement::Branches(_) => self.untold(),
             Refinement::Univariate(_) => DROWNED,

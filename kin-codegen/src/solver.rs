@@ -2,7 +2,7 @@
 //! tolerance, and the plans for them certified, until one stands.
 
 use crate::certificate::{Certificate, Failure, Trials, certify};
-use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::closed_form::{ClosedForm, Inverse, Refinement, UNMOVED};
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate, size,
@@ -24,10 +24,6 @@ const REFINED: usize = 2;
 /// Plans tried from the first on that is certified but leaves singular targets
 /// unanswered.
 const CERTIFIED: usize = 8;
-/// An idealized arm whose tip moved less than this, relative to its size, is
-/// the given one to rounding.
-const UNMOVED: f64 = 1e-12;
-
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 5e-3;
@@ -142,8 +138,31 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         }
     }
     match best {
+        Some(best) if best.certificate.lost > 0 => Ok(completed(&trials, best)),
         Some(best) => Ok(best),
         None => last_resort(&trials, target, refusal),
+    }
+}
+
+/// Where a step of the plan degenerates and the arm does not, an elimination tells what is
+/// lost, if it can.
+fn completed(trials: &Trials, best: Certified) -> Certified {
+    let form = &best.form;
+    let is_whole = form.plan.target == Target::Pose && trials.linkage().locked.is_empty();
+    let asks = |form: &ClosedForm| form.is_exact() && form.refinement == Refinement::None;
+    let arm = (is_whole && asks(form)).then(|| univariate::Arm::new(trials.linkage()));
+    let Some(arm) = arm.flatten() else {
+        return best;
+    };
+    let form = ClosedForm {
+        refinement: Refinement::Univariate(Box::new(arm)),
+        ..form.clone()
+    };
+    match certify(trials, &form, best.certificate.lost) {
+        Ok(certificate) if certificate.lost < best.certificate.lost => {
+            Certified { form, certificate }
+        }
+        _ => best,
     }
 }
 
@@ -165,6 +184,9 @@ fn last_resort(
     let linkage = trials.linkage();
     let arm = match target {
         Target::Pose => univariate::Arm::between(trials.model(), linkage),
+        Target::PositionAxis if linkage.locked.is_empty() => {
+            univariate::Arm::new(&Linkage::for_target(trials.model(), target))
+        }
         _ => None,
     };
     let Some(arm) = arm else {

@@ -1005,6 +1005,7 @@ mod __Calibrated {
                 },
             ],
             size: 1.1502191418774321,
+            counts: Target::Pose,
             eliminations: &[
                 Elimination {
                     joints: [3, 2, 1, 0, 5, 4],

@@ -74,6 +74,8 @@ robots! {
     skew_tool SkewTool "robots/targets/skew_tool.yaml" => position_axis
     bent_2r Bent2r "robots/targets/bent_2r.yaml"
     five_joints FiveJoints "robots/targets/five_joints.yaml"
+    five_skew FiveSkew "robots/targets/five_skew.yaml"
+    five_skew_axis FiveSkewAxis "robots/targets/five_skew.yaml" => position_axis
     antenna Antenna "robots/targets/antenna.yaml" => direction
     gimbal Gimbal "robots/targets/gimbal.yaml" => orientation
     scara_yaw ScaraYaw "../robots/scara.yaml" => position_yaw

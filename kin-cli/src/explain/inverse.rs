@@ -4,7 +4,6 @@ use super::{Idealization, Step};
 use kin_codegen::Target;
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::certificate::Certificate;
-use kin_codegen::closed_form::Inverse as Solved;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::geometry::Linkage;
@@ -40,8 +39,8 @@ pub struct Inverse {
     pub others: Vec<String>,
     /// What computing the branches takes; none of a univariate step.
     pub cost: Option<LaneCost>,
-    /// The joints that a univariate step keeps, in the order in which they are asked;
-    /// empty where subproblems solve the chain.
+    /// The joints that are kept while all others are eliminated, in the order in which they
+    /// are asked; empty where subproblems tell all solutions.
     pub kept: Vec<KeptJoint>,
     /// What was seen when the plan was run.
     pub certificate: Certificate,
@@ -103,12 +102,9 @@ impl Inverse {
                 .map(|other| other.to_string())
                 .collect(),
             cost: form.expressions().map(LaneCost::of),
-            kept: match &form.inverse {
-                Solved::Expressions(_) => Vec::new(),
-                Solved::Univariate(arm) => {
-                    let kept = arm.kept.iter();
-                    kept.map(|kept| KeptJoint::of(kept, &form.given)).collect()
-                }
+            kept: {
+                let kept = form.elimination().into_iter().flat_map(|arm| &arm.kept);
+                kept.map(|kept| KeptJoint::of(kept, &form.given)).collect()
             },
             certificate: certified.certificate,
         }

@@ -158,10 +158,10 @@ impl Display for Inverse {
             writeln!(f, "  All of them: {}", cost.all_branches)?;
         }
         for (i, kept) in self.kept.iter().enumerate() {
-            let when = if i == 0 {
-                "Kept is"
-            } else {
-                "Where that is not sure, so is"
+            let when = match (i, &self.cost) {
+                (0, None) => "Kept is",
+                (0, Some(_)) => "Where branches do not tell all solutions, kept is",
+                _ => "Where that is not sure, so is",
             };
             writeln!(f, "  {when} {kept}.")?;
         }

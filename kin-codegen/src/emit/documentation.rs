@@ -286,17 +286,20 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
                 .fold(0.0, f64::max),
             solver.tip_shift,
         ));
-        if let Refinement::Univariate(arm) = &solver.refinement {
-            let elimination = arm.kept[0].elimination;
-            lines.push(format!(
-                "Near singular configurations, where branches do not tell all solutions, the \
-                 roots of a polynomial of degree {} in q{} do; what they add is numbered from \
-                 {} on.",
-                elimination.degree,
-                elimination.joints[0] + 1,
-                solver.plan.branches(),
-            ));
-        }
+    }
+    if let Refinement::Univariate(arm) = &solver.refinement {
+        let elimination = arm.kept[0].elimination;
+        let where_ = match solver.is_exact() {
+            true => "Where a step degenerates",
+            false => "Near singular configurations",
+        };
+        lines.push(format!(
+            "{where_}, where branches do not tell all solutions, the roots of a polynomial of \
+             degree {} in q{} do; what they add is numbered from {} on.",
+            elimination.degree,
+            elimination.joints[0] + 1,
+            solver.plan.branches(),
+        ));
     }
     lines
 }

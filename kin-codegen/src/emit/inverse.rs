@@ -16,7 +16,10 @@ use quote::{format_ident, quote};
 pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let inverse: &InverseGraph = match &solver.inverse {
         Inverse::Expressions(inverse) => inverse,
-        Inverse::Univariate(arm) => return univariate::methods(arm),
+        Inverse::Univariate(arm) => {
+            let what = what(solver.plan.target);
+            return univariate::methods(arm, model.variables.len(), &what);
+        }
     };
     let n = Literal::usize_unsuffixed(model.variables.len());
     let branches = branches(solver, inverse);
@@ -230,7 +233,7 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
     let (first, by) = match solver.inverse {
-        Inverse::Expressions(_) if solver.is_exact() => (
+        Inverse::Expressions(_) if solver.refinement == Refinement::None => (
             quote! {
                 let nearest = const { Nearest::new([0.0; #n], &Self::LIMITS) };
                 let nearest = &nearest.from_seed(*seed);
@@ -300,6 +303,11 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
                 )
             }
         }
+        Refinement::Univariate(_) if solver.is_exact() => quote! {
+            branches.completed(
+                |q| self.fk_jacobian(q), &Self::UNIVARIATE, pose, &Self::ACCEPT
+            )
+        },
         Refinement::Univariate(_) => quote! {
             branches.refined_onto(&Self::UNIVARIATE, pose, &Self::ACCEPT)
         },

@@ -138,7 +138,10 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
             let target = carried(solver, &given);
             match k {
                 0 => quote!(Self::UNIVARIATE.solutions(#target)),
-                _ => quote!(locked.all(&Self::UNIVARIATE.solutions(#target))),
+                _ => {
+                    let solved = usize_literal(solver.given.variables());
+                    quote!(locked.all(&Self::UNIVARIATE.solutions::<#solved>(#target)))
+                }
             }
         }
         Inverse::Expressions(_) => {

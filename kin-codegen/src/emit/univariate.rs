@@ -4,23 +4,33 @@
 use super::straight::{literal, signed};
 use crate::univariate::Arm;
 use kin_runtime::__private::univariate::Elimination;
-use kin_runtime::Pose;
-use proc_macro2::{Literal, TokenStream};
+use kin_runtime::{Pose, Target};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 /// The methods that solve for joint values.
-pub fn methods(arm: &Arm) -> TokenStream {
+pub fn methods(arm: &Arm, joints: usize, what: &str) -> TokenStream {
+    let n = Literal::usize_unsuffixed(joints);
     let constant = constant(arm);
     let joint = arm.kept[0].elimination.joints[0] + 1;
+    let most = match joints {
+        6 => "A general arm has up to sixteen solutions.",
+        _ => "A general arm of fewer than six joints has one solution, others may have more.",
+    };
     let order = format!(
-        " A general arm has up to sixteen solutions. They come in the order of q{joint}, those of \
-         singular targets last, and [`Solution::branch`] is their place: it changes where two \
-         solutions meet."
+        " {most} They come in the order of q{joint}, those of singular targets last, and \
+         [`Solution::branch`] is their place: it changes where two solutions meet."
     );
+    let rotation = match arm.counts {
+        Target::Pose => {
+            " A matrix whose distance from a rotation is more than 1e-9 has no solutions."
+        }
+        _ => " A z axis whose length is off 1 by more than 1e-9 has no solutions.",
+    };
     quote! {
         #constant
 
-        /// All joint values that put the tip at `pose` in the base frame, metres.
+        #[doc = #what]
         ///
         #[doc = #order]
         ///
@@ -29,15 +39,15 @@ pub fn methods(arm: &Arm) -> TokenStream {
         /// of reach has no solutions, and neither has one of which an entry is not
         /// finite. A singular target has some members of each family of solutions.
         ///
-        /// A matrix whose distance from a rotation is more than 1e-9 has no solutions.
+        #[doc = #rotation]
         #[must_use]
-        pub fn ik(&self, pose: &Pose) -> Solutions<6> {
+        pub fn ik(&self, pose: &Pose) -> Solutions<#n> {
             Self::UNIVARIATE.solutions(pose)
         }
 
         /// As [`Self::ik`]; if `seed` (radians) is a singular solution, it is among them.
         #[must_use]
-        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
+        pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
             Self::UNIVARIATE.solutions_near(pose, seed)
         }
 
@@ -45,7 +55,7 @@ pub fn methods(arm: &Arm) -> TokenStream {
         /// of which no small motion comes nearer, with its distance (metres) as the
         /// residual. None if `pose` is not a number.
         #[must_use]
-        pub fn ik_approximate(&self, pose: &Pose) -> ::core::option::Option<Solution<6>> {
+        pub fn ik_approximate(&self, pose: &Pose) -> ::core::option::Option<Solution<#n>> {
             Self::UNIVARIATE.closest(pose)
         }
     }
@@ -54,6 +64,7 @@ pub fn methods(arm: &Arm) -> TokenStream {
 pub fn constant(arm: &Arm) -> TokenStream {
     let frames = arm.frames.iter().map(pose);
     let size = literal(arm.size);
+    let counts = Ident::new(&format!("{:?}", arm.counts), Span::call_site());
     let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));
     quote! {
         /// The arm, lengths in units of half its size, and what is left of it when
@@ -61,6 +72,7 @@ pub fn constant(arm: &Arm) -> TokenStream {
         const UNIVARIATE: Univariate<'static> = Univariate {
             frames: [#(#frames),*],
             size: #size,
+            counts: Target::#counts,
             eliminations: &[#(#eliminations),*],
         };
     }

@@ -5,30 +5,43 @@ use super::frames::frames;
 use crate::geometry::{Carried, Linkage};
 use crate::model::Model;
 use kin_runtime::__private::univariate::{Elimination, Univariate};
-use kin_runtime::{Pose, Solution, Solutions};
+use kin_runtime::{Pose, Solution, Solutions, Target};
 
 /// Targets that tell how noisy an elimination is.
 const FEW: usize = 16;
 
-/// An arm of six revolute joints, and the joints that are kept.
+/// An arm of revolute joints, six at most, and the joints that are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
-    /// A₀ … A₆ of the arm A₀ Rz(q₁) A₁ … Rz(q₆) A₆; lengths in units of half the
-    /// size.
+    /// A₀ … A₆ of the arm A₀ Rz(q₁) A₁ … Rz(q₆) A₆, the last joints of which may be added
+    /// behind its tip; lengths in units of half the size.
     pub frames: [Pose; 7],
     /// The arm's size, metres.
     pub size: f64,
+    /// What of a target counts.
+    pub counts: Target,
     /// The eliminations, the best first; one at least.
     pub kept: Vec<Kept>,
 }
 
 impl Arm {
-    /// None if the arm has not six joints that turn, or no joint can be kept.
+    /// None if not all joints turn, there are more than six, or none can be kept.
     pub fn new(linkage: &Linkage) -> Option<Self> {
         let frames = frames(linkage)?;
-        let kept = choose(&frames);
-        let size = linkage.size;
-        (!kept.is_empty()).then_some(Self { frames, size, kept })
+        let kept = choose(&frames, linkage.links.len());
+        (!kept.is_empty()).then(|| Self::keeping(linkage, frames, kept))
+    }
+
+    fn keeping(linkage: &Linkage, frames: [Pose; 7], kept: Vec<Kept>) -> Self {
+        Self {
+            frames,
+            size: linkage.size,
+            counts: match linkage.has_free_turn {
+                true => Target::PositionAxis,
+                false => Target::Pose,
+            },
+            kept,
+        }
     }
 
     /// The arm between the locked joints of a linkage, which have to stand at its ends;
@@ -45,35 +58,33 @@ impl Arm {
         }
     }
 
-    /// The arm with every joint kept that can be, one at a time; none if it is no arm
-    /// of six joints that turn.
+    /// The arm with every joint kept that can be, one at a time; none if not all joints
+    /// turn or there are more than six.
     pub fn keeping_each(linkage: &Linkage) -> Vec<Self> {
         let Some(frames) = frames(linkage) else {
             return Vec::new();
         };
-        let size = linkage.size;
-        let arm = |kept| Self {
-            frames,
-            size,
-            kept: vec![kept],
-        };
-        each(&frames, FEW).into_iter().map(arm).collect()
+        let arm = |kept| Self::keeping(linkage, frames, vec![kept]);
+        each(&frames, linkage.links.len(), FEW)
+            .into_iter()
+            .map(arm)
+            .collect()
     }
 
     /// What generated code computes for a target from the branches of an idealized arm;
     /// see [`Univariate::refined`].
-    pub fn refined(
+    pub fn refined<const N: usize>(
         &self,
         target: &Pose,
-        branches: impl Iterator<Item = Solution<6>>,
+        branches: impl Iterator<Item = Solution<N>>,
         count: usize,
         near_singular: f64,
-    ) -> Solutions<6> {
+    ) -> Solutions<N> {
         self.with(|arm| arm.refined(target, branches, count, near_singular))
     }
 
     /// What generated code computes for a target.
-    pub fn solutions(&self, target: &Pose) -> Solutions<6> {
+    pub fn solutions<const N: usize>(&self, target: &Pose) -> Solutions<N> {
         self.with(|arm| arm.solutions(target))
     }
 
@@ -83,6 +94,7 @@ impl Arm {
         run(&Univariate {
             frames: self.frames,
             size: self.size,
+            counts: self.counts,
             eliminations: &eliminations,
         })
     }

@@ -4,7 +4,7 @@ use super::eliminate::eliminate;
 use super::frames::forward;
 use crate::random::Random;
 use kin_runtime::__private::univariate::{Elimination, Univariate};
-use kin_runtime::Pose;
+use kin_runtime::{Pose, Target};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Targets that every joint is tried on.
@@ -25,10 +25,10 @@ pub struct Kept {
     pub noise: f64,
 }
 
-/// The joints to keep, the one that separates solutions best first; empty where no
-/// joint will do.
-pub fn choose(frames: &[Pose; 7]) -> Vec<Kept> {
-    let mut kept = each(frames, TARGETS);
+/// The joints to keep of the first ones, the one that separates solutions best first; empty
+/// where no joint will do.
+pub fn choose(frames: &[Pose; 7], joints: usize) -> Vec<Kept> {
+    let mut kept = each(frames, joints, TARGETS);
     kept.retain(|kept| kept.unsure < 100.0);
     let by_quality = |a: &Kept, b: &Kept| {
         a.unsure
@@ -40,9 +40,9 @@ pub fn choose(frames: &[Pose; 7]) -> Vec<Kept> {
     kept
 }
 
-/// The joints that can be kept, as they did on random targets and on those of
+/// The first joints that can be kept, as they did on random targets and on those of
 /// nearly round configurations, at which solutions like to share values of a joint.
-pub fn each(frames: &[Pose; 7], targets: usize) -> Vec<Kept> {
+pub fn each(frames: &[Pose; 7], joints: usize, targets: usize) -> Vec<Kept> {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let target = |k: usize| {
         let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
@@ -50,10 +50,11 @@ pub fn each(frames: &[Pose; 7], targets: usize) -> Vec<Kept> {
             let round = random.below(4) as f64 * FRAC_PI_2;
             q[random.below(6)] = round + 10f64.powf(random.between(-8.0, -1.0));
         }
+        q[joints..].fill(0.0);
         forward(frames, &q)
     };
     let targets: Vec<Pose> = (0..targets).map(target).collect();
-    let eliminations = (0..6).filter_map(|joint| eliminate(frames, joint));
+    let eliminations = (0..joints).filter_map(|joint| eliminate(frames, joint));
     eliminations
         .map(|elimination| tried(frames, elimination, &targets))
         .collect()
@@ -63,6 +64,7 @@ fn tried(frames: &[Pose; 7], elimination: Elimination, targets: &[Pose]) -> Kept
     let arm = Univariate {
         frames: *frames,
         size: 2.0,
+        counts: Target::Pose,
         eliminations: &[],
     };
     let told = targets.iter().map(|target| arm.told(&elimination, target));

@@ -49,6 +49,9 @@ targets! {
     two_turns: Pose, [SKEW, SKEW];
     three_turns: Pose, [SKEW, SKEW, SKEW];
     four_turns: Pose, [SKEW, SKEW, SKEW, SKEW];
+    five_turns: Pose, [SKEW, SKEW, SKEW, SKEW, SKEW];
+    five_turns_and_a_free_one: PositionAxis, [SKEW, SKEW, SKEW, SKEW, SKEW];
+    offset_elbow_and_free_tool: PositionAxis, [SKEW, MEET, SKEW, MEET, SKEW];
     scara: PositionYaw, [SKEW, PARALLEL, PARALLEL, SLIDE_ALONG];
     planar: Planar, [SKEW, PARALLEL, PARALLEL];
 }

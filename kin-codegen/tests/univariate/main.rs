@@ -11,7 +11,7 @@ use kin_codegen::random::Random;
 use kin_codegen::univariate::{choose, eliminate, forward};
 use kin_codegen::{Options, Source, compile};
 use kin_runtime::__private::univariate::{Elimination, Univariate};
-use kin_runtime::{Pose, SearchOptions, Solutions};
+use kin_runtime::{Pose, SearchOptions, Solutions, Target};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GENERAL: [Neighbour; 5] = [Neighbour::General; 5];
@@ -20,13 +20,17 @@ fn solutions(frames: &[Pose; 7], eliminations: &[Elimination], target: &Pose) ->
     let arm = Univariate {
         frames: *frames,
         size: 2.0,
+        counts: Target::Pose,
         eliminations,
     };
     arm.solutions(target)
 }
 
 fn chosen(frames: &[Pose; 7]) -> Vec<Elimination> {
-    choose(frames).iter().map(|kept| kept.elimination).collect()
+    choose(frames, 6)
+        .iter()
+        .map(|kept| kept.elimination)
+        .collect()
 }
 
 fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
@@ -95,6 +99,7 @@ fn harmonics_above_the_degree_vanish() {
             let arm = Univariate {
                 frames,
                 size: 2.0,
+                counts: Target::Pose,
                 eliminations: &[],
             };
             let mut noises: Vec<f64> = (0..9)

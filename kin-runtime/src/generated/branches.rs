@@ -219,7 +219,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     }
 }
 
-impl<const L: usize> Branches<6, L> {
+impl<const N: usize, const L: usize> Branches<N, L> {
     /// The branches of an idealized arm, refined to the solutions of the arm as given; see
     /// [`Univariate::refined`].
     #[inline]
@@ -228,7 +228,26 @@ impl<const L: usize> Branches<6, L> {
         arm: &Univariate,
         target: &Pose,
         accept: &Acceptance,
-    ) -> Solutions<6> {
+    ) -> Solutions<N> {
         arm.refined(target, self.existing(), L, accept.near_singular)
+    }
+
+    /// As [`Self::corrected`], and where a step degenerates, [`Univariate::refined`].
+    #[inline(always)]
+    pub fn completed(
+        &self,
+        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        arm: &Univariate,
+        target: &Pose,
+        accept: &Acceptance,
+    ) -> Solutions<N> {
+        let mut degenerates = false;
+        for k in 0..L {
+            degenerates |= (self.invalid[k] <= 0.0) & (self.singular[k] > 0.0);
+        }
+        match degenerates {
+            true => self.refined_onto(arm, target, accept),
+            false => self.corrected(fk_jacobian, target, Target::Pose, accept),
+        }
     }
 }

@@ -139,6 +139,14 @@ impl<const N: usize> Solutions<N> {
         self.len = (self.len + usize::from(valid)).min(CAPACITY);
     }
 
+    /// Numbers the solutions by their places.
+    pub(crate) fn number_by_place(&mut self) {
+        for (place, slot) in self.slots[..self.len].iter_mut().enumerate() {
+            // SAFETY: `len` only grows past a slot that has just been written.
+            unsafe { slot.assume_init_mut() }.branch = place as u32;
+        }
+    }
+
     /// The place of a solution, which is appended unless one is the same to
     /// within 1e-6: branches that were refined may come together, and the
     /// better of the two is kept. None if it is new and there is no place left.

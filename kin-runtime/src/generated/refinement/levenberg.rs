@@ -14,7 +14,7 @@ use crate::{Jacobian, Pose};
 /// by the square of what is missing they arrive, and in the end as fast as
 /// Newton's (Yamashita and Fukushima, "On the rate of convergence of the
 /// Levenberg-Marquardt method", Computing Supplement 15, 2001).
-pub(super) fn levenberg<const N: usize>(
+pub(in crate::generated) fn levenberg<const N: usize>(
     problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
     q: [f64; N],
     steps: usize,

@@ -13,5 +13,6 @@ mod normal_equations;
 
 pub use branches::refine_branches;
 pub use correction::{NEARLY, correct_branches};
+pub(super) use levenberg::levenberg;
 pub use linearization::Problem;
 pub use newton::{Refined, newton};

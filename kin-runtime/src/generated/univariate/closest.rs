@@ -1,6 +1,6 @@
 //! What comes nearest to a target out of reach.
 
-use super::search::Search;
+use super::search::{Search, whole};
 use super::{LANES, Univariate};
 use crate::linear::cholesky;
 use crate::linear::vector::{norm, sub};
@@ -14,39 +14,49 @@ const GAIN: f64 = 1e-9;
 
 /// The best that descents arrive at from configurations all round the joint that is
 /// kept; none if the target is not a number.
-pub(super) fn closest(arm: &Univariate, target: &Pose) -> Option<Solution<6>> {
-    let frames = arm.frames.map(|frame| Pose {
-        translation: frame.translation.map(|x| 0.5 * arm.size * x),
-        ..frame
-    });
-    let task = Task {
-        frames,
-        target,
-        size: arm.size,
-    };
+pub(super) fn closest(arm: &Univariate, target: &Pose, joints: usize) -> Option<Solution<6>> {
+    let (target, _) = whole(arm.counts, target);
+    let task = Task::new(arm, &target, joints);
     let elimination = arm.eliminations.first()?;
-    let starts = Search::new(arm, target).all_round(elimination);
+    let starts = Search::new(arm, &target).all_round(elimination);
     let arrived = (0..LANES).map(|k| task.descended(starts.map(|q| q[k])));
     let numbers = arrived.filter(|(_, missing)| missing.is_finite());
     let (q, _) = numbers.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
     Some(Solution {
         q: q.map(math::wrap),
-        residual: Target::Pose.distance(&task.fk_jacobian(&q).0, target, arm.size),
+        residual: arm
+            .counts
+            .distance(&task.fk_jacobian(&q).0, &target, arm.size),
         branch: 0,
         singular: false,
     })
 }
 
-struct Task<'a> {
+pub(super) struct Task<'a> {
     /// Lengths in metres.
     frames: [Pose; 7],
     target: &'a Pose,
     size: f64,
+    /// How many there are; those behind stay at zero.
+    joints: usize,
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    pub fn new(arm: &Univariate, target: &'a Pose, joints: usize) -> Self {
+        let frames = arm.frames.map(|frame| Pose {
+            translation: frame.translation.map(|x| 0.5 * arm.size * x),
+            ..frame
+        });
+        Self {
+            frames,
+            target,
+            size: arm.size,
+            joints,
+        }
+    }
+
     /// The pose of the tip, and the spatial Jacobian.
-    fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
+    pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
         let mut pose = self.frames[0];
         let columns = core::array::from_fn(|i| {
             let axis = [0, 1, 2].map(|row| pose.rotation[row][2]);
@@ -70,6 +80,9 @@ impl Task<'_> {
         for row in &mut rows[..3] {
             *row = row.map(|x| x / self.size);
         }
+        for row in &mut rows {
+            row[self.joints..].fill(0.0);
+        }
         (
             [shift[0], shift[1], shift[2], turn[0], turn[1], turn[2]],
             rows,
@@ -78,6 +91,7 @@ impl Task<'_> {
 
     /// Where the Levenberg-Marquardt method arrives, and how far from the target.
     fn descended(&self, mut q: [f64; 6]) -> ([f64; 6], f64) {
+        q[self.joints..].fill(0.0);
         let (mut missing, mut rows) = self.missing(&q);
         let mut damping = 1e-3;
         for _ in 0..STEPS {

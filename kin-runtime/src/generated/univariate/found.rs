@@ -113,19 +113,12 @@ impl Found {
     }
 
     /// The regular solutions, then the singular ones as far as there is room, each in
-    /// the order of a joint; their branch is their place.
+    /// the order of a joint.
     pub fn by_joint(&self, joint: usize) -> Solutions<6> {
         let ordered = [&self.regular, &self.singular].map(|some| in_order(some, |s| s.q[joint]));
         Solutions::build(|out| {
             for solution in ordered.iter().flat_map(Solutions::iter) {
-                let branch = out.len() as u32;
-                out.push_if(
-                    true,
-                    Solution {
-                        branch,
-                        ..*solution
-                    },
-                );
+                out.push_if(true, *solution);
             }
         })
     }

@@ -27,18 +27,22 @@ mod recover;
 mod roots;
 mod search;
 mod sharing;
+mod short;
 mod turn;
 
 pub use elimination::Elimination;
 pub use line::{ENTRIES, Lines, Z_AXIS, moved, turned_back};
 
-use crate::{Pose, Solution, Solutions};
+use crate::{Pose, Solution, Solutions, Target};
 use search::Search;
+use short::{lengthened, shortened, with};
 
 /// Configurations that are worked on at once.
 const LANES: usize = 8;
 
-/// An arm of six revolute joints, and how it is solved.
+/// An arm of revolute joints, and how it is solved: of six, or of fewer with joints behind
+/// the tip that stay at zero. Where what counts of a target leaves the turn about the
+/// tip's z axis free, that turn is the first of those.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Univariate<'a> {
     /// A₀ … A₆ of the arm A₀ Rz(q₁) A₁ … Rz(q₆) A₆; lengths in units of half
@@ -46,6 +50,8 @@ pub struct Univariate<'a> {
     pub frames: [Pose; 7],
     /// The arm's size, metres.
     pub size: f64,
+    /// What of a target counts: all of it, or the position and the axis.
+    pub counts: Target,
     /// The eliminations, the best first.
     pub eliminations: &'a [Elimination],
 }
@@ -66,15 +72,15 @@ impl Univariate<'_> {
     /// that is kept first; those of singular targets last.
     ///
     /// One elimination is asked. Where it is not sure of its answer, so is another.
-    pub fn solutions(&self, target: &Pose) -> Solutions<6> {
-        Search::new(self, target).run()
+    pub fn solutions<const N: usize>(&self, target: &Pose) -> Solutions<N> {
+        by_place(shortened(self, target, &Search::new(self, target).run()))
     }
 
     /// The same; if `seed` is a singular solution, it is among them.
-    pub fn solutions_near(&self, target: &Pose, seed: &[f64; 6]) -> Solutions<6> {
+    pub fn solutions_near<const N: usize>(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
         let mut search = Search::new(self, target);
-        search.keep(seed);
-        search.run()
+        search.keep(&lengthened(seed));
+        by_place(shortened(self, target, &search.run()))
     }
 
     /// All configurations that put the tip at the target, of an arm next to an idealized
@@ -83,25 +89,38 @@ impl Univariate<'_> {
     /// does, or to a solution whose Jacobian has a least pivot of less than
     /// `near_singular` times the largest. What it adds is numbered from `count` on, of
     /// which all branches are below.
-    pub fn refined(
+    pub fn refined<const N: usize>(
         &self,
         target: &Pose,
-        branches: impl Iterator<Item = Solution<6>>,
+        branches: impl Iterator<Item = Solution<N>>,
         count: usize,
         near_singular: f64,
-    ) -> Solutions<6> {
-        Search::new(self, target).refine(branches, count, near_singular)
+    ) -> Solutions<N> {
+        let branches = branches.map(|it| with(&it, lengthened(&it.q), it.residual));
+        let found = Search::new(self, target).refine(branches, count, near_singular);
+        shortened(self, target, &found)
     }
 
     /// A solution, or where there is none, a configuration of which no small motion
     /// comes nearer to the target. None if the target is not a number.
-    pub fn closest(&self, target: &Pose) -> Option<Solution<6>> {
+    pub fn closest<const N: usize>(&self, target: &Pose) -> Option<Solution<N>> {
         let first = self.solutions(target).first().copied();
-        first.or_else(|| closest::closest(self, target))
+        first.or_else(|| {
+            let free_turn = usize::from(self.counts == Target::PositionAxis);
+            let six = closest::closest(self, target, N + free_turn)?;
+            let q = core::array::from_fn(|i| six.q[i]);
+            Some(with(&six, q, six.residual))
+        })
     }
 
     /// What one elimination says of a target.
     pub fn told(&self, elimination: &Elimination, target: &Pose) -> Told {
         Search::new(self, target).ask(elimination)
     }
+}
+
+/// Of a polynomial's roots the branch is the place.
+fn by_place<const N: usize>(mut found: Solutions<N>) -> Solutions<N> {
+    found.number_by_place();
+    found
 }

@@ -8,7 +8,8 @@ use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, MOST, Roots, roots};
 use super::sharing::SHARING;
 use super::{LANES, Told, Univariate};
-use crate::{Pose, Solution, Solutions, math};
+use crate::linear::vector::norm;
+use crate::{Pose, Solution, Solutions, Target, math};
 use core::f64::consts::TAU;
 
 /// Cosines and sines that are off by more are those of an extraneous root.
@@ -65,8 +66,7 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub fn new(arm: &'a Univariate<'a>, target: &Pose) -> Self {
-        let gap = target.rotation_error();
-        let rotated = target.orthonormalized().unwrap_or(*target);
+        let (rotated, gap) = whole(arm.counts, target);
         let target = Pose {
             translation: target.translation.map(|x| x * (2.0 / arm.size)),
             ..rotated
@@ -359,6 +359,36 @@ impl<'a> Search<'a> {
     fn polished(&self, start: &[[f64; LANES]; 6], steps: usize) -> Polished {
         polished(&self.arm.frames, &self.target, start, steps)
     }
+}
+
+/// A pose with all that counts of a target, its rotation orthonormal, and by how much the
+/// target's was not, radians.
+pub(super) fn whole(counts: Target, target: &Pose) -> (Pose, f64) {
+    if counts == Target::Pose {
+        let nearest = target.orthonormalized().unwrap_or(*target);
+        return (nearest, target.rotation_error());
+    }
+    let axis = target.rotation.map(|row| row[2]);
+    let length = norm(axis);
+    let [x, y, z] = axis.map(|x| x / length);
+    // T. Duff et al., "Building an Orthonormal Basis, Revisited", J. Computer Graphics
+    // Techniques 6, 2017.
+    let sign = 1.0_f64.copysign(z);
+    let a = -1.0 / (sign + z);
+    let b = x * y * a;
+    let across = [1.0 + sign * x * x * a, sign * b, -sign * x];
+    let rotation = [
+        [across[0], b, x],
+        [across[1], sign + y * y * a, y],
+        [across[2], -y, z],
+    ];
+    (
+        Pose {
+            rotation,
+            ..*target
+        },
+        (length - 1.0).abs(),
+    )
 }
 
 /// Roots by number.

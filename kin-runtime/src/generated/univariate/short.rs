@@ -1,0 +1,80 @@
+//! Arms of fewer than six joints.
+//!
+//! Joints behind the tip make six of them; the solutions with these at zero are those of
+//! the arm itself. The turn about the tip's axis, where it is free, is one that need not be.
+
+use super::Univariate;
+use super::closest::Task;
+use crate::generated::refinement::{Problem, levenberg};
+use crate::{Jacobian, Pose, Solution, Solutions, Target, math};
+
+/// Where six joints are nearly singular, a target that is off by rounding is reached with
+/// the joints behind the tip this far from zero, radians.
+const ZERO: f64 = 1e-2;
+
+/// Solutions reach the target to this, in units of the arm's size.
+const REACHED: f64 = 1e-9;
+
+/// Evaluations at most; a regular solution takes two.
+const STEPS: usize = 24;
+
+/// The solutions of the first N joints, among those of all six.
+pub(super) fn shortened<const N: usize>(
+    arm: &Univariate,
+    target: &Pose,
+    found: &Solutions<6>,
+) -> Solutions<N> {
+    let first = |q: &[f64; 6]| core::array::from_fn(|i| q[i]);
+    let free_turn = usize::from(arm.counts == Target::PositionAxis);
+    let moving = N + free_turn;
+    if moving == 6 {
+        return Solutions::build(|out| {
+            for solution in found {
+                out.push_if(true, with(solution, first(&solution.q), solution.residual));
+            }
+        });
+    }
+    let task = Task::new(arm, target, N);
+    let problem = Problem {
+        fk_jacobian: |q: &[f64; N]| {
+            let (pose, jacobian) = task.fk_jacobian(&lengthened(q));
+            let rows = jacobian.rows.map(|row| first(&row));
+            (pose, Jacobian { rows })
+        },
+        target,
+        size: arm.size,
+        counts: arm.counts,
+    };
+    let at_zero = |solution: &&Solution<6>| solution.q[moving..].iter().all(|q| q.abs() < ZERO);
+    Solutions::build(|out| {
+        for solution in found.iter().filter(at_zero) {
+            let arrived = levenberg(&problem, first(&solution.q), STEPS);
+            if arrived.residual <= REACHED * arm.size {
+                let solution = with(solution, arrived.q.map(math::wrap), arrived.residual);
+                out.insert_distinct(Solution {
+                    singular: arrived.singular(),
+                    ..solution
+                });
+            }
+        }
+    })
+}
+
+/// With the joints behind the tip at zero.
+pub(super) fn lengthened<const N: usize>(q: &[f64; N]) -> [f64; 6] {
+    core::array::from_fn(|i| q.get(i).copied().unwrap_or(0.0))
+}
+
+/// The same solution in other joint values.
+pub(super) fn with<const N: usize, const M: usize>(
+    solution: &Solution<N>,
+    q: [f64; M],
+    residual: f64,
+) -> Solution<M> {
+    Solution {
+        q,
+        residual,
+        branch: solution.branch,
+        singular: solution.singular,
+    }
+}
