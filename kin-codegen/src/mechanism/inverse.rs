@@ -138,10 +138,18 @@ fn leg_form(
         .map_err(ChainRefusal::NoClosedForm)
         .map(|compiled| LegForm::Whole(Box::new(compiled)))
         .and_then(|form| form.recovers(leg, samples));
+    let by_subproblems = |form: &LegForm| match form {
+        LegForm::Whole(arm) => arm
+            .inverse
+            .as_ref()
+            .is_some_and(|found| found.form.expressions().is_some()),
+        LegForm::Split(_) => true,
+    };
     match whole {
-        Err(reason) if target == Target::Pose => split(leg, file)
+        Ok(form) if by_subproblems(&form) => Ok(form),
+        other if target == Target::Pose => split(leg, file)
             .and_then(|form| form.recovers(leg, samples).ok())
-            .ok_or(reason),
+            .map_or(other, Ok),
         other => other,
     }
 }
