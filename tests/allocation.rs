@@ -106,6 +106,8 @@ fn use_everything<K: Kinematics<N>, const N: usize>(arm: &K) {
     let pose = arm.fk(&q);
     black_box(arm.fk_links(&q));
     black_box(arm.fk_jacobian(&q));
+    arm.fk_batch(&[q; 20], &mut [pose; 20]);
+    arm.fk_jacobian_batch(&[q; 20], &mut [arm.fk_jacobian(&q); 20]);
     black_box(arm.spatial_jacobian(&q));
     black_box(arm.body_jacobian(&q));
     black_box(arm.geometric_jacobian(&q));

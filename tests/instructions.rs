@@ -22,7 +22,7 @@ kinematics::kinematics!("robots/noisy/calibrated.yaml");
 /// reach; all numbers with all bits.
 fn answers<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>> {
     let mut random = Random::new(11);
-    let mut said = Vec::new();
+    let mut said = forward(robot);
     for k in 0..400 {
         let mut q: [f64; N] = std::array::from_fn(|_| random.angle());
         let seed: [f64; N] = std::array::from_fn(|_| random.angle());
@@ -37,6 +37,23 @@ fn answers<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>>
         said.extend(of(robot, &target, &seed));
     }
     said
+}
+
+/// Poses and Jacobians of a batch.
+fn forward<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>> {
+    let mut random = Random::new(12);
+    let q: [[f64; N]; 43] = std::array::from_fn(|_| std::array::from_fn(|_| random.angle()));
+    let mut poses = [Pose::IDENTITY; 43];
+    robot.fk_batch(&q, &mut poses);
+    let mut both = q.map(|_| robot.fk_jacobian(&[0.0; N]));
+    robot.fk_jacobian_batch(&q, &mut both);
+    let entries = poses.iter().chain(both.iter().map(|(pose, _)| pose));
+    let entries =
+        entries.flat_map(|pose| pose.rotation.as_flattened().iter().chain(&pose.translation));
+    let rows = both
+        .iter()
+        .flat_map(|(_, jacobian)| jacobian.rows.as_flattened());
+    vec![Some(entries.chain(rows).map(|x| x.to_bits()).collect())]
 }
 
 fn of<K: Kinematics<N>, const N: usize>(

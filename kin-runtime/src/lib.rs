@@ -76,12 +76,14 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 #[doc(hidden)]
 pub mod __private {
     pub use crate::generated::acceptance::Acceptance;
+    pub use crate::generated::batch::{self, Forward};
     pub use crate::generated::branches::Branches;
     pub use crate::generated::dispatch::{self, Dispatched, dispatch};
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement;
+    pub use crate::generated::sin_cos::{SideBySide, SinCos};
     pub use crate::generated::univariate::{self, Elimination, Univariate};
     pub use crate::linear::singular_values::SingularValues;
     pub use crate::linear::span::Span;

@@ -91,15 +91,12 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5], [c3, c1, c12, c34, c5]) = lanes::sin_cos([
                     q[2],
                     q[0],
                     t1,
                     t2,
                     t3,
-                    0.0,
-                    0.0,
-                    0.0,
                 ]);
                 let t4 = 0.232 * c3;
                 let t5 = s12 * c34;
@@ -129,15 +126,12 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5], [c3, c1, c12, c34, c5]) = lanes::sin_cos([
                     q[2],
                     q[0],
                     t1,
                     t2,
                     t3,
-                    0.0,
-                    0.0,
-                    0.0,
                 ]);
                 let t4 = 0.112 * s1;
                 let t5 = 0.232 * c3;
@@ -198,12 +192,7 @@ mod __Delta {
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
-                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
-                    q[2],
-                    q[0],
-                    t1,
-                    0.0,
-                ]);
+                let ([s3, s1, s12], [c3, c1, c12]) = lanes::sin_cos([q[2], q[0], t1]);
                 let t2 = s12 * c3;
                 let t3 = c12 * c3;
                 Pose {
@@ -233,12 +222,7 @@ mod __Delta {
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 2.0014839778199303);
-                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
-                    q[2],
-                    q[0],
-                    t1,
-                    0.0,
-                ]);
+                let ([s3, s1, s12], [c3, c1, c12]) = lanes::sin_cos([q[2], q[0], t1]);
                 let t2 = 0.112 * s1;
                 let t3 = 0.112 * c1 + 0.132011139050208;
                 let t4 = s12 * c3;
@@ -666,15 +650,12 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5], [c3, c1, c12, c34, c5]) = lanes::sin_cos([
                     q[2],
                     q[0],
                     t1,
                     t2,
                     t3,
-                    0.0,
-                    0.0,
-                    0.0,
                 ]);
                 let t4 = 0.8660254037844388 * c5;
                 let t5 = 0.8660254037844388 * s5;
@@ -717,15 +698,12 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5], [c3, c1, c12, c34, c5]) = lanes::sin_cos([
                     q[2],
                     q[0],
                     t1,
                     t2,
                     t3,
-                    0.0,
-                    0.0,
-                    0.0,
                 ]);
                 let t4 = 0.112 * s1;
                 let t5 = 0.232 * c3;
@@ -816,12 +794,7 @@ mod __Delta {
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
-                    q[2],
-                    q[0],
-                    t1,
-                    0.0,
-                ]);
+                let ([s3, s1, s12], [c3, c1, c12]) = lanes::sin_cos([q[2], q[0], t1]);
                 let t2 = 0.49999999999999983 * c3 + 0.7869389880338669 * s3;
                 let t3 = 0.49999999999999983 * s3 - 0.7869389880338669 * c3;
                 let t4 = c12 * t3 + 0.3615619298436078 * s12;
@@ -855,12 +828,7 @@ mod __Delta {
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
-                    q[2],
-                    q[0],
-                    t1,
-                    0.0,
-                ]);
+                let ([s3, s1, s12], [c3, c1, c12]) = lanes::sin_cos([q[2], q[0], t1]);
                 let t2 = 0.112 * c1;
                 let t3 = 0.112 * s1;
                 let t4 = 0.49999999999999983 * c3 + 0.7869389880338669 * s3;
@@ -1276,7 +1244,7 @@ mod __Delta {
                             .rotation;
                         let [_, _, _] = pose.translation;
                         // The seed, for an angle that the target leaves free
-                        let (t1, t2) = math::sin_cos(seed[0]);
+                        let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
                         // 1. q1 and q2 by SP2 (what all branches share)
                         let t3 = 0.8660254037844388 * r13 + 0.4999999999999999 * r23;
                         let t4 = 0.4174957550478551 * r33
@@ -1383,15 +1351,12 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5], [c3, c1, c12, c34, c5]) = lanes::sin_cos([
                     q[2],
                     q[0],
                     t1,
                     t2,
                     t3,
-                    0.0,
-                    0.0,
-                    0.0,
                 ]);
                 let t4 = 0.8660254037844388 * c5;
                 let t5 = 0.8660254037844388 * s5;
@@ -1434,15 +1399,12 @@ mod __Delta {
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
                 let t2 = q[2] + q[3];
                 let t3 = q[4] + 0.43068765102503376;
-                let ([s3, s1, s12, s34, s5, ..], [c3, c1, c12, c34, c5, ..]) = lanes::sin_cos([
+                let ([s3, s1, s12, s34, s5], [c3, c1, c12, c34, c5]) = lanes::sin_cos([
                     q[2],
                     q[0],
                     t1,
                     t2,
                     t3,
-                    0.0,
-                    0.0,
-                    0.0,
                 ]);
                 let t4 = 0.112 * s1;
                 let t5 = 0.232 * c3;
@@ -1532,12 +1494,7 @@ mod __Delta {
             pub fn fk(&self, q: &[f64; 3]) -> Pose {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
-                    q[2],
-                    q[0],
-                    t1,
-                    0.0,
-                ]);
+                let ([s3, s1, s12], [c3, c1, c12]) = lanes::sin_cos([q[2], q[0], t1]);
                 let t2 = 0.7869389880338669 * s3 - 0.49999999999999983 * c3;
                 let t3 = 0.49999999999999983 * s3 + 0.7869389880338669 * c3;
                 let t4 = c12 * t3 - 0.3615619298436078 * s12;
@@ -1571,12 +1528,7 @@ mod __Delta {
             pub fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
                 // Angles about parallel axes add up
                 let t1 = q[0] + (q[1] - 0.43068765102503376);
-                let ([s3, s1, s12, ..], [c3, c1, c12, ..]) = lanes::sin_cos([
-                    q[2],
-                    q[0],
-                    t1,
-                    0.0,
-                ]);
+                let ([s3, s1, s12], [c3, c1, c12]) = lanes::sin_cos([q[2], q[0], t1]);
                 let t2 = 0.112 * c1;
                 let t3 = 0.112 * s1;
                 let t4 = 0.7869389880338669 * s3 - 0.49999999999999983 * c3;
@@ -1992,7 +1944,7 @@ mod __Delta {
                             .rotation;
                         let [_, _, _] = pose.translation;
                         // The seed, for an angle that the target leaves free
-                        let (t1, t2) = math::sin_cos(seed[0]);
+                        let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
                         // 1. q1 and q2 by SP2 (what all branches share)
                         let t3 = 0.8660254037844388 * r13 - 0.4999999999999999 * r23;
                         let t4 = 0.4174957550478551 * r33
@@ -2093,7 +2045,7 @@ mod __Delta {
             /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 1]) -> Pose {
-                let (s1, c1) = math::sin_cos(q[0]);
+                let ([s1], [c1]) = lanes::sin_cos([q[0]]);
                 Pose {
                     rotation: [[c1, 0.0, s1], [0.0, 1.0, 0.0], [-s1, 0.0, c1]],
                     translation: [0.112 * c1 + 0.132011139050208, 0.0, -(0.112 * s1)],
@@ -2103,7 +2055,7 @@ mod __Delta {
             /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
-                let (s1, c1) = math::sin_cos(q[0]);
+                let ([s1], [c1]) = lanes::sin_cos([q[0]]);
                 (
                     Pose {
                         rotation: [[c1, 0.0, s1], [0.0, 1.0, 0.0], [-s1, 0.0, c1]],
@@ -2124,7 +2076,7 @@ mod __Delta {
             /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 1]) -> Pose {
-                let (s1, c1) = math::sin_cos(q[0]);
+                let ([s1], [c1]) = lanes::sin_cos([q[0]]);
                 let t1 = 0.49999999999999983 * s1;
                 let t2 = 0.8660254037844388 * s1;
                 let t3 = 0.4330127018922192 - 0.43301270189221924 * c1;
@@ -2145,7 +2097,7 @@ mod __Delta {
             /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
-                let (s1, c1) = math::sin_cos(q[0]);
+                let ([s1], [c1]) = lanes::sin_cos([q[0]]);
                 let t1 = 0.49999999999999983 * s1;
                 let t2 = 0.8660254037844388 * s1;
                 let t3 = 0.4330127018922192 - 0.43301270189221924 * c1;
@@ -2184,7 +2136,7 @@ mod __Delta {
             /// in radians and metres.
             #[inline]
             pub fn fk(&self, q: &[f64; 1]) -> Pose {
-                let (s1, c1) = math::sin_cos(q[0]);
+                let ([s1], [c1]) = lanes::sin_cos([q[0]]);
                 let t1 = 0.49999999999999983 * s1;
                 let t2 = 0.8660254037844388 * s1;
                 let t3 = 0.43301270189221924 * c1 - 0.4330127018922192;
@@ -2205,7 +2157,7 @@ mod __Delta {
             /// The same with the spatial Jacobian.
             #[inline]
             pub fn fk_jacobian(&self, q: &[f64; 1]) -> (Pose, Jacobian<1>) {
-                let (s1, c1) = math::sin_cos(q[0]);
+                let ([s1], [c1]) = lanes::sin_cos([q[0]]);
                 let t1 = 0.49999999999999983 * s1;
                 let t2 = 0.8660254037844388 * s1;
                 let t3 = 0.43301270189221924 * c1 - 0.4330127018922192;

@@ -14,7 +14,8 @@
 mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, dispatch, lanes, math, widen,
+        Acceptance, Branches, Dispatched, Forward, SideBySide, SinCos, dispatch, lanes,
+        math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -195,49 +196,7 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s6, s4, s23, ..], [c1, c2, c5, c6, c4, c23, ..]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[5],
-                q[3],
-                t1,
-                0.0,
-                0.0,
-            ]);
-            let t2 = c5 * s6;
-            let t3 = s5 * s6;
-            let t4 = c4 * c6 - s4 * t2;
-            let t5 = s4 * c6 + c4 * t2;
-            let t6 = s23 * t3 - c23 * t5;
-            let t7 = s23 * t5 + c23 * t3;
-            let t8 = s1 * t4 - c1 * t7;
-            let t9 = s1 * t7 + c1 * t4;
-            let t10 = c4 * s5;
-            let t11 = s4 * s5;
-            let t12 = c23 * t10 + s23 * c5;
-            let t13 = c23 * c5 - s23 * t10;
-            let t14 = c1 * t13 - s1 * t11;
-            let t15 = s1 * t13 + c1 * t11;
-            let t16 = 0.08 * s5;
-            let t17 = s4 * t16;
-            let t18 = 0.035 - c4 * t16;
-            let t19 = 0.08 * c5 + 0.42;
-            let t20 = 0.455 * c2 + (s23 * t18 + c23 * t19) + 0.025;
-            Pose {
-                rotation: [
-                    [t6 * t15 - t9 * t12, t8, t14],
-                    [t6 * t14 + t8 * t12, t9, -t15],
-                    [-(t8 * t15 + t9 * t14), t6, -t12],
-                ],
-                translation: [
-                    c1 * t20 - s1 * t17,
-                    -(s1 * t20 + c1 * t17),
-                    c23 * t18 - s23 * t19 - 0.455 * s2 + 0.4,
-                ],
-            }
+            Self::at(q, SideBySide)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -248,15 +207,13 @@ mod __Kr6R900 {
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s6, s4, s23, ..], [c1, c2, c5, c6, c4, c23, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s4, s23], [c1, c2, c5, c6, c4, c23]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[4],
                 q[5],
                 q[3],
                 t1,
-                0.0,
-                0.0,
             ]);
             let t2 = 0.455 * c2;
             let t3 = 0.455 * s2;
@@ -348,15 +305,12 @@ mod __Kr6R900 {
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s4, s23, ..], [c1, c2, c5, c4, c23, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s4, s23], [c1, c2, c5, c4, c23]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[4],
                 q[3],
                 t1,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t2 = 0.455 * s2;
             let t3 = s4 * s5;
@@ -407,15 +361,12 @@ mod __Kr6R900 {
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s3, s4, s5, s6, s23, ..], [c3, c4, c5, c6, c23, ..]) = lanes::sin_cos([
+            let ([s3, s4, s5, s6, s23], [c3, c4, c5, c6, c23]) = lanes::sin_cos([
                 q[2],
                 q[3],
                 q[4],
                 q[5],
                 t1,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t2 = c5 * s6;
             let t3 = s5 * s6;
@@ -488,15 +439,12 @@ mod __Kr6R900 {
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s4, s23, ..], [c1, c2, c5, c4, c23, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s4, s23], [c1, c2, c5, c4, c23]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[4],
                 q[3],
                 t1,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t2 = 0.455 * c2;
             let t3 = 0.455 * s2;
@@ -560,92 +508,7 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s6, s4, s23, ..], [c1, c2, c5, c6, c4, c23, ..]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[5],
-                q[3],
-                t1,
-                0.0,
-                0.0,
-            ]);
-            let t2 = 0.455 * c2;
-            let t3 = 0.025 * c1;
-            let t4 = 0.025 * s1;
-            let t5 = 0.4 - 0.455 * s2;
-            let t6 = c1 * s23;
-            let t7 = s1 * s23;
-            let t8 = c1 * c23;
-            let t9 = s1 * c23;
-            let t10 = s1 * c4 - s4 * t6;
-            let t11 = c1 * c4 + s4 * t7;
-            let t12 = c23 * s4;
-            let t13 = s1 * s4 + c4 * t6;
-            let t14 = c4 * t7 - c1 * s4;
-            let t15 = c23 * c4;
-            let t16 = c5 * t13 + s5 * t8;
-            let t17 = c5 * t14 + s5 * t9;
-            let t18 = s23 * s5 - c5 * t15;
-            let t19 = s5 * t13;
-            let t20 = c5 * t8;
-            let t21 = t19 - t20;
-            let t22 = s5 * t14;
-            let t23 = c5 * t9;
-            let t24 = t23 - t22;
-            let t25 = s23 * c5 + s5 * t15;
-            let t26 = t3 + c1 * t2;
-            let t27 = t4 + s1 * t2;
-            let t28 = t26 + (0.035 * t6 + 0.42 * t8);
-            let t29 = t27 + (0.035 * t7 + 0.42 * t9);
-            let t30 = t5 + (0.035 * c23 - 0.42 * s23);
-            (
-                Pose {
-                    rotation: [
-                        [-(s6 * t10 + c6 * t16), c6 * t10 - s6 * t16, t20 - t19],
-                        [c6 * t17 - s6 * t11, c6 * t11 + s6 * t17, t22 - t23],
-                        [s6 * t12 + c6 * t18, s6 * t18 - c6 * t12, -t25],
-                    ],
-                    translation: [
-                        t28 - 0.08 * t21,
-                        -(0.08 * t24 + t29),
-                        t30 - 0.08 * t25,
-                    ],
-                },
-                Jacobian {
-                    rows: [
-                        [
-                            0.0,
-                            -(0.4 * c1),
-                            -(c1 * t5),
-                            -(s23 * t29 + t9 * t30),
-                            t12 * t29 - t11 * t30,
-                            -(t25 * t29 + t24 * t30),
-                        ],
-                        [
-                            0.0,
-                            0.4 * s1,
-                            s1 * t5,
-                            -(t8 * t30 + s23 * t28),
-                            t10 * t30 + t12 * t28,
-                            t21 * t30 - t25 * t28,
-                        ],
-                        [
-                            0.0,
-                            c1 * t3 + s1 * t4,
-                            c1 * t26 + s1 * t27,
-                            t9 * t28 - t8 * t29,
-                            t11 * t28 + t10 * t29,
-                            t24 * t28 + t21 * t29,
-                        ],
-                        [0.0, s1, s1, -t8, t10, t21],
-                        [0.0, c1, c1, t9, t11, t24],
-                        [-1.0, 0.0, 0.0, s23, -t12, t25],
-                    ],
-                },
-            )
+            Self::at(q, SideBySide)
         }
 
         const ACCEPT: Acceptance = Acceptance {
@@ -708,11 +571,10 @@ mod __Kr6R900 {
                         .rotation;
                     let [px, py, pz] = pose.translation;
                     // The seed, for an angle that the target leaves free
-                    let ([t1, t2, t3, ..], [t4, t5, t6, ..]) = lanes::sin_cos([
+                    let ([t1, t2, t3], [t4, t5, t6]) = lanes::sin_cos([
                         seed[0],
                         seed[1],
                         seed[3],
-                        0.0,
                     ]);
                     // 1. q1 by SP4 (what all branches share)
                     let t7 = 0.08 * r13;
@@ -1085,9 +947,136 @@ mod __Kr6R900 {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<Pose, 6, 6> for Kr6R900 {
+        #[inline(always)]
+        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s1, s2, s5, s6, s4, s23], [c1, c2, c5, c6, c4, c23]) = sin_cos
+                .of([q[0], q[1], q[4], q[5], q[3], t1]);
+            let t2 = c5 * s6;
+            let t3 = s5 * s6;
+            let t4 = c4 * c6 - s4 * t2;
+            let t5 = s4 * c6 + c4 * t2;
+            let t6 = s23 * t3 - c23 * t5;
+            let t7 = s23 * t5 + c23 * t3;
+            let t8 = s1 * t4 - c1 * t7;
+            let t9 = s1 * t7 + c1 * t4;
+            let t10 = c4 * s5;
+            let t11 = s4 * s5;
+            let t12 = c23 * t10 + s23 * c5;
+            let t13 = c23 * c5 - s23 * t10;
+            let t14 = c1 * t13 - s1 * t11;
+            let t15 = s1 * t13 + c1 * t11;
+            let t16 = 0.08 * s5;
+            let t17 = s4 * t16;
+            let t18 = 0.035 - c4 * t16;
+            let t19 = 0.08 * c5 + 0.42;
+            let t20 = 0.455 * c2 + (s23 * t18 + c23 * t19) + 0.025;
+            Pose {
+                rotation: [
+                    [t6 * t15 - t9 * t12, t8, t14],
+                    [t6 * t14 + t8 * t12, t9, -t15],
+                    [-(t8 * t15 + t9 * t14), t6, -t12],
+                ],
+                translation: [
+                    c1 * t20 - s1 * t17,
+                    -(s1 * t20 + c1 * t17),
+                    c23 * t18 - s23 * t19 - 0.455 * s2 + 0.4,
+                ],
+            }
+        }
+    }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<(Pose, Jacobian<6>), 6, 6> for Kr6R900 {
+        #[inline(always)]
+        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s1, s2, s5, s6, s4, s23], [c1, c2, c5, c6, c4, c23]) = sin_cos
+                .of([q[0], q[1], q[4], q[5], q[3], t1]);
+            let t2 = 0.455 * c2;
+            let t3 = 0.025 * c1;
+            let t4 = 0.025 * s1;
+            let t5 = 0.4 - 0.455 * s2;
+            let t6 = c1 * s23;
+            let t7 = s1 * s23;
+            let t8 = c1 * c23;
+            let t9 = s1 * c23;
+            let t10 = s1 * c4 - s4 * t6;
+            let t11 = c1 * c4 + s4 * t7;
+            let t12 = c23 * s4;
+            let t13 = s1 * s4 + c4 * t6;
+            let t14 = c4 * t7 - c1 * s4;
+            let t15 = c23 * c4;
+            let t16 = c5 * t13 + s5 * t8;
+            let t17 = c5 * t14 + s5 * t9;
+            let t18 = s23 * s5 - c5 * t15;
+            let t19 = s5 * t13;
+            let t20 = c5 * t8;
+            let t21 = t19 - t20;
+            let t22 = s5 * t14;
+            let t23 = c5 * t9;
+            let t24 = t23 - t22;
+            let t25 = s23 * c5 + s5 * t15;
+            let t26 = t3 + c1 * t2;
+            let t27 = t4 + s1 * t2;
+            let t28 = t26 + (0.035 * t6 + 0.42 * t8);
+            let t29 = t27 + (0.035 * t7 + 0.42 * t9);
+            let t30 = t5 + (0.035 * c23 - 0.42 * s23);
+            (
+                Pose {
+                    rotation: [
+                        [-(s6 * t10 + c6 * t16), c6 * t10 - s6 * t16, t20 - t19],
+                        [c6 * t17 - s6 * t11, c6 * t11 + s6 * t17, t22 - t23],
+                        [s6 * t12 + c6 * t18, s6 * t18 - c6 * t12, -t25],
+                    ],
+                    translation: [
+                        t28 - 0.08 * t21,
+                        -(0.08 * t24 + t29),
+                        t30 - 0.08 * t25,
+                    ],
+                },
+                Jacobian {
+                    rows: [
+                        [
+                            0.0,
+                            -(0.4 * c1),
+                            -(c1 * t5),
+                            -(s23 * t29 + t9 * t30),
+                            t12 * t29 - t11 * t30,
+                            -(t25 * t29 + t24 * t30),
+                        ],
+                        [
+                            0.0,
+                            0.4 * s1,
+                            s1 * t5,
+                            -(t8 * t30 + s23 * t28),
+                            t10 * t30 + t12 * t28,
+                            t21 * t30 - t25 * t28,
+                        ],
+                        [
+                            0.0,
+                            c1 * t3 + s1 * t4,
+                            c1 * t26 + s1 * t27,
+                            t9 * t28 - t8 * t29,
+                            t11 * t28 + t10 * t29,
+                            t24 * t28 + t21 * t29,
+                        ],
+                        [0.0, s1, s1, -t8, t10, t21],
+                        [0.0, c1, c1, t9, t11, t24],
+                        [-1.0, 0.0, 0.0, s23, -t12, t25],
+                    ],
+                },
+            )
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Kr6R900, 6, inverse : own, derivatives : provided, determinant : own,
-        singularities : own
+        Kr6R900, 6, batches : own, inverse : own, derivatives : provided, determinant :
+        own, singularities : own
     }
 }
 

@@ -14,7 +14,8 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, Locked, dispatch, lanes, math, widen,
+        Acceptance, Branches, Dispatched, Forward, Locked, SideBySide, SinCos, dispatch,
+        lanes, math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Parameter, Pose, Posture, RedundantKinematics,
@@ -153,59 +154,7 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 7]) -> Pose {
-            let ([s1, s2, s3, s4, s5, s6, s7, ..], [c1, c2, c3, c4, c5, c6, c7, ..]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[2],
-                q[3],
-                q[4],
-                q[5],
-                q[6],
-                0.0,
-            ]);
-            let t1 = c6 * s7;
-            let t2 = s6 * s7;
-            let t3 = c5 * t1 - s5 * c7;
-            let t4 = s5 * t1 + c5 * c7;
-            let t5 = c4 * t2 + s4 * t3;
-            let t6 = s4 * t2 - c4 * t3;
-            let t7 = c3 * t6 + s3 * t4;
-            let t8 = s3 * t6 - c3 * t4;
-            let t9 = c2 * t5 + s2 * t7;
-            let t10 = c2 * t7 - s2 * t5;
-            let t11 = c1 * t10 - s1 * t8;
-            let t12 = s1 * t10 + c1 * t8;
-            let t13 = c5 * s6;
-            let t14 = s5 * s6;
-            let t15 = s4 * t13 - c4 * c6;
-            let t16 = s4 * c6 + c4 * t13;
-            let t17 = c3 * t16 - s3 * t14;
-            let t18 = s3 * t16 + c3 * t14;
-            let t19 = c2 * t15 - s2 * t17;
-            let t20 = s2 * t15 + c2 * t17;
-            let t21 = c1 * t20 - s1 * t18;
-            let t22 = s1 * t20 + c1 * t18;
-            let t23 = 0.107 * s6 + 0.088 * c6;
-            let t24 = s5 * t23;
-            let t25 = 0.088 * s6 - 0.107 * c6 + 0.384;
-            let t26 = 0.0825 - c5 * t23;
-            let t27 = 0.0825 - (s4 * t25 + c4 * t26);
-            let t28 = c3 * t27 - s3 * t24;
-            let t29 = s3 * t27 + c3 * t24;
-            let t30 = c4 * t25 - s4 * t26 + 0.316;
-            let t31 = s2 * t30 + c2 * t28;
-            Pose {
-                rotation: [
-                    [t12 * t19 + t9 * t22, t11, t21],
-                    [-(t9 * t21 + t11 * t19), t12, t22],
-                    [t11 * t22 - t12 * t21, -t9, t19],
-                ],
-                translation: [
-                    c1 * t31 - s1 * t29,
-                    s1 * t31 + c1 * t29,
-                    c2 * t30 - s2 * t28 + 0.333,
-                ],
-            }
+            Self::at(q, SideBySide)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -214,7 +163,7 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 7]) -> [Pose; 7] {
-            let ([s1, s2, s3, s4, s5, s6, s7, ..], [c1, c2, c3, c4, c5, c6, c7, ..]) = lanes::sin_cos([
+            let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[2],
@@ -222,7 +171,6 @@ mod __Panda {
                 q[4],
                 q[5],
                 q[6],
-                0.0,
             ]);
             let t1 = -s1;
             let t2 = c1 * s2;
@@ -354,15 +302,13 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 7]) -> Jacobian<7> {
-            let ([s3, s4, s5, s6, s7, s2, ..], [c3, c4, c5, c6, c7, c2, ..]) = lanes::sin_cos([
+            let ([s3, s4, s5, s6, s7, s2], [c3, c4, c5, c6, c7, c2]) = lanes::sin_cos([
                 q[2],
                 q[3],
                 q[4],
                 q[5],
                 q[6],
                 q[1],
-                0.0,
-                0.0,
             ]);
             let t1 = c6 * s7;
             let t2 = s6 * s7;
@@ -442,15 +388,13 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 7]) -> Jacobian<7> {
-            let ([s1, s2, s3, s4, s5, s6, ..], [c1, c2, c3, c4, c5, c6, ..]) = lanes::sin_cos([
+            let ([s1, s2, s3, s4, s5, s6], [c1, c2, c3, c4, c5, c6]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[2],
                 q[3],
                 q[4],
                 q[5],
-                0.0,
-                0.0,
             ]);
             let t1 = c1 * s2;
             let t2 = s1 * s2;
@@ -549,112 +493,7 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 7]) -> (Pose, Jacobian<7>) {
-            let ([s1, s2, s3, s4, s5, s6, s7, ..], [c1, c2, c3, c4, c5, c6, c7, ..]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[2],
-                q[3],
-                q[4],
-                q[5],
-                q[6],
-                0.0,
-            ]);
-            let t1 = c1 * s2;
-            let t2 = s1 * s2;
-            let t3 = c1 * c2;
-            let t4 = s1 * c2;
-            let t5 = 0.316 * t1;
-            let t6 = 0.316 * t2;
-            let t7 = 0.316 * c2 + 0.333;
-            let t8 = c3 * t3;
-            let t9 = s1 * s3;
-            let t10 = c3 * t4 + c1 * s3;
-            let t11 = s2 * c3;
-            let t12 = s3 * t3 + s1 * c3;
-            let t13 = s2 * s3;
-            let t14 = t9 - t8;
-            let t15 = s3 * t4 - c1 * c3;
-            let t16 = t5 + 0.0825 * (t8 - t9);
-            let t17 = t6 + 0.0825 * t10;
-            let t18 = t7 - 0.0825 * t11;
-            let t19 = c4 * t1 + s4 * t14;
-            let t20 = c4 * t2 - s4 * t10;
-            let t21 = c2 * c4 + s4 * t11;
-            let t22 = c4 * t14 - s4 * t1;
-            let t23 = s4 * t2 + c4 * t10;
-            let t24 = c4 * t11 - c2 * s4;
-            let t25 = t16 + (0.384 * t19 + 0.0825 * t22);
-            let t26 = t17 + (0.384 * t20 - 0.0825 * t23);
-            let t27 = t18 + (0.384 * t21 + 0.0825 * t24);
-            let t28 = c5 * t22 + s5 * t12;
-            let t29 = s5 * t15 - c5 * t23;
-            let t30 = c5 * t24 - s5 * t13;
-            let t31 = s5 * t22;
-            let t32 = c5 * t12;
-            let t33 = t32 - t31;
-            let t34 = s5 * t23 + c5 * t15;
-            let t35 = s5 * t24 + c5 * t13;
-            let t36 = t31 - t32;
-            let t37 = c6 * t19 + s6 * t28;
-            let t38 = c6 * t20 + s6 * t29;
-            let t39 = c6 * t21 + s6 * t30;
-            let t40 = c6 * t28 - s6 * t19;
-            let t41 = c6 * t29 - s6 * t20;
-            let t42 = c6 * t30 - s6 * t21;
-            let t43 = -t37;
-            let t44 = -t38;
-            let t45 = -t39;
-            let t46 = t25 - 0.088 * t40;
-            let t47 = t26 - 0.088 * t41;
-            let t48 = t27 - 0.088 * t42;
-            (
-                Pose {
-                    rotation: [
-                        [-(c7 * t40 + s7 * t36), s7 * t40 - c7 * t36, t43],
-                        [s7 * t34 - c7 * t41, s7 * t41 + c7 * t34, t44],
-                        [-(c7 * t42 + s7 * t35), s7 * t42 - c7 * t35, t45],
-                    ],
-                    translation: [
-                        t46 - 0.107 * t37,
-                        t47 - 0.107 * t38,
-                        t48 - 0.107 * t39,
-                    ],
-                },
-                Jacobian {
-                    rows: [
-                        [
-                            0.0,
-                            -(0.333 * c1),
-                            c2 * t6 - t2 * t7,
-                            -(t13 * t17 + t15 * t18),
-                            t21 * t26 - t20 * t27,
-                            -(t26 * t35 + t27 * t34),
-                            t38 * t48 - t39 * t47,
-                        ],
-                        [
-                            0.0,
-                            -(0.333 * s1),
-                            t1 * t7 - c2 * t5,
-                            t12 * t18 + t13 * t16,
-                            t19 * t27 - t21 * t25,
-                            t27 * t33 + t25 * t35,
-                            t39 * t46 - t37 * t48,
-                        ],
-                        [
-                            0.0,
-                            0.0,
-                            t2 * t5 - t1 * t6,
-                            t15 * t16 - t12 * t17,
-                            t20 * t25 - t19 * t26,
-                            t25 * t34 - t26 * t33,
-                            t37 * t47 - t38 * t46,
-                        ],
-                        [0.0, -s1, t1, t12, t19, t33, t43],
-                        [0.0, c1, t2, t15, t20, t34, t44],
-                        [1.0, 0.0, c2, -t13, t21, -t35, t45],
-                    ],
-                },
-            )
+            Self::at(q, SideBySide)
         }
 
         /// What [`Self::ik_at`] takes beside a target.
@@ -1052,9 +891,166 @@ mod __Panda {
             dispatch::<Lanes, _>((pose, seed, locked))
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<Pose, 7, 7> for Panda {
+        #[inline(always)]
+        fn at(q: &[f64; 7], sin_cos: impl SinCos<7>) -> Pose {
+            let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = sin_cos
+                .of([q[0], q[1], q[2], q[3], q[4], q[5], q[6]]);
+            let t1 = c6 * s7;
+            let t2 = s6 * s7;
+            let t3 = c5 * t1 - s5 * c7;
+            let t4 = s5 * t1 + c5 * c7;
+            let t5 = c4 * t2 + s4 * t3;
+            let t6 = s4 * t2 - c4 * t3;
+            let t7 = c3 * t6 + s3 * t4;
+            let t8 = s3 * t6 - c3 * t4;
+            let t9 = c2 * t5 + s2 * t7;
+            let t10 = c2 * t7 - s2 * t5;
+            let t11 = c1 * t10 - s1 * t8;
+            let t12 = s1 * t10 + c1 * t8;
+            let t13 = c5 * s6;
+            let t14 = s5 * s6;
+            let t15 = s4 * t13 - c4 * c6;
+            let t16 = s4 * c6 + c4 * t13;
+            let t17 = c3 * t16 - s3 * t14;
+            let t18 = s3 * t16 + c3 * t14;
+            let t19 = c2 * t15 - s2 * t17;
+            let t20 = s2 * t15 + c2 * t17;
+            let t21 = c1 * t20 - s1 * t18;
+            let t22 = s1 * t20 + c1 * t18;
+            let t23 = 0.107 * s6 + 0.088 * c6;
+            let t24 = s5 * t23;
+            let t25 = 0.088 * s6 - 0.107 * c6 + 0.384;
+            let t26 = 0.0825 - c5 * t23;
+            let t27 = 0.0825 - (s4 * t25 + c4 * t26);
+            let t28 = c3 * t27 - s3 * t24;
+            let t29 = s3 * t27 + c3 * t24;
+            let t30 = c4 * t25 - s4 * t26 + 0.316;
+            let t31 = s2 * t30 + c2 * t28;
+            Pose {
+                rotation: [
+                    [t12 * t19 + t9 * t22, t11, t21],
+                    [-(t9 * t21 + t11 * t19), t12, t22],
+                    [t11 * t22 - t12 * t21, -t9, t19],
+                ],
+                translation: [
+                    c1 * t31 - s1 * t29,
+                    s1 * t31 + c1 * t29,
+                    c2 * t30 - s2 * t28 + 0.333,
+                ],
+            }
+        }
+    }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<(Pose, Jacobian<7>), 7, 7> for Panda {
+        #[inline(always)]
+        fn at(q: &[f64; 7], sin_cos: impl SinCos<7>) -> (Pose, Jacobian<7>) {
+            let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = sin_cos
+                .of([q[0], q[1], q[2], q[3], q[4], q[5], q[6]]);
+            let t1 = c1 * s2;
+            let t2 = s1 * s2;
+            let t3 = c1 * c2;
+            let t4 = s1 * c2;
+            let t5 = 0.316 * t1;
+            let t6 = 0.316 * t2;
+            let t7 = 0.316 * c2 + 0.333;
+            let t8 = c3 * t3;
+            let t9 = s1 * s3;
+            let t10 = c3 * t4 + c1 * s3;
+            let t11 = s2 * c3;
+            let t12 = s3 * t3 + s1 * c3;
+            let t13 = s2 * s3;
+            let t14 = t9 - t8;
+            let t15 = s3 * t4 - c1 * c3;
+            let t16 = t5 + 0.0825 * (t8 - t9);
+            let t17 = t6 + 0.0825 * t10;
+            let t18 = t7 - 0.0825 * t11;
+            let t19 = c4 * t1 + s4 * t14;
+            let t20 = c4 * t2 - s4 * t10;
+            let t21 = c2 * c4 + s4 * t11;
+            let t22 = c4 * t14 - s4 * t1;
+            let t23 = s4 * t2 + c4 * t10;
+            let t24 = c4 * t11 - c2 * s4;
+            let t25 = t16 + (0.384 * t19 + 0.0825 * t22);
+            let t26 = t17 + (0.384 * t20 - 0.0825 * t23);
+            let t27 = t18 + (0.384 * t21 + 0.0825 * t24);
+            let t28 = c5 * t22 + s5 * t12;
+            let t29 = s5 * t15 - c5 * t23;
+            let t30 = c5 * t24 - s5 * t13;
+            let t31 = s5 * t22;
+            let t32 = c5 * t12;
+            let t33 = t32 - t31;
+            let t34 = s5 * t23 + c5 * t15;
+            let t35 = s5 * t24 + c5 * t13;
+            let t36 = t31 - t32;
+            let t37 = c6 * t19 + s6 * t28;
+            let t38 = c6 * t20 + s6 * t29;
+            let t39 = c6 * t21 + s6 * t30;
+            let t40 = c6 * t28 - s6 * t19;
+            let t41 = c6 * t29 - s6 * t20;
+            let t42 = c6 * t30 - s6 * t21;
+            let t43 = -t37;
+            let t44 = -t38;
+            let t45 = -t39;
+            let t46 = t25 - 0.088 * t40;
+            let t47 = t26 - 0.088 * t41;
+            let t48 = t27 - 0.088 * t42;
+            (
+                Pose {
+                    rotation: [
+                        [-(c7 * t40 + s7 * t36), s7 * t40 - c7 * t36, t43],
+                        [s7 * t34 - c7 * t41, s7 * t41 + c7 * t34, t44],
+                        [-(c7 * t42 + s7 * t35), s7 * t42 - c7 * t35, t45],
+                    ],
+                    translation: [
+                        t46 - 0.107 * t37,
+                        t47 - 0.107 * t38,
+                        t48 - 0.107 * t39,
+                    ],
+                },
+                Jacobian {
+                    rows: [
+                        [
+                            0.0,
+                            -(0.333 * c1),
+                            c2 * t6 - t2 * t7,
+                            -(t13 * t17 + t15 * t18),
+                            t21 * t26 - t20 * t27,
+                            -(t26 * t35 + t27 * t34),
+                            t38 * t48 - t39 * t47,
+                        ],
+                        [
+                            0.0,
+                            -(0.333 * s1),
+                            t1 * t7 - c2 * t5,
+                            t12 * t18 + t13 * t16,
+                            t19 * t27 - t21 * t25,
+                            t27 * t33 + t25 * t35,
+                            t39 * t46 - t37 * t48,
+                        ],
+                        [
+                            0.0,
+                            0.0,
+                            t2 * t5 - t1 * t6,
+                            t15 * t16 - t12 * t17,
+                            t20 * t25 - t19 * t26,
+                            t25 * t34 - t26 * t33,
+                            t37 * t47 - t38 * t46,
+                        ],
+                        [0.0, -s1, t1, t12, t19, t33, t43],
+                        [0.0, c1, t2, t15, t20, t34, t44],
+                        [1.0, 0.0, c2, -t13, t21, -t35, t45],
+                    ],
+                },
+            )
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Panda, 7, inverse : none, derivatives : provided, determinant : none,
-        singularities : none
+        Panda, 7, batches : own, inverse : none, derivatives : provided, determinant :
+        none, singularities : none
     }
 
     impl RedundantKinematics<7> for Panda {
@@ -1075,7 +1071,7 @@ mod __Panda {
             let [px, py, pz] = pose.translation;
             // What is given beside the target; the seed, for an angle that both leave
             // free
-            let (s7, c7) = math::sin_cos(parameter);
+            let ([s7], [c7]) = lanes::sin_cos([parameter]);
             // 1. q4 by SP3, given q7 (what all branches share)
             let t1 = 0.088 * c7;
             let t2 = 0.088 * s7;

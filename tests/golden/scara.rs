@@ -13,7 +13,8 @@
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, dispatch, lanes, math,
+        Acceptance, Branches, Dispatched, Forward, SideBySide, SinCos, dispatch, lanes,
+        math,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -137,19 +138,7 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 4]) -> Pose {
-            // Angles about parallel axes add up
-            let t1 = q[0] + q[1];
-            let t2 = q[2] + t1;
-            let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([
-                q[0],
-                t1,
-                t2,
-                0.0,
-            ]);
-            Pose {
-                rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                translation: [-(0.4 * s1 + 0.3 * s12), 0.4 * c1 + 0.3 * c12, q[3] + 0.5],
-            }
+            Self::at(q, SideBySide)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -161,12 +150,7 @@ mod __Scara {
             // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let t2 = q[2] + t1;
-            let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([
-                q[0],
-                t1,
-                t2,
-                0.0,
-            ]);
+            let ([s1, s12, s123], [c1, c12, c123]) = lanes::sin_cos([q[0], t1, t2]);
             let t3 = 0.4 * c1;
             let t4 = 0.4 * s1;
             let t5 = -s123;
@@ -273,35 +257,7 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 4]) -> (Pose, Jacobian<4>) {
-            // Angles about parallel axes add up
-            let t1 = q[0] + q[1];
-            let t2 = q[2] + t1;
-            let ([s1, s12, s123, ..], [c1, c12, c123, ..]) = lanes::sin_cos([
-                q[0],
-                t1,
-                t2,
-                0.0,
-            ]);
-            let t3 = 0.4 * c1;
-            let t4 = 0.4 * s1;
-            let t5 = t4 + 0.3 * s12;
-            let t6 = t3 + 0.3 * c12;
-            (
-                Pose {
-                    rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [-t5, t6, q[3] + 0.5],
-                },
-                Jacobian {
-                    rows: [
-                        [0.0, t3, t6, 0.0],
-                        [0.0, t4, t5, 0.0],
-                        [0.0, 0.0, 0.0, 1.0],
-                        [0.0, 0.0, 0.0, 0.0],
-                        [0.0, 0.0, 0.0, 0.0],
-                        [1.0, 1.0, 1.0, 0.0],
-                    ],
-                },
-            )
+            Self::at(q, SideBySide)
         }
 
         const ACCEPT: Acceptance = Acceptance {
@@ -364,7 +320,7 @@ mod __Scara {
                         .rotation;
                     let [px, py, pz] = pose.translation;
                     // The seed, for an angle that the target leaves free
-                    let (t1, t2) = math::sin_cos(seed[2]);
+                    let ([t1], [t2]) = lanes::sin_cos([seed[2]]);
                     // 1. q1+q2+q3 by SP1
                     // 2. q4 by T2
                     let t3 = r31 * pz + (r11 * px + r21 * py);
@@ -539,7 +495,7 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn jacobian_determinant(&self, q: &[f64; 4]) -> f64 {
-            let (t1, _) = math::sin_cos(q[1]);
+            let ([t1], [_]) = lanes::sin_cos([q[1]]);
             -(0.12 * t1)
         }
 
@@ -549,13 +505,59 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn singularities(&self, q: &[f64; 4]) -> [Singularity; 1] {
-            let (t1, _) = math::sin_cos(q[1]);
+            let ([t1], [_]) = lanes::sin_cos([q[1]]);
             Singularity::by_name(["elbow"], [t1])
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<Pose, 4, 3> for Scara {
+        #[inline(always)]
+        fn at(q: &[f64; 4], sin_cos: impl SinCos<3>) -> Pose {
+            // Angles about parallel axes add up
+            let t1 = q[0] + q[1];
+            let t2 = q[2] + t1;
+            let ([s1, s12, s123], [c1, c12, c123]) = sin_cos.of([q[0], t1, t2]);
+            Pose {
+                rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
+                translation: [-(0.4 * s1 + 0.3 * s12), 0.4 * c1 + 0.3 * c12, q[3] + 0.5],
+            }
+        }
+    }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<(Pose, Jacobian<4>), 4, 3> for Scara {
+        #[inline(always)]
+        fn at(q: &[f64; 4], sin_cos: impl SinCos<3>) -> (Pose, Jacobian<4>) {
+            // Angles about parallel axes add up
+            let t1 = q[0] + q[1];
+            let t2 = q[2] + t1;
+            let ([s1, s12, s123], [c1, c12, c123]) = sin_cos.of([q[0], t1, t2]);
+            let t3 = 0.4 * c1;
+            let t4 = 0.4 * s1;
+            let t5 = t4 + 0.3 * s12;
+            let t6 = t3 + 0.3 * c12;
+            (
+                Pose {
+                    rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [-t5, t6, q[3] + 0.5],
+                },
+                Jacobian {
+                    rows: [
+                        [0.0, t3, t6, 0.0],
+                        [0.0, t4, t5, 0.0],
+                        [0.0, 0.0, 0.0, 1.0],
+                        [0.0, 0.0, 0.0, 0.0],
+                        [0.0, 0.0, 0.0, 0.0],
+                        [1.0, 1.0, 1.0, 0.0],
+                    ],
+                },
+            )
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Scara, 4, inverse : own, derivatives : provided, determinant : own, singularities
-        : own
+        Scara, 4, batches : own, inverse : own, derivatives : provided, determinant :
+        own, singularities : own
     }
 }
 

@@ -14,8 +14,8 @@
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, FREE_BELOW, FreeAngle, dispatch, lanes, math,
-        widen,
+        Acceptance, Branches, Dispatched, FREE_BELOW, Forward, FreeAngle, SideBySide,
+        SinCos, dispatch, lanes, math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -190,41 +190,7 @@ mod __Ur5e {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let t2 = q[3] + t1;
-            let ([s1, s2, s5, s6, s23, s234, ..], [c1, c2, c5, c6, c23, c234, ..]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[5],
-                t1,
-                t2,
-                0.0,
-                0.0,
-            ]);
-            let t3 = c5 * s6;
-            let t4 = s5 * s6;
-            let t5 = c234 * c6 - s234 * t3;
-            let t6 = s234 * c6 + c234 * t3;
-            let t7 = c1 * t6 + s1 * t4;
-            let t8 = c1 * t4 - s1 * t6;
-            let t9 = c234 * s5;
-            let t10 = s234 * s5;
-            let t11 = s1 * c5 - c1 * t9;
-            let t12 = s1 * t9 + c1 * c5;
-            let t13 = 0.0996 * s5;
-            let t14 = 0.425 * s2 + 0.3922 * s23 + (0.0997 * c234 + s234 * t13);
-            let t15 = 0.425 * c2 + 0.3922 * c23 + (c234 * t13 - 0.0997 * s234);
-            let t16 = -0.1333 - 0.0996 * c5;
-            Pose {
-                rotation: [
-                    [t5 * t12 - t8 * t10, -t7, t11],
-                    [t5 * t11 - t7 * t10, t8, -t12],
-                    [t7 * t12 - t8 * t11, t5, -t10],
-                ],
-                translation: [-(c1 * t15 + s1 * t16), c1 * t16 - s1 * t15, 0.1625 - t14],
-            }
+            Self::at(q, SideBySide)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -236,15 +202,13 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s5, s6, s23, s234, ..], [c1, c2, c5, c6, c23, c234, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s6, s23, s234], [c1, c2, c5, c6, c23, c234]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[4],
                 q[5],
                 t1,
                 t2,
-                0.0,
-                0.0,
             ]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
@@ -322,15 +286,12 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s5, s23, s234, ..], [c1, c2, c5, c23, c234, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s23, s234], [c1, c2, c5, c23, c234]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[4],
                 t1,
                 t2,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
@@ -382,15 +343,12 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[2] + q[3];
             let t2 = q[1] + t1;
-            let ([s5, s6, s4, s34, s234, ..], [c5, c6, c4, c34, c234, ..]) = lanes::sin_cos([
+            let ([s5, s6, s4, s34, s234], [c5, c6, c4, c34, c234]) = lanes::sin_cos([
                 q[4],
                 q[5],
                 q[3],
                 t1,
                 t2,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t3 = -(s5 * s6);
             let t4 = 0.0996 * s5;
@@ -455,15 +413,12 @@ mod __Ur5e {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
-            let ([s1, s2, s5, s23, s234, ..], [c1, c2, c5, c23, c234, ..]) = lanes::sin_cos([
+            let ([s1, s2, s5, s23, s234], [c1, c2, c5, c23, c234]) = lanes::sin_cos([
                 q[0],
                 q[1],
                 q[4],
                 t1,
                 t2,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
@@ -518,87 +473,7 @@ mod __Ur5e {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let t2 = q[3] + t1;
-            let ([s1, s2, s5, s6, s23, s234, ..], [c1, c2, c5, c6, c23, c234, ..]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[5],
-                t1,
-                t2,
-                0.0,
-                0.0,
-            ]);
-            let t3 = 0.425 * c2;
-            let t4 = 0.425 * s2;
-            let t5 = t4 + 0.3922 * s23;
-            let t6 = t3 + 0.3922 * c23;
-            let t7 = c5 * s6;
-            let t8 = s5 * s6;
-            let t9 = c234 * c6 - s234 * t7;
-            let t10 = s234 * c6 + c234 * t7;
-            let t11 = c1 * t10 + s1 * t8;
-            let t12 = c1 * t8 - s1 * t10;
-            let t13 = c234 * s5;
-            let t14 = s234 * s5;
-            let t15 = -t14;
-            let t16 = s1 * c5 - c1 * t13;
-            let t17 = s1 * t13 + c1 * c5;
-            let t18 = -t17;
-            let t19 = 0.0996 * s5;
-            let t20 = 0.0997 * c234;
-            let t21 = 0.0997 * s234;
-            let t22 = t6 + (c234 * t19 - t21);
-            let t23 = -0.1333 - 0.0996 * c5;
-            let t24 = -c1;
-            let t25 = t21 - t6;
-            let t26 = t4 - 0.1625;
-            let t27 = t5 - 0.1625;
-            let t28 = t5 + t20 - 0.1625;
-            let t29 = 0.1333 * c234;
-            let t30 = s234 * t28 - c234 * t25;
-            let t31 = c5 * t28 - 0.1333 * t14;
-            let t32 = t14 * t25 + t13 * t28;
-            (
-                Pose {
-                    rotation: [
-                        [t9 * t17 - t12 * t14, -t11, t16],
-                        [t9 * t16 - t11 * t14, t12, t18],
-                        [t11 * t17 - t12 * t16, t9, t15],
-                    ],
-                    translation: [
-                        -(c1 * t22 + s1 * t23),
-                        c1 * t23 - s1 * t22,
-                        0.1625 - (t5 + (t20 + s234 * t19)),
-                    ],
-                },
-                Jacobian {
-                    rows: [
-                        [
-                            0.0,
-                            0.1625 * c1,
-                            -(c1 * t26),
-                            -(c1 * t27),
-                            c1 * t29 + s1 * t30,
-                            -(c1 * t31 + s1 * t32),
-                        ],
-                        [
-                            0.0,
-                            0.1625 * s1,
-                            -(s1 * t26),
-                            -(s1 * t27),
-                            s1 * t29 - c1 * t30,
-                            c1 * t32 - s1 * t31,
-                        ],
-                        [0.0, 0.0, t3, t6, 0.1333 * s234, -(0.1333 * t13 + c5 * t25)],
-                        [0.0, s1, s1, s1, c1 * s234, t16],
-                        [0.0, t24, t24, t24, s1 * s234, t18],
-                        [1.0, 0.0, 0.0, 0.0, -c234, t15],
-                    ],
-                },
-            )
+            Self::at(q, SideBySide)
         }
 
         const ACCEPT: Acceptance = Acceptance {
@@ -686,11 +561,10 @@ mod __Ur5e {
                     let [px, py, pz] = pose.translation;
                     // The seed, for an angle that the target leaves free
                     let t1 = seed[3] + (seed[1] + seed[2]);
-                    let ([t2, t3, t4, ..], [t5, t6, t7, ..]) = lanes::sin_cos([
+                    let ([t2, t3, t4], [t5, t6, t7]) = lanes::sin_cos([
                         seed[0],
                         seed[1],
                         t1,
-                        0.0,
                     ]);
                     // 1. q1 by SP4 (what all branches share)
                     let t8 = 0.0996 * r13;
@@ -1051,15 +925,12 @@ mod __Ur5e {
         pub fn jacobian_determinant(&self, q: &[f64; 6]) -> f64 {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([t2, t3, _, _, t4, ..], [_, _, t5, t6, _, ..]) = lanes::sin_cos([
+            let ([t2, t3, _, _, t4], [_, _, t5, t6, _]) = lanes::sin_cos([
                 q[4],
                 q[2],
                 q[1],
                 t1,
                 q[3] + t1,
-                0.0,
-                0.0,
-                0.0,
             ]);
             let t7 = 0.166685 * (0.0997 * t4 - (0.425 * t5 + 0.3922 * t6));
             t3 * (t2 * t7)
@@ -1075,15 +946,12 @@ mod __Ur5e {
         pub fn singularities(&self, q: &[f64; 6]) -> [Singularity; 3] {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
-            let ([t2, t3, _, _, t4, ..], [_, _, t5, t6, _, ..]) = lanes::sin_cos([
+            let ([t2, t3, _, _, t4], [_, _, t5, t6, _]) = lanes::sin_cos([
                 q[4],
                 q[2],
                 q[1],
                 t1,
                 q[3] + t1,
-                0.0,
-                0.0,
-                0.0,
             ]);
             Singularity::by_name(
                 ["shoulder", "elbow", "wrist"],
@@ -1091,9 +959,123 @@ mod __Ur5e {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<Pose, 6, 6> for Ur5e {
+        #[inline(always)]
+        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let t2 = q[3] + t1;
+            let ([s1, s2, s5, s6, s23, s234], [c1, c2, c5, c6, c23, c234]) = sin_cos
+                .of([q[0], q[1], q[4], q[5], t1, t2]);
+            let t3 = c5 * s6;
+            let t4 = s5 * s6;
+            let t5 = c234 * c6 - s234 * t3;
+            let t6 = s234 * c6 + c234 * t3;
+            let t7 = c1 * t6 + s1 * t4;
+            let t8 = c1 * t4 - s1 * t6;
+            let t9 = c234 * s5;
+            let t10 = s234 * s5;
+            let t11 = s1 * c5 - c1 * t9;
+            let t12 = s1 * t9 + c1 * c5;
+            let t13 = 0.0996 * s5;
+            let t14 = 0.425 * s2 + 0.3922 * s23 + (0.0997 * c234 + s234 * t13);
+            let t15 = 0.425 * c2 + 0.3922 * c23 + (c234 * t13 - 0.0997 * s234);
+            let t16 = -0.1333 - 0.0996 * c5;
+            Pose {
+                rotation: [
+                    [t5 * t12 - t8 * t10, -t7, t11],
+                    [t5 * t11 - t7 * t10, t8, -t12],
+                    [t7 * t12 - t8 * t11, t5, -t10],
+                ],
+                translation: [-(c1 * t15 + s1 * t16), c1 * t16 - s1 * t15, 0.1625 - t14],
+            }
+        }
+    }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Forward<(Pose, Jacobian<6>), 6, 6> for Ur5e {
+        #[inline(always)]
+        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let t2 = q[3] + t1;
+            let ([s1, s2, s5, s6, s23, s234], [c1, c2, c5, c6, c23, c234]) = sin_cos
+                .of([q[0], q[1], q[4], q[5], t1, t2]);
+            let t3 = 0.425 * c2;
+            let t4 = 0.425 * s2;
+            let t5 = t4 + 0.3922 * s23;
+            let t6 = t3 + 0.3922 * c23;
+            let t7 = c5 * s6;
+            let t8 = s5 * s6;
+            let t9 = c234 * c6 - s234 * t7;
+            let t10 = s234 * c6 + c234 * t7;
+            let t11 = c1 * t10 + s1 * t8;
+            let t12 = c1 * t8 - s1 * t10;
+            let t13 = c234 * s5;
+            let t14 = s234 * s5;
+            let t15 = -t14;
+            let t16 = s1 * c5 - c1 * t13;
+            let t17 = s1 * t13 + c1 * c5;
+            let t18 = -t17;
+            let t19 = 0.0996 * s5;
+            let t20 = 0.0997 * c234;
+            let t21 = 0.0997 * s234;
+            let t22 = t6 + (c234 * t19 - t21);
+            let t23 = -0.1333 - 0.0996 * c5;
+            let t24 = -c1;
+            let t25 = t21 - t6;
+            let t26 = t4 - 0.1625;
+            let t27 = t5 - 0.1625;
+            let t28 = t5 + t20 - 0.1625;
+            let t29 = 0.1333 * c234;
+            let t30 = s234 * t28 - c234 * t25;
+            let t31 = c5 * t28 - 0.1333 * t14;
+            let t32 = t14 * t25 + t13 * t28;
+            (
+                Pose {
+                    rotation: [
+                        [t9 * t17 - t12 * t14, -t11, t16],
+                        [t9 * t16 - t11 * t14, t12, t18],
+                        [t11 * t17 - t12 * t16, t9, t15],
+                    ],
+                    translation: [
+                        -(c1 * t22 + s1 * t23),
+                        c1 * t23 - s1 * t22,
+                        0.1625 - (t5 + (t20 + s234 * t19)),
+                    ],
+                },
+                Jacobian {
+                    rows: [
+                        [
+                            0.0,
+                            0.1625 * c1,
+                            -(c1 * t26),
+                            -(c1 * t27),
+                            c1 * t29 + s1 * t30,
+                            -(c1 * t31 + s1 * t32),
+                        ],
+                        [
+                            0.0,
+                            0.1625 * s1,
+                            -(s1 * t26),
+                            -(s1 * t27),
+                            s1 * t29 - c1 * t30,
+                            c1 * t32 - s1 * t31,
+                        ],
+                        [0.0, 0.0, t3, t6, 0.1333 * s234, -(0.1333 * t13 + c5 * t25)],
+                        [0.0, s1, s1, s1, c1 * s234, t16],
+                        [0.0, t24, t24, t24, s1 * s234, t18],
+                        [1.0, 0.0, 0.0, 0.0, -c234, t15],
+                    ],
+                },
+            )
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Ur5e, 6, inverse : own, derivatives : provided, determinant : own, singularities
-        : own
+        Ur5e, 6, batches : own, inverse : own, derivatives : provided, determinant : own,
+        singularities : own
     }
 }
 

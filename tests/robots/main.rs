@@ -10,6 +10,7 @@ mod subject;
 #[macro_use]
 mod zoo;
 
+mod batches;
 mod book;
 mod closest;
 mod complete;

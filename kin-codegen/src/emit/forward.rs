@@ -6,7 +6,7 @@ use super::straight::{Place, Writer};
 use crate::expr::jacobian::Columns;
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// A block that computes outputs from `q` and returns `result`.
@@ -16,7 +16,31 @@ pub fn block(
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
 ) -> TokenStream {
-    block_of(&["q"], g, outputs, n, result)
+    block_of(&["q"], &quote!(lanes::sin_cos), g, outputs, n, result).0
+}
+
+/// The same as the robot's implementation of `Forward`, whose caller says how the
+/// sines and cosines are found; `output` is the type of the result.
+pub fn implementation(
+    robot: &Ident,
+    output: &TokenStream,
+    g: &Graph,
+    outputs: &[Expr],
+    n: usize,
+    result: impl FnOnce(&Writer) -> TokenStream,
+) -> TokenStream {
+    let (body, angles) = block_of(&["q"], &quote!(sin_cos.of), g, outputs, n, result);
+    let unused = (angles == 0).then(|| quote!(let _ = sin_cos;));
+    let [angles, n] = [angles, n].map(Literal::usize_unsuffixed);
+    quote! {
+        impl Forward<#output, #n, #angles> for #robot {
+            #[inline(always)]
+            fn at(q: &[f64; #n], sin_cos: impl SinCos<#angles>) -> #output {
+                #unused
+                #body
+            }
+        }
+    }
 }
 
 /// The same from `q` and `rates`, the inputs behind it.
@@ -26,16 +50,26 @@ pub fn block_with_rates(
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
 ) -> TokenStream {
-    block_of(&["q", "rates"], g, outputs, n, result)
+    block_of(
+        &["q", "rates"],
+        &quote!(lanes::sin_cos),
+        g,
+        outputs,
+        n,
+        result,
+    )
+    .0
 }
 
+/// The block, and of how many angles it asks the sines and cosines.
 fn block_of(
     parameters: &[&str],
+    sin_cos: &TokenStream,
     g: &Graph,
     outputs: &[Expr],
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
-) -> TokenStream {
+) -> (TokenStream, usize) {
     let inputs: Vec<TokenStream> = (0..usize::from(g.inputs()))
         .map(|i| {
             let of = format_ident!("{}", parameters.get(i / n).unwrap_or(&"q"));
@@ -45,7 +79,7 @@ fn block_of(
         .collect();
     let stages = vec![0; g.nodes().len()];
     let mut writer = Writer::new(g, outputs, &inputs, &stages);
-    let trig = writer.sines_and_cosines();
+    let trig = writer.sines_and_cosines(sin_cos);
     let statements = writer.statements(
         Place::Scalar,
         |_| true,
@@ -63,7 +97,8 @@ fn block_of(
         .adds_angles()
         .then(|| comment("Angles about parallel axes add up"));
     let result = result(&writer);
-    quote!(#(#unread)* #heading #(#trig)* #(#statements)* #result)
+    let body = quote!(#(#unread)* #heading #(#trig)* #(#statements)* #result);
+    (body, writer.angles().len())
 }
 
 /// `Pose { .. }`.

@@ -27,14 +27,17 @@ const PUBLIC: [&str; 18] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 14] = [
+const PRIVATE: [&str; 17] = [
     "Acceptance",
     "Branches",
     "Dispatched",
     "Elimination",
     "FREE_BELOW",
+    "Forward",
     "FreeAngle",
     "Locked",
+    "SideBySide",
+    "SinCos",
     "Univariate",
     "dispatch",
     "lanes",

@@ -59,7 +59,7 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
     let mut writer = Writer::new(g, &outputs, inputs, &stages);
     let last_read = last_read(&writer, inverse, &stages, loops.len());
     let mut statements = Vec::new();
-    let seeds = writer.sines_and_cosines();
+    let seeds = writer.sines_and_cosines(&quote!(lanes::sin_cos));
     if !seeds.is_empty() {
         statements.push(comment(match &solver.given.locked[..] {
             [] => "The seed, for an angle that the target leaves free",

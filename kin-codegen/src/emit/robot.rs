@@ -52,7 +52,8 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
             #derivatives
         }
     };
-    let imports = imports(&quote!(#items #redundant), runtime);
+    let straight = straight(compiled, name);
+    let imports = imports(&quote!(#items #straight #redundant), runtime);
     in_module(
         name,
         &quote! {
@@ -64,6 +65,7 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
             pub struct #name;
 
             #items
+            #straight
             #kinematics
             #redundant
         },
@@ -208,7 +210,6 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let f = &compiled.forward;
     let count = compiled.model.variables.len();
     let g = &f.graph;
-    let fk = forward::block(g, &f.tip.expressions(), count, |w| forward::pose(w, &f.tip));
     let links_outputs: Vec<_> = f.links.iter().flat_map(|m| m.expressions()).collect();
     let fk_links = forward::block(g, &links_outputs, count, |w| {
         let poses = f.links.iter().map(|link| forward::pose(w, link));
@@ -226,16 +227,8 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     };
     let body = jacobian(&f.body);
     let geometric = jacobian(&f.geometric);
-    let both = f.both.expressions();
-    let fk_jacobian = forward::block(g, &both, count, |w| {
-        let (tip, columns) = (
-            forward::pose(w, &f.both.tip),
-            forward::jacobian(w, &f.both.columns),
-        );
-        quote!((#tip, #columns))
-    });
     let fk_cost = format!(" {}.", f.cost(&f.tip.expressions()));
-    let both_cost = format!(" {}.", f.cost(&both));
+    let both_cost = format!(" {}.", f.cost(&f.both.expressions()));
     quote! {
         /// The pose of the tip in the base frame, metres, at joint values `q`:
         /// radians, and metres of prismatic joints.
@@ -246,7 +239,7 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         #[doc = #fk_cost]
         #[inline]
         #[must_use]
-        pub fn fk(&self, q: &[f64; #n]) -> Pose { #fk }
+        pub fn fk(&self, q: &[f64; #n]) -> Pose { Self::at(q, SideBySide) }
 
         /// The pose, in the base frame, of the link that each joint moves, in
         /// the order of `q`; what is fixed behind the last joint is not in it.
@@ -285,7 +278,30 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         #[doc = #both_cost]
         #[inline]
         #[must_use]
-        pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { #fk_jacobian }
+        pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { Self::at(q, SideBySide) }
+    }
+}
+
+/// Forward kinematics as straight-line code, of one configuration or in batches.
+fn straight(compiled: &CompiledArm, name: &Ident) -> TokenStream {
+    let n = compiled.model.variables.len();
+    let f = &compiled.forward;
+    let (tip, both) = (f.tip.expressions(), f.both.expressions());
+    let fk = forward::implementation(name, &quote!(Pose), &f.graph, &tip, n, |w| {
+        forward::pose(w, &f.tip)
+    });
+    let count = Literal::usize_unsuffixed(n);
+    let output = quote!((Pose, Jacobian<#count>));
+    let fk_jacobian = forward::implementation(name, &output, &f.graph, &both, n, |w| {
+        let pose = forward::pose(w, &f.both.tip);
+        let jacobian = forward::jacobian(w, &f.both.columns);
+        quote!((#pose, #jacobian))
+    });
+    quote! {
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        #fk
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        #fk_jacobian
     }
 }
 
@@ -307,7 +323,7 @@ fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream
         groups.map(|word| Ident::new(word, proc_macro2::Span::call_site()));
     quote! {
         #runtime::__private::implement_kinematics! {
-            #name, #n, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
+            #name, #n, batches: own, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
             singularities: #singularities
         }
     }

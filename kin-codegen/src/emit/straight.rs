@@ -187,10 +187,9 @@ impl<'a> Writer<'a> {
     }
 
     /// The statements that compute every sine and cosine of the function, in
-    /// one call on an array: a loop over lanes is vectorized where single calls
-    /// are not. The array is filled up with zeros to a power of two, for whole
-    /// vectors.
-    pub fn sines_and_cosines(&mut self) -> Vec<TokenStream> {
+    /// one call of `function` on an array: a loop over lanes is vectorized where
+    /// single calls are not.
+    pub fn sines_and_cosines(&mut self, function: &TokenStream) -> Vec<TokenStream> {
         let angles = self.laid_out(self.angles());
         let sums = self.graph.reachable(&angles);
         let mut out = self.statements(
@@ -202,26 +201,16 @@ impl<'a> Writer<'a> {
         let values: Vec<TokenStream> = angles.iter().map(|&a| self.read(a).0).collect();
         let sines: Vec<TokenStream> = angles.iter().map(|&a| self.bound(Node::Sin(a))).collect();
         let cosines: Vec<TokenStream> = angles.iter().map(|&a| self.bound(Node::Cos(a))).collect();
-        let padding = angles.len().next_power_of_two() - angles.len();
-        let zeros = std::iter::repeat_n(quote!(0.0), padding);
-        let rest = if padding > 0 {
-            quote!(, ..)
-        } else {
-            TokenStream::new()
-        };
-        match angles[..] {
-            [] => {}
-            [_] => out.push(quote!(let (#(#sines)*, #(#cosines)*) = math::sin_cos(#(#values)*);)),
-            _ => out.push(quote! {
-                let ([#(#sines),* #rest], [#(#cosines),* #rest]) =
-                    lanes::sin_cos([#(#values,)* #(#zeros),*]);
-            }),
+        if !angles.is_empty() {
+            out.push(quote! {
+                let ([#(#sines),*], [#(#cosines),*]) = #function([#(#values),*]);
+            });
         }
         out
     }
 
     /// The angles of which a sine or cosine is needed.
-    fn angles(&self) -> Vec<Expr> {
+    pub fn angles(&self) -> Vec<Expr> {
         let mut angles = Vec::new();
         for (i, node) in self.graph.nodes().iter().enumerate() {
             if let (true, Node::Sin(a) | Node::Cos(a)) = (self.needed[i], *node)

@@ -19,17 +19,35 @@ pub fn widen<const A: usize, const B: usize>(x: [f64; A]) -> [f64; B] {
 /// The sines and cosines of all angles, radians; see [`math::sin_cos`].
 ///
 /// One loop over them becomes packed instructions where single calls do not.
-/// It fits best if there are as many angles as a power of two; fill up with
-/// zeros.
 ///
 /// ```
 /// use kin_runtime::__private::{lanes, math};
-/// let ([s1, s2, s3, _], [c1, ..]) = lanes::sin_cos([0.1, 0.2, 0.3, 0.0]);
+/// let ([s1, s2, s3], [c1, ..]) = lanes::sin_cos([0.1, 0.2, 0.3]);
 /// assert_eq!((s1, c1), math::sin_cos(0.1));
 /// assert_eq!((s2, s3), (math::sin_cos(0.2).0, math::sin_cos(0.3).0));
 /// ```
 #[inline(always)]
 pub fn sin_cos<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    match N {
+        3 => filled_up::<N, 4>(angles),
+        5..=7 => filled_up::<N, 8>(angles),
+        9..=15 => filled_up::<N, 16>(angles),
+        _ => each_sin_cos(angles),
+    }
+}
+
+/// With zeros behind them, so that they are `L`: whole vectors.
+#[inline(always)]
+fn filled_up<const N: usize, const L: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    let mut all = [0.0; L];
+    all[..N].copy_from_slice(&angles);
+    let (sines, cosines) = each_sin_cos(all);
+    let first = |all: [f64; L]| core::array::from_fn(|i| all[i]);
+    (first(sines), first(cosines))
+}
+
+#[inline(always)]
+fn each_sin_cos<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     for k in 0..N {
         (sines[k], cosines[k]) = math::sin_cos(angles[k]);

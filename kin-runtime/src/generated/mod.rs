@@ -3,11 +3,13 @@
 //! of the compiler that this is made for.
 
 pub mod acceptance;
+pub mod batch;
 pub mod branches;
 pub mod dispatch;
 pub mod free_angle;
 pub mod lanes;
 pub mod locked;
 pub mod refinement;
+pub mod sin_cos;
 pub mod univariate;
 mod version;

@@ -42,7 +42,7 @@
 /// #     }
 /// }
 /// kin_runtime::__private::implement_kinematics! {
-///     Turntable, 1, inverse: none, derivatives: provided, determinant: none, singularities: none
+///     Turntable, 1, batches: provided, inverse: none, derivatives: provided, determinant: none, singularities: none
 /// }
 ///
 /// assert_eq!(Turntable.body_velocity(&[0.3], &[2.0]).angular, [0.0, 0.0, 2.0]);
@@ -51,20 +51,22 @@
 #[macro_export]
 macro_rules! implement_kinematics {
     (
-        $robot:ident, $n:tt, inverse: $inverse:ident, derivatives: $derivatives:ident,
+        $robot:ident, $n:tt, batches: $batches:ident, inverse: $inverse:ident, derivatives: $derivatives:ident,
         determinant: $determinant:ident, singularities: $singularities:ident
     ) => {
         $crate::kinematics_methods! {
-            implement_kinematics, $n $robot $inverse $derivatives $determinant $singularities
+            implement_kinematics,
+            $n $robot $batches $inverse $derivatives $determinant $singularities
         }
     };
     (
         [
-            $n:tt $robot:ident $inverse:ident $derivatives:ident $determinant:ident
-            $singularities:ident
+            $n:tt $robot:ident $batches:ident $inverse:ident $derivatives:ident
+            $determinant:ident $singularities:ident
         ]
         required $required:tt
         jacobians $jacobians:tt
+        batches $batch_methods:tt
         inverse $inverse_methods:tt
         reachable $reachable:tt
         derivatives $derivative_methods:tt
@@ -88,6 +90,7 @@ macro_rules! implement_kinematics {
             const BRANCHES: usize = $robot::BRANCHES;
             $crate::pass_on! { to $robot: own $required }
             $crate::pass_on! { to $robot: own $jacobians }
+            $crate::compute_in_batches! { $robot $n $batches }
             $crate::pass_on! { to $robot: $inverse $inverse_methods }
             $crate::pass_on! { to $robot: $derivatives $derivative_methods }
             $crate::pass_on! { to $robot: $determinant $determinant_methods }
@@ -96,6 +99,7 @@ macro_rules! implement_kinematics {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl $robot {
+            $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): batches $batch_methods }
             $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): with $inverse $reachable }
             $crate::pass_on! {
                 from $robot as ($crate::Kinematics<$n>): $derivatives $derivative_methods
@@ -151,10 +155,41 @@ macro_rules! pass_on {
             <Self as $trait>::$method($self $(, $argument)*)
         }
     )* };
+    (from $robot:ident as ($trait:path): batches { $(
+        $(#[$attribute:meta])*
+        fn $method:ident(&$self:ident $(, $argument:ident: $type:ty)* $(,)?) $body:block
+    )* }) => { $(
+        $(#[$attribute])*
+        #[inline]
+        pub fn $method(&$self $(, $argument: $type)*) {
+            <Self as $trait>::$method($self $(, $argument)*)
+        }
+    )* };
     (from $robot:ident as ($trait:path): with own $group:tt) => {
         $crate::pass_on! { from $robot as ($trait): provided $group }
     };
     (to $robot:ident: $other:ident $group:tt) => {};
     (from $robot:ident as ($trait:path): $other:ident $group:tt) => {};
     (from $robot:ident as ($trait:path): with $other:ident $group:tt) => {};
+}
+
+/// The batches of a robot in lanes, by its straight-line code.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! compute_in_batches {
+    ($robot:ident $n:tt provided) => {};
+    ($robot:ident $n:tt own) => {
+        #[inline]
+        fn fk_batch(&self, q: &[[f64; $n]], poses: &mut [$crate::Pose]) {
+            $crate::__private::batch::forward::<$robot, _, $n, _>(q, poses)
+        }
+        #[inline]
+        fn fk_jacobian_batch(
+            &self,
+            q: &[[f64; $n]],
+            results: &mut [($crate::Pose, $crate::Jacobian<$n>)],
+        ) {
+            $crate::__private::batch::forward::<$robot, _, $n, _>(q, results)
+        }
+    };
 }

@@ -14,7 +14,8 @@ macro_rules! define_kinematics {
         )* }
         $($group:ident { $(
             $(#[$attribute:meta])*
-            fn $method:ident(&$self:ident $(, $argument:ident: $type:ty)*) -> $result:ty $body:block
+            fn $method:ident(&$self:ident $(, $argument:ident: $type:ty)* $(,)?)
+                $(-> $result:ty)? $body:block
         )* })*
     ) => {
         /// The kinematics of one serial arm with N moving joints.
@@ -93,7 +94,7 @@ macro_rules! define_kinematics {
 
             $($(
                 $(#[$attribute])*
-                fn $method(&$self $(, $argument: $type)*) -> $result $body
+                fn $method(&$self $(, $argument: $type)*) $(-> $result)? $body
             )*)*
         }
     };

@@ -53,6 +53,35 @@ macro_rules! kinematics_methods {
                 }
             }
 
+            batches {
+                /// [`Self::fk`] of many configurations: `poses[i]` of `q[i]`, the same
+                /// to the last bit. Generated robots compute several side by side, in
+                /// the lanes of vectors; nothing is allocated.
+                ///
+                /// # Panics
+                /// If the slices differ in length.
+                fn fk_batch(&self, q: &[[f64; $n]], poses: &mut [$crate::Pose]) {
+                    assert_eq!(q.len(), poses.len(), "a pose for each configuration");
+                    for (q, pose) in q.iter().zip(poses) {
+                        *pose = self.fk(q);
+                    }
+                }
+
+                /// [`Self::fk_jacobian`] of many configurations; as
+                /// [`Self::fk_batch`].
+                ///
+                /// # Panics
+                /// If the slices differ in length.
+                fn fk_jacobian_batch(
+                    &self, q: &[[f64; $n]], results: &mut [($crate::Pose, $crate::Jacobian<$n>)]
+                ) {
+                    assert_eq!(q.len(), results.len(), "a result for each configuration");
+                    for (q, result) in q.iter().zip(results) {
+                        *result = self.fk_jacobian(q);
+                    }
+                }
+            }
+
             inverse {
                 /// All configurations that put the tip at `target` (in the base
                 /// frame), as far as the target counts: every isolated one once,

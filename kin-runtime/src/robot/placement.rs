@@ -64,6 +64,20 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
         (tip * self.tool, jacobian)
     }
 
+    fn fk_batch(&self, q: &[[f64; N]], poses: &mut [Pose]) {
+        self.robot.fk_batch(q, poses);
+        for pose in poses {
+            *pose = *pose * self.tool;
+        }
+    }
+
+    fn fk_jacobian_batch(&self, q: &[[f64; N]], results: &mut [(Pose, Jacobian<N>)]) {
+        self.robot.fk_jacobian_batch(q, results);
+        for (pose, _) in results {
+            *pose = *pose * self.tool;
+        }
+    }
+
     fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
         self.robot.jacobian_dot(q, rates)
     }
@@ -166,6 +180,21 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
     fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
         let (tip, jacobian) = self.robot.fk_jacobian(q);
         (self.base * tip, jacobian.body_to_spatial(&self.base))
+    }
+
+    fn fk_batch(&self, q: &[[f64; N]], poses: &mut [Pose]) {
+        self.robot.fk_batch(q, poses);
+        for pose in poses {
+            *pose = self.base * *pose;
+        }
+    }
+
+    fn fk_jacobian_batch(&self, q: &[[f64; N]], results: &mut [(Pose, Jacobian<N>)]) {
+        self.robot.fk_jacobian_batch(q, results);
+        for (pose, jacobian) in results {
+            *pose = self.base * *pose;
+            *jacobian = jacobian.body_to_spatial(&self.base);
+        }
     }
 
     /// The body Jacobian does not depend on where the robot stands.

@@ -1,0 +1,30 @@
+//! Where the sines and cosines of straight-line code come from.
+//!
+//! Generated forward kinematics asks once for those of all its angles, and who
+//! calls it says how they are found: of one configuration [`SideBySide`], of
+//! many with the same angle of the others (`batch/forward`). What is generated
+//! is the same.
+
+use super::lanes;
+
+/// The sines and cosines of M angles, radians.
+pub trait SinCos<const M: usize> {
+    /// Of these.
+    fn of(self, angles: [f64; M]) -> ([f64; M], [f64; M]);
+}
+
+/// Those of one configuration, in packed instructions.
+///
+/// ```
+/// use kin_runtime::__private::{SideBySide, SinCos, math};
+/// let ([s1, s2, s3], _) = SideBySide.of([0.1, 0.2, 0.3]);
+/// assert_eq!([s1, s2, s3], [0.1, 0.2, 0.3].map(|angle| math::sin_cos(angle).0));
+/// ```
+pub struct SideBySide;
+
+impl<const M: usize> SinCos<M> for SideBySide {
+    #[inline(always)]
+    fn of(self, angles: [f64; M]) -> ([f64; M], [f64; M]) {
+        lanes::sin_cos(angles)
+    }
+}
