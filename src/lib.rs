@@ -27,7 +27,7 @@ pub use kin_runtime::{
     Basis, Body, Ellipsoid, Follow, Following, Frame, FullTurns, Hessian, Jacobian, JointLimit,
     Kinematics, Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, PathStep, Pose,
     Posture, Postures, RANK_TOLERANCE, RedundantKinematics, Singularities, Singularity, Solution,
-    Solutions, Target, Twist, WithBase, WithTool, Wrench, centering_gradient, null_space,
+    Solutions, Swivel, Target, Twist, WithBase, WithTool, Wrench, centering_gradient, null_space,
     subproblems,
 };
 #[cfg(feature = "std")]

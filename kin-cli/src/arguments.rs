@@ -159,8 +159,8 @@ pub struct RobotOptions {
     #[arg(long, value_parser = kin_codegen::target)]
     pub target: Option<Target>,
     /// A joint whose value inverse kinematics is given, where the arm has more joints
-    /// than its targets have coordinates; once for each [default: those that give the
-    /// cheapest closed form]
+    /// than its targets have coordinates; once for each; or `swivel`, the swivel angle
+    /// [default: the swivel angle, or those that give the cheapest closed form]
     #[arg(long, value_name = "JOINT")]
     pub free: Vec<String>,
     /// Warnings about the file are errors

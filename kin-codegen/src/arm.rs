@@ -118,7 +118,7 @@ pub(crate) fn compile(
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let linkage = Linkage::new(&model);
     let free = redundancy::named(spec, &model, target, &options.free)?;
-    if options.ik == Ik::None && !free.is_empty() {
+    if options.ik == Ik::None && !options.free.is_empty() {
         let reason = "without inverse kinematics no joint stays free";
         let remedy = "leave out `free`, or `ik = none`";
         let diagnostic = Diagnostic::whole(reason, remedy);
@@ -169,15 +169,14 @@ impl CompiledArm {
         }
     }
 
-    /// The names of the joints that stay free.
+    /// The names of the joints that stay free, or of the swivel, as the option `free` has them.
     pub fn free_joints(&self) -> Vec<String> {
-        let joints = self
-            .redundancy
-            .iter()
-            .flat_map(|redundancy| &redundancy.joints);
-        joints
-            .map(|&joint| self.model.joints[joint].name.clone())
-            .collect()
+        let redundancy = self.redundancy.iter();
+        let swivel = redundancy.clone().filter(|it| it.swivel.is_some());
+        let swivel = swivel.map(|_| redundancy::SWIVEL.to_owned());
+        let joints = redundancy.flat_map(|redundancy| &redundancy.joints);
+        let names = joints.map(|&joint| self.model.joints[joint].name.clone());
+        names.chain(swivel).collect()
     }
 
     /// The closed form; none without inverse kinematics.

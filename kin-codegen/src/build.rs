@@ -73,8 +73,8 @@ impl Config {
     }
 
     /// A joint whose value `ik_at` takes beside a target, where the arm has more joints
-    /// than its targets have coordinates; once for each. By default those that give the
-    /// cheapest closed form. See [`Options::free`].
+    /// than its targets have coordinates; once for each; or `swivel`. By default the swivel
+    /// angle, or the joints that give the cheapest closed form. See [`Options::free`].
     pub fn free(mut self, joint: impl Into<String>) -> Self {
         self.options.free.push(joint.into());
         self

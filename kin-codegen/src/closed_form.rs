@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::univariate;
 use kin_runtime::__private::Acceptance;
 use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE, SAMPLES, roomiest_turn};
-use kin_runtime::__private::refinement::{Problem, correct_branches, refine_branches};
+use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
 use kin_runtime::{Pose, Solution, Solutions};
 
 /// Solutions reach the target to this, relative to the arm's size.
@@ -127,7 +127,7 @@ impl ClosedForm {
     }
 
     /// The same with the values of the locked joints, which are left out of the
-    /// configurations.
+    /// configurations, or with the swivel angle.
     pub fn solutions_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
         if self.plan.target.is_projected() {
             let mut branches = self.branches(target, parameters);
@@ -141,6 +141,7 @@ impl ClosedForm {
             3 => self.solved::<3>(target, parameters),
             4 => self.solved::<4>(target, parameters),
             5 => self.solved::<5>(target, parameters),
+            7 => self.solved_at_swivel(target, parameters),
             _ => self.solved::<6>(target, parameters),
         }
     }
@@ -174,12 +175,17 @@ impl ClosedForm {
         q
     }
 
-    /// The values of the locked joints among all joint values, and the others.
+    /// The values of the locked joints among all joint values, or the swivel angle, and the
+    /// values of the joints that targets are solved for.
     pub fn split(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let is_locked = |i: &usize| self.given.locked.contains(i);
         let (locked, solved) = (0..q.len()).partition::<Vec<usize>, _>(is_locked);
-        let values = |joints: Vec<usize>| joints.into_iter().map(|i| q[i]).collect();
-        (values(locked), values(solved))
+        let values =
+            |joints: Vec<usize>| -> Vec<f64> { joints.into_iter().map(|i| q[i]).collect() };
+        let mut parameters = values(locked);
+        let swivel = self.given.swivel.iter();
+        parameters.extend(swivel.map(|swivel| swivel.angle(&self.given.twists(), q)));
+        (parameters, values(solved))
     }
 
     /// The plan as expressions, if it is run by them.
@@ -233,6 +239,28 @@ impl ClosedForm {
             Refinement::Branches(steps) => refine_branches(&problem, starts, &accept, steps),
             _ => correct_branches(&problem, starts, &accept),
         }
+    }
+
+    /// The same from the branches at a swivel angle.
+    fn solved_at_swivel(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
+        let (Some(swivel), &[angle]) = (self.given.swivel, parameters) else {
+            return Vec::new();
+        };
+        let twists = self.given.twists();
+        let arm = AtSwivel {
+            swivel: &swivel.seen_from_home(&self.given.tip_home()),
+            angle,
+            links: |q: &[f64; 7]| swivel.links(&twists, q),
+            fk_jacobian: |q: &[f64; 7]| self.given.fk_jacobian(q, &[]),
+        };
+        let steps = match self.refinement {
+            Refinement::Branches(steps) => Some(steps),
+            _ => None,
+        };
+        let branches = self.branches(target, parameters);
+        let starts = branches.iter().map(BranchSolution::start);
+        let found = arm.refined(target, starts, steps, &self.acceptance());
+        found.iter().map(BranchSolution::of).collect()
     }
 
     /// Below this conditioning of the Jacobian solutions may be lost, 0 if none

@@ -29,8 +29,9 @@ pub struct Options {
     /// What of a target counts; by default what the arm can choose.
     pub target: Option<Target>,
     /// The joints, by name, whose values `ik_at` takes beside a target, where an arm has
-    /// more joints than its targets have coordinates; by default those that give the
-    /// cheapest closed form.
+    /// more joints than its targets have coordinates, or `swivel` for the swivel angle of an arm
+    /// with a spherical shoulder and a spherical wrist; by default that angle where there is
+    /// one, otherwise the joints that give the cheapest closed form.
     pub free: Vec<String>,
     /// Whether warnings about the file are errors.
     pub strict: bool,

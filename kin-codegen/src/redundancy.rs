@@ -2,7 +2,7 @@
 //! with the target, so that the others have isolated solutions.
 
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
-use crate::geometry::{Carried, Linkage, conditioning, idealize, size};
+use crate::geometry::{Carried, Linkage, Swivel, conditioning, idealize, size, structure};
 use crate::model::{Model, configurations};
 use crate::plan::{Plans, Target};
 use crate::solver::{
@@ -21,11 +21,34 @@ const NEARLY_SINGULAR: f64 = 1e-3;
 /// Random configurations that tell.
 const TRIED: usize = 16;
 
+/// What the option `free` calls the swivel angle, where no joint has this name.
+pub const SWIVEL: &str = "swivel";
+/// Axes of a shoulder or wrist meet to this, in radians and of the arm's size.
+const MEETING: f64 = 1e-3;
+
+/// What the option `free` asks for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Asked {
+    /// Joints, by their places in the chain, ascending.
+    pub joints: Vec<usize>,
+    /// The swivel, if its angle is to be given.
+    pub swivel: Option<Swivel>,
+}
+
+impl Asked {
+    /// How many numbers are given by it.
+    fn count(&self) -> usize {
+        self.joints.len() + usize::from(self.swivel.is_some())
+    }
+}
+
 /// The joints that stay free, and why these.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Redundancy {
     /// Their places in the chain, ascending; one parameter for each.
     pub joints: Vec<usize>,
+    /// The swivel, if its angle is a parameter, behind those.
+    pub swivel: Option<Swivel>,
     /// Whether the turn of the tool about the tip's z axis is a parameter, behind those.
     /// The closed form is then one for whole poses.
     pub turn: bool,
@@ -38,7 +61,7 @@ pub struct Redundancy {
 impl Redundancy {
     /// How many numbers are given beside a target.
     pub fn parameters(&self) -> usize {
-        self.joints.len() + usize::from(self.turn)
+        self.joints.len() + usize::from(self.swivel.is_some()) + usize::from(self.turn)
     }
 }
 
@@ -52,7 +75,7 @@ pub struct Weighed {
     pub weight: Option<usize>,
 }
 
-/// The joints that the option `free` names.
+/// The joints that the option `free` names, or the swivel.
 ///
 /// # Errors
 ///
@@ -62,12 +85,20 @@ pub fn named(
     model: &Model,
     target: Target,
     names: &[String],
-) -> Result<Vec<usize>, Diagnostics> {
+) -> Result<Asked, Diagnostics> {
     let mut joints = Vec::new();
+    let mut swivel = None;
     let fail = |reason: String, remedy: String| {
         Diagnostics::one(&spec.source.path, Diagnostic::whole(reason, remedy))
     };
     for name in names {
+        let is_joint = spec.joints.iter().any(|joint| joint.name == *name);
+        if name == SWIVEL && !is_joint {
+            let found = Swivel::of(model, MEETING)
+                .ok_or_else(|| fail(no_swivel(model), NO_SWIVEL.into()))?;
+            swivel = Some(found);
+            continue;
+        }
         let joint =
             named_one(spec, model, name).map_err(|(reason, remedy)| fail(reason, remedy))?;
         if joints.contains(&joint) {
@@ -78,11 +109,12 @@ pub fn named(
     }
     let (n, coordinates) = (model.variables.len(), target.coordinates());
     let most = n.saturating_sub(coordinates);
-    if joints.len() > most {
+    let count = joints.len() + usize::from(swivel.is_some());
+    if count > most {
         let reason = format!(
             "the option `free` names {}, and {n} joints have {most} more than the {coordinates} \
              coordinates of {}",
-            counted(joints.len()),
+            counted(count),
             target.phrase(),
         );
         let remedy = match most {
@@ -92,7 +124,21 @@ pub fn named(
         return Err(fail(reason, remedy));
     }
     joints.sort_unstable();
-    Ok(joints)
+    Ok(Asked { joints, swivel })
+}
+
+/// What to do without a swivel angle.
+const NO_SWIVEL: &str = "name a joint in `free`, or leave it out";
+
+/// Why an arm has no swivel angle.
+fn no_swivel(model: &Model) -> String {
+    format!(
+        "a swivel angle is that of seven joints that turn, of which the first three and the last \
+         three meet in a point each; from `{}` to `{}` this is {}",
+        model.base,
+        model.tip,
+        structure(model)
+    )
 }
 
 fn counted(joints: usize) -> String {
@@ -140,7 +186,7 @@ pub fn solve_redundant(
     model: &Model,
     linkage: &Linkage,
     target: Target,
-    asked: &[usize],
+    asked: &Asked,
 ) -> Result<(Certified, Redundancy), NoClosedForm> {
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
@@ -148,9 +194,35 @@ pub fn solve_redundant(
     let excess = model.joints.len() - target.coordinates();
     // Of a target that leaves the turn of the tool free, that is a parameter before any
     // joint is, and what is left to be solved are whole poses.
-    let turn = target == Target::PositionAxis && asked.len() < excess;
+    let turn = target == Target::PositionAxis && asked.count() < excess;
     let (aim, counts) = (target, if turn { Target::Pose } else { target });
     let (count, target) = (excess - usize::from(turn), counts);
+    let swivel = match (&asked.joints[..], asked.swivel) {
+        ([], None) if count == 1 && target == Target::Pose => Swivel::of(model, MEETING),
+        (_, swivel) => swivel,
+    };
+    if let Some(swivel) = swivel {
+        match solve(model, &linkage.clone().with_swivel(Some(swivel)), target) {
+            Ok(found) if found.certificate.lost == 0 || asked.swivel.is_some() => {
+                let redundancy = Redundancy {
+                    joints: Vec::new(),
+                    swivel: Some(swivel),
+                    turn,
+                    target: aim,
+                    weighed: Vec::new(),
+                };
+                return Ok((found, redundancy));
+            }
+            Err(reason) if asked.swivel.is_some() => {
+                return Err(NoClosedForm::Free {
+                    joints: vec![SWIVEL.into()],
+                    reason: Box::new(reason),
+                });
+            }
+            _ => {}
+        }
+    }
+    let asked = &asked.joints[..];
     let choices = choices(model.joints.len(), count, asked);
     if choices.is_empty() || choices.len() > CHOICES {
         return Err(NoClosedForm::Redundant(target));
@@ -201,6 +273,7 @@ pub fn solve_redundant(
             };
             let redundancy = Redundancy {
                 joints,
+                swivel: None,
                 turn,
                 target: aim,
                 weighed,

@@ -5,7 +5,7 @@ use crate::certificate::{Certificate, Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Refinement, UNMOVED};
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
-    AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate, size,
+    AxisRelation, Idealized, Linkage, Moved, Swivel, axes, idealize, rank, relate, size,
 };
 use crate::model::Model;
 use crate::plan::{Atom, Plan, Plans, Step, Subproblem, Target};
@@ -27,6 +27,9 @@ const CERTIFIED: usize = 8;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 5e-3;
+
+/// Axes of an idealized arm meet to this, in radians and of its size.
+const EXACT: f64 = 1e-11;
 
 /// Newton doubles the digits: two or three steps do at a regular
 /// configuration. Near a singular one the first steps have to find the way.
@@ -97,7 +100,7 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
     }
-    let joints = model.joints.len() - linkage.locked.len();
+    let joints = model.joints.len() - linkage.parameters();
     let rank = rank_without(model, &linkage.locked);
     if rank < joints.min(6) {
         let coaxial = coaxial(model);
@@ -250,6 +253,14 @@ fn solve_idealized(
 ) -> Result<Certified, NoClosedForm> {
     let linkage = Linkage::for_target(&idealized.model, target);
     let linkage = linkage.with_locked(&trials.linkage().locked);
+    let swivel = trials
+        .linkage()
+        .swivel
+        .map(|_| Swivel::of(&idealized.model, EXACT));
+    if swivel == Some(None) {
+        return Err(NoClosedForm::NoPlan(target));
+    }
+    let linkage = linkage.with_swivel(swivel.flatten());
     let tip_shift = tip_shift(trials.model(), &idealized.model);
     let exact = tip_shift < UNMOVED * linkage.size;
     let locked = &linkage.locked;
@@ -289,7 +300,8 @@ fn solve_idealized(
         .take(COMPARED)
         .map(|plan| form(&plan, FreeAngles::Seeded))
         .collect();
-    if exact && linkage.variables() == target.coordinates() {
+    if exact && linkage.variables() == target.coordinates() + usize::from(linkage.swivel.is_some())
+    {
         first.sort_by_key(|form| {
             let inverse = form.expressions();
             inverse.map(|inverse| inverse.all_branches().weight())
@@ -351,7 +363,7 @@ fn solve_idealized(
 /// configuration two solutions are apart along the motion that moves the tip least, and
 /// a joint tells them apart if it takes part in that.
 fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
-    if form.plan.target != Target::Pose || !trials.linkage().locked.is_empty() {
+    if form.plan.target != Target::Pose || trials.linkage().parameters() > 0 {
         return None;
     }
     let motions = trials.weak_motions(form.untold());

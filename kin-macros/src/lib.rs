@@ -48,7 +48,9 @@ use proc_macro::TokenStream;
 ///   and `pose` for all others.
 /// - **`free = "joint"`**: the joint whose value `ik_at` takes beside a target, of an
 ///   arm with more joints than its targets have coordinates; several in brackets,
-///   `free = ["rail", "joint"]`. By default the joint that leaves the others the
+///   `free = ["rail", "joint"]`. `free = "swivel"` is the swivel angle of an arm with a
+///   spherical shoulder and a spherical wrist, and what such an arm is given by default;
+///   of others it is the joint that leaves the others the
 ///   cheapest closed form, which the type's documentation tells; with
 ///   `target = position_axis` the turn of the tool comes before any joint.
 /// - **`strict = true`**: what is odd in the file and changes nothing of the

@@ -66,7 +66,7 @@ pub use self_motion::{
 };
 pub use types::{
     Basis, FullTurns, Hessian, IntoIter, Jacobian, JointLimit, Nearest, Pose, Posture, Solution,
-    Solutions, Target, Twist, Wrench,
+    Solutions, Swivel, Target, Twist, Wrench,
 };
 #[cfg(feature = "alloc")]
 pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
@@ -82,7 +82,7 @@ pub mod __private {
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::locked::Locked;
-    pub use crate::generated::refinement;
+    pub use crate::generated::refinement::{self, AtSwivel};
     pub use crate::generated::sin_cos::{SideBySide, SinCos};
     pub use crate::generated::univariate::{self, Elimination, Univariate};
     pub use crate::linear::singular_values::SingularValues;

@@ -118,7 +118,7 @@ fn what_is_no_number_has_no_answer<K: RedundantKinematics<N>, const N: usize>(
         |joint: usize| !matches!(K::LIMITS[joint], kinematics::JointLimit::Prismatic { .. });
     let turns = match K::PARAMETER {
         Parameter::Joint(joint) => slides(joint),
-        Parameter::Turn => true,
+        Parameter::Turn | Parameter::Swivel(_) => true,
     };
     if turns {
         let wound = robot.arm.ik_at(&target, parameter + TAU);

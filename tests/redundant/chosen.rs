@@ -43,7 +43,15 @@ fn the_cheapest_plan_decides_and_is_told() {
 
 #[test]
 fn constants_tell_what_is_given() {
-    assert_eq!(crate::Iiwa14::PARAMETERS, [Parameter::Joint(6)]);
+    let swivel = kinematics::Swivel {
+        shoulder: [0.0, 0.0, 0.36],
+        link: 2,
+        elbow: [0.0, 0.0, 0.42],
+        wrist: [0.0, 0.0, -0.126],
+        reference: [0.0, 0.0, 1.0],
+    };
+    assert_eq!(crate::Iiwa14::PARAMETERS, [Parameter::Swivel(swivel)]);
+    assert_eq!(crate::IiwaByFlange::PARAMETERS, [Parameter::Joint(6)]);
     assert_eq!(crate::IiwaByElbow::PARAMETERS, [Parameter::Joint(2)]);
     assert_eq!(crate::Rail::PARAMETERS, [Parameter::Joint(0)]);
     assert_eq!(crate::Ur5e::PARAMETERS, [Parameter::Turn]);
@@ -77,6 +85,19 @@ fn options_that_cannot_be_followed_have_a_remedy() {
         },
         "the joint `wrist_3_tool0` is fixed, and cannot stay free",
         "wrist_3_joint",
+    );
+    assert_refused(
+        panda,
+        &free(&["swivel"]),
+        "the first three and the last three meet in a point each; from `base` to `joint7_link` \
+         this is spherical shoulder at 1, 2, 3",
+        "name a joint in `free`, or leave it out",
+    );
+    assert_refused(
+        "../robots/iiwa14.yaml",
+        &free(&["swivel", "joint_a7"]),
+        "names 2 joints, and 7 joints have 1 more",
+        "name 1 joint at most",
     );
     assert_refused(
         panda,

@@ -42,7 +42,7 @@ fn holding<K: RedundantKinematics<N>, const N: usize>(
 ) -> usize {
     let turns = match K::PARAMETER {
         Parameter::Joint(joint) => K::LIMITS[joint].is_revolute(),
-        Parameter::Turn => true,
+        Parameter::Turn | Parameter::Swivel(_) => true,
     };
     let times = |interval: &FeasibleInterval<N>| {
         if !turns {

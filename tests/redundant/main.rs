@@ -8,6 +8,7 @@ macro_rules! for_every_robot {
             use super::*;
             for_every_robot! { $property:
                 iiwa14 Iiwa14 "../robots/iiwa14.yaml" Pose,
+                iiwa_by_flange IiwaByFlange "../robots/iiwa14.yaml" Pose,
                 iiwa_by_elbow IiwaByElbow "../robots/iiwa14.yaml" Pose,
                 panda Panda "../robots/panda.yaml" Pose,
                 panda_by_shoulder PandaByShoulder "../robots/panda.yaml" Pose,
@@ -15,6 +16,7 @@ macro_rules! for_every_robot {
                 sawyer_by_flange SawyerByFlange "../robots/sawyer.yaml" Pose,
                 rail Rail "robots/redundant/rail.yaml" Pose,
                 stray_iiwa StrayIiwa "robots/redundant/stray_iiwa.yaml" Pose,
+                stray_iiwa_by_wrist StrayIiwaByWrist "robots/redundant/stray_iiwa.yaml" Pose,
                 ur5e Ur5e "../robots/ur5e.urdf" Pose,
                 kr6_r900 Kr6R900 "../robots/kr6_r900.yaml" Pose,
                 xarm6 Xarm6 "../robots/xarm6.yaml" Pose,
@@ -42,10 +44,16 @@ mod follow;
 mod interfaces;
 mod self_motions;
 mod several;
+mod swivel;
 
 use kinematics::kinematics;
 
 kinematics!("../robots/iiwa14.yaml");
+kinematics!(
+    "../robots/iiwa14.yaml",
+    name = IiwaByFlange,
+    free = "joint_a7"
+);
 kinematics!(
     "../robots/iiwa14.yaml",
     name = IiwaByElbow,
@@ -65,6 +73,11 @@ kinematics!(
 );
 kinematics!("robots/redundant/rail.yaml", free = "rail");
 kinematics!("robots/redundant/stray_iiwa.yaml");
+kinematics!(
+    "robots/redundant/stray_iiwa.yaml",
+    name = StrayIiwaByWrist,
+    free = "joint_a5"
+);
 kinematics!("../robots/ur5e.urdf", target = position_axis);
 kinematics!("../robots/kr6_r900.yaml", target = position_axis);
 kinematics!("../robots/xarm6.yaml", target = position_axis);

@@ -93,7 +93,7 @@ fn turning_points(path: &[[f64; 7]], joint: usize) -> Vec<f64> {
 
 #[test]
 fn of_an_iiwa() {
-    tell_the_same(&crate::Iiwa14);
+    tell_the_same(&crate::IiwaByFlange);
 }
 
 #[test]

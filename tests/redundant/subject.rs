@@ -1,6 +1,7 @@
 //! A generated robot with a parameter beside the generic chain of the same file.
 
 use crate::random::Random;
+use crate::swivel::Shoulder;
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::spec::{ArmSpec, Source};
 use kin_codegen::{Target, geometry};
@@ -45,11 +46,15 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
         match K::PARAMETER {
             Parameter::Joint(joint) => (self.chain.locked(joint, parameter), *target),
             Parameter::Turn => (self.chain.clone(), target.turned(parameter)),
+            Parameter::Swivel(_) => (self.chain.clone(), *target),
         }
     }
 
     /// All that the numerical search finds.
     pub fn search(&self, target: &Pose, parameter: f64) -> Vec<ChainSolution> {
+        if let Parameter::Swivel(swivel) = K::PARAMETER {
+            return Shoulder::new(&self.arm, &swivel).search(&self.chain, target, parameter);
+        }
         let (chain, target) = self.held(target, parameter);
         let options = SearchOptions {
             target: self.counts,
@@ -71,6 +76,29 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
         if let Parameter::Joint(joint) = K::PARAMETER {
             columns.remove(joint);
         }
+        let mut least = f64::INFINITY;
+        let mut along = vec![0.0; columns.len()];
+        if let Parameter::Swivel(swivel) = K::PARAMETER {
+            // The elbow moves along its circle, and where that has no side there is no angle.
+            let shoulder = Shoulder::new(&self.arm, &swivel);
+            let (radius, pole) = shoulder.distances(&self.chain, q);
+            least = radius.min(pole) / self.size;
+            // Also where there is no number: steps are no longer than the distance.
+            if least.is_nan() || least < 1e-5 {
+                return 0.0;
+            }
+            let step = 1e-6;
+            let angle = |joint: usize, by: f64| {
+                let mut moved = q.to_vec();
+                moved[joint] += by;
+                shoulder.angle(&self.chain, &moved, &self.chain.fk(q))
+            };
+            for (joint, along) in along.iter_mut().enumerate() {
+                let way = angle(joint, step) - angle(joint, -step);
+                let way = (way + PI).rem_euclid(TAU) - PI;
+                *along = radius / self.size * way / (2.0 * step);
+            }
+        }
         let z = [0, 1, 2].map(|i| self.chain.fk(q).rotation[i][2]);
         let column = |twist: &kinematics::Twist| {
             let (v, w) = (twist.linear.map(|x| x / self.size), twist.angular);
@@ -90,20 +118,34 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
             ]
         };
         let rows: Vec<[f64; 6]> = columns.iter().map(column).collect();
-        let matrix = nalgebra::DMatrix::from_fn(6, rows.len(), |i, j| rows[j][i]);
+        let matrix = nalgebra::DMatrix::from_fn(7, rows.len(), |i, j| match i {
+            6 => along[j],
+            _ => rows[j][i],
+        });
         let values = matrix.singular_values();
-        values[rows.len() - 1] / values[0]
+        least.min(values[rows.len() - 1] / values[0])
     }
 
-    /// How far `q` leaves the tip from what is asked, metres.
+    /// How far `q` leaves the tip from what is asked, or the parameter, metres.
     pub fn miss(&self, q: &[f64; N], target: &Pose, parameter: f64) -> f64 {
         let (_, target) = self.held(target, parameter);
         let held = match K::PARAMETER {
             Parameter::Joint(joint) => self.apart_at(joint, q[joint], parameter),
             Parameter::Turn => 0.0,
+            Parameter::Swivel(swivel) => {
+                let shoulder = Shoulder::new(&self.arm, &swivel);
+                let (radius, pole) = shoulder.distances(&self.chain, q);
+                let own = shoulder.angle(&self.chain, q, &self.chain.fk(q));
+                let apart = (own - parameter + PI).rem_euclid(TAU) - PI;
+                // Of targets next to the line of the first axis, a digit turns the angle.
+                match radius.min(pole) < 1e-7 * self.size {
+                    true => 0.0,
+                    false => apart.abs() * radius * (pole / self.size).min(1.0),
+                }
+            }
         };
         let found = self.chain.fk(q);
-        self.counts.distance(&found, &target, self.size).hypot(held)
+        self.counts.distance(&found, &target, self.size).max(held)
     }
 
     /// The difference of two values of a joint: angles on the circle.
@@ -146,7 +188,7 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
         let mut random = Random::new(5);
         let joint = match K::PARAMETER {
             Parameter::Joint(joint) => Some(joint),
-            Parameter::Turn => None,
+            Parameter::Turn | Parameter::Swivel(_) => None,
         };
         let place = move |angle| joint.map_or(angle, |joint| self.place(joint, angle));
         (0..count).map(move |_| place(random.angle()))

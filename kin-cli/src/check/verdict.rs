@@ -138,8 +138,9 @@ pub fn words(redundancy: &Redundancy) -> String {
         .joints
         .iter()
         .map(|joint| format!("q{}", joint + 1));
+    let swivel = redundancy.swivel.map(|_| "the swivel angle".to_owned());
     let turn = redundancy.turn.then(|| "the turn of the tool".to_owned());
-    let all: Vec<String> = joints.chain(turn).collect();
+    let all: Vec<String> = joints.chain(swivel).chain(turn).collect();
     all.join(" and ")
 }
 

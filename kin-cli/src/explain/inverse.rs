@@ -21,7 +21,7 @@ const ALTERNATIVES: usize = 3;
 pub struct Inverse {
     /// What of a pose counts, as the option `target` has it.
     pub target: &'static str,
-    /// What is given beside a target: a joint, `q7`, or `turn`, that of the tool; empty
+    /// What is given beside a target: a joint, `q7`, `swivel`, or `turn`, that of the tool; empty
     /// where targets have isolated solutions.
     pub free: Vec<String>,
     /// What the joints that stay free were chosen from, the best first; empty where they
@@ -84,13 +84,17 @@ impl Inverse {
         let form = &certified.form;
         let redundancy = arm.redundancy.iter();
         let turn = redundancy.clone().filter(|it| it.turn);
+        let swivel = redundancy.clone().filter(|it| it.swivel.is_some());
         let weighed = redundancy.clone().flat_map(|it| &it.weighed);
         let joints = redundancy.flat_map(|it| unknowns(&it.joints));
         let plan = &form.plan;
         let steps = plan.steps.iter();
         Self {
             target: arm.target().word(),
-            free: joints.chain(turn.map(|_| "turn".into())).collect(),
+            free: joints
+                .chain(swivel.map(|_| redundancy::SWIVEL.into()))
+                .chain(turn.map(|_| "turn".into()))
+                .collect(),
             weighed: weighed.map(Weighed::of).collect(),
             idealization: Idealization::of(form),
             plan: plan.to_string(),

@@ -142,6 +142,10 @@ fn sentence(step: &plan::Step, linkage: &Linkage, objects: &[Object]) -> String 
              the solutions, and the others follow from its roots"
                 .into()
         }
+        (_, [one]) if step.relations.iter().any(|relation| relation.is_swivel) => format!(
+            "{verb} {unknowns} until {} is where the swivel angle has it",
+            one.text
+        ),
         (_, [one]) => format!(
             "{verb} {unknowns} until {} is where the target has it",
             one.text

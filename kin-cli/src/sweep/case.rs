@@ -4,7 +4,7 @@ use super::Settings;
 use super::draw::Ranges;
 use kin_codegen::certificate::{Failure, SINGULAR, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
-use kin_codegen::geometry::{conditioning, size};
+use kin_codegen::geometry::size;
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Pose};
 use std::borrow::Cow;
@@ -95,7 +95,8 @@ impl<'a> Case<'a> {
     /// How far from singular a configuration is.
     pub(super) fn conditioning(&self, q: &[f64]) -> f64 {
         let (chain, solved) = self.solved_for(q);
-        conditioning(&chain, &solved, self.size, self.form.plan.target)
+        let given = &self.form.given;
+        given.conditioning(&chain, &solved, self.form.plan.target)
     }
 
     pub(super) fn is_near_singular(&self, q: &[f64]) -> bool {

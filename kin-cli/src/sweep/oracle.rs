@@ -41,6 +41,11 @@ impl Comparison {
         outcome: &Outcome,
         mut note: impl FnMut(Kind, bool),
     ) {
+        if case.form.given.swivel.is_some() {
+            // The search knows joints that are locked, and no swivel angle.
+            self.skipped += 1;
+            return;
+        }
         let found = search(case, outcome);
         if found.iter().any(|found| found.conditioning < REGULAR) {
             self.skipped += 1;

@@ -113,6 +113,7 @@ pub struct Trials<'a> {
 /// The arm with its locked joints at some values: what targets are solved for, and what
 /// is singular, are the others.
 struct Held {
+    /// What comes with targets that no configuration made.
     parameters: Vec<f64>,
     model: Model,
     chain: Chain,
@@ -121,6 +122,8 @@ struct Held {
 
 struct Trial {
     q: Vec<f64>,
+    /// What comes with the target.
+    parameters: Vec<f64>,
     pose: Pose,
     /// How far from singular.
     conditioning: f64,
@@ -140,7 +143,7 @@ impl<'a> Trials<'a> {
                 true => model.clone(),
                 false => model.locked(&linkage.locked, &parameters),
             };
-            Held::new(parameters, model, linkage.size, target)
+            Held::new(parameters, model, linkage, target)
         });
         Self {
             model,
@@ -194,12 +197,11 @@ impl<'a> Trials<'a> {
             let mut random = Random(0xc2b2_ae3d_27d4_eb4f);
             let n = self.linkage.variables();
             let mut anywhere = || (0..n).map(|_| random.between(-PI, PI)).collect::<Vec<_>>();
-            let size = self.linkage.size;
             // At quarter turns of a locked joint the others may be singular throughout.
             let anywhere_held = &self.held[..self.held.len().min(parameters::ANYWHERE)];
             let held = anywhere_held.iter().cycle().take(SHARE);
             let at =
-                |held: &Held, q: &[f64]| geometry::conditioning(&held.chain, q, size, self.target);
+                |held: &Held, q: &[f64]| self.linkage.conditioning(&held.chain, q, self.target);
             held.map(|held| at(held, &anywhere())).collect()
         });
         let below = spread.iter().filter(|&&x| x < conditioning).count();
@@ -208,11 +210,16 @@ impl<'a> Trials<'a> {
 }
 
 impl Held {
-    fn new(parameters: Vec<f64>, model: Model, size: f64, target: Target) -> Self {
+    fn new(parameters: Vec<f64>, model: Model, linkage: &Linkage, target: Target) -> Self {
         let chain = model.chain();
+        let of = |q: &[f64]| match linkage.swivel {
+            Some(swivel) => vec![swivel.angle(chain.twists(), q)],
+            None => parameters.clone(),
+        };
         let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {
             pose: chain.fk(&q),
-            conditioning: geometry::conditioning(&chain, &q, size, target),
+            conditioning: linkage.conditioning(&chain, &q, target),
+            parameters: of(&q),
             q,
             aligned,
             is_attack,
@@ -227,7 +234,10 @@ impl Held {
             .chain(nearly.into_iter().map(|q| trial(q, true, true)))
             .collect();
         Self {
-            parameters,
+            parameters: match linkage.swivel {
+                Some(_) => vec![parameters::SOMEWHERE],
+                None => parameters,
+            },
             model,
             chain,
             all,
@@ -275,7 +285,7 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
             }
         }
         for target in held.elsewhere(trials.target) {
-            certificate.sound(&Run { trials, held, form }, &target)?;
+            certificate.sound(&Run { trials, held, form }, &target, &held.parameters)?;
         }
     }
     Ok(certificate)
@@ -290,10 +300,15 @@ struct Run<'a> {
 
 impl Certificate {
     /// The solutions to a target, all of which reach it.
-    fn sound(&mut self, run: &Run, target: &Pose) -> Result<Vec<BranchSolution>, Failure> {
+    fn sound(
+        &mut self,
+        run: &Run,
+        target: &Pose,
+        parameters: &[f64],
+    ) -> Result<Vec<BranchSolution>, Failure> {
         let Run { trials, held, form } = run;
         let size = trials.linkage.size;
-        let solutions = form.solutions_at(target, &held.parameters);
+        let solutions = form.solutions_at(target, parameters);
         self.solutions += solutions.len();
         for solution in &solutions {
             let found = held.chain.fk(&solution.q);
@@ -344,11 +359,12 @@ impl Certificate {
         let Trial {
             q,
             pose,
+            parameters,
             conditioning,
             ..
         } = trial;
         let model = &run.held.model;
-        let solutions = self.sound(run, pose)?;
+        let solutions = self.sound(run, pose, parameters)?;
         if *conditioning < SINGULAR {
             self.singular += 1;
             self.unanswered += usize::from(solutions.is_empty());

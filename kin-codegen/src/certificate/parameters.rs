@@ -7,8 +7,18 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// How many places, the first, are anywhere.
 pub(super) const ANYWHERE: usize = 2;
+/// The first of them, at which nothing is aligned.
+pub(super) const SOMEWHERE: f64 = 0.83;
 /// The places of a joint, as angles.
-const PLACES: [f64; 7] = [0.83, -2.17, 0.0, FRAC_PI_2, -FRAC_PI_2 + 1e-9, PI, 1e-6];
+const PLACES: [f64; 7] = [
+    SOMEWHERE,
+    -2.17,
+    0.0,
+    FRAC_PI_2,
+    -FRAC_PI_2 + 1e-9,
+    PI,
+    1e-6,
+];
 
 /// The values of all locked joints at once, radians and metres: a single answer, and
 /// that empty, where none is locked.

@@ -210,6 +210,10 @@ fn redundancy(compiled: &CompiledArm) -> Vec<String> {
     };
     let weighed: Vec<String> = redundancy.weighed.iter().filter_map(others).collect();
     let why = match (redundancy.weighed.len(), &weighed[..]) {
+        _ if redundancy.swivel.is_some() => " All branches exist at every value of it, if they \
+                                             do at one. It is not defined where the wrist is on \
+                                             axis 1 or on that of the upper arm."
+            .into(),
         (0 | 1, _) => String::new(),
         (_, []) => " No joint makes the others a closed form; this one leaves the best polynomial \
                     of those at the ends of the chain."

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What generated code can name and users can, too.
-const PUBLIC: [&str; 18] = [
+const PUBLIC: [&str; 19] = [
     "Following",
     "Frame",
     "Hessian",
@@ -22,13 +22,15 @@ const PUBLIC: [&str; 18] = [
     "Singularity",
     "Solution",
     "Solutions",
+    "Swivel",
     "Target",
     "Twist",
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 17] = [
+const PRIVATE: [&str; 18] = [
     "Acceptance",
+    "AtSwivel",
     "Branches",
     "Dispatched",
     "Elimination",

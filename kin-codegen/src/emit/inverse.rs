@@ -80,7 +80,7 @@ pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
         let i = Literal::usize_unsuffixed(i);
         quote!(seed[#i])
     });
-    let locked = solver.given.locked.len();
+    let locked = solver.given.parameters();
     let given = (0..locked).map(|k| {
         let k = Literal::usize_unsuffixed(k);
         quote!(locked[#k])

@@ -61,8 +61,8 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
     let mut statements = Vec::new();
     let seeds = writer.sines_and_cosines(&quote!(lanes::sin_cos));
     if !seeds.is_empty() {
-        statements.push(comment(match &solver.given.locked[..] {
-            [] => "The seed, for an angle that the target leaves free",
+        statements.push(comment(match solver.given.parameters() {
+            0 => "The seed, for an angle that the target leaves free",
             _ => "What is given beside the target; the seed, for an angle that both leave free",
         }));
         statements.extend(seeds);

@@ -5,7 +5,7 @@ use super::headings::list;
 use super::straight::signed;
 use super::{Names, inverse, text, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
-use crate::geometry::Carried;
+use crate::geometry::{Carried, Swivel, numbers};
 use crate::model::Model;
 use crate::redundancy::Redundancy;
 use kin_runtime::Twist;
@@ -24,7 +24,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
         true => (quote!(parameter: f64), quote!(f64)),
         false => (quote!(parameters: &[f64; #size]), quote!([f64; #size])),
     };
-    let constants = constants(solver, redundancy);
+    let constants = constants(model, solver, redundancy);
     let solve = solve(model, solver, redundancy);
     let private = match &solver.inverse {
         Inverse::Expressions(inverse) => {
@@ -79,7 +79,17 @@ pub fn given(model: &Model, redundancy: &Redundancy, target: &str) -> Vec<String
     let turn = redundancy.turn.then(|| {
         format!("the turn of the tool about the tip's z axis from where {target} has it, radians")
     });
-    redundancy.joints.iter().map(name).chain(turn).collect()
+    let swivel = redundancy.swivel.map(|_| {
+        let [shoulder, wrist] =
+            [Swivel::SHOULDER, Swivel::WRIST].map(|joints| numbers(joints.map(|joint| joint + 1)));
+        format!(
+            "the [swivel angle](::kinematics::Swivel): how far the elbow is turned about the line \
+             from the shoulder, where axes {shoulder} meet, to the wrist, where axes {wrist} do, \
+             from where axis 1 points; radians"
+        )
+    });
+    let joints = redundancy.joints.iter().map(name);
+    joints.chain(swivel).chain(turn).collect()
 }
 
 /// The same in a sentence.
@@ -95,16 +105,27 @@ fn usize_literal(x: usize) -> Literal {
     Literal::usize_unsuffixed(x)
 }
 
-fn constants(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+fn constants(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
     let branches = usize_literal(solver.plan.branches());
     let joints = redundancy.joints.iter().map(|&joint| {
         let joint = usize_literal(joint);
         quote!(Parameter::Joint(#joint))
     });
+    let swivel = redundancy
+        .swivel
+        .map(|_| quote!(Parameter::Swivel(Self::SWIVEL)));
     let turn = redundancy.turn.then(|| quote!(Parameter::Turn));
-    let parameters = joints.chain(turn);
+    let parameters = joints.chain(swivel).chain(turn);
     let count = usize_literal(redundancy.parameters());
+    let swivel = redundancy.swivel.map(|swivel| {
+        let swivel = self::swivel(&swivel.at_run_time(model));
+        quote! {
+            /// What the swivel angle is told by.
+            pub const SWIVEL: Swivel = #swivel;
+        }
+    });
     quote! {
+        #swivel
         /// What [`Self::ik_at`] takes beside a target.
         pub const PARAMETERS: [Parameter; #count] = [#(#parameters),*];
         /// How many branches [`Self::ik_at`] looks at.
@@ -122,8 +143,9 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
         }
     };
     let k = redundancy.joints.len();
+    let seen = solver.given.parameters();
     let turned = redundancy.turn.then(|| {
-        let turn = parameter(k);
+        let turn = parameter(seen);
         quote!(let pose = &pose.turned(#turn);)
     });
     let given: Vec<TokenStream> = (0..k).map(parameter).collect();
@@ -146,8 +168,13 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
         }
         Inverse::Expressions(_) => {
             let seeds = usize_literal(solver.given.variables());
-            let given = (k > 0).then(|| quote!(, &[#(#given),*]));
-            let sorted = sorted(solver, k > 0);
+            let swivel = (seen > k).then(|| parameter(k));
+            let given: Vec<TokenStream> = given.into_iter().chain(swivel.clone()).collect();
+            let sorted = match &swivel {
+                Some(angle) => at_swivel(solver, angle),
+                None => sorted(solver, k > 0),
+            };
+            let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
             quote! {
                 let branches = self.branches(pose, &[0.0; #seeds] #given);
                 #sorted
@@ -181,6 +208,26 @@ fn sorted(solver: &ClosedForm, locked: bool) -> TokenStream {
     }
 }
 
+/// How the branches at a swivel angle become solutions.
+fn at_swivel(solver: &ClosedForm, angle: &TokenStream) -> TokenStream {
+    let steps = match solver.refinement {
+        Refinement::Branches(steps) => {
+            let steps = usize_literal(steps);
+            quote!(Some(#steps))
+        }
+        _ => quote!(None),
+    };
+    quote! {
+        let arm = AtSwivel {
+            swivel: &Self::SWIVEL,
+            angle: #angle,
+            links: |q: &_| self.fk_links(q),
+            fk_jacobian: |q: &_| self.fk_jacobian(q),
+        };
+        branches.at_swivel(&arm, pose, #steps, &Self::ACCEPT)
+    }
+}
+
 /// The target of the joints between those that are given.
 fn carried(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
     let Carried { front, behind } = Carried::new(&solver.given);
@@ -197,11 +244,35 @@ fn carried(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
     quote!(&(#(#front *)* *pose #(* #behind)*))
 }
 
+/// The points of a swivel.
+fn swivel(swivel: &kin_runtime::Swivel) -> TokenStream {
+    let [shoulder, elbow, wrist, reference] = [
+        swivel.shoulder,
+        swivel.elbow,
+        swivel.wrist,
+        swivel.reference,
+    ]
+    .map(vector);
+    let link = usize_literal(swivel.link);
+    quote! {
+        Swivel {
+            shoulder: #shoulder,
+            link: #link,
+            elbow: #elbow,
+            wrist: #wrist,
+            reference: #reference,
+        }
+    }
+}
+
+/// A vector without the noise of composing frames.
+fn vector(v: [f64; 3]) -> TokenStream {
+    let entries = v.map(|x| signed(if x.abs() < 1e-15 { 0.0 } else { x }));
+    quote!([#(#entries),*])
+}
+
 fn twist(twist: &Twist) -> TokenStream {
-    let [linear, angular] = [twist.linear, twist.angular].map(|v| {
-        let entries = v.map(|x| signed(if x.abs() < 1e-15 { 0.0 } else { x }));
-        quote!([#(#entries),*])
-    });
+    let [linear, angular] = [twist.linear, twist.angular].map(vector);
     quote!(Twist { linear: #linear, angular: #angular })
 }
 
@@ -211,8 +282,11 @@ fn told(redundancy: &Redundancy, n: &Literal, value: &TokenStream) -> TokenStrea
         let joint = usize_literal(joint);
         quote!(q[#joint])
     });
+    let swivel = redundancy
+        .swivel
+        .map(|_| quote!(Self::SWIVEL.angle(&self.fk_links(q), &self.fk(q))));
     let turn = redundancy.turn.then(|| quote!(pose.turn_to(&self.fk(q))));
-    let all: Vec<TokenStream> = joints.chain(turn).collect();
+    let all: Vec<TokenStream> = joints.chain(swivel).chain(turn).collect();
     let answer = match &all[..] {
         [one] => one.clone(),
         all => quote!([#(#all),*]),
@@ -244,7 +318,8 @@ pub fn kinematics(
 ) -> Option<TokenStream> {
     let name = &names.robot;
     let margins = margins(solver, redundancy);
-    let exact = margins.as_ref().filter(|_| solver.is_exact());
+    let exact = margins.as_ref();
+    let exact = exact.filter(|_| solver.is_exact() && solver.expressions().is_some());
     let exact = exact.map(|_| {
         quote!(
             const EXACT_MARGINS: bool = true;
@@ -269,13 +344,16 @@ pub fn kinematics(
 
 /// How far the branches are from having no root, if they come from a plan.
 fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
-    let margin = solver.expressions()?.of_margin()?;
-    let choices = margin.graph.choices();
     let turned = redundancy
         .turn
         .then(|| quote!(let pose = &pose.turned(parameter);));
+    let Inverse::Expressions(inverse) = &solver.inverse else {
+        return Some(margins_of_roots(solver, redundancy, turned.as_ref()));
+    };
+    let margin = inverse.of_margin()?;
+    let choices = margin.graph.choices();
     let seed = std::iter::repeat_n(quote!(0.0), solver.given.variables());
-    let given = solver.given.locked.iter().map(|_| quote!(parameter));
+    let given = (0..solver.given.parameters()).map(|_| quote!(parameter));
     let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
     let (statements, lanes) = inverse::statements(solver, &margin, inputs);
     let margin = &lanes.residual;
@@ -294,4 +372,26 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
             Some(margins)
         }
     })
+}
+
+/// The same of a polynomial's roots.
+fn margins_of_roots(
+    solver: &ClosedForm,
+    redundancy: &Redundancy,
+    turned: Option<&TokenStream>,
+) -> TokenStream {
+    let given: Vec<TokenStream> = redundancy
+        .joints
+        .iter()
+        .map(|_| quote!(parameter))
+        .collect();
+    let target = carried(solver, &given);
+    quote! {
+        fn margins_at(
+            &self, pose: &Pose, parameter: f64
+        ) -> ::core::option::Option<[f64; 16]> {
+            #turned
+            Self::UNIVARIATE.margins(#target)
+        }
+    }
 }

@@ -192,6 +192,7 @@ fn part(linkage: &Linkage, base: Pose, joints: std::ops::Range<usize>) -> Linkag
         size: linkage.size,
         has_free_turn: false,
         locked: Vec::new(),
+        swivel: None,
     }
 }
 

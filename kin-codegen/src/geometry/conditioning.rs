@@ -31,7 +31,7 @@ pub fn rank(model: &Model) -> usize {
     let chain = model.chain();
     let size = size(model);
     let rank = |q: &Vec<f64>| {
-        lengths(&chain, q, size, Target::Pose)
+        lengths(&chain, q, size, Target::Pose, &[])
             .iter()
             .filter(|x| **x > GENERIC)
             .count()
@@ -48,7 +48,13 @@ pub fn rank(model: &Model) -> usize {
 /// when each is made perpendicular to those before it, longest first, relative
 /// to the longest. Within a factor of the least singular value.
 pub fn conditioning(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
-    lengths(chain, q, size, target)
+    with_row(chain, q, size, target, &[])
+}
+
+/// The same with one more row below the Jacobian, an entry for each joint; none if it is
+/// empty.
+pub(super) fn with_row(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> f64 {
+    lengths(chain, q, size, target, row)
         .into_iter()
         .fold(f64::INFINITY, f64::min)
 }
@@ -67,8 +73,8 @@ pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
 
 /// The lengths of the Jacobian's columns when each is made perpendicular to
 /// those before it, longest first, relative to the longest. Lengths are in
-/// units of the arm's size.
-fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
+/// units of the arm's size. `row` is one more below the Jacobian.
+fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> Vec<f64> {
     let z = [0, 1, 2].map(|i| chain.fk(q).rotation[i][2]);
     let yaw = chain
         .twists()
@@ -93,6 +99,9 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target) -> Vec<f64> {
     };
     let norm = |v: &Vec<f64>| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let mut columns: Vec<Vec<f64>> = chain.geometric_jacobian(q).iter().map(rows).collect();
+    for (column, &entry) in columns.iter_mut().zip(row) {
+        column.push(entry);
+    }
     let mut lengths: Vec<f64> = Vec::new();
     while !columns.is_empty() {
         columns.sort_by(|a, b| norm(a).total_cmp(&norm(b)));

@@ -14,9 +14,9 @@
 //! joint. Frames of parallel joints in a row share their orientation, so that
 //! their angles add.
 
-use super::{Line, Vec3, along, cross, dot, norm, size, sub, unit};
+use super::{Line, Swivel, Vec3, along, conditioning, cross, dot, norm, size, sub, unit};
 use crate::model::{Joint, JointKind, Model};
-use kin_runtime::{Jacobian, Pose, Target, Twist};
+use kin_runtime::{Chain, Jacobian, Pose, Target, Twist};
 use std::ops::Range;
 
 /// Entries of a constant motion below this (relative to the arm's size) are
@@ -46,6 +46,8 @@ pub struct Linkage {
     /// The joints whose values come with the target, ascending: parameters of inverse
     /// kinematics, not unknowns.
     pub locked: Vec<usize>,
+    /// The swivel, where its angle comes with the target; behind the values of locked joints.
+    pub swivel: Option<Swivel>,
 }
 
 /// A joint and the constant motion behind it.
@@ -162,6 +164,7 @@ impl Linkage {
             size,
             has_free_turn: false,
             locked: Vec::new(),
+            swivel: None,
         }
     }
 
@@ -171,6 +174,25 @@ impl Linkage {
         Self {
             locked: locked.to_vec(),
             ..self
+        }
+    }
+
+    /// The same with the swivel angle known from the start.
+    pub fn with_swivel(self, swivel: Option<Swivel>) -> Self {
+        Self { swivel, ..self }
+    }
+
+    /// How many numbers come with the target.
+    pub fn parameters(&self) -> usize {
+        self.locked.len() + usize::from(self.swivel.is_some())
+    }
+
+    /// How far from singular the joints are that a target is solved for; see [`conditioning`].
+    /// `chain` is that of these joints.
+    pub fn conditioning(&self, chain: &Chain, q: &[f64], target: Target) -> f64 {
+        match &self.swivel {
+            Some(swivel) => swivel.conditioning(chain, q, self.size),
+            None => conditioning(chain, q, self.size, target),
         }
     }
 
@@ -267,6 +289,13 @@ impl Linkage {
             JointKind::Revolute => Twist::revolute(direction, point),
             JointKind::Prismatic => Twist::prismatic(direction),
         }
+    }
+
+    /// Those of all joints.
+    pub fn twists(&self) -> Vec<Twist> {
+        (0..self.links.len())
+            .map(|joint| self.twist(joint))
+            .collect()
     }
 
     /// The axis of a joint at home, in base coordinates.
@@ -424,7 +453,7 @@ pub(crate) fn without_noise(pose: &Pose) -> Pose {
 
 /// A length without the digits that composing frames has left behind: metres,
 /// to a femtometre.
-fn short(x: f64) -> f64 {
+pub(super) fn short(x: f64) -> f64 {
     (x * 1e15).round() / 1e15
 }
 

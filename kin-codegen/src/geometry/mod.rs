@@ -8,6 +8,7 @@ mod linkage;
 mod relation;
 mod singular;
 mod structure;
+mod swivel;
 
 pub use crate::vector::{Vec3, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
@@ -19,6 +20,7 @@ pub use linkage::{Link, Linkage, Run};
 pub use relation::{AxisRelation, concurrency, relate};
 pub use singular::{Condition, conditions};
 pub use structure::{Axes, Neighbours, PairRelation, Row, RowRelation, numbers, structure};
+pub use swivel::Swivel;
 
 use crate::model::{JointKind, Model};
 

@@ -1,7 +1,7 @@
 //! Relations: two invariants, and the joints between them that matter.
 
 use super::{Invariant, Kind};
-use crate::geometry::{Line, Linkage, cross, dot, norm, sub};
+use crate::geometry::{Line, Linkage, Swivel, cross, dot, norm, sub};
 use kin_runtime::Pose;
 use std::fmt;
 
@@ -51,6 +51,9 @@ pub struct Relation {
     /// A second relation between the same two unknowns, where one alone does
     /// not determine them: subproblem 6.
     pub with: Option<Box<Relation>>,
+    /// Whether the target has the invariant where the swivel angle puts the elbow, and not
+    /// where joints behind it do.
+    pub is_swivel: bool,
 }
 
 /// How a relation depends on an unknown.
@@ -157,6 +160,34 @@ impl Relation {
             to: to.cloned(),
             depends,
             with: None,
+            is_swivel: false,
+        })
+    }
+
+    /// Where the swivel angle puts the elbow, which depends on its bend, the shoulder turns it.
+    pub fn of_swivel(linkage: &Linkage, samples: &Samples, swivel: &Swivel) -> Option<Self> {
+        let elbow = Swivel::ELBOW;
+        let invariant = Invariant {
+            kind: Kind::Point,
+            joints: elbow..elbow + 1,
+            point: swivel.elbow,
+            direction: [0.0; 3],
+        };
+        let relation = Self::new(linkage, samples, &invariant, None)?;
+        let turns_it = |depends: &Dependence| matches!(depends.atom, Atom::Joint(i) if i < elbow);
+        let mut depends = relation.depends;
+        depends.retain(turns_it);
+        depends.push(Dependence {
+            atom: Atom::Joint(elbow + 1),
+            weakest: 1.0,
+            steady: true,
+            inner: false,
+            derivatives: [[0.0; 2]; SAMPLES],
+        });
+        Some(Self {
+            depends,
+            is_swivel: true,
+            ..relation
         })
     }
 }

@@ -105,7 +105,9 @@ impl Iterator for Plans<'_> {
             let visit = visit.or_default();
             *visit += 1;
             if *visit <= REVISITS {
-                let determined = self.linkage.variables() == self.target.coordinates();
+                let swivel = usize::from(self.linkage.swivel.is_some());
+                let coordinates = self.target.coordinates() + swivel;
+                let determined = self.linkage.variables() == coordinates;
                 let successors = partial.successors(self.linkage, &self.relations, determined);
                 self.queue.extend(successors);
             }
@@ -146,6 +148,8 @@ fn relations(linkage: &Linkage, target: Target) -> Vec<Relation> {
         }
     }
     out.retain(crosses);
+    let swivel = linkage.swivel.as_ref();
+    out.extend(swivel.and_then(|swivel| Relation::of_swivel(linkage, &samples, swivel)));
     out
 }
 
@@ -318,6 +322,7 @@ impl Partial {
             .collect();
         let known = (relation.depends.len() - unknown.len()) as u32;
         let subproblem = match unknown[..] {
+            [_] if relation.is_swivel => return None,
             [one] => single(linkage, relation, one.atom),
             [a, b] if relation.to.is_none() && pair(linkage, relation, a.atom, b.atom) => {
                 Subproblem::Sp2

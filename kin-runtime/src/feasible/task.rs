@@ -4,10 +4,12 @@ use crate::linear::span::Span;
 use crate::linear::vector::{dot, norm};
 use crate::{Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Target, math};
 
-/// Coordinates of a point: all joint values, and behind them the turn of the tool where
-/// that is the parameter; the rest is zero.
+/// Coordinates of a point: all joint values, and behind them the parameter where it is none
+/// of these; the rest is zero.
 pub(super) const WIDTH: usize = 8;
 pub(super) type Point = [f64; WIDTH];
+/// Those of the tip's pose, and what a swivel angle has to be.
+const EQUATIONS: usize = 7;
 
 /// Newton's method from a good prediction takes 3 or 4 steps.
 const NEWTON_STEPS: usize = 10;
@@ -31,21 +33,21 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// Which coordinate the parameter is.
     pub const PARAMETER: usize = match K::PARAMETER {
         Parameter::Joint(joint) => joint,
-        Parameter::Turn => N,
+        Parameter::Turn | Parameter::Swivel(_) => N,
     };
     /// How many coordinates there are.
     pub const COORDINATES: usize = {
-        let turn = matches!(K::PARAMETER, Parameter::Turn) as usize;
+        let beside = !matches!(K::PARAMETER, Parameter::Joint(_)) as usize;
         assert!(
-            N + turn <= WIDTH,
+            N + beside <= WIDTH,
             "arms of eight joints at most, seven with a tool that turns"
         );
-        N + turn
+        N + beside
     };
 
     /// What counts: with a turn of the tool, a target is a whole pose.
     const COUNTS: Target = match K::PARAMETER {
-        Parameter::Joint(_) => K::TARGET,
+        Parameter::Joint(_) | Parameter::Swivel(_) => K::TARGET,
         Parameter::Turn => Target::Pose,
     };
 
@@ -79,34 +81,45 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     }
 
     /// The rows that have to rest, and how far they are from where they should.
-    fn equations(&self, x: &Point) -> ([Point; 6], [f64; 6]) {
+    fn equations(&self, x: &Point) -> ([Point; EQUATIONS], [f64; EQUATIONS]) {
         let (pose, spatial) = self.robot.fk_jacobian(&self.q(x));
         let geometric = spatial.spatial_to_geometric(&pose);
         let target = match K::PARAMETER {
-            Parameter::Joint(_) => *self.target,
+            Parameter::Joint(_) | Parameter::Swivel(_) => *self.target,
             Parameter::Turn => self.target.turned(x[N]),
         };
         let own = Self::COUNTS.counting_rows(&pose, &geometric).rows;
-        let mut rows = own.map(|row| core::array::from_fn(|j| if j < N { row[j] } else { 0.0 }));
+        let mut rows = [[0.0; WIDTH]; EQUATIONS];
+        for (row, own) in rows.iter_mut().zip(own) {
+            row[..N].copy_from_slice(&own);
+        }
+        let mut missing = [0.0; EQUATIONS];
+        missing[..6].copy_from_slice(&Self::COUNTS.missing(&pose, &target).to_array());
+        if let Parameter::Swivel(swivel) = K::PARAMETER {
+            let (row, angle) = swivel.row(&self.robot.fk_links(&self.q(x)), &pose, &spatial);
+            rows[6][..N].copy_from_slice(&row);
+            rows[6][N] = -1.0;
+            missing[6] = math::wrap(x[N] - angle);
+        }
         if let Parameter::Turn = K::PARAMETER {
             // The target turns about its z axis.
             for i in 0..3 {
                 rows[3 + i][N] = -target.rotation[i][2];
             }
         }
-        (rows, Self::COUNTS.missing(&pose, &target).to_array())
+        (rows, missing)
     }
 
     /// Of the equations and one more, which are independent; what is behind the
     /// coordinates rests.
-    fn span(&self, rows: &[Point; 6], more: Option<&Point>) -> Span<WIDTH> {
+    fn span(&self, rows: &[Point; EQUATIONS], more: Option<&Point>) -> Span<WIDTH> {
         let behind = WIDTH - Self::COORDINATES;
         let row = |i: usize| match i {
-            0..6 => rows[i],
-            _ if i < 6 + behind => unit(Self::COORDINATES + i - 6),
+            0..EQUATIONS => rows[i],
+            _ if i < EQUATIONS + behind => unit(Self::COORDINATES + i - EQUATIONS),
             _ => *more.unwrap_or(&[0.0; WIDTH]),
         };
-        let count = 6 + behind + usize::from(more.is_some());
+        let count = EQUATIONS + behind + usize::from(more.is_some());
         Span::of(count, row, RANK_TOLERANCE)
     }
 
@@ -140,8 +153,8 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             }
             let span = self.span(&rows, Some(normal));
             let change = span.least_norm(|i| match i {
-                0..6 => missing[i],
-                _ if i < 6 + behind => 0.0,
+                0..EQUATIONS => missing[i],
+                _ if i < EQUATIONS + behind => 0.0,
                 _ => off,
             });
             x = core::array::from_fn(|i| x[i] + change[i]);

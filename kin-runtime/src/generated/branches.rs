@@ -2,7 +2,7 @@
 
 use super::acceptance::Acceptance;
 use super::dispatch::{Dispatched, dispatch};
-use super::refinement::{NEARLY, Problem, correct_branches, refine_branches};
+use super::refinement::{AtSwivel, NEARLY, Problem, correct_branches, refine_branches};
 use super::univariate::Univariate;
 use crate::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 
@@ -248,6 +248,24 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         match degenerates {
             true => self.refined_onto(arm, target, accept),
             false => self.corrected(fk_jacobian, target, Target::Pose, accept),
+        }
+    }
+}
+
+impl<const L: usize> Branches<7, L> {
+    /// The branches at an angle of a swivel. Of an arm that was idealized they are refined in so
+    /// many steps; of an exact one, where rounding keeps one from its target.
+    #[inline]
+    pub fn at_swivel(
+        &self,
+        arm: &AtSwivel<impl Fn(&[f64; 7]) -> [Pose; 7], impl Fn(&[f64; 7]) -> (Pose, Jacobian<7>)>,
+        target: &Pose,
+        steps: Option<usize>,
+        accept: &Acceptance,
+    ) -> Solutions<7> {
+        match steps.is_some() || self.nearly(accept) {
+            true => arm.refined(target, self.existing(), steps, accept),
+            false => self.solutions(accept),
         }
     }
 }

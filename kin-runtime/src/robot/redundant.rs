@@ -6,27 +6,29 @@ use crate::{
     Criterion, FeasibleInterval, JointLimit,
     feasible::{best, feasible, feasible_within},
 };
-use crate::{Kinematics, Pose, Solutions};
+use crate::{Kinematics, Pose, Solutions, Swivel};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
 
 /// What an arm is given beside a target.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parameter {
     /// The value of a joint, by its place from 0; radians, and metres of a prismatic
     /// one.
     Joint(usize),
     /// The turn of the tool about the tip's z axis from where the target has it, radians.
     Turn,
+    /// The swivel angle of an arm with a spherical shoulder and a spherical wrist, radians.
+    Swivel(Swivel),
 }
 
 /// The inverse kinematics of an arm with one joint more than its targets have
 /// coordinates: seven for whole poses, or six where the tool may turn. One number beside
 /// the target, the parameter, leaves isolated solutions.
 ///
-/// The parameter is the value of a joint, or the turn of the tool; generated robots tell
-/// which.
+/// The parameter is the value of a joint, the swivel angle, or the turn of the tool; generated
+/// robots tell which.
 pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// What the parameter is.
     const PARAMETER: Parameter;
@@ -56,6 +58,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         match Self::PARAMETER {
             Parameter::Joint(joint) => q[joint],
             Parameter::Turn => target.turn_to(&self.fk(q)),
+            Parameter::Swivel(swivel) => swivel.angle(&self.fk_links(q), &self.fk(q)),
         }
     }
 

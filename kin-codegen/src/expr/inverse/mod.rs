@@ -15,6 +15,7 @@ mod root;
 mod rotate;
 mod slide;
 mod solve;
+mod swivel;
 mod transport;
 
 pub use free::{FreeAngle, FreeAngles};
@@ -34,7 +35,8 @@ pub struct DomainMargin(pub f64);
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
 /// rotation by rows, then the translation), the seed, by coordinate of q, the values of
-/// the joints that the linkage has locked, and if an angle turns, the threshold below
+/// the joints that the linkage has locked, the swivel angle if it comes with the target, and if
+/// an angle turns, the threshold below
 /// which it is free.
 #[derive(Clone, Debug)]
 pub struct InverseGraph {
@@ -185,6 +187,8 @@ struct Writer<'a> {
     seed: Vec<Expr>,
     /// How far the joints that come with the target have moved.
     parameters: Vec<Expr>,
+    /// Sine and cosine of the swivel angle, if it comes with the target.
+    swivel: Option<Trig>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
     /// By joint: the sine and cosine of its motion.
@@ -275,6 +279,7 @@ impl<'a> Writer<'a> {
             pose,
             seed,
             parameters: Vec::new(),
+            swivel: None,
             deviation,
             trig: vec![None; n],
             slide: vec![None; n],
@@ -308,6 +313,11 @@ impl<'a> Writer<'a> {
                 JointKind::Prismatic => self.slide[joint] = Some(moved),
             }
         }
+        self.swivel = self.linkage.swivel.map(|_| {
+            let angle = self.g.input("swivel");
+            let (sin, cos) = self.g.sin_cos(angle);
+            Trig { sin, cos }
+        });
     }
 
     /// Of the relations that pose a step, the one that costs least is written.

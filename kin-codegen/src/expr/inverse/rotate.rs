@@ -94,7 +94,10 @@ impl Writer<'_> {
         let point = from.kind == Kind::Point;
         let (first_start, first_end) = self.extent(first);
         let (second_start, second_end) = self.extent(second);
-        let x = self.bring_before(from, from.joints.end, first_start);
+        let x = match relation.is_swivel {
+            true => self.elbow(),
+            false => self.bring_before(from, from.joints.end, first_start),
+        };
         let y = self.bring_behind(from, from.joints.start, second_end);
         let zero = self.g.vector([0.0; 3]);
         let of = |x: Transported| if point { x.point } else { x.direction }.unwrap_or(zero);

@@ -10,9 +10,11 @@ mod levenberg;
 mod linearization;
 mod newton;
 mod normal_equations;
+mod swivel;
 
 pub use branches::refine_branches;
 pub use correction::{NEARLY, correct_branches};
 pub(super) use levenberg::levenberg;
 pub use linearization::Problem;
 pub use newton::{Refined, newton};
+pub use swivel::AtSwivel;

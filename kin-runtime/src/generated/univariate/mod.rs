@@ -20,6 +20,7 @@ mod elimination;
 mod found;
 mod harmonics;
 mod line;
+mod margins;
 mod pair;
 mod polish;
 mod polynomial;

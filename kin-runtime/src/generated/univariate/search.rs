@@ -85,6 +85,11 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The target as the arm's frames have it.
+    pub fn target(&self) -> &Pose {
+        &self.target
+    }
+
     /// Asks the eliminations in turn until one is sure of its answer.
     pub fn run(mut self) -> Solutions<6> {
         if self.is_rotation {

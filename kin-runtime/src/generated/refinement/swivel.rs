@@ -1,0 +1,174 @@
+//! Branches at a swivel angle, refined onto the arm as given.
+//!
+//! The angle tells one of the joints that turn the elbow from the others, so that what is
+//! refined is an arm of six joints, as any other.
+
+use super::{Problem, correct_branches, refine_branches};
+use crate::generated::acceptance::Acceptance;
+use crate::linear::vector::{add, cross, dot};
+use crate::{Jacobian, Pose, Solution, Solutions, Swivel, Target, Twist, math};
+
+/// Newton's method for one angle, from one that is right but for noise, doubles the digits.
+const STEPS: usize = 8;
+/// No step is longer, radians.
+const STRIDE: f64 = 0.5;
+/// What an angle may be off, radians.
+const OFF: f64 = 1e-15;
+/// A solution whose swivel angle is off by more is of another.
+const ELSEWHERE: f64 = 1e-9;
+
+/// An arm of seven joints at an angle of its swivel.
+#[derive(Clone, Copy, Debug)]
+pub struct AtSwivel<'a, Links, FkJacobian> {
+    /// What tells the angle.
+    pub swivel: &'a Swivel,
+    /// Radians.
+    pub angle: f64,
+    /// Gives the poses of the links.
+    pub links: Links,
+    /// Gives the pose and the spatial Jacobian.
+    pub fk_jacobian: FkJacobian,
+}
+
+impl<Links, FkJacobian> AtSwivel<'_, Links, FkJacobian>
+where
+    Links: Fn(&[f64; 7]) -> [Pose; 7],
+    FkJacobian: Fn(&[f64; 7]) -> (Pose, Jacobian<7>),
+{
+    /// Every branch as a solution of the arm: of an arm that was idealized by
+    /// [`refine_branches`], in so many steps, of an exact one by [`correct_branches`].
+    pub fn refined(
+        &self,
+        target: &Pose,
+        starts: impl Iterator<Item = Solution<7>>,
+        steps: Option<usize>,
+        accept: &Acceptance,
+    ) -> Solutions<7> {
+        let wrist = target.transform_point(self.swivel.wrist);
+        Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+            for start in starts {
+                if steps.is_none() && start.residual <= accept.tolerance {
+                    solutions.push_if(true, start);
+                    continue;
+                }
+                let told = self.told(&start.q, wrist);
+                let others = core::iter::once(told.without(&start));
+                let problem = Problem::new(
+                    |q: &[f64; 6]| told.fk_jacobian(q),
+                    target,
+                    Target::Pose,
+                    accept,
+                );
+                let found = match steps {
+                    Some(steps) => refine_branches(&problem, others, accept, steps),
+                    None => correct_branches(&problem, others, accept),
+                };
+                for found in &found {
+                    let q = told.whole(&found.q).map(math::wrap);
+                    // Where the angle hardly tells its joint, nothing was solved.
+                    let (_, off) = told.slopes(&q);
+                    let (pose, _) = (self.fk_jacobian)(&q);
+                    let residual = Target::Pose.distance(&pose, target, accept.size);
+                    if off.abs() <= ELSEWHERE && residual <= accept.tolerance {
+                        solutions.insert_distinct(Solution {
+                            q,
+                            residual,
+                            branch: found.branch,
+                            singular: found.singular,
+                        });
+                    }
+                }
+            }
+        })
+    }
+
+    /// Which joint the angle tells next to a configuration: the one that it depends on most.
+    fn told(&self, q: &[f64; 7], wrist: [f64; 3]) -> Told<'_, Links, FkJacobian> {
+        let mut told = Told {
+            arm: self,
+            wrist,
+            joint: 0,
+            near: 0.0,
+        };
+        let (slopes, _) = told.slopes(q);
+        told.joint = usize::from(slopes[1].abs() > slopes[0].abs());
+        told.near = q[told.joint];
+        told
+    }
+}
+
+/// An arm of the six joints that the angle does not tell.
+struct Told<'a, Links, FkJacobian> {
+    arm: &'a AtSwivel<'a, Links, FkJacobian>,
+    /// Where the target has it.
+    wrist: [f64; 3],
+    joint: usize,
+    /// Of the values of that joint with the same angle, the one next to this is meant.
+    near: f64,
+}
+
+impl<Links, FkJacobian> Told<'_, Links, FkJacobian>
+where
+    Links: Fn(&[f64; 7]) -> [Pose; 7],
+    FkJacobian: Fn(&[f64; 7]) -> (Pose, Jacobian<7>),
+{
+    fn without(&self, solution: &Solution<7>) -> Solution<6> {
+        let q = solution.q;
+        Solution {
+            q: core::array::from_fn(|i| q[i + usize::from(i >= self.joint)]),
+            residual: solution.residual,
+            branch: solution.branch,
+            singular: solution.singular,
+        }
+    }
+
+    /// How the angle changes with the joints that turn the elbow, and how far it is off.
+    fn slopes(&self, q: &[f64; 7]) -> ([f64; 7], f64) {
+        let swivel = self.arm.swivel;
+        let (_, spatial) = (self.arm.fk_jacobian)(q);
+        let elbow = (self.arm.links)(q)[swivel.link].transform_point(swivel.elbow);
+        let (gradient, _) = swivel.gradient(elbow, self.wrist);
+        let slope = |twist: Twist| dot(gradient, add(twist.linear, cross(twist.angular, elbow)));
+        let slopes = core::array::from_fn(|i| match i <= swivel.link {
+            true => slope(spatial.column(i)),
+            false => 0.0,
+        });
+        let own = swivel.of_points(elbow, self.wrist);
+        (slopes, math::wrap(self.arm.angle - own))
+    }
+
+    /// All joint values, from those of the others.
+    fn whole(&self, others: &[f64; 6]) -> [f64; 7] {
+        let mut q: [f64; 7] = core::array::from_fn(|i| match i.cmp(&self.joint) {
+            core::cmp::Ordering::Less => others[i],
+            core::cmp::Ordering::Equal => self.near,
+            core::cmp::Ordering::Greater => others[i - 1],
+        });
+        for _ in 0..STEPS {
+            let (slopes, off) = self.slopes(&q);
+            let step = off / slopes[self.joint];
+            if step.is_nan() {
+                break;
+            }
+            q[self.joint] += step.clamp(-STRIDE, STRIDE);
+            if step.abs() < OFF {
+                break;
+            }
+        }
+        q
+    }
+
+    /// The pose, and the spatial Jacobian of the others: they take the joint that is told
+    /// along.
+    fn fk_jacobian(&self, others: &[f64; 6]) -> (Pose, Jacobian<6>) {
+        let q = self.whole(others);
+        let (pose, spatial) = (self.arm.fk_jacobian)(&q);
+        let (slopes, _) = self.slopes(&q);
+        let along = spatial.column(self.joint);
+        let columns = core::array::from_fn(|i| {
+            let i = i + usize::from(i >= self.joint);
+            spatial.column(i) + along * (-slopes[i] / slopes[self.joint])
+        });
+        (pose, Jacobian::from_columns(columns))
+    }
+}

@@ -1,0 +1,187 @@
+//! How far the polynomial in the kept joint is from having more or fewer real roots.
+//!
+//! With z = e^{iθ} it is one of degree 2n in z whose roots are on the unit circle, where θ is
+//! real, or come in pairs z, 1/z̄ on both sides of it. As the target changes, a pair meets on
+//! the circle and parts along it: two solutions more.
+
+use super::Univariate;
+use super::elimination::{Equations, Loop};
+use super::harmonics::{DEGREE, Harmonics};
+use super::polynomial::polynomial;
+use super::search::Search;
+use crate::{Pose, math};
+
+/// Rounds of Aberth's iteration at most.
+const ROUNDS: usize = 60;
+/// Changes of a root, relative to 1, that are rounding.
+const STILL: f64 = 1e-13;
+/// Roots whose angle has a smaller imaginary part are real: half the digits of a double root.
+const REAL: f64 = 1e-6;
+/// Margins of pairs that there are none of.
+const NONE: f64 = 1.0;
+
+type Complex = [f64; 2];
+
+fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
+    [a * c - b * d, a * d + b * c]
+}
+
+fn over(a: Complex, [c, d]: Complex) -> Complex {
+    let square = c * c + d * d;
+    times(a, [c / square, -d / square])
+}
+
+impl Univariate<'_> {
+    /// By pair of roots of the first elimination's polynomial, minus the square of the imaginary
+    /// part of their angles, or where these are real, the square of half their distance. The
+    /// pair that is farthest from real comes first, so that every entry is continuous.
+    pub fn margins(&self, target: &Pose) -> Option<[f64; 16]> {
+        let elimination = self.eliminations.first()?;
+        let search = Search::new(self, target);
+        let round = Loop::new(elimination, &self.frames, search.target());
+        let equations = Equations::new(elimination, &round.far_side());
+        let f = polynomial(elimination, &equations);
+        f.noise.is_finite().then(|| margins(&f))
+    }
+}
+
+fn margins(f: &Harmonics) -> [f64; 16] {
+    let count = 2 * f.degree;
+    let roots = roots(f);
+    let mut beside = [0.0; 2 * DEGREE];
+    let mut angles = [0.0; 2 * DEGREE];
+    let (mut away, mut real) = (0, 0);
+    for &[x, y] in &roots[..count] {
+        let imaginary = 0.5 * libm::log(x * x + y * y);
+        match imaginary.abs() < REAL {
+            true => {
+                angles[real] = math::atan2(y, x);
+                real += 1;
+            }
+            false => {
+                beside[away] = imaginary * imaginary;
+                away += 1;
+            }
+        }
+    }
+    let (beside, angles) = (&mut beside[..away], &mut angles[..real]);
+    beside.sort_unstable_by(|a, b| b.total_cmp(a));
+    angles.sort_unstable_by(f64::total_cmp);
+    let gap = |i: usize| math::wrap(angles[(i + 1) % real] - angles[i]).abs();
+    let least = (0..real).map(gap).fold(f64::INFINITY, f64::min);
+    let mut out = [NONE; 16];
+    let pairs = away / 2;
+    for (k, out) in out[..f.degree.min(16)].iter_mut().enumerate() {
+        if k < pairs {
+            *out = -beside[2 * k];
+        } else if k == pairs {
+            *out = 0.25 * least * least;
+        }
+    }
+    out
+}
+
+/// All roots in z, by Aberth's iteration (O. Aberth, "Iteration methods for finding all zeros of
+/// a polynomial simultaneously", Mathematics of Computation 27, 1973).
+fn roots(f: &Harmonics) -> [Complex; 2 * DEGREE] {
+    let n = 2 * f.degree;
+    let mut coefficients = [[0.0; 2]; 2 * DEGREE + 1];
+    coefficients[f.degree] = [f.cosines[0], 0.0];
+    for k in 1..=f.degree {
+        let (a, b) = (0.5 * f.cosines[k], 0.5 * f.sines[k]);
+        coefficients[f.degree + k] = [a, -b];
+        coefficients[f.degree - k] = [a, b];
+    }
+    let coefficients = &coefficients[..=n];
+    let mut z: [Complex; 2 * DEGREE] = core::array::from_fn(|i| {
+        let (sin, cos) = math::sin_cos(0.4 + i as f64 * core::f64::consts::PI / f.degree as f64);
+        let radius = if i % 2 == 0 { 0.8 } else { 1.25 };
+        [radius * cos, radius * sin]
+    });
+    for _ in 0..ROUNDS {
+        let mut moved: f64 = 0.0;
+        for i in 0..n {
+            let step = step(coefficients, &z[..n], i);
+            z[i] = [z[i][0] - step[0], z[i][1] - step[1]];
+            let change = step[0].abs() + step[1].abs();
+            moved = math::max(moved, change / (1.0 + z[i][0].abs() + z[i][1].abs()));
+        }
+        if moved < STILL || moved.is_nan() {
+            break;
+        }
+    }
+    z
+}
+
+/// Newton's step of a root, kept away from the others.
+fn step(coefficients: &[Complex], z: &[Complex], i: usize) -> Complex {
+    let (mut value, mut slope) = ([0.0; 2], [0.0; 2]);
+    for c in coefficients.iter().rev() {
+        let next = times(slope, z[i]);
+        slope = [next[0] + value[0], next[1] + value[1]];
+        let next = times(value, z[i]);
+        value = [next[0] + c[0], next[1] + c[1]];
+    }
+    if value == [0.0; 2] {
+        return [0.0; 2];
+    }
+    let newton = over(value, slope);
+    let mut away = [0.0; 2];
+    for (j, other) in z.iter().enumerate() {
+        if j != i {
+            let apart = over([1.0, 0.0], [z[i][0] - other[0], z[i][1] - other[1]]);
+            away = [away[0] + apart[0], away[1] + apart[1]];
+        }
+    }
+    let kept = times(newton, away);
+    over(newton, [1.0 - kept[0], -kept[1]])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generated::univariate::harmonics::samples;
+    use core::f64::consts::TAU;
+
+    fn of(degree: usize, f: impl Fn(f64) -> f64) -> [f64; 16] {
+        let mut values = [0.0; 32];
+        let n = samples(degree);
+        for (i, value) in values[..n].iter_mut().enumerate() {
+            *value = f(TAU * i as f64 / n as f64);
+        }
+        margins(&Harmonics::new(degree, &values[..n]))
+    }
+
+    /// cos 2θ = c has four real roots for |c| < 1, and two pairs with imaginary part
+    /// arcosh(c) / 2 beyond.
+    #[test]
+    fn margins_change_their_sign_where_roots_meet() {
+        let far = of(2, |x| (2.0 * x).cos() - 1.5);
+        let expected = (0.5 * 1.5_f64.acosh()).powi(2);
+        assert!(
+            (far[0] + expected).abs() < 1e-9 && (far[1] + expected).abs() < 1e-9,
+            "{far:?}"
+        );
+        let near = of(2, |x| (2.0 * x).cos() - 0.5);
+        assert!((near[0] - (TAU / 12.0).powi(2)).abs() < 1e-9, "{near:?}");
+        // Continuous, and linear in what moves the roots, to the first order.
+        for by in [1e-3, 1e-4] {
+            let [out, inside] = [1.0 + by, 1.0 - by].map(|c| of(2, |x| (2.0 * x).cos() - c)[0]);
+            assert!((out + 0.5 * by).abs() < by * by, "{out}");
+            assert!((inside - 0.5 * by).abs() < by * by, "{inside}");
+        }
+    }
+
+    #[test]
+    fn the_pair_that_is_farthest_from_real_comes_first() {
+        // Three pairs beside the circle, and two real roots.
+        let f = |x: f64| {
+            (1.3 - x.cos()) * (2.0 - (x - 1.0).cos()) * (1.1 - (x - 2.0).cos()) * (x - 3.0).sin()
+        };
+        let found = of(4, f);
+        for (found, c) in found.iter().zip([2.0_f64, 1.3, 1.1]) {
+            assert!((found + c.acosh().powi(2)).abs() < 1e-8, "{found} {c}");
+        }
+        assert!(found[3] > 1.0);
+    }
+}

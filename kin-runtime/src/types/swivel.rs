@@ -1,0 +1,103 @@
+//! The swivel angle of an arm with a spherical shoulder and a spherical wrist.
+
+use crate::linear::vector::{add, cross, dot, norm, scale, sub};
+use crate::{Jacobian, Pose, math};
+
+/// The arm angle, or swivel: how far the elbow of an arm with a spherical shoulder and a
+/// spherical wrist is turned about the line from shoulder to wrist, while these stay (K.
+/// Kreutz-Delgado, M. Long, H. Seraji, "Kinematic analysis of 7-DOF manipulators", Int. J.
+/// Robotics Research 11, 1992; M. Shimizu et al., "Analytical inverse kinematic computation for
+/// 7-DOF redundant manipulators with joint limits", IEEE Trans. Robotics 24, 2008).
+///
+/// With S the shoulder, E the elbow, W the wrist and V the reference direction, it is the angle
+/// about W − S from the half plane of V to that of E − S: 0 where the elbow is on the side to
+/// which V points, right-handed.
+///
+/// It is not defined where W is on the line through S along V (the representation's own
+/// singularity: there are no two half planes), nor where E is on the line through S and W
+/// (the arm is straight, and turning the elbow moves nothing).
+///
+/// ```
+/// use kin_runtime::Swivel;
+/// let swivel = Swivel {
+///     shoulder: [0.0; 3],
+///     link: 2,
+///     elbow: [0.0; 3],
+///     wrist: [0.0; 3],
+///     reference: [0.0, 0.0, 1.0],
+/// };
+/// // An elbow above the line to the wrist, and one beside it.
+/// assert_eq!(swivel.of_points([0.4, 0.0, 0.3], [0.8, 0.0, 0.0]), 0.0);
+/// let beside = swivel.of_points([0.4, -0.3, 0.0], [0.8, 0.0, 0.0]);
+/// assert!((beside - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swivel {
+    /// S: where the first three axes meet; base coordinates, metres.
+    pub shoulder: [f64; 3],
+    /// The link that the elbow is a point of, by its place from 0.
+    pub link: usize,
+    /// E: the point of the third axis next to the fourth; in the frame of that link.
+    pub elbow: [f64; 3],
+    /// W: where the last three axes meet; in the frame of the tip.
+    pub wrist: [f64; 3],
+    /// V: the direction of the first axis; base coordinates, a unit vector.
+    pub reference: [f64; 3],
+}
+
+impl Swivel {
+    /// The swivel angle of a configuration, radians in (−π, π], from the poses of its links and
+    /// of its tip.
+    pub fn angle<const N: usize>(&self, links: &[Pose; N], tip: &Pose) -> f64 {
+        let [elbow, wrist] = self.points(links, tip);
+        self.of_points(elbow, wrist)
+    }
+
+    /// Elbow and wrist in base coordinates, metres.
+    pub fn points<const N: usize>(&self, links: &[Pose; N], tip: &Pose) -> [[f64; 3]; 2] {
+        [
+            links[self.link].transform_point(self.elbow),
+            tip.transform_point(self.wrist),
+        ]
+    }
+
+    /// The same from elbow and wrist in base coordinates, metres.
+    pub fn of_points(&self, elbow: [f64; 3], wrist: [f64; 3]) -> f64 {
+        let way = sub(wrist, self.shoulder);
+        let way = scale(1.0 / norm(way), way);
+        let aside = sub(self.reference, scale(dot(self.reference, way), way));
+        let elbow = sub(elbow, self.shoulder);
+        math::atan2(dot(cross(way, aside), elbow), dot(aside, elbow))
+    }
+
+    /// How the angle changes with the joints while the wrist rests, and the angle itself; from
+    /// the poses of links and tip and the spatial Jacobian.
+    pub fn row<const N: usize>(
+        &self,
+        links: &[Pose; N],
+        tip: &Pose,
+        spatial: &Jacobian<N>,
+    ) -> ([f64; N], f64) {
+        let [elbow, wrist] = self.points(links, tip);
+        let (gradient, _) = self.gradient(elbow, wrist);
+        let row = core::array::from_fn(|joint| match joint <= self.link {
+            true => {
+                let twist = spatial.column(joint);
+                dot(gradient, add(twist.linear, cross(twist.angular, elbow)))
+            }
+            false => 0.0,
+        });
+        (row, self.of_points(elbow, wrist))
+    }
+
+    /// How the angle changes with the elbow while the wrist rests, radians for a metre, and
+    /// the elbow's distance from the line of shoulder and wrist, metres.
+    pub fn gradient(&self, elbow: [f64; 3], wrist: [f64; 3]) -> ([f64; 3], f64) {
+        let way = sub(wrist, self.shoulder);
+        let way = scale(1.0 / norm(way), way);
+        let elbow = sub(elbow, self.shoulder);
+        let aside = add(elbow, scale(-dot(elbow, way), way));
+        let radius = norm(aside);
+        (scale(1.0 / (radius * radius), cross(way, aside)), radius)
+    }
+}
