@@ -125,6 +125,57 @@ fn limits_are_kept<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K,
     assert!(held_at_all > 0);
 }
 
+/// Two solutions that exist between two samples alone, for a hundredth of a radian.
+#[test]
+fn short_lived_branches_without_a_plan_are_found() {
+    let cases = [
+        (
+            [
+                -2.0616411680635767,
+                1.210609812164141,
+                2.8155527219824137,
+                0.18236020398025854,
+                2.6714318091984195,
+                -2.422998064654227,
+                2.068256876073683,
+            ],
+            2.0640263734084936,
+        ),
+        (
+            [
+                1.0307934060312585,
+                -0.27385694619999823,
+                -0.03370534047099216,
+                0.6386630201523076,
+                0.442736742214469,
+                -2.250367857500089,
+                -1.558480739367221,
+            ],
+            0.5749114556069319,
+        ),
+        (
+            [
+                2.4870549922285274,
+                -0.4427126410326476,
+                -1.3469106298760634,
+                0.33443592850150905,
+                2.8270194423581296,
+                1.1335325017720432,
+                1.2716100654888782,
+            ],
+            -0.5372123437638545,
+        ),
+    ];
+    for (q, value) in cases {
+        let target = kinematics::Kinematics::fk(&crate::Sawyer, &q);
+        let intervals = crate::Sawyer.feasible(&target);
+        let solutions = crate::Sawyer.ik_at(&target, value).len();
+        let held = holding::<crate::Sawyer, 7>(&intervals, value);
+        assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+        assert!(solutions > 0);
+    }
+}
+
 /// A joint that looks over its limit between two samples and comes back.
 #[test]
 fn a_limit_that_is_hardly_passed_cuts_an_interval() {

@@ -42,6 +42,7 @@ mod chosen;
 mod feasible;
 mod follow;
 mod interfaces;
+mod nearest;
 mod self_motions;
 mod several;
 mod swivel;

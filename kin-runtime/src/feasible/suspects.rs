@@ -14,6 +14,10 @@ const STEPS: usize = 24;
 /// The share of a bracket that a step keeps.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
+/// So many steps in a row that gain less than a share of what is missing end a search.
+const STALLS: usize = 5;
+const GAIN: f64 = 0.02;
+
 /// A value of the parameter, and the margins there.
 pub(super) type Margins = (f64, [f64; 16]);
 
@@ -56,7 +60,10 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
                 let sign = if own[1] < 0.0 { 1.0 } else { -1.0 };
                 let towards = own.map(|x| sign * x);
                 // Branches that meet have one margin.
-                if same_sign && !seen.contains(&own) && may_cross(four.map(|s| s.0), towards) {
+                if same_sign
+                    && !seen.contains(&own)
+                    && may_cross(four.map(|s| s.0), towards, !K::EXACT_MARGINS)
+                {
                     found.extend(self.crossing(lane, sign, four[1].0, four[2].0));
                 }
                 seen.push(own);
@@ -72,9 +79,21 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             let width = GOLDEN * (high - low);
             [high - width, low + width]
         };
+        let (mut best, mut stalls) = (f64::NEG_INFINITY, 0);
         for _ in 0..STEPS {
             let [left, right] = inner(low, high);
             let [a, b] = [at(left)?, at(right)?];
+            // An extremum is quadratic: steps that gain less lead nowhere near zero.
+            let larger = a.max(b);
+            stalls = if larger - best < -GAIN * larger {
+                stalls + 1
+            } else {
+                0
+            };
+            if stalls == STALLS {
+                return None;
+            }
+            best = best.max(larger);
             if a > 0.0 {
                 return Some(left);
             }
@@ -96,11 +115,14 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
 /// Whether a function that is negative at the two inner places may be positive between
 /// them: it is below the lines through the two samples on either side where it bends down,
-/// and these are taken steeper than they are.
-fn may_cross(at: [f64; 4], [a, b, c, d]: [f64; 4]) -> bool {
+/// and these are taken steeper than they are. One that may have a kink, where two functions
+/// change places, is as steep inside.
+fn may_cross(at: [f64; 4], [a, b, c, d]: [f64; 4], kinks: bool) -> bool {
     let width = at[2] - at[1];
-    let slope = |rise: f64, run: f64| STEEPER * (rise / run).max(0.0);
-    let (up, down) = (slope(b - a, at[1] - at[0]), slope(c - d, at[3] - at[2]));
+    let inside = if kinks { (c - b) / width } else { 0.0 };
+    let slope = |rise: f64, run: f64, inside: f64| STEEPER * (rise / run).max(inside).max(0.0);
+    let up = slope(b - a, at[1] - at[0], inside);
+    let down = slope(c - d, at[3] - at[2], -inside);
     if up == 0.0 || down == 0.0 {
         return false;
     }

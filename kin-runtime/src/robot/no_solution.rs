@@ -1,9 +1,11 @@
 //! Why inverse kinematics has no solution that is wanted.
 
-use crate::{JointLimit, Kinematics, Nearest, Pose, Solution};
+use crate::{JointLimit, Kinematics, Nearest, Pose, Solution, Solutions, Target};
 use core::fmt;
 
-/// Why [`Kinematics::try_ik_nearest`] has no solution.
+/// Why [`Kinematics::try_ik_nearest`], or
+/// [`RedundantKinematics::try_ik_nearest_at`](crate::RedundantKinematics::try_ik_nearest_at), has
+/// no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoSolution<const N: usize> {
@@ -17,7 +19,7 @@ pub enum NoSolution<const N: usize> {
     /// No configuration reaches the target.
     OutOfReach {
         /// What comes nearest, with its distance, metres, as the residual; see
-        /// [`Kinematics::ik_approximate`].
+        /// [`Kinematics::ik_approximate`]. None of an arm with a parameter.
         approximate: Option<Solution<N>>,
     },
     /// The target is reached outside the limits alone.
@@ -52,6 +54,13 @@ impl<const N: usize> NoSolution<N> {
         nearest: &Nearest<N>,
     ) -> Self {
         let solutions = robot.ik_seeded(target, &nearest.seed);
+        Self::among(&solutions, nearest)
+            .unwrap_or_else(|| Self::of_target(K::TARGET, target, || robot.ik_approximate(target)))
+    }
+
+    /// Why none of some solutions is wanted; none if there are none.
+    #[cold]
+    pub(crate) fn among(solutions: &Solutions<N>, nearest: &Nearest<N>) -> Option<Self> {
         let joints = nearest.motion(solutions.prismatic());
         let outside = |solution: &Solution<N>| {
             furthest::<N>(core::array::from_fn(|i| {
@@ -67,24 +76,32 @@ impl<const N: usize> NoSolution<N> {
                 .filter(|solution| outside(solution).1 <= JointLimit::TOLERANCE)
         };
         if let Some((solution, (joint, by))) = least(inside(), too_far) {
-            return Self::BeyondStep {
+            return Some(Self::BeyondStep {
                 solution,
                 joint,
                 by,
-            };
+            });
         }
-        if let Some((solution, (joint, by))) = least(solutions.iter(), outside) {
-            return Self::OutsideLimits {
-                solution,
-                joint,
-                by,
-            };
-        }
-        match K::TARGET.rotation_error(target) {
-            _ if !K::TARGET.is_finite(target) => Self::NotFinite,
+        let (solution, (joint, by)) = least(solutions.iter(), outside)?;
+        Some(Self::OutsideLimits {
+            solution,
+            joint,
+            by,
+        })
+    }
+
+    /// Why a target of which so much counts has no solutions.
+    #[cold]
+    pub(crate) fn of_target(
+        counts: Target,
+        target: &Pose,
+        approximate: impl FnOnce() -> Option<Solution<N>>,
+    ) -> Self {
+        match counts.rotation_error(target) {
+            _ if !counts.is_finite(target) => Self::NotFinite,
             error if error > ROTATION_ERROR => Self::NotRotation { error },
             _ => Self::OutOfReach {
-                approximate: robot.ik_approximate(target),
+                approximate: approximate(),
             },
         }
     }
