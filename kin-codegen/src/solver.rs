@@ -157,7 +157,14 @@ fn completed(trials: &Trials, best: Certified) -> Certified {
     let Some(arm) = arm.flatten() else {
         return best;
     };
+    let flagged = inverse(
+        &form.linkage,
+        &form.plan,
+        DomainMargin(0.0),
+        FreeAngles::Flagged,
+    );
     let form = ClosedForm {
+        inverse: Inverse::Expressions(Box::new(flagged)),
         refinement: Refinement::Univariate(Box::new(arm)),
         ..form.clone()
     };
@@ -311,11 +318,26 @@ fn solve_idealized(
         Some(first) if !exact => elimination_beside(trials, first),
         _ => None,
     };
-    let later = plans.map(|plan| form(&plan, FreeAngles::Seeded));
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
     let mut certified = 0;
-    for (tried, seeded) in first.into_iter().chain(later).take(PLANS).enumerate() {
+    let mut first = first.into_iter();
+    let mut later = Later {
+        linkage: &linkage,
+        target,
+        all: plans,
+        told: 0,
+        telling: None,
+    };
+    for tried in 0..PLANS {
+        let next = first.next().or_else(|| {
+            let lost = if exact { trials.lost() } else { Vec::new() };
+            let plan = later.next(&lost, best.is_some())?;
+            Some(form(&plan, FreeAngles::Seeded))
+        });
+        let Some(seeded) = next else {
+            break;
+        };
         let plan = seeded.plan.clone();
         // To turn a free angle costs operations: only where it is seen to lose
         // targets, and not for plans that cost more than one that stands.
@@ -357,6 +379,35 @@ fn solve_idealized(
         }
     }
     best.ok_or(refusal)
+}
+
+/// The plans that are tried after the first ones.
+struct Later<'a> {
+    linkage: &'a Linkage,
+    target: Target,
+    all: Plans<'a>,
+    /// How many configurations were lost when `telling` was asked for.
+    told: usize,
+    /// Those that tell the configurations that others have lost.
+    telling: Option<Plans<'a>>,
+}
+
+impl Later<'_> {
+    /// The next one. Where no plan tells the lost configurations and one stands that does
+    /// not, another will not be better.
+    fn next(&mut self, lost: &[Vec<f64>], stands: bool) -> Option<Plan> {
+        if lost.len() > self.told {
+            self.told = lost.len();
+            let moved: Vec<Vec<f64>> = lost.iter().map(|q| self.linkage.by_joint(q)).collect();
+            self.telling = Some(Plans::telling(self.linkage, self.target, &moved));
+        }
+        let telling = self.telling.as_mut().and_then(Iterator::next);
+        match telling {
+            None if stands && self.told > 0 => None,
+            None => self.all.next(),
+            telling => telling,
+        }
+    }
 }
 
 /// The elimination to ask beside the branches of an idealized arm: near a singular

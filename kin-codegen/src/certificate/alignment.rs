@@ -1,16 +1,21 @@
 //! Configurations in which axes that are no neighbours are aligned: parallel,
-//! meeting, or one through a point of the other's joint. There the relations
-//! of a plan may degenerate where the arm does not.
+//! meeting, or one through a point of the other. There the relations of a plan
+//! may degenerate where the arm does not: an amplitude of theirs is zero, by which
+//! an angle is divided. Where they cannot be aligned, as near to it as they come: a
+//! tilt of a few digits makes a plan lose what it would lose if it were degenerate.
 
-use crate::geometry::{Line, axes, cross, dot, norm, sub};
+use crate::geometry::{Line, Vec3, axes, concurrency, cross, dot, norm, size, sub};
 use crate::model::{JointKind, Model, configurations};
 use crate::random::Random;
 use kin_runtime::Pose;
 use kin_runtime::subproblems::{subproblem1, subproblem2};
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// How far off their alignment configurations are tried too, radians or metres.
 const OFF: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
+/// Neighbours that are nearer than this, relative to the arm's size, meet.
+const MEETING: f64 = 1e-3;
 /// Places of a joint at which two lines are looked at.
 const PLACES: usize = 24;
 /// Steps of a bisection, and of Newton's method.
@@ -45,6 +50,22 @@ struct Arm<'a> {
     axes: Vec<Line>,
 }
 
+/// A point of the arm.
+struct Point {
+    /// The first joint that leaves it alone; those in front move it.
+    first: usize,
+    /// The last one, behind which joints do not move it.
+    last: usize,
+    /// At home, base coordinates.
+    at: Vec3,
+}
+
+impl Point {
+    fn new(first: usize, last: usize, at: Vec3) -> Self {
+        Self { first, last, at }
+    }
+}
+
 impl Arm<'_> {
     fn alignments(&self, random: &mut Random) -> Vec<Vec<f64>> {
         let n = self.axes.len();
@@ -52,20 +73,45 @@ impl Arm<'_> {
         let mut anywhere = random_ones.into_iter().cycle();
         let mut found = Vec::new();
         for i in 0..n {
-            for j in i + 2..=n {
+            for j in i + 2..n {
                 let mut start = || anywhere.next().unwrap_or_default();
-                if j < n && self.turns(i) && self.turns(j) {
+                if self.turns(i) && self.turns(j) {
                     for sense in [1.0, -1.0] {
                         found.extend(self.parallel(start(), i, j, sense, random));
                     }
                     found.extend(self.meeting(start(), i, j, random));
                 }
-                if self.turns(i) {
-                    found.extend(self.through(start(), i, j, random));
-                }
+            }
+        }
+        for point in self.points() {
+            for axis in (0..n).filter(|&axis| self.turns(axis)) {
+                let start = anywhere.next().unwrap_or_default();
+                found.extend(self.through(start, axis, &point, random));
             }
         }
         found
+    }
+
+    /// The points that relations are about: where neighbours meet, on other axes that of
+    /// the joint, and the tip.
+    fn points(&self) -> Vec<Point> {
+        let n = self.axes.len();
+        let near = MEETING * size(self.model);
+        let meet = |j: usize| concurrency(self.axes.get(j..j + 2)?, MEETING, near);
+        let mut points: Vec<Point> = Vec::new();
+        for j in 0..n {
+            let before = points.last_mut().filter(|point| point.last == j);
+            match (meet(j), before) {
+                (Some(at), Some(before)) if norm(sub(at, before.at)) < near => before.last = j + 1,
+                (Some(at), _) => points.push(Point::new(j, j + 1, at)),
+                (None, None) if self.turns(j) => {
+                    points.push(Point::new(j, j, self.axes[j].point));
+                }
+                _ => {}
+            }
+        }
+        points.push(Point::new(n, n, self.model.home.translation));
+        points
     }
 
     fn turns(&self, joint: usize) -> bool {
@@ -73,7 +119,7 @@ impl Arm<'_> {
     }
 
     /// The motion of some joints in a row.
-    fn motion(&self, q: &[f64], joints: std::ops::Range<usize>) -> Pose {
+    fn motion(&self, q: &[f64], joints: Range<usize>) -> Pose {
         joints.fold(Pose::IDENTITY, |before, joint| {
             before * Pose::exp(&self.model.joints[joint].twist(), q[joint])
         })
@@ -89,7 +135,7 @@ impl Arm<'_> {
     }
 
     /// Turns one or two joints between `i` and `j` so that their axes are
-    /// parallel (`sense` 1) or opposite (−1), if that can be.
+    /// parallel (`sense` 1) or opposite (−1), or as near to it as they come.
     fn parallel(
         &self,
         mut q: Vec<f64>,
@@ -106,7 +152,8 @@ impl Arm<'_> {
         let y = self.motion(&q, last + 1..j).rotate(direction(j));
         let x = self.motion(&q, i + 1..last).inverse().rotate(wanted);
         let alone = subproblem1(direction(last), y, x);
-        if let Some(turn) = alone.exact().first() {
+        let is_alone = rest.is_empty() || !alone.exact().is_empty();
+        if let (true, Some(turn)) = (is_alone, alone.values().first()) {
             q[last] = *turn;
             return Some(q);
         }
@@ -115,7 +162,7 @@ impl Arm<'_> {
         let middle = self.motion(&q, first + 1..last);
         let axis = middle.rotate(direction(last));
         let turns = subproblem2(axis, direction(first), middle.rotate(y), x);
-        let [behind, ahead] = *turns.exact().first()?;
+        let [behind, ahead] = *turns.values().first()?;
         (q[last], q[first]) = (behind, -ahead);
         Some(q)
     }
@@ -150,27 +197,32 @@ impl Arm<'_> {
         Some(q)
     }
 
-    /// Moves two joints behind `i` so that the point of joint `j` (of the tip,
-    /// if there is no such joint) lies on axis `i`, if they can.
+    /// Moves two joints between an axis and a point so that the point lies on the axis, or
+    /// as near as they bring it.
     fn through(
         &self,
         mut q: Vec<f64>,
-        i: usize,
-        j: usize,
+        axis: usize,
+        point: &Point,
         random: &mut Random,
     ) -> Option<Vec<f64>> {
-        let (axis, joints) = (self.axes[i], i + 1..j);
+        let line = self.axes[axis];
+        let ahead = axis < point.first;
+        let joints = match ahead {
+            true => axis + 1..point.first,
+            false => point.last + 1..axis,
+        };
         if joints.len() < 2 {
             return None;
         }
         let first = joints.start + random.below(joints.len() as u64 - 1);
-        let second = first + 1 + random.below((j - first - 1) as u64);
-        let point = match self.axes.get(j) {
-            Some(line) => line.point,
-            None => self.model.home.translation,
+        let second = first + 1 + random.below((joints.end - first - 1) as u64);
+        let offset = |q: &[f64]| {
+            let motion = self.motion(q, joints.clone());
+            let motion = if ahead { motion } else { motion.inverse() };
+            line.offset_of(motion.transform_point(point.at))
         };
-        let offset = |q: &[f64]| axis.offset_of(self.motion(q, i + 1..j).transform_point(point));
-        let size = crate::geometry::size(self.model);
+        let size = size(self.model);
         for _ in 0..STEPS {
             let here = offset(&q);
             if norm(here) < 1e-15 * size {
@@ -186,12 +238,12 @@ impl Arm<'_> {
             let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
             let (ue, ve) = (dot(u, here), dot(v, here));
             let determinant = uu * vv - uv * uv;
-            if determinant < 1e-12 * uu * vv {
-                return None;
+            if determinant <= 1e-12 * uu * vv {
+                break;
             }
             q[first] -= ((vv * ue - uv * ve) / determinant).clamp(-0.5, 0.5);
             q[second] -= ((uu * ve - uv * ue) / determinant).clamp(-0.5, 0.5);
         }
-        (norm(offset(&q)) < 1e-12 * size).then_some(q)
+        Some(q)
     }
 }

@@ -16,7 +16,8 @@ use crate::model::{Model, configurations};
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -108,6 +109,8 @@ pub struct Trials<'a> {
     held: Vec<Held>,
     /// The conditioning of random configurations.
     spread: OnceCell<Vec<f64>>,
+    /// Which configurations some plan has lost: the next is tried on them first.
+    lost: RefCell<BTreeSet<[usize; 2]>>,
 }
 
 /// The arm with its locked joints at some values: what targets are solved for, and what
@@ -151,6 +154,7 @@ impl<'a> Trials<'a> {
             target,
             held: held.collect(),
             spread: OnceCell::new(),
+            lost: RefCell::default(),
         }
     }
 
@@ -186,6 +190,22 @@ impl<'a> Trials<'a> {
         near.take(NEAR)
             .filter_map(|q| geometry::weak_motion(&held.chain, &q, size))
             .collect()
+    }
+
+    /// The configurations that some plan has lost, of an arm that takes nothing beside a target.
+    pub fn lost(&self) -> Vec<Vec<f64>> {
+        let lost = self.lost.borrow();
+        let known = lost.iter().filter(|_| self.linkage.parameters() == 0);
+        known.map(|&[i, k]| self.held[i].all[k].q.clone()).collect()
+    }
+
+    /// All configurations, those that were lost before first.
+    fn in_order(&self) -> Vec<[usize; 2]> {
+        let lost = self.lost.borrow();
+        let held = self.held.iter().enumerate();
+        let all = held.flat_map(|(i, held)| (0..held.all.len()).map(move |k| [i, k]));
+        let others = all.filter(|place| !lost.contains(place));
+        lost.iter().copied().chain(others).collect()
     }
 
     /// The share of random configurations of less conditioning.
@@ -273,17 +293,24 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
         excused_share: trials.share_below(excused),
         ..Certificate::default()
     };
-    for held in &trials.held {
-        for trial in &held.all {
-            certificate.configurations += 1;
-            let is_excused = trial.conditioning < excused;
-            certificate.excused += usize::from(is_excused);
-            let is_dear = trial.is_attack || certificate.excused > EXCUSED;
-            if !(is_excused && is_dear) {
-                let run = Run { trials, held, form };
-                certificate.add(&run, trial, is_excused, losses)?;
-            }
+    for [i, k] in trials.in_order() {
+        let held = &trials.held[i];
+        let trial = &held.all[k];
+        certificate.configurations += 1;
+        let is_excused = trial.conditioning < excused;
+        certificate.excused += usize::from(is_excused);
+        let is_dear = trial.is_attack || certificate.excused > EXCUSED;
+        if is_excused && is_dear {
+            continue;
         }
+        let before = certificate.lost;
+        let added = certificate.add(&Run { trials, held, form }, trial, is_excused, losses);
+        if added.is_err() || certificate.lost > before {
+            trials.lost.borrow_mut().insert([i, k]);
+        }
+        added?;
+    }
+    for held in &trials.held {
         for target in held.elsewhere(trials.target) {
             certificate.sound(&Run { trials, held, form }, &target, &held.parameters)?;
         }

@@ -291,6 +291,12 @@ impl Linkage {
         }
     }
 
+    /// How far each joint has moved along its axis, radians or metres; a free turn has not.
+    pub fn by_joint(&self, q: &[f64]) -> Vec<f64> {
+        let moved = |link: &Link| q.get(link.variable).copied().unwrap_or(0.0);
+        self.links.iter().map(moved).collect()
+    }
+
     /// Those of all joints.
     pub fn twists(&self) -> Vec<Twist> {
         (0..self.links.len())

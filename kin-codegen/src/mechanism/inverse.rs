@@ -139,10 +139,10 @@ fn leg_form(
         .map(|compiled| LegForm::Whole(Box::new(compiled)))
         .and_then(|form| form.recovers(leg, samples));
     let by_subproblems = |form: &LegForm| match form {
-        LegForm::Whole(arm) => arm
-            .inverse
-            .as_ref()
-            .is_some_and(|found| found.form.expressions().is_some()),
+        LegForm::Whole(arm) => {
+            let found = arm.inverse.as_ref();
+            found.is_some_and(|found| found.form.elimination().is_none())
+        }
         LegForm::Split(_) => true,
     };
     match whole {

@@ -71,6 +71,9 @@ pub struct Dependence {
     /// Whether the unknown lies between `from` and `to`, and not on the arc
     /// over the target.
     pub inner: bool,
+    /// Bit k is set where the amplitude is nothing in the k-th of the configurations that
+    /// a plan has to tell.
+    pub weak_at: u64,
     /// By sample: the first and second derivative of the relation by the
     /// unknown, when it moves `to`.
     pub derivatives: [[f64; 2]; SAMPLES],
@@ -88,33 +91,61 @@ struct Sample {
     axes: Vec<Line>,
 }
 
+/// Next to a configuration with an amplitude of nothing it is less than this.
+const NEARLY_NOTHING: f64 = 1e-3;
+
 /// Below this a dependence is rounding; no looser than what idealization leaves.
 const NOTHING: f64 = 1e-11;
 
 impl Samples {
     /// Moves the chain to a few fixed, irregular configurations.
     pub fn new(linkage: &Linkage) -> Self {
-        let sample = |k: usize| {
-            // Multiples of an irrational angle: nothing is aligned by accident.
-            let q = |i: usize| (((i + 1) * k) as f64 * 2.399_963 + 0.37).sin() * 2.3;
-            let mut bodies = vec![Pose::IDENTITY];
-            let mut axes = Vec::new();
-            for i in 0..linkage.links.len() {
-                let here = bodies[i];
-                let axis = linkage.axis(i);
-                axes.push(Line {
-                    direction: here.rotate(axis.direction),
-                    point: here.transform_point(axis.point),
-                });
-                bodies.push(here * Pose::exp(&linkage.twist(i), q(i)));
-            }
-            Sample { bodies, axes }
-        };
-        Self((1..=SAMPLES).map(sample).collect())
+        // Multiples of an irrational angle: nothing is aligned by accident.
+        let value = |i: usize, k: usize| (((i + 1) * k) as f64 * 2.399_963 + 0.37).sin() * 2.3;
+        let n = linkage.links.len();
+        let q = |k: usize| (0..n).map(|i| value(i, k)).collect();
+        Self::at(linkage, &(1..=SAMPLES).map(q).collect::<Vec<_>>())
+    }
+
+    /// Moves the chain to some configurations, by joint.
+    pub fn at(linkage: &Linkage, configurations: &[Vec<f64>]) -> Self {
+        Self(
+            configurations
+                .iter()
+                .map(|q| Sample::new(linkage, q))
+                .collect(),
+        )
+    }
+
+    /// Bit k is set where two joints are parallel in the k-th configuration.
+    pub fn parallel(&self, a: usize, b: usize) -> u64 {
+        let sine =
+            |sample: &Sample| norm(cross(sample.axes[a].direction, sample.axes[b].direction));
+        self.bits(|sample| sine(sample) < NEARLY_NOTHING)
+    }
+
+    fn bits(&self, holds: impl Fn(&Sample) -> bool) -> u64 {
+        let all = self.0.iter().take(64).enumerate();
+        all.fold(0, |bits, (k, sample)| bits | u64::from(holds(sample)) << k)
     }
 }
 
 impl Sample {
+    fn new(linkage: &Linkage, q: &[f64]) -> Self {
+        let mut bodies = vec![Pose::IDENTITY];
+        let mut axes = Vec::new();
+        for (i, q) in q.iter().enumerate() {
+            let here = bodies[i];
+            let axis = linkage.axis(i);
+            axes.push(Line {
+                direction: here.rotate(axis.direction),
+                point: here.transform_point(axis.point),
+            });
+            bodies.push(here * Pose::exp(&linkage.twist(i), *q));
+        }
+        Self { bodies, axes }
+    }
+
     /// An invariant where this configuration has it.
     fn place(&self, invariant: &Invariant) -> Line {
         let body = self.bodies[invariant.joints.start];
@@ -126,10 +157,12 @@ impl Sample {
 }
 
 impl Relation {
-    /// The relation between invariants, unless it says nothing.
+    /// The relation between invariants, unless it says nothing. `told` are configurations
+    /// that a plan has to tell.
     pub fn new(
         linkage: &Linkage,
         samples: &Samples,
+        told: &Samples,
         from: &Invariant,
         to: Option<&Invariant>,
     ) -> Option<Self> {
@@ -152,7 +185,14 @@ impl Relation {
                 .map(|sample| strength(linkage, sample, from, to, joint))
                 .collect();
             let inner = to.is_some() && (from.joints.end..behind).contains(&joint);
-            depends.extend(dependence(atom, inner, &strengths));
+            let weak = |sample: &Sample| {
+                strength(linkage, sample, from, to, joint).amplitude < NEARLY_NOTHING
+            };
+            let dependence = dependence(atom, inner, &strengths);
+            depends.extend(dependence.map(|dependence| Dependence {
+                weak_at: told.bits(weak),
+                ..dependence
+            }));
         }
         let says_something = !depends.is_empty();
         says_something.then(|| Self {
@@ -165,7 +205,12 @@ impl Relation {
     }
 
     /// Where the swivel angle puts the elbow, which depends on its bend, the shoulder turns it.
-    pub fn of_swivel(linkage: &Linkage, samples: &Samples, swivel: &Swivel) -> Option<Self> {
+    pub fn of_swivel(
+        linkage: &Linkage,
+        samples: &Samples,
+        told: &Samples,
+        swivel: &Swivel,
+    ) -> Option<Self> {
         let elbow = Swivel::ELBOW;
         let invariant = Invariant {
             kind: Kind::Point,
@@ -173,7 +218,7 @@ impl Relation {
             point: swivel.elbow,
             direction: [0.0; 3],
         };
-        let relation = Self::new(linkage, samples, &invariant, None)?;
+        let relation = Self::new(linkage, samples, told, &invariant, None)?;
         let turns_it = |depends: &Dependence| matches!(depends.atom, Atom::Joint(i) if i < elbow);
         let mut depends = relation.depends;
         depends.retain(turns_it);
@@ -182,6 +227,7 @@ impl Relation {
             weakest: 1.0,
             steady: true,
             inner: false,
+            weak_at: 0,
             derivatives: [[0.0; 2]; SAMPLES],
         });
         Some(Self {
@@ -207,6 +253,7 @@ fn dependence(atom: Atom, inner: bool, strengths: &[Strength]) -> Option<Depende
         weakest: if stationary { 0.0 } else { weakest },
         steady,
         inner,
+        weak_at: 0,
         derivatives: std::array::from_fn(|k| [strengths[k].slope, strengths[k].bend]),
     })
 }
@@ -306,19 +353,43 @@ impl Relation {
                 .copied()
         };
         let (a, b) = (find(self)?, find(other)?);
-        let at = |k: usize| {
-            let ([s, t], [u, v]) = (a.derivatives[k], b.derivatives[k]);
-            let amplitudes = s.hypot(t) * u.hypot(v);
-            if amplitudes > 0.0 {
-                (s * v - t * u).abs() / amplitudes
-            } else {
-                0.0
-            }
-        };
+        let at = |k: usize| apart(a.derivatives[k], b.derivatives[k]);
         let all: [f64; SAMPLES] = std::array::from_fn(at);
         let least = all.iter().copied().fold(f64::INFINITY, f64::min);
         let most = all.iter().copied().fold(0.0, f64::max);
         Some((least, most - least < 1e-9 * most && a.steady && b.steady))
+    }
+}
+
+impl Relation {
+    /// Bit k is set where two relations do not determine a joint on their inner arcs in the
+    /// k-th of the configurations that a plan has to tell.
+    pub fn dependent_at(
+        &self,
+        other: &Relation,
+        linkage: &Linkage,
+        told: &Samples,
+        joint: usize,
+    ) -> u64 {
+        told.bits(|sample| {
+            let [a, b] = [self, other].map(|relation| {
+                let to = relation.to.as_ref();
+                let Strength { slope, bend, .. } =
+                    strength(linkage, sample, &relation.from, to, joint);
+                [slope, bend]
+            });
+            apart(a, b) < NEARLY_NOTHING
+        })
+    }
+}
+
+/// The sine of the angle between two pairs of coefficients, of a sine and of a cosine.
+fn apart([s, t]: [f64; 2], [u, v]: [f64; 2]) -> f64 {
+    let amplitudes = s.hypot(t) * u.hypot(v);
+    if amplitudes > 0.0 {
+        (s * v - t * u).abs() / amplitudes
+    } else {
+        0.0
     }
 }
 

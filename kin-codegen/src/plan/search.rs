@@ -41,6 +41,8 @@ pub struct Plans<'a> {
     linkage: &'a Linkage,
     target: Target,
     relations: Vec<Relation>,
+    /// The configurations that a plan has to tell.
+    told: Samples,
     queue: BinaryHeap<Partial>,
     /// How often a set of solved joints was expanded, by those that were solved
     /// with a complement.
@@ -52,6 +54,13 @@ pub struct Plans<'a> {
 impl<'a> Plans<'a> {
     /// Nothing is searched yet.
     pub fn new(linkage: &'a Linkage, target: Target) -> Self {
+        Self::telling(linkage, target, &[])
+    }
+
+    /// Plans no step of which degenerates in some configurations, by joint: a relation
+    /// that does is taken with a complement alone.
+    pub fn telling(linkage: &'a Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
+        let told = Samples::at(linkage, configurations);
         let mut solved = Solved::default();
         for &joint in &linkage.locked {
             solved.insert(Atom::Joint(joint));
@@ -66,7 +75,8 @@ impl<'a> Plans<'a> {
         Self {
             linkage,
             target,
-            relations: relations(linkage, target),
+            relations: relations(linkage, target, &told),
+            told,
             queue: BinaryHeap::from([start]),
             visits: BTreeMap::new(),
             openings: BTreeMap::new(),
@@ -108,7 +118,13 @@ impl Iterator for Plans<'_> {
                 let swivel = usize::from(self.linkage.swivel.is_some());
                 let coordinates = self.target.coordinates() + swivel;
                 let determined = self.linkage.variables() == coordinates;
-                let successors = partial.successors(self.linkage, &self.relations, determined);
+                let known = Known {
+                    linkage: self.linkage,
+                    relations: &self.relations,
+                    told: &self.told,
+                    determined,
+                };
+                let successors = partial.successors(&known);
                 self.queue.extend(successors);
             }
         }
@@ -117,7 +133,7 @@ impl Iterator for Plans<'_> {
 }
 
 /// Every relation of the loop.
-fn relations(linkage: &Linkage, target: Target) -> Vec<Relation> {
+fn relations(linkage: &Linkage, target: Target, told: &Samples) -> Vec<Relation> {
     let n = linkage.links.len();
     let samples = Samples::new(linkage);
     let invariants = invariants(linkage, target);
@@ -132,7 +148,7 @@ fn relations(linkage: &Linkage, target: Target) -> Vec<Relation> {
     let mut out = Vec::new();
     for a in &invariants {
         if a.kind != Kind::Plane {
-            out.extend(Relation::new(linkage, &samples, a, None));
+            out.extend(Relation::new(linkage, &samples, told, a, None));
         }
         for b in &invariants {
             let comparable = match (a.kind, b.kind) {
@@ -143,13 +159,13 @@ fn relations(linkage: &Linkage, target: Target) -> Vec<Relation> {
                 _ => true,
             };
             if comparable && a.joints.end <= b.joints.start {
-                out.extend(Relation::new(linkage, &samples, a, Some(b)));
+                out.extend(Relation::new(linkage, &samples, told, a, Some(b)));
             }
         }
     }
     out.retain(crosses);
     let swivel = linkage.swivel.as_ref();
-    out.extend(swivel.and_then(|swivel| Relation::of_swivel(linkage, &samples, swivel)));
+    out.extend(swivel.and_then(|swivel| Relation::of_swivel(linkage, &samples, told, swivel)));
     out
 }
 
@@ -243,6 +259,8 @@ struct Candidate<'a> {
     unknowns: Vec<Atom>,
     relation: &'a Relation,
     with: Option<&'a Relation>,
+    /// Bit k is set where it degenerates in the k-th configuration that a plan has to tell.
+    weak_at: u64,
     cost: u32,
 }
 
@@ -281,21 +299,25 @@ fn opening(steps: &[Step]) -> Opening {
         .collect()
 }
 
+/// What the search knows of the arm.
+struct Known<'a> {
+    linkage: &'a Linkage,
+    relations: &'a [Relation],
+    told: &'a Samples,
+    /// Whether the target has as many coordinates as there are joints.
+    determined: bool,
+}
+
 impl Partial {
-    fn successors(
-        &self,
-        linkage: &Linkage,
-        relations: &[Relation],
-        determined: bool,
-    ) -> Vec<Partial> {
+    fn successors(&self, known: &Known) -> Vec<Partial> {
         let mut steps = Candidates::new();
-        for relation in relations {
-            if let Some(candidate) = self.pose(linkage, relation, determined) {
+        for relation in known.relations {
+            if let Some(candidate) = self.pose(known, relation) {
                 let key = (candidate.subproblem, candidate.unknowns.clone());
                 steps.entry(key).or_default().push(candidate);
             }
         }
-        for candidate in self.pairs(linkage, relations) {
+        for candidate in self.pairs(known) {
             let key = (candidate.subproblem, candidate.unknowns.clone());
             steps.entry(key).or_default().push(candidate);
         }
@@ -304,17 +326,13 @@ impl Partial {
         }
         steps
             .values()
-            .flat_map(|candidates| self.take(linkage, candidates, &steps, determined))
+            .flat_map(|candidates| self.take(known, candidates, &steps))
             .collect()
     }
 
     /// Which subproblem, if any, a relation poses with what is known.
-    fn pose<'a>(
-        &self,
-        linkage: &Linkage,
-        relation: &'a Relation,
-        determined: bool,
-    ) -> Option<Candidate<'a>> {
+    fn pose<'a>(&self, arm: &Known, relation: &'a Relation) -> Option<Candidate<'a>> {
+        let linkage = arm.linkage;
         let unknown: Vec<&Dependence> = relation
             .depends
             .iter()
@@ -336,7 +354,7 @@ impl Partial {
             // Its own degeneracy is that of the arm, as long as the angle
             // between its axes is a constant of the arm. A target that asks
             // for more can determine what the one vector leaves free.
-            [a, b] if determined => adjacent(linkage, a.atom, b.atom),
+            [a, b] if arm.determined => adjacent(linkage, a.atom, b.atom),
             _ => unknown.iter().all(|d| d.steady),
         };
         let work = match subproblem {
@@ -352,21 +370,27 @@ impl Partial {
             Subproblem::Univariate => 1000,
         };
         let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
+        let parallel = match unknown[..] {
+            [a, b] => arm.told.parallel(joint_of(a.atom), joint_of(b.atom)),
+            _ => 0,
+        };
         let unknowns = unknown.iter().map(|d| d.atom).collect();
         Some(Candidate {
             subproblem,
             unknowns,
             relation,
             with: None,
+            weak_at: unknown.iter().fold(parallel, |bits, d| bits | d.weak_at),
             cost,
         })
     }
 
     /// Pairs of relations between the same two unknowns, one unknown on the
     /// inner arc of both and one on the outer.
-    fn pairs<'a>(&self, linkage: &Linkage, relations: &'a [Relation]) -> Vec<Candidate<'a>> {
+    fn pairs<'a>(&self, arm: &Known<'a>) -> Vec<Candidate<'a>> {
+        let linkage = arm.linkage;
         let mut groups: BTreeMap<(Atom, Atom), Vec<&'a Relation>> = BTreeMap::new();
-        for relation in relations {
+        for relation in arm.relations {
             let mut unknown = relation.depends.iter().filter(|d| !self.solved.has(d.atom));
             let (Some(a), Some(b), None) = (unknown.next(), unknown.next(), unknown.next()) else {
                 continue;
@@ -391,7 +415,7 @@ impl Partial {
                 found.extend(
                     group[i + 1..]
                         .iter()
-                        .filter_map(|second| self.pair_up(first, second, outer, inner)),
+                        .filter_map(|second| self.pair_up(arm, first, second, outer, inner)),
                 );
             }
         }
@@ -400,6 +424,7 @@ impl Partial {
 
     fn pair_up<'a>(
         &self,
+        arm: &Known,
         first: &'a Relation,
         second: &'a Relation,
         outer: Atom,
@@ -416,19 +441,15 @@ impl Partial {
             unknowns: vec![outer, inner],
             relation: first,
             with: Some(second),
+            weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(inner))
+                | arm.told.parallel(joint_of(outer), joint_of(inner)),
             cost: 300 + 9 * known + penalty,
         })
     }
 
     /// What follows if a step is taken: with the relations that pose it best,
     /// and with a complement where these can degenerate.
-    fn take(
-        &self,
-        linkage: &Linkage,
-        candidates: &[Candidate],
-        all: &Candidates,
-        determined: bool,
-    ) -> Vec<Partial> {
+    fn take(&self, arm: &Known, candidates: &[Candidate], all: &Candidates) -> Vec<Partial> {
         let Some(best) = candidates.first() else {
             return Vec::new();
         };
@@ -451,19 +472,24 @@ impl Partial {
                 relations,
                 complement,
             });
-            next.steps.extend(next.solved.conclude(linkage));
+            next.steps.extend(next.solved.conclude(arm.linkage));
             next.choices = choices;
             next.cost += cost << choices;
             next
         };
-        let relations = candidates
-            .iter()
-            .take(ALTERNATIVES)
-            .filter(|c| c.cost < best.cost + MAY_DEGENERATE)
-            .map(Candidate::posed)
-            .collect();
-        let mut taken = vec![step(best.cost, relations, None)];
-        let can_degenerate = !determined || best.cost >= MAY_DEGENERATE;
+        let tells = |candidate: &&Candidate| candidate.weak_at == 0;
+        let mut taken = Vec::new();
+        if let Some(alone) = candidates.iter().find(tells) {
+            let relations = candidates
+                .iter()
+                .filter(tells)
+                .take(ALTERNATIVES)
+                .filter(|c| c.cost < alone.cost + MAY_DEGENERATE)
+                .map(Candidate::posed)
+                .collect();
+            taken.push(step(alone.cost, relations, None));
+        }
+        let can_degenerate = !arm.determined || best.cost >= MAY_DEGENERATE;
         if let ([atom], true) = (&unknowns[..], can_degenerate) {
             let mut different = vec![best];
             let others = complementary(subproblem)
@@ -473,7 +499,8 @@ impl Partial {
             for other in others {
                 let differs =
                     |known: &&Candidate| other.relation.complements(known.relation, *atom);
-                if different.len() <= COMPLEMENTS && different.iter().all(differs) {
+                let tells = other.weak_at & best.weak_at == 0;
+                if different.len() <= COMPLEMENTS && tells && different.iter().all(differs) {
                     different.push(other);
                     let cost = best.cost + other.cost % MAY_DEGENERATE;
                     taken.push(step(cost, vec![best.posed()], Some(other.posed())));
@@ -529,6 +556,14 @@ fn with_slides(
             Some(Subproblem::Hyperboloid)
         }
         _ => None,
+    }
+}
+
+/// The joint of an unknown, of a sum the first.
+fn joint_of(atom: Atom) -> usize {
+    match atom {
+        Atom::Joint(joint) => joint,
+        Atom::Sum { first, .. } => first,
     }
 }
 

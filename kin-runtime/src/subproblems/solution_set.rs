@@ -115,7 +115,7 @@ impl<T> SolutionSet<T> {
 
     /// Solutions, a member of a family or what comes closest: values to go on
     /// from.
-    pub(crate) fn values(&self) -> &[T] {
+    pub fn values(&self) -> &[T] {
         match self {
             SolutionSet::Exact(roots) => roots,
             SolutionSet::Any(value) | SolutionSet::Closest { value, .. } => {

@@ -18,6 +18,9 @@ use kin_runtime::__private::free_angle::NEARLY_FREE;
 pub enum FreeAngles {
     /// They keep the seed's value: right where no later step depends on them.
     Seeded,
+    /// The same, and vectors that tell an angle badly are flagged as singular already: an
+    /// elimination is asked there.
+    Flagged,
     /// That of one step of the plan turns to where the next root has the most
     /// room if the seed's value leaves it none.
     TurnedAt(usize),

@@ -148,6 +148,7 @@ pub fn inverse(
 ) -> InverseGraph {
     let mut writer = Writer::new(linkage, plan.target, margin);
     writer.take_parameters();
+    writer.flags_badly_told = free == FreeAngles::Flagged;
     let mut turned: Option<MayBeFree> = None;
     let mut free_angle = None;
     for (i, step) in plan.steps.iter().enumerate() {
@@ -191,6 +192,8 @@ struct Writer<'a> {
     swivel: Option<Trig>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
+    /// See [`FreeAngles::Flagged`].
+    flags_badly_told: bool,
     /// By joint: the sine and cosine of its motion.
     trig: Vec<Option<Trig>>,
     /// By joint: how far it slides.
@@ -281,6 +284,7 @@ impl<'a> Writer<'a> {
             parameters: Vec::new(),
             swivel: None,
             deviation,
+            flags_badly_told: false,
             trig: vec![None; n],
             slide: vec![None; n],
             sum: vec![None; linkage.runs.len()],

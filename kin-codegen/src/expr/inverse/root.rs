@@ -14,6 +14,9 @@ pub(super) const NOISE: f64 = 1e-13;
 /// by less, or an angle that a vector as short tells, does not tell the solutions
 /// apart.
 const BEYOND: f64 = 10.0;
+/// A vector whose square is below this, relative to its scale, tells an angle to a
+/// hundredth of what a solution may miss.
+const BADLY_TOLD: f64 = 1e-10;
 /// A root this small (angle 3e-7) is reported singular.
 const SINGULAR: f64 = 1e-13;
 /// a² + b² − d² of a cosine-sine equation.
@@ -271,6 +274,9 @@ impl Writer<'_> {
             let share = self.g.div(share, scale);
             let share = self.g.sqrt(share);
             self.amplify(deviation, share);
+        } else if self.flags_badly_told {
+            let badly_told = self.scaled(BADLY_TOLD, scale);
+            self.watch(factor, badly_told);
         } else {
             self.watch(factor, nothing);
         }

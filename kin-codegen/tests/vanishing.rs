@@ -1,0 +1,205 @@
+//! Plans where what they divide by vanishes: the denominators of a plan's expressions, and
+//! the vectors that tell its angles, are driven to zero, and nothing regular is lost there.
+
+use kin_codegen::certificate::recovered;
+use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::expr::{Expr, Node};
+use kin_codegen::geometry::{Linkage, conditioning, natural_target, size};
+use kin_codegen::model::Model;
+use kin_codegen::random::Random;
+use kin_codegen::solver::solve;
+use kin_codegen::spec::{ArmSpec, Source};
+use kin_runtime::Chain;
+use std::f64::consts::{PI, TAU};
+
+/// How far from where something vanishes it is tried.
+const OFF: [f64; 9] = [0.0, 1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
+/// Below this share of its usual value a quantity has vanished.
+const VANISHED: f64 = 1e-6;
+/// Below this it need not be driven any further.
+const NOTHING: f64 = 1e-24;
+/// How often each quantity is driven.
+const STARTS: usize = 4;
+/// Places of a joint that are looked at.
+const PLACES: usize = 24;
+
+struct Attack {
+    model: Model,
+    chain: Chain,
+    form: ClosedForm,
+}
+
+/// A denominator, or a sine and a cosine of some length.
+type Quantity = (Expr, Option<Expr>);
+
+impl Attack {
+    fn on(text: &str) -> Self {
+        let source = Source {
+            path: "arm.yaml".into(),
+            text: text.into(),
+        };
+        let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+        let found = solve(&model, &Linkage::new(&model), natural_target(&model)).unwrap();
+        Attack {
+            chain: model.chain(),
+            form: found.form,
+            model,
+        }
+    }
+
+    fn quantities(&self) -> Vec<Quantity> {
+        let inverse = self.form.expressions().unwrap();
+        let graph = &inverse.graph;
+        let needed = graph.reachable(&inverse.outputs());
+        let nodes = graph.nodes().iter().zip(needed);
+        let divided = nodes
+            .filter(|(_, needed)| *needed)
+            .filter_map(|(node, _)| match *node {
+                Node::Div(_, by) if graph.value(by).is_none() => Some((by, None)),
+                Node::Atan2(sine, cosine) => Some((sine, Some(cosine))),
+                _ => None,
+            });
+        divided.collect()
+    }
+
+    /// The value of a quantity for the target of a configuration, on its own branch.
+    fn value(&self, (a, b): Quantity, q: &[f64]) -> f64 {
+        let inverse = self.form.expressions().unwrap();
+        let target = self.chain.fk(q);
+        let mut inputs: Vec<f64> = target.rotation.iter().flatten().copied().collect();
+        inputs.extend(target.translation);
+        inputs.resize(inputs.len() + q.len(), 0.0);
+        inputs.push(1e-24);
+        let values = inverse.graph.evaluate_all(&inverse.schedule, &inputs);
+        let apart = |branch: u32| {
+            let turn = |i: usize| {
+                let d = (values.at(inverse.q[i], branch) - q[i]).abs() % TAU;
+                d.min(TAU - d)
+            };
+            (0..q.len()).map(turn).sum::<f64>()
+        };
+        let branches = 0..self.form.plan.branches() as u32;
+        let own = branches
+            .min_by(|&x, &y| apart(x).total_cmp(&apart(y)))
+            .unwrap();
+        let value = values.at(a, own);
+        b.map_or(value, |b| value.hypot(values.at(b, own)))
+    }
+
+    /// Moves one joint to where a quantity changes its sign, or is least.
+    fn reduced(&self, quantity: Quantity, mut q: Vec<f64>, joint: usize) -> Vec<f64> {
+        let at = |x: f64| {
+            let mut moved = q.clone();
+            moved[joint] = x;
+            self.value(quantity, &moved)
+        };
+        let width = TAU / PLACES as f64;
+        let place = |k: usize| q[joint] - PI + width * k as f64;
+        let values: Vec<f64> = (0..=PLACES).map(|k| at(place(k))).collect();
+        let crosses = (0..PLACES).find(|&k| values[k] * values[k + 1] < 0.0);
+        let least = (0..=PLACES).min_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()));
+        let (mut low, mut high) = match crosses {
+            Some(k) => (place(k), place(k + 1)),
+            None => (place(least.unwrap()) - width, place(least.unwrap()) + width),
+        };
+        let sign = crosses.map(|k| values[k]);
+        for _ in 0..90 {
+            let third = (high - low) / 3.0;
+            let (a, b) = (low + third, high - third);
+            let left = match sign {
+                Some(sign) => at(a) * sign < 0.0,
+                None => at(a).abs() < at(b).abs(),
+            };
+            match left {
+                true => high = if sign.is_some() { a } else { b },
+                false => low = a,
+            }
+        }
+        q[joint] = 0.5 * (low + high);
+        q
+    }
+
+    /// A configuration where a quantity has vanished, if one is found.
+    fn driven(&self, quantity: Quantity, random: &mut Random) -> Option<Vec<f64>> {
+        let n = self.model.variables.len();
+        let mut anywhere = || -> Vec<f64> { (0..n).map(|_| random.between(-PI, PI)).collect() };
+        let mut usual: Vec<f64> = (0..9)
+            .map(|_| self.value(quantity, &anywhere()).abs())
+            .collect();
+        usual.sort_by(f64::total_cmp);
+        let mut q = anywhere();
+        for _ in 0..6 * n {
+            if self.value(quantity, &q).abs() < NOTHING * usual[4] {
+                break;
+            }
+            q = self.reduced(quantity, q, random.below(n as u64));
+        }
+        (self.value(quantity, &q).abs() < VANISHED * usual[4]).then_some(q)
+    }
+
+    /// How many regular targets were tried.
+    fn loses_nothing(&self) -> usize {
+        let mut random = Random(0xdead);
+        let (length, target) = (size(&self.model), self.form.plan.target);
+        let mut tried = 0;
+        let quantities = self.quantities().into_iter();
+        for quantity in quantities.flat_map(|quantity| [quantity; STARTS]) {
+            let Some(q) = self.driven(quantity, &mut random) else {
+                continue;
+            };
+            for off in OFF {
+                let q: Vec<f64> = q
+                    .iter()
+                    .map(|x| x + off * random.between(-1.0, 1.0))
+                    .collect();
+                let conditioning = conditioning(&self.chain, &q, length, target);
+                if conditioning < 1e-5 {
+                    continue;
+                }
+                let solutions = self.form.solutions(&self.chain.fk(&q));
+                let seen = recovered(&self.model, &q, &solutions, conditioning);
+                assert_eq!(seen, Ok(()), "{} off {off:e}", self.form.plan);
+                tried += 1;
+            }
+        }
+        tried
+    }
+}
+
+const DESK: &str = include_str!("../../tests/robots/targets/five_joints.yaml");
+const WELDER: &str = include_str!("../../tests/robots/targets/welder.yaml");
+const WRIST: &str = include_str!("../../robots/kr6_r900.yaml");
+
+/// Five axes of which the last two meet behind three parallel ones, with an offset at the
+/// waist: the point where they meet can come to lie on axis 1.
+const HANDLING: &str = "\
+robot: handling
+units: {angle: deg, length: mm}
+joints:
+  - {name: waist,    xyz: [0, 0, 0],    axis: [0, 0, 1]}
+  - {name: shoulder, xyz: [75, 0, 0],   axis: [0, 1, 0]}
+  - {name: elbow,    xyz: [0, 0, 300],  axis: [0, -1, 0]}
+  - {name: pitch,    xyz: [330, 0, 75], axis: [0, -1, 0]}
+  - {name: roll,     xyz: [0, 0, 0],    axis: [1, 0, 0]}
+tip: {link: hand, xyz: [80, 0, 0]}
+";
+
+/// There is a plan that divides by nothing where the arm is regular, and it is chosen.
+#[test]
+fn five_joints_lose_nothing() {
+    for arm in [DESK, HANDLING] {
+        Attack::on(arm).loses_nothing();
+    }
+}
+
+#[test]
+fn a_plan_that_degenerates_is_completed() {
+    let attack = Attack::on(WELDER);
+    assert!(attack.form.elimination().is_some());
+    assert!(attack.loses_nothing() > 0);
+}
+
+#[test]
+fn a_spherical_wrist_loses_nothing() {
+    assert!(Attack::on(WRIST).loses_nothing() > 0);
+}
