@@ -129,6 +129,7 @@ fn answer<K: Kinematics<N>, const N: usize>(arm: &K, target: &Pose, seed: &[f64;
     black_box(arm.ik_seeded(target, seed));
     black_box(arm.ik_approximate(target));
     let solutions = arm.ik(target);
+    arm.ik_batch(&[*target; 10], &mut [solutions; 10]);
     black_box(solutions.within_limits(&K::LIMITS));
     black_box(solutions.with_full_turns(&K::LIMITS).count());
     black_box(arm.ik_nearest(target, seed));

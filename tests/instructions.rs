@@ -9,7 +9,7 @@
 mod random;
 
 use kinematics::__private::dispatch::{Instructions, use_at_most};
-use kinematics::{Kinematics, Pose, Solution};
+use kinematics::{Kinematics, Pose, Solution, Solutions};
 use random::Random;
 
 kinematics::kinematics!("../robots/ur5e.urdf");
@@ -23,6 +23,7 @@ kinematics::kinematics!("robots/noisy/calibrated.yaml");
 fn answers<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>> {
     let mut random = Random::new(11);
     let mut said = forward(robot);
+    let mut targets = Vec::new();
     for k in 0..400 {
         let mut q: [f64; N] = std::array::from_fn(|_| random.angle());
         let seed: [f64; N] = std::array::from_fn(|_| random.angle());
@@ -35,7 +36,11 @@ fn answers<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>>
             target.translation[k % 3] += 0.6;
         }
         said.extend(of(robot, &target, &seed));
+        targets.push(target);
     }
+    let mut found = vec![Solutions::new(); targets.len()];
+    robot.ik_batch(&targets, &mut found);
+    said.extend(found.iter().flatten().map(bits));
     said
 }
 

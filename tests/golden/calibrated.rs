@@ -14,8 +14,8 @@
 mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, Elimination, Forward, SideBySide, SinCos,
-        Univariate, dispatch, lanes, math, widen,
+        Acceptance, Branches, Elimination, Forward, Inverse, Lanes, SideBySide, SinCos,
+        Univariate, lanes, math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -1037,357 +1037,10 @@ mod __Calibrated {
                 })
         }
 
-        /// All branches of the plan as lanes, those that do not exist
-        /// marked.
+        /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            struct Lanes;
-            impl Dispatched<(&Pose, &[f64; 6])> for Lanes {
-                type Output = Branches<6, 8>;
-                #[inline(always)]
-                fn run((pose, seed): (&Pose, &[f64; 6])) -> Self::Output {
-                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                        .rotation;
-                    let [px, py, pz] = pose.translation;
-                    // The seed, for an angle that the target leaves free
-                    let t1 = seed[1] + 1.5707023922013317;
-                    let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
-                        seed[4],
-                        seed[5],
-                        seed[0],
-                        t1,
-                    ]);
-                    // 1. q1 by SP4 (what all branches share)
-                    let t10 = 0.099599986933972 * r13;
-                    let t11 = 0.099599986933972 * r23;
-                    let t12 = 0.099599986933972 * r33;
-                    let t13 = px - (0.000038951164947 * r11 + t10);
-                    let t14 = 0.000038951164947 * r21 + t11 - py;
-                    let t15 = t14 * t14 + t13 * t13;
-                    let t16 = t15 - 0.017810176447143812;
-                    let t17 = math::sqrt(t15);
-                    let t18 = 0.009625820932305094
-                        * math::max(0.009625820932305094, t17);
-                    let t19 = math::select(t16 < -t18, 1.0, 0.0);
-                    let t20 = math::max(t16, 0.0008371247079450102 * t15);
-                    let t21 = 0.0008371247079450102 / math::sqrt(t20 / t15)
-                        + 0.0008371247079450102;
-                    let t22 = math::sqrt(t20);
-                    let t23 = -t17;
-                    let t24 = math::max(t23, -math::max(-0.13345477303994718, t23));
-                    let t25 = t14 * t24;
-                    let t26 = t13 * t24;
-                    let t27 = 10.0 * t21;
-                    let t28 = math::max(
-                        math::select(t16 < t18, 1.0, 0.0),
-                        math::select(t15 < 1.3221941635117347 * (t27 * t27), 1.0, 0.0),
-                    );
-                    let t29 = t21
-                        + t21
-                            / math::sqrt(
-                                0.7563185707491022 * math::max(t15, 1.3221941635117346e-24),
-                            );
-                    let t30 = 1.0 / t15;
-                    // 2. q5 and q6 by SP2, given q1 (what all branches share)
-                    let t31 = 10.0 * t29;
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t32 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    let t33 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    let t34 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    let t35 = r13 - (r21 * r32 - r22 * r31);
-                    let t36 = r23 - (r12 * r31 - r11 * r32);
-                    let t37 = r33 - (r11 * r22 - r12 * r21);
-                    let t38 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36
-                        + t37 * t37;
-                    let t39 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                        + 1.3221941635117347 * t38;
-                    // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
-                    let e1 = [1.0, -1.0, 1.0, -1.0];
-                    let e2 = [1.0, 1.0, -1.0, -1.0];
-                    let mut s1_ = [0.0; 4];
-                    let mut c1_ = [0.0; 4];
-                    let mut t64_ = [0.0; 4];
-                    let mut t65_ = [0.0; 4];
-                    let mut t70_ = [0.0; 4];
-                    let mut t77_ = [0.0; 4];
-                    let mut invalid_ = [0.0; 4];
-                    let mut t79_ = [0.0; 4];
-                    let mut t81_ = [0.0; 4];
-                    let mut c3_ = [0.0; 4];
-                    let mut t82_ = [0.0; 4];
-                    let mut t84_ = [0.0; 4];
-                    let mut t85_ = [0.0; 4];
-                    let mut t86_ = [0.0; 4];
-                    let mut t87_ = [0.0; 4];
-                    let mut t89_ = [0.0; 4];
-                    let mut t103_ = [0.0; 4];
-                    let mut t104_ = [0.0; 4];
-                    let mut t106_ = [0.0; 4];
-                    let mut t107_ = [0.0; 4];
-                    let mut t118_ = [0.0; 4];
-                    let mut q1_ = [0.0; 4];
-                    let mut q5_ = [0.0; 4];
-                    let mut q6_ = [0.0; 4];
-                    for k in 0..4 {
-                        // 1. q1 by SP4
-                        let t40 = e1[k] * t22;
-                        let s1 = math::select(
-                            t15 < 1.3221941635117346e-24,
-                            t4,
-                            (t26 + t14 * t40) * t30,
-                        );
-                        let c1 = math::select(
-                            t15 < 1.3221941635117346e-24,
-                            t8,
-                            (t25 - t13 * t40) * t30,
-                        );
-                        // 2. q5 and q6 by SP2, given q1
-                        let t41 = r13 * s1 - r23 * c1;
-                        let t42 = r21 * c1 - r11 * s1;
-                        let t43 = r22 * c1 - r12 * s1;
-                        let t44 = t43 * t43 + t42 * t42;
-                        let t45 = math::sqrt(t44);
-                        let t46 = t31 * math::max(t31, t45);
-                        let t47 = math::max(
-                            math::max(
-                                t19,
-                                math::select(t15 < 1.3221941635117346e-24, -e1[k], 0.0),
-                            ),
-                            math::select(t44 < -t46, 1.0, 0.0),
-                        );
-                        let t48 = math::max(t44, 0.0008371247079450102 * t44);
-                        let t49 = t29 + t29 / math::sqrt(t48 / t44);
-                        let t50 = e2[k] * math::sqrt(t48);
-                        let t51 = -t45;
-                        let t52 = math::max(t51, -math::max(0.0, t51));
-                        let t53 = 10.0 * t49;
-                        let t54 = t49 + t49 / math::sqrt(math::max(1e-24, t44));
-                        let t55 = 1.0 / t44;
-                        let s6 = math::select(
-                            t44 < 1e-24,
-                            t3,
-                            (t42 * t52 + t43 * t50) * t55,
-                        );
-                        let c6 = math::select(
-                            t44 < 1e-24,
-                            t7,
-                            (t43 * t52 - t42 * t50) * t55,
-                        );
-                        let t56 = t42 * c6;
-                        let t57 = t43 * s6;
-                        let t58 = t56 - t57;
-                        let t59 = math::sqrt(t41 * t41 + t58 * t58);
-                        let t60 = 10.0 * t54;
-                        let t61 = math::max(
-                            math::max(
-                                math::max(t28, math::select(t44 < t46, 1.0, 0.0)),
-                                math::select(t44 < t53 * t53, 1.0, 0.0),
-                            ),
-                            math::select(t59 < t60 * t60, 1.0, 0.0),
-                        );
-                        let t62 = t54 + t54 / math::sqrt(math::max(1e-24, t59));
-                        let t63 = 1.0 / t59;
-                        let s5 = math::select(t59 < 1e-24, t2, (t57 - t56) * t63);
-                        let c5 = math::select(t59 < 1e-24, t6, t41 * t63);
-                        // 3. q2+q3+q4 by SP1, given q5 and q6
-                        let t64 = r31 * s6 + r32 * c6;
-                        let t65 = r33 * s5 + c5 * (r32 * s6 - r31 * c6);
-                        // 4. q3 by SP3, given q6 (what several branches share)
-                        let t66 = 0.099747579771028 * c6;
-                        let t67 = 0.099747579771028 * s6 - 0.000038951164947;
-                        let t68 = px + (r11 * t67 + r12 * t66 - t10);
-                        let t69 = py + (r21 * t67 + r22 * t66 - t11);
-                        let t70 = pz + (r31 * t67 + r32 * t66 - t12) - 0.1626;
-                        let t71 = t70 * t70;
-                        let t72 = 0.5 * (t71 + (t68 * t68 + t69 * t69));
-                        let t73 = 0.17606709553354122 - t72;
-                        let t74 = 0.02776733395938961 - t73 * t73;
-                        let t75 = 13.221941635117346 * t62;
-                        let t76 = t75 * math::max(t75, 0.16663533226596816);
-                        let t77 = math::max(t61, math::select(t74 < t76, 1.0, 0.0));
-                        let invalid = math::max(
-                            math::max(t47, math::select(t44 < 1e-24, -e2[k], 0.0)),
-                            math::select(t74 < -t76, 1.0, 0.0),
-                        );
-                        let t78 = math::max(t74, 0.00002324472133116559);
-                        let t79 = math::sqrt(t78);
-                        let t80 = math::max(
-                            -0.16663533226596816,
-                            -math::max(-0.16663533226596816, t72 - 0.17606709553354122),
-                        );
-                        let t81 = 6.0011282505434735 * t80;
-                        let c3 = -t81;
-                        // 5. q2 by SP1, given q1, q3 and q6 (what several branches
-                        // share)
-                        let t82 = c1 * t68 + s1 * t69;
-                        let t83 = 0.424760013934646 - 2.3542705697195427 * t80;
-                        let t84 = t70 * t83;
-                        let t85 = t82 * t83;
-                        let t86 = t71 + t82 * t82;
-                        let t87 = t83 * t83;
-                        let t88 = 10.0
-                            * (t62 + t62 / math::sqrt(36.01354027947097 * t78));
-                        let t89 = 1.3221941635117347 * (t88 * t88);
-                        // Residual: forward kinematics against the target (what several
-                        // branches share)
-                        let t90 = s6 * c5;
-                        let t91 = s6 * s5;
-                        let t92 = t65 * t90 + c6 * t64;
-                        let t93 = c6 * t65 - t64 * t90;
-                        let t94 = c1 * t93 - s1 * t91;
-                        let t95 = s1 * t93 + c1 * t91;
-                        let t96 = s5 * t65;
-                        let t97 = s5 * t64;
-                        let t98 = s1 * c5 - c1 * t97;
-                        let t99 = s1 * t97 + c1 * c5;
-                        let t100 = 0.000038951164947 * c6;
-                        let t101 = c5 * t100 - 0.099599986933972 * s5;
-                        let t102 = 0.000038951164947 * s6 - 0.099747579771028;
-                        let t103 = t64 * t102 - t65 * t101;
-                        let t104 = t64 * t101 + t65 * t102;
-                        let t105 = -0.133454773039947
-                            - (0.099599986933972 * c5 + s5 * t100);
-                        let t106 = c1 * t105;
-                        let t107 = s1 * t105;
-                        let t108 = t95 * t96 + t92 * t99 - r11;
-                        let t109 = t94 - r12;
-                        let t110 = t98 - r13;
-                        let t111 = t92 * t98 - t94 * t96 - r21;
-                        let t112 = t95 - r22;
-                        let t113 = r23 + t99;
-                        let t114 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111
-                            + t112 * t112 + t113 * t113;
-                        let t115 = r31 + (t94 * t99 + t95 * t98);
-                        let t116 = t92 - r32;
-                        let t117 = t96 - r33;
-                        let t118 = 0.6610970817558673
-                            * (t114 + t115 * t115 + t116 * t116 + t117 * t117);
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = lanes::angle(s1, c1);
-                        let q5 = lanes::angle(s5, c5);
-                        let q6 = lanes::angle(s6, c6);
-                        s1_[k] = s1;
-                        c1_[k] = c1;
-                        t64_[k] = t64;
-                        t65_[k] = t65;
-                        t70_[k] = t70;
-                        t77_[k] = t77;
-                        invalid_[k] = invalid;
-                        t79_[k] = t79;
-                        t81_[k] = t81;
-                        c3_[k] = c3;
-                        t82_[k] = t82;
-                        t84_[k] = t84;
-                        t85_[k] = t85;
-                        t86_[k] = t86;
-                        t87_[k] = t87;
-                        t89_[k] = t89;
-                        t103_[k] = t103;
-                        t104_[k] = t104;
-                        t106_[k] = t106;
-                        t107_[k] = t107;
-                        t118_[k] = t118;
-                        q1_[k] = q1;
-                        q5_[k] = q5;
-                        q6_[k] = q6;
-                    }
-                    // From 4 lanes to 8: lane k goes on from lane k modulo 4
-                    let s1_ = widen::<4, 8>(s1_);
-                    let c1_ = widen::<4, 8>(c1_);
-                    let t64_ = widen::<4, 8>(t64_);
-                    let t65_ = widen::<4, 8>(t65_);
-                    let t70_ = widen::<4, 8>(t70_);
-                    let t77_ = widen::<4, 8>(t77_);
-                    let invalid_ = widen::<4, 8>(invalid_);
-                    let t79_ = widen::<4, 8>(t79_);
-                    let t81_ = widen::<4, 8>(t81_);
-                    let c3_ = widen::<4, 8>(c3_);
-                    let t82_ = widen::<4, 8>(t82_);
-                    let t84_ = widen::<4, 8>(t84_);
-                    let t85_ = widen::<4, 8>(t85_);
-                    let t86_ = widen::<4, 8>(t86_);
-                    let t87_ = widen::<4, 8>(t87_);
-                    let t89_ = widen::<4, 8>(t89_);
-                    let t103_ = widen::<4, 8>(t103_);
-                    let t104_ = widen::<4, 8>(t104_);
-                    let t106_ = widen::<4, 8>(t106_);
-                    let t107_ = widen::<4, 8>(t107_);
-                    let t118_ = widen::<4, 8>(t118_);
-                    let q1_ = widen::<4, 8>(q1_);
-                    let q5_ = widen::<4, 8>(q5_);
-                    let q6_ = widen::<4, 8>(q6_);
-                    // 8 lanes, by the signs of the roots: e3 of step 4
-                    let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-                    let mut singular_ = [0.0; 8];
-                    let mut residual_ = [0.0; 8];
-                    let mut q2_ = [0.0; 8];
-                    let mut q3_ = [0.0; 8];
-                    let mut q4_ = [0.0; 8];
-                    for k in 0..8 {
-                        // 4. q3 by SP3, given q6
-                        let t119 = e3[k] * t79_[k];
-                        let t120 = 6.0011282505434735 * t119;
-                        let s3 = -t120;
-                        // 5. q2 by SP1, given q1, q3 and q6
-                        let t121 = 2.3542705697195427 * t119;
-                        let t122 = math::sqrt(t86_[k] * (t87_[k] + t121 * t121));
-                        let singular = math::max(
-                            t77_[k],
-                            math::select(t122 < t89_[k], 1.0, 0.0),
-                        );
-                        let t123 = 1.0 / t122;
-                        let s2 = math::select(
-                            t122 < 1.3221941635117346e-24,
-                            t5,
-                            (t70_[k] * t121 - t85_[k]) * t123,
-                        );
-                        let c2 = math::select(
-                            t122 < 1.3221941635117346e-24,
-                            t9,
-                            (t84_[k] + t82_[k] * t121) * t123,
-                        );
-                        // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                        let t124 = t65_[k] * s2 - t64_[k] * c2;
-                        let t125 = t65_[k] * c2 + t64_[k] * s2;
-                        // Residual: forward kinematics against the target
-                        let t126 = t104_[k]
-                            - (0.424760013934646 * s2
-                                - 0.392304658629206 * (t81_[k] * s2 + t120 * c2));
-                        let t127 = 0.424760013934646 * c2
-                            + 0.392304658629206 * (t120 * s2 - t81_[k] * c2) + t103_[k]
-                            + 0.1626;
-                        let t128 = c1_[k] * t126 - t107_[k] - px;
-                        let t129 = s1_[k] * t126 + t106_[k] - py;
-                        let t130 = t127 - pz;
-                        let residual = math::sqrt(
-                            t39 + (t130 * t130 + (t128 * t128 + t129 * t129)) + t118_[k],
-                        );
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
-                        let q3 = math::wrap(
-                            lanes::angle(s3, c3_[k]) - 0.00044313587806694065,
-                        );
-                        let t131 = lanes::angle(
-                            -(t81_[k] * t124 + t120 * t125),
-                            t81_[k] * t125 - t120 * t124,
-                        ) - 3.1412434523052912;
-                        let q4 = math::wrap(t131);
-                        singular_[k] = singular;
-                        residual_[k] = residual;
-                        q2_[k] = q2;
-                        q3_[k] = q3;
-                        q4_[k] = q4;
-                    }
-                    Branches {
-                        q: [q1_, q2_, q3_, q4_, q5_, q6_],
-                        residual: residual_,
-                        invalid: invalid_,
-                        singular: singular_,
-                    }
-                }
-            }
-            dispatch::<Lanes, _>((pose, seed))
+            Branches::of::<Self, _>(pose, seed, &[])
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -1665,9 +1318,401 @@ mod __Calibrated {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Inverse<6, 8, 0> for Calibrated {
+        const FREE: ::core::option::Option<usize> = None;
+        #[inline(always)]
+        fn lanes<const T: usize>(
+            targets: &[Pose; T],
+            seed: &[f64; 6],
+            locked: &[f64; 0],
+            free: f64,
+        ) -> Lanes<6, 8, T> {
+            let _ = locked;
+            let _ = free;
+            let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
+                targets,
+            );
+            // The seed, for an angle that the target leaves free
+            let t1 = seed[1] + 1.5707023922013317;
+            let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
+                seed[4],
+                seed[5],
+                seed[0],
+                t1,
+            ]);
+            let mut t10_ = [0.0; T];
+            let mut t11_ = [0.0; T];
+            let mut t12_ = [0.0; T];
+            let mut t13_ = [0.0; T];
+            let mut t14_ = [0.0; T];
+            let mut t15_ = [0.0; T];
+            let mut t19_ = [0.0; T];
+            let mut t22_ = [0.0; T];
+            let mut t25_ = [0.0; T];
+            let mut t26_ = [0.0; T];
+            let mut t28_ = [0.0; T];
+            let mut t29_ = [0.0; T];
+            let mut t30_ = [0.0; T];
+            let mut t31_ = [0.0; T];
+            let mut t39_ = [0.0; T];
+            for t in 0..T {
+                // 1. q1 by SP4 (what all branches share)
+                let t10 = 0.099599986933972 * r13[t];
+                let t11 = 0.099599986933972 * r23[t];
+                let t12 = 0.099599986933972 * r33[t];
+                let t13 = px[t] - (0.000038951164947 * r11[t] + t10);
+                let t14 = 0.000038951164947 * r21[t] + t11 - py[t];
+                let t15 = t14 * t14 + t13 * t13;
+                let t16 = t15 - 0.017810176447143812;
+                let t17 = math::sqrt(t15);
+                let t18 = 0.009625820932305094 * math::max(0.009625820932305094, t17);
+                let t19 = math::select(t16 < -t18, 1.0, 0.0);
+                let t20 = math::max(t16, 0.0008371247079450102 * t15);
+                let t21 = 0.0008371247079450102 / math::sqrt(t20 / t15)
+                    + 0.0008371247079450102;
+                let t22 = math::sqrt(t20);
+                let t23 = -t17;
+                let t24 = math::max(t23, -math::max(-0.13345477303994718, t23));
+                let t25 = t14 * t24;
+                let t26 = t13 * t24;
+                let t27 = 10.0 * t21;
+                let t28 = math::max(
+                    math::select(t16 < t18, 1.0, 0.0),
+                    math::select(t15 < 1.3221941635117347 * (t27 * t27), 1.0, 0.0),
+                );
+                let t29 = t21
+                    + t21
+                        / math::sqrt(
+                            0.7563185707491022 * math::max(t15, 1.3221941635117346e-24),
+                        );
+                let t30 = 1.0 / t15;
+                // 2. q5 and q6 by SP2, given q1 (what all branches share)
+                let t31 = 10.0 * t29;
+                // Residual: forward kinematics against the target (what all branches
+                // share)
+                let t32 = 0.5
+                    * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                let t33 = 0.5
+                    * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                let t34 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                let t35 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                let t36 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                let t37 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                let t38 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36
+                    + t37 * t37;
+                let t39 = 4.930380657631324e-32
+                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t]))
+                    + 1.3221941635117347 * t38;
+                t10_[t] = t10;
+                t11_[t] = t11;
+                t12_[t] = t12;
+                t13_[t] = t13;
+                t14_[t] = t14;
+                t15_[t] = t15;
+                t19_[t] = t19;
+                t22_[t] = t22;
+                t25_[t] = t25;
+                t26_[t] = t26;
+                t28_[t] = t28;
+                t29_[t] = t29;
+                t30_[t] = t30;
+                t31_[t] = t31;
+                t39_[t] = t39;
+            }
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+            let e1 = [1.0, -1.0, 1.0, -1.0];
+            let e2 = [1.0, 1.0, -1.0, -1.0];
+            let mut s1_ = [[0.0; T]; 4];
+            let mut c1_ = [[0.0; T]; 4];
+            let mut t64_ = [[0.0; T]; 4];
+            let mut t65_ = [[0.0; T]; 4];
+            let mut t70_ = [[0.0; T]; 4];
+            let mut t77_ = [[0.0; T]; 4];
+            let mut invalid_ = [[0.0; T]; 4];
+            let mut t79_ = [[0.0; T]; 4];
+            let mut t81_ = [[0.0; T]; 4];
+            let mut c3_ = [[0.0; T]; 4];
+            let mut t82_ = [[0.0; T]; 4];
+            let mut t84_ = [[0.0; T]; 4];
+            let mut t85_ = [[0.0; T]; 4];
+            let mut t86_ = [[0.0; T]; 4];
+            let mut t87_ = [[0.0; T]; 4];
+            let mut t89_ = [[0.0; T]; 4];
+            let mut t103_ = [[0.0; T]; 4];
+            let mut t104_ = [[0.0; T]; 4];
+            let mut t106_ = [[0.0; T]; 4];
+            let mut t107_ = [[0.0; T]; 4];
+            let mut t118_ = [[0.0; T]; 4];
+            let mut q1_ = [[0.0; T]; 4];
+            let mut q5_ = [[0.0; T]; 4];
+            let mut q6_ = [[0.0; T]; 4];
+            for k in 0..4 {
+                for t in 0..T {
+                    // 1. q1 by SP4
+                    let t40 = e1[k] * t22_[t];
+                    let s1 = math::select(
+                        t15_[t] < 1.3221941635117346e-24,
+                        t4,
+                        (t26_[t] + t14_[t] * t40) * t30_[t],
+                    );
+                    let c1 = math::select(
+                        t15_[t] < 1.3221941635117346e-24,
+                        t8,
+                        (t25_[t] - t13_[t] * t40) * t30_[t],
+                    );
+                    // 2. q5 and q6 by SP2, given q1
+                    let t41 = r13[t] * s1 - r23[t] * c1;
+                    let t42 = r21[t] * c1 - r11[t] * s1;
+                    let t43 = r22[t] * c1 - r12[t] * s1;
+                    let t44 = t43 * t43 + t42 * t42;
+                    let t45 = math::sqrt(t44);
+                    let t46 = t31_[t] * math::max(t31_[t], t45);
+                    let t47 = math::max(
+                        math::max(
+                            t19_[t],
+                            math::select(t15_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
+                        ),
+                        math::select(t44 < -t46, 1.0, 0.0),
+                    );
+                    let t48 = math::max(t44, 0.0008371247079450102 * t44);
+                    let t49 = t29_[t] + t29_[t] / math::sqrt(t48 / t44);
+                    let t50 = e2[k] * math::sqrt(t48);
+                    let t51 = -t45;
+                    let t52 = math::max(t51, -math::max(0.0, t51));
+                    let t53 = 10.0 * t49;
+                    let t54 = t49 + t49 / math::sqrt(math::max(1e-24, t44));
+                    let t55 = 1.0 / t44;
+                    let s6 = math::select(
+                        t44 < 1e-24,
+                        t3,
+                        (t42 * t52 + t43 * t50) * t55,
+                    );
+                    let c6 = math::select(
+                        t44 < 1e-24,
+                        t7,
+                        (t43 * t52 - t42 * t50) * t55,
+                    );
+                    let t56 = t42 * c6;
+                    let t57 = t43 * s6;
+                    let t58 = t56 - t57;
+                    let t59 = math::sqrt(t41 * t41 + t58 * t58);
+                    let t60 = 10.0 * t54;
+                    let t61 = math::max(
+                        math::max(
+                            math::max(t28_[t], math::select(t44 < t46, 1.0, 0.0)),
+                            math::select(t44 < t53 * t53, 1.0, 0.0),
+                        ),
+                        math::select(t59 < t60 * t60, 1.0, 0.0),
+                    );
+                    let t62 = t54 + t54 / math::sqrt(math::max(1e-24, t59));
+                    let t63 = 1.0 / t59;
+                    let s5 = math::select(t59 < 1e-24, t2, (t57 - t56) * t63);
+                    let c5 = math::select(t59 < 1e-24, t6, t41 * t63);
+                    // 3. q2+q3+q4 by SP1, given q5 and q6
+                    let t64 = r31[t] * s6 + r32[t] * c6;
+                    let t65 = r33[t] * s5 + c5 * (r32[t] * s6 - r31[t] * c6);
+                    // 4. q3 by SP3, given q6 (what several branches share)
+                    let t66 = 0.099747579771028 * c6;
+                    let t67 = 0.099747579771028 * s6 - 0.000038951164947;
+                    let t68 = px[t] + (r11[t] * t67 + r12[t] * t66 - t10_[t]);
+                    let t69 = py[t] + (r21[t] * t67 + r22[t] * t66 - t11_[t]);
+                    let t70 = pz[t] + (r31[t] * t67 + r32[t] * t66 - t12_[t]) - 0.1626;
+                    let t71 = t70 * t70;
+                    let t72 = 0.5 * (t71 + (t68 * t68 + t69 * t69));
+                    let t73 = 0.17606709553354122 - t72;
+                    let t74 = 0.02776733395938961 - t73 * t73;
+                    let t75 = 13.221941635117346 * t62;
+                    let t76 = t75 * math::max(t75, 0.16663533226596816);
+                    let t77 = math::max(t61, math::select(t74 < t76, 1.0, 0.0));
+                    let invalid = math::max(
+                        math::max(t47, math::select(t44 < 1e-24, -e2[k], 0.0)),
+                        math::select(t74 < -t76, 1.0, 0.0),
+                    );
+                    let t78 = math::max(t74, 0.00002324472133116559);
+                    let t79 = math::sqrt(t78);
+                    let t80 = math::max(
+                        -0.16663533226596816,
+                        -math::max(-0.16663533226596816, t72 - 0.17606709553354122),
+                    );
+                    let t81 = 6.0011282505434735 * t80;
+                    let c3 = -t81;
+                    // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
+                    let t82 = c1 * t68 + s1 * t69;
+                    let t83 = 0.424760013934646 - 2.3542705697195427 * t80;
+                    let t84 = t70 * t83;
+                    let t85 = t82 * t83;
+                    let t86 = t71 + t82 * t82;
+                    let t87 = t83 * t83;
+                    let t88 = 10.0 * (t62 + t62 / math::sqrt(36.01354027947097 * t78));
+                    let t89 = 1.3221941635117347 * (t88 * t88);
+                    // Residual: forward kinematics against the target (what several
+                    // branches share)
+                    let t90 = s6 * c5;
+                    let t91 = s6 * s5;
+                    let t92 = t65 * t90 + c6 * t64;
+                    let t93 = c6 * t65 - t64 * t90;
+                    let t94 = c1 * t93 - s1 * t91;
+                    let t95 = s1 * t93 + c1 * t91;
+                    let t96 = s5 * t65;
+                    let t97 = s5 * t64;
+                    let t98 = s1 * c5 - c1 * t97;
+                    let t99 = s1 * t97 + c1 * c5;
+                    let t100 = 0.000038951164947 * c6;
+                    let t101 = c5 * t100 - 0.099599986933972 * s5;
+                    let t102 = 0.000038951164947 * s6 - 0.099747579771028;
+                    let t103 = t64 * t102 - t65 * t101;
+                    let t104 = t64 * t101 + t65 * t102;
+                    let t105 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t100);
+                    let t106 = c1 * t105;
+                    let t107 = s1 * t105;
+                    let t108 = t95 * t96 + t92 * t99 - r11[t];
+                    let t109 = t94 - r12[t];
+                    let t110 = t98 - r13[t];
+                    let t111 = t92 * t98 - t94 * t96 - r21[t];
+                    let t112 = t95 - r22[t];
+                    let t113 = r23[t] + t99;
+                    let t114 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111
+                        + t112 * t112 + t113 * t113;
+                    let t115 = r31[t] + (t94 * t99 + t95 * t98);
+                    let t116 = t92 - r32[t];
+                    let t117 = t96 - r33[t];
+                    let t118 = 0.6610970817558673
+                        * (t114 + t115 * t115 + t116 * t116 + t117 * t117);
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = lanes::angle(s1, c1);
+                    let q5 = lanes::angle(s5, c5);
+                    let q6 = lanes::angle(s6, c6);
+                    s1_[k][t] = s1;
+                    c1_[k][t] = c1;
+                    t64_[k][t] = t64;
+                    t65_[k][t] = t65;
+                    t70_[k][t] = t70;
+                    t77_[k][t] = t77;
+                    invalid_[k][t] = invalid;
+                    t79_[k][t] = t79;
+                    t81_[k][t] = t81;
+                    c3_[k][t] = c3;
+                    t82_[k][t] = t82;
+                    t84_[k][t] = t84;
+                    t85_[k][t] = t85;
+                    t86_[k][t] = t86;
+                    t87_[k][t] = t87;
+                    t89_[k][t] = t89;
+                    t103_[k][t] = t103;
+                    t104_[k][t] = t104;
+                    t106_[k][t] = t106;
+                    t107_[k][t] = t107;
+                    t118_[k][t] = t118;
+                    q1_[k][t] = q1;
+                    q5_[k][t] = q5;
+                    q6_[k][t] = q6;
+                }
+            }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
+            let s1_ = widen::<4, 8, T, _>(&s1_);
+            let c1_ = widen::<4, 8, T, _>(&c1_);
+            let t64_ = widen::<4, 8, T, _>(&t64_);
+            let t65_ = widen::<4, 8, T, _>(&t65_);
+            let t70_ = widen::<4, 8, T, _>(&t70_);
+            let t77_ = widen::<4, 8, T, _>(&t77_);
+            let invalid_ = widen::<4, 8, T, _>(&invalid_);
+            let t79_ = widen::<4, 8, T, _>(&t79_);
+            let t81_ = widen::<4, 8, T, _>(&t81_);
+            let c3_ = widen::<4, 8, T, _>(&c3_);
+            let t82_ = widen::<4, 8, T, _>(&t82_);
+            let t84_ = widen::<4, 8, T, _>(&t84_);
+            let t85_ = widen::<4, 8, T, _>(&t85_);
+            let t86_ = widen::<4, 8, T, _>(&t86_);
+            let t87_ = widen::<4, 8, T, _>(&t87_);
+            let t89_ = widen::<4, 8, T, _>(&t89_);
+            let t103_ = widen::<4, 8, T, _>(&t103_);
+            let t104_ = widen::<4, 8, T, _>(&t104_);
+            let t106_ = widen::<4, 8, T, _>(&t106_);
+            let t107_ = widen::<4, 8, T, _>(&t107_);
+            let t118_ = widen::<4, 8, T, _>(&t118_);
+            let q1_ = widen::<4, 8, T, _>(&q1_);
+            let q5_ = widen::<4, 8, T, _>(&q5_);
+            let q6_ = widen::<4, 8, T, _>(&q6_);
+            // 8 lanes, by the signs of the roots: e3 of step 4
+            let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
+            let mut singular_ = [[0.0; T]; 8];
+            let mut residual_ = [[0.0; T]; 8];
+            let mut q2_ = [[0.0; T]; 8];
+            let mut q3_ = [[0.0; T]; 8];
+            let mut q4_ = [[0.0; T]; 8];
+            for k in 0..8 {
+                for t in 0..T {
+                    // 4. q3 by SP3, given q6
+                    let t119 = e3[k] * t79_[k][t];
+                    let t120 = 6.0011282505434735 * t119;
+                    let s3 = -t120;
+                    // 5. q2 by SP1, given q1, q3 and q6
+                    let t121 = 2.3542705697195427 * t119;
+                    let t122 = math::sqrt(t86_[k][t] * (t87_[k][t] + t121 * t121));
+                    let singular = math::max(
+                        t77_[k][t],
+                        math::select(t122 < t89_[k][t], 1.0, 0.0),
+                    );
+                    let t123 = 1.0 / t122;
+                    let s2 = math::select(
+                        t122 < 1.3221941635117346e-24,
+                        t5,
+                        (t70_[k][t] * t121 - t85_[k][t]) * t123,
+                    );
+                    let c2 = math::select(
+                        t122 < 1.3221941635117346e-24,
+                        t9,
+                        (t84_[k][t] + t82_[k][t] * t121) * t123,
+                    );
+                    // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
+                    let t124 = t65_[k][t] * s2 - t64_[k][t] * c2;
+                    let t125 = t65_[k][t] * c2 + t64_[k][t] * s2;
+                    // Residual: forward kinematics against the target
+                    let t126 = t104_[k][t]
+                        - (0.424760013934646 * s2
+                            - 0.392304658629206 * (t81_[k][t] * s2 + t120 * c2));
+                    let t127 = 0.424760013934646 * c2
+                        + 0.392304658629206 * (t120 * s2 - t81_[k][t] * c2) + t103_[k][t]
+                        + 0.1626;
+                    let t128 = c1_[k][t] * t126 - t107_[k][t] - px[t];
+                    let t129 = s1_[k][t] * t126 + t106_[k][t] - py[t];
+                    let t130 = t127 - pz[t];
+                    let residual = math::sqrt(
+                        t39_[t] + (t130 * t130 + (t128 * t128 + t129 * t129))
+                            + t118_[k][t],
+                    );
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
+                    let q3 = math::wrap(
+                        lanes::angle(s3, c3_[k][t]) - 0.00044313587806694065,
+                    );
+                    let t131 = lanes::angle(
+                        -(t81_[k][t] * t124 + t120 * t125),
+                        t81_[k][t] * t125 - t120 * t124,
+                    ) - 3.1412434523052912;
+                    let q4 = math::wrap(t131);
+                    singular_[k][t] = singular;
+                    residual_[k][t] = residual;
+                    q2_[k][t] = q2;
+                    q3_[k][t] = q3;
+                    q4_[k][t] = q4;
+                }
+            }
+            Lanes {
+                q: [q1_.all(), q2_, q3_, q4_, q5_.all(), q6_.all()],
+                residual: residual_,
+                invalid: invalid_.all(),
+                singular: singular_,
+                level: [[0.0; T]; 8],
+                no_root: [[0.0; T]; 8],
+            }
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Calibrated, 6, batches : own, inverse : own, derivatives : provided, determinant
-        : own, singularities : own
+        Calibrated, 6, batches : forward, inverse : own, derivatives : provided,
+        determinant : own, singularities : own
     }
 }
 

@@ -74,9 +74,7 @@ mod __Delta {
     pub struct Delta;
     /// The chains that the mechanism is made of.
     mod arms {
-        use ::kinematics::__private::{
-            Acceptance, Branches, Dispatched, dispatch, lanes, math,
-        };
+        use ::kinematics::__private::{Acceptance, Branches, Inverse, Lanes, lanes, math};
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
 
         /// The chain `arm1`.
@@ -309,144 +307,185 @@ mod __Delta {
                     .closest_by(|q| self.fk(q), pose, Target::Position, &Self::ACCEPT)
             }
 
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
+            /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 3]) -> Branches<3, 4> {
-                struct Lanes;
-                impl Dispatched<(&Pose, &[f64; 3])> for Lanes {
-                    type Output = Branches<3, 4>;
-                    #[inline(always)]
-                    fn run((pose, seed): (&Pose, &[f64; 3])) -> Self::Output {
-                        let [[_, _, _], [_, _, _], [_, _, _]] = pose.rotation;
-                        let [px, py, pz] = pose.translation;
-                        // The seed, for an angle that the target leaves free
-                        let t1 = seed[1] - 2.0014839778199303;
-                        let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
-                        // 1. q1 by SP3 (what all branches share)
-                        let t6 = px - 0.132011139050208;
-                        let t7 = pz * pz;
-                        let t8 = py * py;
-                        let t9 = 0.5 * (t8 + (t7 + t6 * t6) + 0.012544000000000003)
-                            - 0.026912000000000016;
-                        let t10 = 0.11200000000000002 * t6;
-                        let t11 = 0.11200000000000002 * pz;
-                        let t12 = t10 * t10 + t11 * t11;
-                        let t13 = t12 - t9 * t9;
-                        let t14 = 1e-13 * t12;
-                        let t15 = math::sqrt(math::select(t13 < t14, 0.0, t13));
-                        let t16 = -math::sqrt(t12);
-                        let t17 = math::max(t16, -math::max(t16, -t9));
-                        let t18 = t10 * t17;
-                        let t19 = t11 * t17;
-                        let t20 = 1.0 / t12;
-                        // 2. q3 by SP4 (what all branches share)
-                        let t21 = 0.05382400000000003 - t8;
-                        let t22 = math::max(
+                Branches::of::<Self, _>(pose, seed, &[])
+            }
+        }
+
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<3, 4, 0> for Head1 {
+            const FREE: ::core::option::Option<usize> = None;
+            #[inline(always)]
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; 3],
+                locked: &[f64; 0],
+                free: f64,
+            ) -> Lanes<3, 4, T> {
+                let _ = locked;
+                let _ = free;
+                let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
+                // The seed, for an angle that the target leaves free
+                let t1 = seed[1] - 2.0014839778199303;
+                let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
+                let mut t6_ = [0.0; T];
+                let mut t10_ = [0.0; T];
+                let mut t11_ = [0.0; T];
+                let mut t12_ = [0.0; T];
+                let mut t13_ = [0.0; T];
+                let mut t14_ = [0.0; T];
+                let mut t15_ = [0.0; T];
+                let mut t18_ = [0.0; T];
+                let mut t19_ = [0.0; T];
+                let mut t20_ = [0.0; T];
+                let mut t21_ = [0.0; T];
+                let mut t22_ = [0.0; T];
+                let mut t23_ = [0.0; T];
+                let mut s3_ = [0.0; T];
+                let mut t25_ = [0.0; T];
+                let mut t27_ = [0.0; T];
+                for t in 0..T {
+                    // 1. q1 by SP3 (what all branches share)
+                    let t6 = px[t] - 0.132011139050208;
+                    let t7 = pz[t] * pz[t];
+                    let t8 = py[t] * py[t];
+                    let t9 = 0.5 * (t8 + (t7 + t6 * t6) + 0.012544000000000003)
+                        - 0.026912000000000016;
+                    let t10 = 0.11200000000000002 * t6;
+                    let t11 = 0.11200000000000002 * pz[t];
+                    let t12 = t10 * t10 + t11 * t11;
+                    let t13 = t12 - t9 * t9;
+                    let t14 = 1e-13 * t12;
+                    let t15 = math::sqrt(math::select(t13 < t14, 0.0, t13));
+                    let t16 = -math::sqrt(t12);
+                    let t17 = math::max(t16, -math::max(t16, -t9));
+                    let t18 = t10 * t17;
+                    let t19 = t11 * t17;
+                    let t20 = 1.0 / t12;
+                    // 2. q3 by SP4 (what all branches share)
+                    let t21 = 0.05382400000000003 - t8;
+                    let t22 = math::max(
+                        math::max(
+                            math::select(t13 < t14, 1.0, 0.0),
+                            math::select(t12 < 1.4003408895999933e-26, 1.0, 0.0),
+                        ),
+                        math::select(t21 < 5.382400000000003e-15, 1.0, 0.0),
+                    );
+                    let t23 = math::sqrt(
+                        math::select(t21 < 5.382400000000003e-15, 0.0, t21),
+                    );
+                    let t24 = math::max(
+                        -0.23200000000000007,
+                        -math::max(-0.23200000000000007, -py[t]),
+                    );
+                    let s3 = 4.3103448275862055 * t24;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t25 = 4.930380657631324e-32 * (t7 + (t8 + px[t] * px[t]));
+                    let t26 = 0.9999999999999998 * t24 - py[t];
+                    let t27 = t26 * t26;
+                    t6_[t] = t6;
+                    t10_[t] = t10;
+                    t11_[t] = t11;
+                    t12_[t] = t12;
+                    t13_[t] = t13;
+                    t14_[t] = t14;
+                    t15_[t] = t15;
+                    t18_[t] = t18;
+                    t19_[t] = t19;
+                    t20_[t] = t20;
+                    t21_[t] = t21;
+                    t22_[t] = t22;
+                    t23_[t] = t23;
+                    s3_[t] = s3;
+                    t25_[t] = t25;
+                    t27_[t] = t27;
+                }
+                // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+                let e1 = [1.0, -1.0, 1.0, -1.0];
+                let e2 = [1.0, 1.0, -1.0, -1.0];
+                let mut invalid_ = [[0.0; T]; 4];
+                let mut singular_ = [[0.0; T]; 4];
+                let mut residual_ = [[0.0; T]; 4];
+                let mut q1_ = [[0.0; T]; 4];
+                let mut q2_ = [[0.0; T]; 4];
+                let mut q3_ = [[0.0; T]; 4];
+                for k in 0..4 {
+                    for t in 0..T {
+                        // 1. q1 by SP3
+                        let t28 = -e1[k];
+                        let t29 = e1[k] * t15_[t];
+                        let s1 = math::select(
+                            t12_[t] < 1.4003408895999933e-26,
+                            t2,
+                            (t10_[t] * t29 - t19_[t]) * t20_[t],
+                        );
+                        let c1 = math::select(
+                            t12_[t] < 1.4003408895999933e-26,
+                            t4,
+                            (t18_[t] + t11_[t] * t29) * t20_[t],
+                        );
+                        // 2. q3 by SP4
+                        let invalid = math::max(
                             math::max(
-                                math::select(t13 < t14, 1.0, 0.0),
-                                math::select(t12 < 1.4003408895999933e-26, 1.0, 0.0),
+                                math::select(t13_[t] < t14_[t], t28, 0.0),
+                                math::select(t12_[t] < 1.4003408895999933e-26, t28, 0.0),
                             ),
-                            math::select(t21 < 5.382400000000003e-15, 1.0, 0.0),
+                            math::select(t21_[t] < 5.382400000000003e-15, -e2[k], 0.0),
                         );
-                        let t23 = math::sqrt(
-                            math::select(t21 < 5.382400000000003e-15, 0.0, t21),
+                        let t30 = e2[k] * t23_[t];
+                        let t31 = 4.3103448275862055 * t30;
+                        let c3 = -t31;
+                        // 3. q2 by SP1, given q1 and q3
+                        let t32 = pz[t] * c1 + t6_[t] * s1;
+                        let t33 = t6_[t] * c1 - pz[t] * s1 - 0.112;
+                        let t34 = math::sqrt((t32 * t32 + t33 * t33) * (t30 * t30));
+                        let singular = math::max(
+                            t22_[t],
+                            math::select(t34 < 1.1833599999999972e-25, 1.0, 0.0),
                         );
-                        let t24 = math::max(
-                            -0.23200000000000007,
-                            -math::max(-0.23200000000000007, -py),
+                        let t35 = 1.0 / t34;
+                        let s2 = math::select(
+                            t34 < 1.1833599999999972e-25,
+                            t3,
+                            -(t30 * t33 * t35),
                         );
-                        let s3 = 4.3103448275862055 * t24;
-                        // Residual: forward kinematics against the target (what all
-                        // branches share)
-                        let t25 = 4.930380657631324e-32 * (t7 + (t8 + px * px));
-                        let t26 = 0.9999999999999998 * t24 - py;
-                        let t27 = t26 * t26;
-                        // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of
-                        // step 2
-                        let e1 = [1.0, -1.0, 1.0, -1.0];
-                        let e2 = [1.0, 1.0, -1.0, -1.0];
-                        let mut invalid_ = [0.0; 4];
-                        let mut singular_ = [0.0; 4];
-                        let mut residual_ = [0.0; 4];
-                        let mut q1_ = [0.0; 4];
-                        let mut q2_ = [0.0; 4];
-                        let mut q3_ = [0.0; 4];
-                        for k in 0..4 {
-                            // 1. q1 by SP3
-                            let t28 = -e1[k];
-                            let t29 = e1[k] * t15;
-                            let s1 = math::select(
-                                t12 < 1.4003408895999933e-26,
-                                t2,
-                                (t10 * t29 - t19) * t20,
-                            );
-                            let c1 = math::select(
-                                t12 < 1.4003408895999933e-26,
-                                t4,
-                                (t18 + t11 * t29) * t20,
-                            );
-                            // 2. q3 by SP4
-                            let invalid = math::max(
-                                math::max(
-                                    math::select(t13 < t14, t28, 0.0),
-                                    math::select(t12 < 1.4003408895999933e-26, t28, 0.0),
-                                ),
-                                math::select(t21 < 5.382400000000003e-15, -e2[k], 0.0),
-                            );
-                            let t30 = e2[k] * t23;
-                            let t31 = 4.3103448275862055 * t30;
-                            let c3 = -t31;
-                            // 3. q2 by SP1, given q1 and q3
-                            let t32 = pz * c1 + t6 * s1;
-                            let t33 = t6 * c1 - pz * s1 - 0.112;
-                            let t34 = math::sqrt((t32 * t32 + t33 * t33) * (t30 * t30));
-                            let singular = math::max(
-                                t22,
-                                math::select(t34 < 1.1833599999999972e-25, 1.0, 0.0),
-                            );
-                            let t35 = 1.0 / t34;
-                            let s2 = math::select(
-                                t34 < 1.1833599999999972e-25,
-                                t3,
-                                -(t30 * t33 * t35),
-                            );
-                            let c2 = math::select(
-                                t34 < 1.1833599999999972e-25,
-                                t5,
-                                -(t30 * t32 * t35),
-                            );
-                            // Residual: forward kinematics against the target
-                            let t36 = 0.112 * c1 + 0.132011139050208
-                                - 0.232 * (t31 * (s1 * c2 + c1 * s2));
-                            let t37 = t36 - px;
-                            let t38 = 0.232 * (t31 * (s1 * s2 - c1 * c2)) - 0.112 * s1
-                                - pz;
-                            let residual = math::sqrt(
-                                t25 + (t38 * t38 + (t37 * t37 + t27)),
-                            );
-                            // Joint values: angles from sines and cosines, in (−π, π]
-                            let q1 = lanes::angle(s1, c1);
-                            let q2 = math::wrap(
-                                lanes::angle(s2, c2) + 2.0014839778199303,
-                            );
-                            let q3 = lanes::angle(s3, c3);
-                            invalid_[k] = invalid;
-                            singular_[k] = singular;
-                            residual_[k] = residual;
-                            q1_[k] = q1;
-                            q2_[k] = q2;
-                            q3_[k] = q3;
-                        }
-                        Branches {
-                            q: [q1_, q2_, q3_],
-                            residual: residual_,
-                            invalid: invalid_,
-                            singular: singular_,
-                        }
+                        let c2 = math::select(
+                            t34 < 1.1833599999999972e-25,
+                            t5,
+                            -(t30 * t32 * t35),
+                        );
+                        // Residual: forward kinematics against the target
+                        let t36 = 0.112 * c1 + 0.132011139050208
+                            - 0.232 * (t31 * (s1 * c2 + c1 * s2));
+                        let t37 = t36 - px[t];
+                        let t38 = 0.232 * (t31 * (s1 * s2 - c1 * c2)) - 0.112 * s1
+                            - pz[t];
+                        let residual = math::sqrt(
+                            t25_[t] + (t38 * t38 + (t37 * t37 + t27_[t])),
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(s1, c1);
+                        let q2 = math::wrap(lanes::angle(s2, c2) + 2.0014839778199303);
+                        let q3 = lanes::angle(s3_[t], c3);
+                        invalid_[k][t] = invalid;
+                        singular_[k][t] = singular;
+                        residual_[k][t] = residual;
+                        q1_[k][t] = q1;
+                        q2_[k][t] = q2;
+                        q3_[k][t] = q3;
                     }
                 }
-                dispatch::<Lanes, _>((pose, seed))
+                Lanes {
+                    q: [q1_, q2_, q3_],
+                    residual: residual_,
+                    invalid: invalid_,
+                    singular: singular_,
+                    level: [[0.0; T]; 4],
+                    no_root: [[0.0; T]; 4],
+                }
             }
         }
 
@@ -574,67 +613,86 @@ mod __Delta {
                     .closest_by(|q| self.fk(q), pose, Target::Orientation, &Self::ACCEPT)
             }
 
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
+            /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 1> {
-                struct Lanes;
-                impl Dispatched<(&Pose, &[f64; 2])> for Lanes {
-                    type Output = Branches<2, 1>;
-                    #[inline(always)]
-                    fn run((pose, seed): (&Pose, &[f64; 2])) -> Self::Output {
-                        let _ = seed;
-                        let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                            .rotation;
-                        let [_, _, _] = pose.translation;
-                        // 1. q1 by SP1
-                        let s1 = 0.9086788731543293 * r12 + 0.4174957550478551 * r32;
-                        // 2. q2 by SP1, given q1
-                        let t1 = 0.41749575504785524 * r11 - 0.9086788731543297 * r31;
-                        let t2 = r22
-                            * (0.9086788731543297 * r11 + 0.41749575504785524 * r31)
-                            - s1 * (1.0000000000000004 * r21);
-                        let s2 = 0.9999999999999996 * t1;
-                        let c2 = 0.9999999999999996 * t2;
-                        // Residual: forward kinematics against the target
-                        let t3 = 0.9086788731543293 * r22;
-                        let t4 = 0.4174957550478551 * r22;
-                        let t5 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                        let t6 = 0.5 * (r32 * r32 + (r22 * r22 + r12 * r12) - 1.0);
-                        let t7 = r31 * r32 + (r11 * r12 + r21 * r22);
-                        let t8 = r13 - (r21 * r32 - r22 * r31);
-                        let t9 = r23 - (r12 * r31 - r11 * r32);
-                        let t10 = r33 - (r11 * r22 - r12 * r21);
-                        let t11 = t5 * t5 + t6 * t6 + t7 * t7 + t8 * t8 + t9 * t9
-                            + t10 * t10;
-                        let t12 = c2 * t3 + 0.4174957550478549 * t1 - r11;
-                        let t13 = 0.9086788731543293 * s1 - r12;
-                        let t14 = s2 * t3 - 0.4174957550478549 * t2 - r13;
-                        let t15 = r21 + s1 * c2;
-                        let t16 = r23 + s1 * s2;
-                        let t17 = c2 * t4 - 0.9086788731543288 * t1 - r31;
-                        let t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15
-                            + t16 * t16 + t17 * t17;
-                        let t19 = 0.4174957550478551 * s1 - r32;
-                        let t20 = s2 * t4 + 0.9086788731543288 * t2 - r33;
-                        let residual = math::sqrt(
-                            0.010483752153249173 * t11
-                                + 0.005241876076624586 * (t18 + t19 * t19 + t20 * t20),
-                        );
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = math::wrap(math::atan2(s1, r22));
-                        let q2 = math::wrap(
-                            math::wrap(math::atan2(s2, c2)) - 0.43068765102503376,
-                        );
-                        Branches {
-                            q: [[q1; 1], [q2; 1]],
-                            residual: [residual; 1],
-                            invalid: [0.0; 1],
-                            singular: [0.0; 1],
-                        }
-                    }
+                Branches::of::<Self, _>(pose, seed, &[])
+            }
+        }
+
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<2, 1, 0> for Tail1 {
+            const FREE: ::core::option::Option<usize> = None;
+            #[inline(always)]
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; 2],
+                locked: &[f64; 0],
+                free: f64,
+            ) -> Lanes<2, 1, T> {
+                let _ = seed;
+                let _ = locked;
+                let _ = free;
+                let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
+                    targets,
+                );
+                let mut residual_ = [0.0; T];
+                let mut q1_ = [0.0; T];
+                let mut q2_ = [0.0; T];
+                for t in 0..T {
+                    // 1. q1 by SP1
+                    let s1 = 0.9086788731543293 * r12[t] + 0.4174957550478551 * r32[t];
+                    // 2. q2 by SP1, given q1
+                    let t1 = 0.41749575504785524 * r11[t] - 0.9086788731543297 * r31[t];
+                    let t2 = r22[t]
+                        * (0.9086788731543297 * r11[t] + 0.41749575504785524 * r31[t])
+                        - s1 * (1.0000000000000004 * r21[t]);
+                    let s2 = 0.9999999999999996 * t1;
+                    let c2 = 0.9999999999999996 * t2;
+                    // Residual: forward kinematics against the target
+                    let t3 = 0.9086788731543293 * r22[t];
+                    let t4 = 0.4174957550478551 * r22[t];
+                    let t5 = 0.5
+                        * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                    let t6 = 0.5
+                        * (r32[t] * r32[t] + (r22[t] * r22[t] + r12[t] * r12[t]) - 1.0);
+                    let t7 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                    let t8 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                    let t9 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                    let t10 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                    let t11 = t5 * t5 + t6 * t6 + t7 * t7 + t8 * t8 + t9 * t9
+                        + t10 * t10;
+                    let t12 = c2 * t3 + 0.4174957550478549 * t1 - r11[t];
+                    let t13 = 0.9086788731543293 * s1 - r12[t];
+                    let t14 = s2 * t3 - 0.4174957550478549 * t2 - r13[t];
+                    let t15 = r21[t] + s1 * c2;
+                    let t16 = r23[t] + s1 * s2;
+                    let t17 = c2 * t4 - 0.9086788731543288 * t1 - r31[t];
+                    let t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16
+                        + t17 * t17;
+                    let t19 = 0.4174957550478551 * s1 - r32[t];
+                    let t20 = s2 * t4 + 0.9086788731543288 * t2 - r33[t];
+                    let residual = math::sqrt(
+                        0.010483752153249173 * t11
+                            + 0.005241876076624586 * (t18 + t19 * t19 + t20 * t20),
+                    );
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = math::wrap(math::atan2(s1, r22[t]));
+                    let q2 = math::wrap(
+                        math::wrap(math::atan2(s2, c2)) - 0.43068765102503376,
+                    );
+                    residual_[t] = residual;
+                    q1_[t] = q1;
+                    q2_[t] = q2;
                 }
-                dispatch::<Lanes, _>((pose, seed))
+                Lanes {
+                    q: [[q1_; 1], [q2_; 1]],
+                    residual: [residual_; 1],
+                    invalid: [[0.0; T]; 1],
+                    singular: [[0.0; T]; 1],
+                    level: [[0.0; T]; 1],
+                    no_root: [[0.0; T]; 1],
+                }
             }
         }
 
@@ -942,149 +1000,192 @@ mod __Delta {
                     .closest_by(|q| self.fk(q), pose, Target::Position, &Self::ACCEPT)
             }
 
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
+            /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 3]) -> Branches<3, 4> {
-                struct Lanes;
-                impl Dispatched<(&Pose, &[f64; 3])> for Lanes {
-                    type Output = Branches<3, 4>;
-                    #[inline(always)]
-                    fn run((pose, seed): (&Pose, &[f64; 3])) -> Self::Output {
-                        let [[_, _, _], [_, _, _], [_, _, _]] = pose.rotation;
-                        let [px, py, pz] = pose.translation;
-                        // The seed, for an angle that the target leaves free
-                        let t1 = seed[1] - 0.4306876510250337;
-                        let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
-                        // 1. q1 by SP3 (what all branches share)
-                        let t6 = px + 0.066005569525104;
-                        let t7 = py - 0.114325;
-                        let t8 = 0.49999999999999983 * t6 - 0.8660254037844388 * t7;
-                        let t9 = 0.8660254037844387 * t6 + 0.4999999999999998 * t7;
-                        let t10 = pz * pz;
-                        let t11 = 0.5
-                            * (t9 * t9 + (t8 * t8 + t10) + 0.012544000000000003)
-                            - 0.026912000000000016;
-                        let t12 = 0.11200000000000002 * t8;
-                        let t13 = 0.11200000000000002 * pz;
-                        let t14 = t12 * t12 + t13 * t13;
-                        let t15 = t14 - t11 * t11;
-                        let t16 = 1e-13 * t14;
-                        let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
-                        let t18 = -math::sqrt(t14);
-                        let t19 = math::max(t18, -math::max(t18, -t11));
-                        let t20 = t12 * t19;
-                        let t21 = t13 * t19;
-                        let t22 = 1.0 / t14;
-                        // 2. q3 by SP4 (what all branches share)
-                        let t23 = 0.9999999999999999 * t9;
-                        let t24 = 0.05382400000000002 - t23 * t23;
-                        let t25 = math::max(
+                Branches::of::<Self, _>(pose, seed, &[])
+            }
+        }
+
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<3, 4, 0> for Head2 {
+            const FREE: ::core::option::Option<usize> = None;
+            #[inline(always)]
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; 3],
+                locked: &[f64; 0],
+                free: f64,
+            ) -> Lanes<3, 4, T> {
+                let _ = locked;
+                let _ = free;
+                let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
+                // The seed, for an angle that the target leaves free
+                let t1 = seed[1] - 0.4306876510250337;
+                let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
+                let mut t8_ = [0.0; T];
+                let mut t12_ = [0.0; T];
+                let mut t13_ = [0.0; T];
+                let mut t14_ = [0.0; T];
+                let mut t15_ = [0.0; T];
+                let mut t16_ = [0.0; T];
+                let mut t17_ = [0.0; T];
+                let mut t20_ = [0.0; T];
+                let mut t21_ = [0.0; T];
+                let mut t22_ = [0.0; T];
+                let mut t24_ = [0.0; T];
+                let mut t25_ = [0.0; T];
+                let mut t26_ = [0.0; T];
+                let mut s3_ = [0.0; T];
+                let mut t28_ = [0.0; T];
+                let mut t29_ = [0.0; T];
+                let mut t30_ = [0.0; T];
+                for t in 0..T {
+                    // 1. q1 by SP3 (what all branches share)
+                    let t6 = px[t] + 0.066005569525104;
+                    let t7 = py[t] - 0.114325;
+                    let t8 = 0.49999999999999983 * t6 - 0.8660254037844388 * t7;
+                    let t9 = 0.8660254037844387 * t6 + 0.4999999999999998 * t7;
+                    let t10 = pz[t] * pz[t];
+                    let t11 = 0.5 * (t9 * t9 + (t8 * t8 + t10) + 0.012544000000000003)
+                        - 0.026912000000000016;
+                    let t12 = 0.11200000000000002 * t8;
+                    let t13 = 0.11200000000000002 * pz[t];
+                    let t14 = t12 * t12 + t13 * t13;
+                    let t15 = t14 - t11 * t11;
+                    let t16 = 1e-13 * t14;
+                    let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
+                    let t18 = -math::sqrt(t14);
+                    let t19 = math::max(t18, -math::max(t18, -t11));
+                    let t20 = t12 * t19;
+                    let t21 = t13 * t19;
+                    let t22 = 1.0 / t14;
+                    // 2. q3 by SP4 (what all branches share)
+                    let t23 = 0.9999999999999999 * t9;
+                    let t24 = 0.05382400000000002 - t23 * t23;
+                    let t25 = math::max(
+                        math::max(
+                            math::select(t15 < t16, 1.0, 0.0),
+                            math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                        ),
+                        math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
+                    );
+                    let t26 = math::sqrt(
+                        math::select(t24 < 5.382400000000002e-15, 0.0, t24),
+                    );
+                    let t27 = math::max(
+                        -0.23200000000000004,
+                        -math::max(t23, -0.23200000000000004),
+                    );
+                    let s3 = 4.310344827586206 * t27;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t28 = 0.8660254037844386 * t27;
+                    let t29 = 0.4999999999999997 * t27;
+                    let t30 = 4.930380657631324e-32
+                        * (t10 + (px[t] * px[t] + py[t] * py[t]));
+                    t8_[t] = t8;
+                    t12_[t] = t12;
+                    t13_[t] = t13;
+                    t14_[t] = t14;
+                    t15_[t] = t15;
+                    t16_[t] = t16;
+                    t17_[t] = t17;
+                    t20_[t] = t20;
+                    t21_[t] = t21;
+                    t22_[t] = t22;
+                    t24_[t] = t24;
+                    t25_[t] = t25;
+                    t26_[t] = t26;
+                    s3_[t] = s3;
+                    t28_[t] = t28;
+                    t29_[t] = t29;
+                    t30_[t] = t30;
+                }
+                // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+                let e1 = [1.0, -1.0, 1.0, -1.0];
+                let e2 = [1.0, 1.0, -1.0, -1.0];
+                let mut invalid_ = [[0.0; T]; 4];
+                let mut singular_ = [[0.0; T]; 4];
+                let mut residual_ = [[0.0; T]; 4];
+                let mut q1_ = [[0.0; T]; 4];
+                let mut q2_ = [[0.0; T]; 4];
+                let mut q3_ = [[0.0; T]; 4];
+                for k in 0..4 {
+                    for t in 0..T {
+                        // 1. q1 by SP3
+                        let t31 = -e1[k];
+                        let t32 = e1[k] * t17_[t];
+                        let s1 = math::select(
+                            t14_[t] < 1.4003408895999933e-26,
+                            t2,
+                            -((t21_[t] + t12_[t] * t32) * t22_[t]),
+                        );
+                        let c1 = math::select(
+                            t14_[t] < 1.4003408895999933e-26,
+                            t4,
+                            (t13_[t] * t32 - t20_[t]) * t22_[t],
+                        );
+                        // 2. q3 by SP4
+                        let invalid = math::max(
                             math::max(
-                                math::select(t15 < t16, 1.0, 0.0),
-                                math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                                math::select(t15_[t] < t16_[t], t31, 0.0),
+                                math::select(t14_[t] < 1.4003408895999933e-26, t31, 0.0),
                             ),
-                            math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
+                            math::select(t24_[t] < 5.382400000000002e-15, -e2[k], 0.0),
                         );
-                        let t26 = math::sqrt(
-                            math::select(t24 < 5.382400000000002e-15, 0.0, t24),
+                        let t33 = e2[k] * t26_[t];
+                        let c3 = -(4.310344827586206 * t33);
+                        // 3. q2 by SP1, given q1 and q3
+                        let t34 = pz[t] * c1 - t8_[t] * s1;
+                        let t35 = t8_[t] * c1 + pz[t] * s1 + 0.112;
+                        let t36 = 1.0000000000000002 * t33;
+                        let t37 = math::sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
+                        let singular = math::max(
+                            t25_[t],
+                            math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
                         );
-                        let t27 = math::max(
-                            -0.23200000000000004,
-                            -math::max(t23, -0.23200000000000004),
+                        let t38 = 1.0 / t37;
+                        let s2 = math::select(
+                            t37 < 1.1833599999999972e-25,
+                            t3,
+                            -(t34 * t36 * t38),
                         );
-                        let s3 = 4.310344827586206 * t27;
-                        // Residual: forward kinematics against the target (what all
-                        // branches share)
-                        let t28 = 0.8660254037844386 * t27;
-                        let t29 = 0.4999999999999997 * t27;
-                        let t30 = 4.930380657631324e-32 * (t10 + (px * px + py * py));
-                        // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of
-                        // step 2
-                        let e1 = [1.0, -1.0, 1.0, -1.0];
-                        let e2 = [1.0, 1.0, -1.0, -1.0];
-                        let mut invalid_ = [0.0; 4];
-                        let mut singular_ = [0.0; 4];
-                        let mut residual_ = [0.0; 4];
-                        let mut q1_ = [0.0; 4];
-                        let mut q2_ = [0.0; 4];
-                        let mut q3_ = [0.0; 4];
-                        for k in 0..4 {
-                            // 1. q1 by SP3
-                            let t31 = -e1[k];
-                            let t32 = e1[k] * t17;
-                            let s1 = math::select(
-                                t14 < 1.4003408895999933e-26,
-                                t2,
-                                -((t21 + t12 * t32) * t22),
-                            );
-                            let c1 = math::select(
-                                t14 < 1.4003408895999933e-26,
-                                t4,
-                                (t13 * t32 - t20) * t22,
-                            );
-                            // 2. q3 by SP4
-                            let invalid = math::max(
-                                math::max(
-                                    math::select(t15 < t16, t31, 0.0),
-                                    math::select(t14 < 1.4003408895999933e-26, t31, 0.0),
-                                ),
-                                math::select(t24 < 5.382400000000002e-15, -e2[k], 0.0),
-                            );
-                            let t33 = e2[k] * t26;
-                            let c3 = -(4.310344827586206 * t33);
-                            // 3. q2 by SP1, given q1 and q3
-                            let t34 = pz * c1 - t8 * s1;
-                            let t35 = t8 * c1 + pz * s1 + 0.112;
-                            let t36 = 1.0000000000000002 * t33;
-                            let t37 = math::sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
-                            let singular = math::max(
-                                t25,
-                                math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
-                            );
-                            let t38 = 1.0 / t37;
-                            let s2 = math::select(
-                                t37 < 1.1833599999999972e-25,
-                                t3,
-                                -(t34 * t36 * t38),
-                            );
-                            let c2 = math::select(
-                                t37 < 1.1833599999999972e-25,
-                                t5,
-                                -(t35 * t36 * t38),
-                            );
-                            // Residual: forward kinematics against the target
-                            let t39 = 0.9999999999999999 * t33;
-                            let t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
-                            let t41 = -0.066005569525104
-                                - (0.49999999999999983 * t40 + t28) - px;
-                            let t42 = 0.8660254037844388 * t40 - t29 + 0.114325 - py;
-                            let t43 = pz + (0.112 * s1 + (s1 * c2 + c1 * s2) * t39);
-                            let residual = math::sqrt(
-                                t30 + (t43 * t43 + (t41 * t41 + t42 * t42)),
-                            );
-                            // Joint values: angles from sines and cosines, in (−π, π]
-                            let q1 = lanes::angle(s1, c1);
-                            let q2 = math::wrap(
-                                lanes::angle(s2, c2) + 0.4306876510250337,
-                            );
-                            let q3 = lanes::angle(s3, c3);
-                            invalid_[k] = invalid;
-                            singular_[k] = singular;
-                            residual_[k] = residual;
-                            q1_[k] = q1;
-                            q2_[k] = q2;
-                            q3_[k] = q3;
-                        }
-                        Branches {
-                            q: [q1_, q2_, q3_],
-                            residual: residual_,
-                            invalid: invalid_,
-                            singular: singular_,
-                        }
+                        let c2 = math::select(
+                            t37 < 1.1833599999999972e-25,
+                            t5,
+                            -(t35 * t36 * t38),
+                        );
+                        // Residual: forward kinematics against the target
+                        let t39 = 0.9999999999999999 * t33;
+                        let t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
+                        let t41 = -0.066005569525104
+                            - (0.49999999999999983 * t40 + t28_[t]) - px[t];
+                        let t42 = 0.8660254037844388 * t40 - t29_[t] + 0.114325 - py[t];
+                        let t43 = pz[t] + (0.112 * s1 + (s1 * c2 + c1 * s2) * t39);
+                        let residual = math::sqrt(
+                            t30_[t] + (t43 * t43 + (t41 * t41 + t42 * t42)),
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(s1, c1);
+                        let q2 = math::wrap(lanes::angle(s2, c2) + 0.4306876510250337);
+                        let q3 = lanes::angle(s3_[t], c3);
+                        invalid_[k][t] = invalid;
+                        singular_[k][t] = singular;
+                        residual_[k][t] = residual;
+                        q1_[k][t] = q1;
+                        q2_[k][t] = q2;
+                        q3_[k][t] = q3;
                     }
                 }
-                dispatch::<Lanes, _>((pose, seed))
+                Lanes {
+                    q: [q1_, q2_, q3_],
+                    residual: residual_,
+                    invalid: invalid_,
+                    singular: singular_,
+                    level: [[0.0; T]; 4],
+                    no_root: [[0.0; T]; 4],
+                }
             }
         }
 
@@ -1231,111 +1332,157 @@ mod __Delta {
                     .closest_by(|q| self.fk(q), pose, Target::Orientation, &Self::ACCEPT)
             }
 
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
+            /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 2> {
-                struct Lanes;
-                impl Dispatched<(&Pose, &[f64; 2])> for Lanes {
-                    type Output = Branches<2, 2>;
-                    #[inline(always)]
-                    fn run((pose, seed): (&Pose, &[f64; 2])) -> Self::Output {
-                        let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                            .rotation;
-                        let [_, _, _] = pose.translation;
-                        // The seed, for an angle that the target leaves free
-                        let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
-                        // 1. q1 and q2 by SP2 (what all branches share)
-                        let t3 = 0.8660254037844388 * r13 + 0.4999999999999999 * r23;
-                        let t4 = 0.4174957550478551 * r33
-                            + (0.7869389880338669 * r23 - 0.4543394365771645 * r13);
-                        let t5 = 0.9086788731543293 * r33;
-                        let t6 = 0.3615619298436078 * r23 - 0.20874787752392746 * r13;
-                        let t7 = t6 - t5;
-                        let t8 = t3 * t3 + t4 * t4;
-                        let singular = math::select(t8 < 1e-13, 1.0, 0.0);
-                        let t9 = math::sqrt(math::select(t8 < 1e-24, 0.0, t8));
-                        let c2 = t5 - t6;
-                        let t10 = 1.0 / t8;
-                        // Residual: forward kinematics against the target (what all
-                        // branches share)
-                        let t11 = 0.8660254037844386 * c2;
-                        let t12 = 0.20874787752392746 * t7;
-                        let t13 = 0.3615619298436078 * t7;
-                        let t14 = 0.9086788731543293 * t7;
-                        let t15 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                        let t16 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                        let t17 = r31 * r32 + (r11 * r12 + r21 * r22);
-                        let t18 = r13 - (r21 * r32 - r22 * r31);
-                        let t19 = r23 - (r12 * r31 - r11 * r32);
-                        let t20 = r33 - (r11 * r22 - r12 * r21);
-                        let t21 = t15 * t15 + t16 * t16 + t17 * t17 + t18 * t18
-                            + t19 * t19 + t20 * t20;
-                        let t22 = 0.01048375215324917 * t21;
-                        // 2 lanes, by the signs of the roots: e1 of step 1
-                        let e1 = [1.0, -1.0];
-                        let mut invalid_ = [0.0; 2];
-                        let mut residual_ = [0.0; 2];
-                        let mut q1_ = [0.0; 2];
-                        let mut q2_ = [0.0; 2];
-                        for k in 0..2 {
-                            // 1. q1 and q2 by SP2
-                            let invalid = math::select(t8 < 1e-24, -e1[k], 0.0);
-                            let t23 = e1[k] * t9;
-                            let s2 = -t23;
-                            let s1 = math::select(t8 < 1e-24, t1, -(t3 * t23 * t10));
-                            let c1 = math::select(t8 < 1e-24, t2, -(t4 * t23 * t10));
-                            // Residual: forward kinematics against the target
-                            let t24 = 0.49999999999999983 * c1 + s1 * t11;
-                            let t25 = c1 * t11 - 0.49999999999999983 * s1;
-                            let t26 = 0.18078096492180382 * t23
-                                + (0.8660254037844388 * t24 - 0.4543394365771645 * t25);
-                            let t27 = 0.4999999999999999 * t24 + 0.7869389880338669 * t25
-                                - 0.3131218162858913 * t23;
-                            let t28 = 0.4174957550478551 * t25
-                                + 0.7869389880338666 * t23;
-                            let t29 = t23 * c1;
-                            let t30 = t23 * s1;
-                            let t31 = 0.4543394365771645 * t29 - 0.8660254037844388 * t30
-                                - t12;
-                            let t32 = t13
-                                - (0.4999999999999999 * t30 + 0.7869389880338669 * t29);
-                            let t33 = 0.4174957550478551 * t29 + t14;
-                            let t34 = r11 + (t27 * t33 + t28 * t32);
-                            let t35 = t26 - r12;
-                            let t36 = t31 - r13;
-                            let t37 = t28 * t31 + t26 * t33 - r21;
-                            let t38 = t27 - r22;
-                            let t39 = t32 - r23;
-                            let t40 = t34 * t34 + t35 * t35 + t36 * t36 + t37 * t37
-                                + t38 * t38 + t39 * t39;
-                            let t41 = t26 * t32 - t27 * t31 - r31;
-                            let t42 = t28 - r32;
-                            let t43 = r33 + t33;
-                            let residual = math::sqrt(
-                                t22
-                                    + 0.005241876076624585
-                                        * (t40 + t41 * t41 + t42 * t42 + t43 * t43),
-                            );
-                            // Joint values: angles from sines and cosines, in (−π, π]
-                            let q1 = lanes::angle(s1, c1);
-                            let q2 = math::wrap(
-                                lanes::angle(s2, c2) - 0.43068765102503376,
-                            );
-                            invalid_[k] = invalid;
-                            residual_[k] = residual;
-                            q1_[k] = q1;
-                            q2_[k] = q2;
-                        }
-                        Branches {
-                            q: [q1_, q2_],
-                            residual: residual_,
-                            invalid: invalid_,
-                            singular: [singular; 2],
-                        }
+                Branches::of::<Self, _>(pose, seed, &[])
+            }
+        }
+
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<2, 2, 0> for Tail2 {
+            const FREE: ::core::option::Option<usize> = None;
+            #[inline(always)]
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; 2],
+                locked: &[f64; 0],
+                free: f64,
+            ) -> Lanes<2, 2, T> {
+                let _ = locked;
+                let _ = free;
+                let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
+                    targets,
+                );
+                // The seed, for an angle that the target leaves free
+                let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
+                let mut t3_ = [0.0; T];
+                let mut t4_ = [0.0; T];
+                let mut t8_ = [0.0; T];
+                let mut singular_ = [0.0; T];
+                let mut t9_ = [0.0; T];
+                let mut c2_ = [0.0; T];
+                let mut t10_ = [0.0; T];
+                let mut t11_ = [0.0; T];
+                let mut t12_ = [0.0; T];
+                let mut t13_ = [0.0; T];
+                let mut t14_ = [0.0; T];
+                let mut t22_ = [0.0; T];
+                for t in 0..T {
+                    // 1. q1 and q2 by SP2 (what all branches share)
+                    let t3 = 0.8660254037844388 * r13[t] + 0.4999999999999999 * r23[t];
+                    let t4 = 0.4174957550478551 * r33[t]
+                        + (0.7869389880338669 * r23[t] - 0.4543394365771645 * r13[t]);
+                    let t5 = 0.9086788731543293 * r33[t];
+                    let t6 = 0.3615619298436078 * r23[t] - 0.20874787752392746 * r13[t];
+                    let t7 = t6 - t5;
+                    let t8 = t3 * t3 + t4 * t4;
+                    let singular = math::select(t8 < 1e-13, 1.0, 0.0);
+                    let t9 = math::sqrt(math::select(t8 < 1e-24, 0.0, t8));
+                    let c2 = t5 - t6;
+                    let t10 = 1.0 / t8;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t11 = 0.8660254037844386 * c2;
+                    let t12 = 0.20874787752392746 * t7;
+                    let t13 = 0.3615619298436078 * t7;
+                    let t14 = 0.9086788731543293 * t7;
+                    let t15 = 0.5
+                        * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                    let t16 = 0.5
+                        * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                    let t17 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                    let t18 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                    let t19 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                    let t20 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                    let t21 = t15 * t15 + t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19
+                        + t20 * t20;
+                    let t22 = 0.01048375215324917 * t21;
+                    t3_[t] = t3;
+                    t4_[t] = t4;
+                    t8_[t] = t8;
+                    singular_[t] = singular;
+                    t9_[t] = t9;
+                    c2_[t] = c2;
+                    t10_[t] = t10;
+                    t11_[t] = t11;
+                    t12_[t] = t12;
+                    t13_[t] = t13;
+                    t14_[t] = t14;
+                    t22_[t] = t22;
+                }
+                // 2 lanes, by the signs of the roots: e1 of step 1
+                let e1 = [1.0, -1.0];
+                let mut invalid_ = [[0.0; T]; 2];
+                let mut residual_ = [[0.0; T]; 2];
+                let mut q1_ = [[0.0; T]; 2];
+                let mut q2_ = [[0.0; T]; 2];
+                for k in 0..2 {
+                    for t in 0..T {
+                        // 1. q1 and q2 by SP2
+                        let invalid = math::select(t8_[t] < 1e-24, -e1[k], 0.0);
+                        let t23 = e1[k] * t9_[t];
+                        let s2 = -t23;
+                        let s1 = math::select(
+                            t8_[t] < 1e-24,
+                            t1,
+                            -(t3_[t] * t23 * t10_[t]),
+                        );
+                        let c1 = math::select(
+                            t8_[t] < 1e-24,
+                            t2,
+                            -(t4_[t] * t23 * t10_[t]),
+                        );
+                        // Residual: forward kinematics against the target
+                        let t24 = 0.49999999999999983 * c1 + s1 * t11_[t];
+                        let t25 = c1 * t11_[t] - 0.49999999999999983 * s1;
+                        let t26 = 0.18078096492180382 * t23
+                            + (0.8660254037844388 * t24 - 0.4543394365771645 * t25);
+                        let t27 = 0.4999999999999999 * t24 + 0.7869389880338669 * t25
+                            - 0.3131218162858913 * t23;
+                        let t28 = 0.4174957550478551 * t25 + 0.7869389880338666 * t23;
+                        let t29 = t23 * c1;
+                        let t30 = t23 * s1;
+                        let t31 = 0.4543394365771645 * t29 - 0.8660254037844388 * t30
+                            - t12_[t];
+                        let t32 = t13_[t]
+                            - (0.4999999999999999 * t30 + 0.7869389880338669 * t29);
+                        let t33 = 0.4174957550478551 * t29 + t14_[t];
+                        let t34 = r11[t] + (t27 * t33 + t28 * t32);
+                        let t35 = t26 - r12[t];
+                        let t36 = t31 - r13[t];
+                        let t37 = t28 * t31 + t26 * t33 - r21[t];
+                        let t38 = t27 - r22[t];
+                        let t39 = t32 - r23[t];
+                        let t40 = t34 * t34 + t35 * t35 + t36 * t36 + t37 * t37
+                            + t38 * t38 + t39 * t39;
+                        let t41 = t26 * t32 - t27 * t31 - r31[t];
+                        let t42 = t28 - r32[t];
+                        let t43 = r33[t] + t33;
+                        let residual = math::sqrt(
+                            t22_[t]
+                                + 0.005241876076624585
+                                    * (t40 + t41 * t41 + t42 * t42 + t43 * t43),
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(s1, c1);
+                        let q2 = math::wrap(
+                            lanes::angle(s2, c2_[t]) - 0.43068765102503376,
+                        );
+                        invalid_[k][t] = invalid;
+                        residual_[k][t] = residual;
+                        q1_[k][t] = q1;
+                        q2_[k][t] = q2;
                     }
                 }
-                dispatch::<Lanes, _>((pose, seed))
+                Lanes {
+                    q: [q1_, q2_],
+                    residual: residual_,
+                    invalid: invalid_,
+                    singular: [singular_; 2],
+                    level: [[0.0; T]; 2],
+                    no_root: [[0.0; T]; 2],
+                }
             }
         }
 
@@ -1642,149 +1789,193 @@ mod __Delta {
                     .closest_by(|q| self.fk(q), pose, Target::Position, &Self::ACCEPT)
             }
 
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
+            /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 3]) -> Branches<3, 4> {
-                struct Lanes;
-                impl Dispatched<(&Pose, &[f64; 3])> for Lanes {
-                    type Output = Branches<3, 4>;
-                    #[inline(always)]
-                    fn run((pose, seed): (&Pose, &[f64; 3])) -> Self::Output {
-                        let [[_, _, _], [_, _, _], [_, _, _]] = pose.rotation;
-                        let [px, py, pz] = pose.translation;
-                        // The seed, for an angle that the target leaves free
-                        let t1 = seed[1] - 0.4306876510250337;
-                        let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
-                        // 1. q1 by SP3 (what all branches share)
-                        let t6 = px + 0.066005569525104;
-                        let t7 = py + 0.114325;
-                        let t8 = 0.49999999999999983 * t6 + 0.8660254037844388 * t7;
-                        let t9 = 0.8660254037844387 * t6 - 0.4999999999999998 * t7;
-                        let t10 = pz * pz;
-                        let t11 = 0.5
-                            * (t9 * t9 + (t8 * t8 + t10) + 0.012544000000000003)
-                            - 0.026912000000000016;
-                        let t12 = 0.11200000000000002 * t8;
-                        let t13 = 0.11200000000000002 * pz;
-                        let t14 = t12 * t12 + t13 * t13;
-                        let t15 = t14 - t11 * t11;
-                        let t16 = 1e-13 * t14;
-                        let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
-                        let t18 = -math::sqrt(t14);
-                        let t19 = math::max(t18, -math::max(t18, -t11));
-                        let t20 = t12 * t19;
-                        let t21 = t13 * t19;
-                        let t22 = 1.0 / t14;
-                        // 2. q3 by SP4 (what all branches share)
-                        let t23 = 0.9999999999999999 * t9;
-                        let t24 = 0.05382400000000002 - t23 * t23;
-                        let t25 = math::max(
+                Branches::of::<Self, _>(pose, seed, &[])
+            }
+        }
+
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<3, 4, 0> for Head3 {
+            const FREE: ::core::option::Option<usize> = None;
+            #[inline(always)]
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; 3],
+                locked: &[f64; 0],
+                free: f64,
+            ) -> Lanes<3, 4, T> {
+                let _ = locked;
+                let _ = free;
+                let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
+                // The seed, for an angle that the target leaves free
+                let t1 = seed[1] - 0.4306876510250337;
+                let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
+                let mut t8_ = [0.0; T];
+                let mut t12_ = [0.0; T];
+                let mut t13_ = [0.0; T];
+                let mut t14_ = [0.0; T];
+                let mut t15_ = [0.0; T];
+                let mut t16_ = [0.0; T];
+                let mut t17_ = [0.0; T];
+                let mut t20_ = [0.0; T];
+                let mut t21_ = [0.0; T];
+                let mut t22_ = [0.0; T];
+                let mut t24_ = [0.0; T];
+                let mut t25_ = [0.0; T];
+                let mut t26_ = [0.0; T];
+                let mut s3_ = [0.0; T];
+                let mut t28_ = [0.0; T];
+                let mut t29_ = [0.0; T];
+                let mut t30_ = [0.0; T];
+                for t in 0..T {
+                    // 1. q1 by SP3 (what all branches share)
+                    let t6 = px[t] + 0.066005569525104;
+                    let t7 = py[t] + 0.114325;
+                    let t8 = 0.49999999999999983 * t6 + 0.8660254037844388 * t7;
+                    let t9 = 0.8660254037844387 * t6 - 0.4999999999999998 * t7;
+                    let t10 = pz[t] * pz[t];
+                    let t11 = 0.5 * (t9 * t9 + (t8 * t8 + t10) + 0.012544000000000003)
+                        - 0.026912000000000016;
+                    let t12 = 0.11200000000000002 * t8;
+                    let t13 = 0.11200000000000002 * pz[t];
+                    let t14 = t12 * t12 + t13 * t13;
+                    let t15 = t14 - t11 * t11;
+                    let t16 = 1e-13 * t14;
+                    let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
+                    let t18 = -math::sqrt(t14);
+                    let t19 = math::max(t18, -math::max(t18, -t11));
+                    let t20 = t12 * t19;
+                    let t21 = t13 * t19;
+                    let t22 = 1.0 / t14;
+                    // 2. q3 by SP4 (what all branches share)
+                    let t23 = 0.9999999999999999 * t9;
+                    let t24 = 0.05382400000000002 - t23 * t23;
+                    let t25 = math::max(
+                        math::max(
+                            math::select(t15 < t16, 1.0, 0.0),
+                            math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                        ),
+                        math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
+                    );
+                    let t26 = math::sqrt(
+                        math::select(t24 < 5.382400000000002e-15, 0.0, t24),
+                    );
+                    let t27 = math::max(
+                        -0.23200000000000004,
+                        -math::max(-0.23200000000000004, -t23),
+                    );
+                    let s3 = 4.310344827586206 * t27;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t28 = 0.8660254037844386 * t27;
+                    let t29 = 0.4999999999999997 * t27;
+                    let t30 = 4.930380657631324e-32
+                        * (t10 + (px[t] * px[t] + py[t] * py[t]));
+                    t8_[t] = t8;
+                    t12_[t] = t12;
+                    t13_[t] = t13;
+                    t14_[t] = t14;
+                    t15_[t] = t15;
+                    t16_[t] = t16;
+                    t17_[t] = t17;
+                    t20_[t] = t20;
+                    t21_[t] = t21;
+                    t22_[t] = t22;
+                    t24_[t] = t24;
+                    t25_[t] = t25;
+                    t26_[t] = t26;
+                    s3_[t] = s3;
+                    t28_[t] = t28;
+                    t29_[t] = t29;
+                    t30_[t] = t30;
+                }
+                // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+                let e1 = [1.0, -1.0, 1.0, -1.0];
+                let e2 = [1.0, 1.0, -1.0, -1.0];
+                let mut invalid_ = [[0.0; T]; 4];
+                let mut singular_ = [[0.0; T]; 4];
+                let mut residual_ = [[0.0; T]; 4];
+                let mut q1_ = [[0.0; T]; 4];
+                let mut q2_ = [[0.0; T]; 4];
+                let mut q3_ = [[0.0; T]; 4];
+                for k in 0..4 {
+                    for t in 0..T {
+                        // 1. q1 by SP3
+                        let t31 = -e1[k];
+                        let t32 = e1[k] * t17_[t];
+                        let s1 = math::select(
+                            t14_[t] < 1.4003408895999933e-26,
+                            t2,
+                            -((t21_[t] + t12_[t] * t32) * t22_[t]),
+                        );
+                        let c1 = math::select(
+                            t14_[t] < 1.4003408895999933e-26,
+                            t4,
+                            (t13_[t] * t32 - t20_[t]) * t22_[t],
+                        );
+                        // 2. q3 by SP4
+                        let invalid = math::max(
                             math::max(
-                                math::select(t15 < t16, 1.0, 0.0),
-                                math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                                math::select(t15_[t] < t16_[t], t31, 0.0),
+                                math::select(t14_[t] < 1.4003408895999933e-26, t31, 0.0),
                             ),
-                            math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
+                            math::select(t24_[t] < 5.382400000000002e-15, -e2[k], 0.0),
                         );
-                        let t26 = math::sqrt(
-                            math::select(t24 < 5.382400000000002e-15, 0.0, t24),
+                        let t33 = e2[k] * t26_[t];
+                        let c3 = -(4.310344827586206 * t33);
+                        // 3. q2 by SP1, given q1 and q3
+                        let t34 = pz[t] * c1 - t8_[t] * s1;
+                        let t35 = t8_[t] * c1 + pz[t] * s1 + 0.112;
+                        let t36 = 1.0000000000000002 * t33;
+                        let t37 = math::sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
+                        let singular = math::max(
+                            t25_[t],
+                            math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
                         );
-                        let t27 = math::max(
-                            -0.23200000000000004,
-                            -math::max(-0.23200000000000004, -t23),
+                        let t38 = 1.0 / t37;
+                        let s2 = math::select(
+                            t37 < 1.1833599999999972e-25,
+                            t3,
+                            -(t34 * t36 * t38),
                         );
-                        let s3 = 4.310344827586206 * t27;
-                        // Residual: forward kinematics against the target (what all
-                        // branches share)
-                        let t28 = 0.8660254037844386 * t27;
-                        let t29 = 0.4999999999999997 * t27;
-                        let t30 = 4.930380657631324e-32 * (t10 + (px * px + py * py));
-                        // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of
-                        // step 2
-                        let e1 = [1.0, -1.0, 1.0, -1.0];
-                        let e2 = [1.0, 1.0, -1.0, -1.0];
-                        let mut invalid_ = [0.0; 4];
-                        let mut singular_ = [0.0; 4];
-                        let mut residual_ = [0.0; 4];
-                        let mut q1_ = [0.0; 4];
-                        let mut q2_ = [0.0; 4];
-                        let mut q3_ = [0.0; 4];
-                        for k in 0..4 {
-                            // 1. q1 by SP3
-                            let t31 = -e1[k];
-                            let t32 = e1[k] * t17;
-                            let s1 = math::select(
-                                t14 < 1.4003408895999933e-26,
-                                t2,
-                                -((t21 + t12 * t32) * t22),
-                            );
-                            let c1 = math::select(
-                                t14 < 1.4003408895999933e-26,
-                                t4,
-                                (t13 * t32 - t20) * t22,
-                            );
-                            // 2. q3 by SP4
-                            let invalid = math::max(
-                                math::max(
-                                    math::select(t15 < t16, t31, 0.0),
-                                    math::select(t14 < 1.4003408895999933e-26, t31, 0.0),
-                                ),
-                                math::select(t24 < 5.382400000000002e-15, -e2[k], 0.0),
-                            );
-                            let t33 = e2[k] * t26;
-                            let c3 = -(4.310344827586206 * t33);
-                            // 3. q2 by SP1, given q1 and q3
-                            let t34 = pz * c1 - t8 * s1;
-                            let t35 = t8 * c1 + pz * s1 + 0.112;
-                            let t36 = 1.0000000000000002 * t33;
-                            let t37 = math::sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
-                            let singular = math::max(
-                                t25,
-                                math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
-                            );
-                            let t38 = 1.0 / t37;
-                            let s2 = math::select(
-                                t37 < 1.1833599999999972e-25,
-                                t3,
-                                -(t34 * t36 * t38),
-                            );
-                            let c2 = math::select(
-                                t37 < 1.1833599999999972e-25,
-                                t5,
-                                -(t35 * t36 * t38),
-                            );
-                            // Residual: forward kinematics against the target
-                            let t39 = 0.9999999999999999 * t33;
-                            let t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
-                            let t41 = t28 - 0.49999999999999983 * t40 - 0.066005569525104
-                                - px;
-                            let t42 = -0.114325 - (0.8660254037844388 * t40 + t29) - py;
-                            let t43 = pz + (0.112 * s1 + (s1 * c2 + c1 * s2) * t39);
-                            let residual = math::sqrt(
-                                t30 + (t43 * t43 + (t41 * t41 + t42 * t42)),
-                            );
-                            // Joint values: angles from sines and cosines, in (−π, π]
-                            let q1 = lanes::angle(s1, c1);
-                            let q2 = math::wrap(
-                                lanes::angle(s2, c2) + 0.4306876510250337,
-                            );
-                            let q3 = lanes::angle(s3, c3);
-                            invalid_[k] = invalid;
-                            singular_[k] = singular;
-                            residual_[k] = residual;
-                            q1_[k] = q1;
-                            q2_[k] = q2;
-                            q3_[k] = q3;
-                        }
-                        Branches {
-                            q: [q1_, q2_, q3_],
-                            residual: residual_,
-                            invalid: invalid_,
-                            singular: singular_,
-                        }
+                        let c2 = math::select(
+                            t37 < 1.1833599999999972e-25,
+                            t5,
+                            -(t35 * t36 * t38),
+                        );
+                        // Residual: forward kinematics against the target
+                        let t39 = 0.9999999999999999 * t33;
+                        let t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
+                        let t41 = t28_[t] - 0.49999999999999983 * t40 - 0.066005569525104
+                            - px[t];
+                        let t42 = -0.114325 - (0.8660254037844388 * t40 + t29_[t])
+                            - py[t];
+                        let t43 = pz[t] + (0.112 * s1 + (s1 * c2 + c1 * s2) * t39);
+                        let residual = math::sqrt(
+                            t30_[t] + (t43 * t43 + (t41 * t41 + t42 * t42)),
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(s1, c1);
+                        let q2 = math::wrap(lanes::angle(s2, c2) + 0.4306876510250337);
+                        let q3 = lanes::angle(s3_[t], c3);
+                        invalid_[k][t] = invalid;
+                        singular_[k][t] = singular;
+                        residual_[k][t] = residual;
+                        q1_[k][t] = q1;
+                        q2_[k][t] = q2;
+                        q3_[k][t] = q3;
                     }
                 }
-                dispatch::<Lanes, _>((pose, seed))
+                Lanes {
+                    q: [q1_, q2_, q3_],
+                    residual: residual_,
+                    invalid: invalid_,
+                    singular: singular_,
+                    level: [[0.0; T]; 4],
+                    no_root: [[0.0; T]; 4],
+                }
             }
         }
 
@@ -1931,109 +2122,151 @@ mod __Delta {
                     .closest_by(|q| self.fk(q), pose, Target::Orientation, &Self::ACCEPT)
             }
 
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
+            /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 2> {
-                struct Lanes;
-                impl Dispatched<(&Pose, &[f64; 2])> for Lanes {
-                    type Output = Branches<2, 2>;
-                    #[inline(always)]
-                    fn run((pose, seed): (&Pose, &[f64; 2])) -> Self::Output {
-                        let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                            .rotation;
-                        let [_, _, _] = pose.translation;
-                        // The seed, for an angle that the target leaves free
-                        let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
-                        // 1. q1 and q2 by SP2 (what all branches share)
-                        let t3 = 0.8660254037844388 * r13 - 0.4999999999999999 * r23;
-                        let t4 = 0.4174957550478551 * r33
-                            - (0.4543394365771645 * r13 + 0.7869389880338669 * r23);
-                        let c2 = 0.9086788731543293 * r33
-                            + (0.20874787752392746 * r13 + 0.3615619298436078 * r23);
-                        let t5 = t3 * t3 + t4 * t4;
-                        let singular = math::select(t5 < 1e-13, 1.0, 0.0);
-                        let t6 = math::sqrt(math::select(t5 < 1e-24, 0.0, t5));
-                        let t7 = 1.0 / t5;
-                        // Residual: forward kinematics against the target (what all
-                        // branches share)
-                        let t8 = 0.8660254037844386 * c2;
-                        let t9 = 0.20874787752392746 * c2;
-                        let t10 = 0.3615619298436078 * c2;
-                        let t11 = 0.9086788731543293 * c2;
-                        let t12 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                        let t13 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                        let t14 = r31 * r32 + (r11 * r12 + r21 * r22);
-                        let t15 = r13 - (r21 * r32 - r22 * r31);
-                        let t16 = r23 - (r12 * r31 - r11 * r32);
-                        let t17 = r33 - (r11 * r22 - r12 * r21);
-                        let t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15
-                            + t16 * t16 + t17 * t17;
-                        let t19 = 0.01048375215324917 * t18;
-                        // 2 lanes, by the signs of the roots: e1 of step 1
-                        let e1 = [1.0, -1.0];
-                        let mut invalid_ = [0.0; 2];
-                        let mut residual_ = [0.0; 2];
-                        let mut q1_ = [0.0; 2];
-                        let mut q2_ = [0.0; 2];
-                        for k in 0..2 {
-                            // 1. q1 and q2 by SP2
-                            let invalid = math::select(t5 < 1e-24, -e1[k], 0.0);
-                            let t20 = e1[k] * t6;
-                            let s2 = -t20;
-                            let s1 = math::select(t5 < 1e-24, t1, t3 * t20 * t7);
-                            let c1 = math::select(t5 < 1e-24, t2, -(t4 * t20 * t7));
-                            // Residual: forward kinematics against the target
-                            let t21 = s1 * t8 - 0.49999999999999983 * c1;
-                            let t22 = 0.49999999999999983 * s1 + c1 * t8;
-                            let t23 = 0.8660254037844388 * t21 + 0.4543394365771645 * t22
-                                - 0.18078096492180382 * t20;
-                            let t24 = 0.7869389880338669 * t22 - 0.4999999999999999 * t21
-                                - 0.3131218162858913 * t20;
-                            let t25 = 0.4174957550478551 * t22
-                                + 0.7869389880338666 * t20;
-                            let t26 = t20 * c1;
-                            let t27 = t20 * s1;
-                            let t28 = t9
-                                + (0.8660254037844388 * t27 + 0.4543394365771645 * t26);
-                            let t29 = t10
-                                + (0.7869389880338669 * t26 - 0.4999999999999999 * t27);
-                            let t30 = t11 - 0.4174957550478551 * t26;
-                            let t31 = t24 * t30 + t25 * t29 - r11;
-                            let t32 = t23 - r12;
-                            let t33 = t28 - r13;
-                            let t34 = r21 + (t25 * t28 + t23 * t30);
-                            let t35 = t24 - r22;
-                            let t36 = t29 - r23;
-                            let t37 = t31 * t31 + t32 * t32 + t33 * t33 + t34 * t34
-                                + t35 * t35 + t36 * t36;
-                            let t38 = t23 * t29 - t24 * t28 - r31;
-                            let t39 = r32 + t25;
-                            let t40 = t30 - r33;
-                            let residual = math::sqrt(
-                                t19
-                                    + 0.005241876076624585
-                                        * (t37 + t38 * t38 + t39 * t39 + t40 * t40),
-                            );
-                            // Joint values: angles from sines and cosines, in (−π, π]
-                            let q1 = lanes::angle(s1, c1);
-                            let q2 = math::wrap(
-                                lanes::angle(s2, c2) - 0.43068765102503376,
-                            );
-                            invalid_[k] = invalid;
-                            residual_[k] = residual;
-                            q1_[k] = q1;
-                            q2_[k] = q2;
-                        }
-                        Branches {
-                            q: [q1_, q2_],
-                            residual: residual_,
-                            invalid: invalid_,
-                            singular: [singular; 2],
-                        }
+                Branches::of::<Self, _>(pose, seed, &[])
+            }
+        }
+
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<2, 2, 0> for Tail3 {
+            const FREE: ::core::option::Option<usize> = None;
+            #[inline(always)]
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; 2],
+                locked: &[f64; 0],
+                free: f64,
+            ) -> Lanes<2, 2, T> {
+                let _ = locked;
+                let _ = free;
+                let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
+                    targets,
+                );
+                // The seed, for an angle that the target leaves free
+                let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
+                let mut t3_ = [0.0; T];
+                let mut t4_ = [0.0; T];
+                let mut c2_ = [0.0; T];
+                let mut t5_ = [0.0; T];
+                let mut singular_ = [0.0; T];
+                let mut t6_ = [0.0; T];
+                let mut t7_ = [0.0; T];
+                let mut t8_ = [0.0; T];
+                let mut t9_ = [0.0; T];
+                let mut t10_ = [0.0; T];
+                let mut t11_ = [0.0; T];
+                let mut t19_ = [0.0; T];
+                for t in 0..T {
+                    // 1. q1 and q2 by SP2 (what all branches share)
+                    let t3 = 0.8660254037844388 * r13[t] - 0.4999999999999999 * r23[t];
+                    let t4 = 0.4174957550478551 * r33[t]
+                        - (0.4543394365771645 * r13[t] + 0.7869389880338669 * r23[t]);
+                    let c2 = 0.9086788731543293 * r33[t]
+                        + (0.20874787752392746 * r13[t] + 0.3615619298436078 * r23[t]);
+                    let t5 = t3 * t3 + t4 * t4;
+                    let singular = math::select(t5 < 1e-13, 1.0, 0.0);
+                    let t6 = math::sqrt(math::select(t5 < 1e-24, 0.0, t5));
+                    let t7 = 1.0 / t5;
+                    // Residual: forward kinematics against the target (what all
+                    // branches share)
+                    let t8 = 0.8660254037844386 * c2;
+                    let t9 = 0.20874787752392746 * c2;
+                    let t10 = 0.3615619298436078 * c2;
+                    let t11 = 0.9086788731543293 * c2;
+                    let t12 = 0.5
+                        * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                    let t13 = 0.5
+                        * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                    let t14 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                    let t15 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                    let t16 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                    let t17 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                    let t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16
+                        + t17 * t17;
+                    let t19 = 0.01048375215324917 * t18;
+                    t3_[t] = t3;
+                    t4_[t] = t4;
+                    c2_[t] = c2;
+                    t5_[t] = t5;
+                    singular_[t] = singular;
+                    t6_[t] = t6;
+                    t7_[t] = t7;
+                    t8_[t] = t8;
+                    t9_[t] = t9;
+                    t10_[t] = t10;
+                    t11_[t] = t11;
+                    t19_[t] = t19;
+                }
+                // 2 lanes, by the signs of the roots: e1 of step 1
+                let e1 = [1.0, -1.0];
+                let mut invalid_ = [[0.0; T]; 2];
+                let mut residual_ = [[0.0; T]; 2];
+                let mut q1_ = [[0.0; T]; 2];
+                let mut q2_ = [[0.0; T]; 2];
+                for k in 0..2 {
+                    for t in 0..T {
+                        // 1. q1 and q2 by SP2
+                        let invalid = math::select(t5_[t] < 1e-24, -e1[k], 0.0);
+                        let t20 = e1[k] * t6_[t];
+                        let s2 = -t20;
+                        let s1 = math::select(t5_[t] < 1e-24, t1, t3_[t] * t20 * t7_[t]);
+                        let c1 = math::select(
+                            t5_[t] < 1e-24,
+                            t2,
+                            -(t4_[t] * t20 * t7_[t]),
+                        );
+                        // Residual: forward kinematics against the target
+                        let t21 = s1 * t8_[t] - 0.49999999999999983 * c1;
+                        let t22 = 0.49999999999999983 * s1 + c1 * t8_[t];
+                        let t23 = 0.8660254037844388 * t21 + 0.4543394365771645 * t22
+                            - 0.18078096492180382 * t20;
+                        let t24 = 0.7869389880338669 * t22 - 0.4999999999999999 * t21
+                            - 0.3131218162858913 * t20;
+                        let t25 = 0.4174957550478551 * t22 + 0.7869389880338666 * t20;
+                        let t26 = t20 * c1;
+                        let t27 = t20 * s1;
+                        let t28 = t9_[t]
+                            + (0.8660254037844388 * t27 + 0.4543394365771645 * t26);
+                        let t29 = t10_[t]
+                            + (0.7869389880338669 * t26 - 0.4999999999999999 * t27);
+                        let t30 = t11_[t] - 0.4174957550478551 * t26;
+                        let t31 = t24 * t30 + t25 * t29 - r11[t];
+                        let t32 = t23 - r12[t];
+                        let t33 = t28 - r13[t];
+                        let t34 = r21[t] + (t25 * t28 + t23 * t30);
+                        let t35 = t24 - r22[t];
+                        let t36 = t29 - r23[t];
+                        let t37 = t31 * t31 + t32 * t32 + t33 * t33 + t34 * t34
+                            + t35 * t35 + t36 * t36;
+                        let t38 = t23 * t29 - t24 * t28 - r31[t];
+                        let t39 = r32[t] + t25;
+                        let t40 = t30 - r33[t];
+                        let residual = math::sqrt(
+                            t19_[t]
+                                + 0.005241876076624585
+                                    * (t37 + t38 * t38 + t39 * t39 + t40 * t40),
+                        );
+                        // Joint values: angles from sines and cosines, in (−π, π]
+                        let q1 = lanes::angle(s1, c1);
+                        let q2 = math::wrap(
+                            lanes::angle(s2, c2_[t]) - 0.43068765102503376,
+                        );
+                        invalid_[k][t] = invalid;
+                        residual_[k][t] = residual;
+                        q1_[k][t] = q1;
+                        q2_[k][t] = q2;
                     }
                 }
-                dispatch::<Lanes, _>((pose, seed))
+                Lanes {
+                    q: [q1_, q2_],
+                    residual: residual_,
+                    invalid: invalid_,
+                    singular: [singular_; 2],
+                    level: [[0.0; T]; 2],
+                    no_root: [[0.0; T]; 2],
+                }
             }
         }
 

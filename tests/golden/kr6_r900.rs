@@ -14,8 +14,8 @@
 mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, Forward, SideBySide, SinCos, dispatch, lanes,
-        math, widen,
+        Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
+        widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -558,308 +558,10 @@ mod __Kr6R900 {
                 .closest_by(|q| self.fk(q), pose, Target::Pose, &Self::ACCEPT)
         }
 
-        /// All branches of the plan as lanes, those that do not exist
-        /// marked.
+        /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            struct Lanes;
-            impl Dispatched<(&Pose, &[f64; 6])> for Lanes {
-                type Output = Branches<6, 8>;
-                #[inline(always)]
-                fn run((pose, seed): (&Pose, &[f64; 6])) -> Self::Output {
-                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                        .rotation;
-                    let [px, py, pz] = pose.translation;
-                    // The seed, for an angle that the target leaves free
-                    let ([t1, t2, t3], [t4, t5, t6]) = lanes::sin_cos([
-                        seed[0],
-                        seed[1],
-                        seed[3],
-                    ]);
-                    // 1. q1 by SP4 (what all branches share)
-                    let t7 = 0.08 * r13;
-                    let t8 = px - t7;
-                    let t9 = py - 0.08 * r23;
-                    let t10 = pz - 0.08 * r33 - 0.4;
-                    let t11 = t7 - px;
-                    let t12 = t9 * t9 + t11 * t11;
-                    let t13 = 1e-13 * t12;
-                    let t14 = math::sqrt(math::select(t12 < t13, 0.0, t12));
-                    let t15 = -math::sqrt(t12);
-                    let t16 = math::max(t15, -math::max(0.0, t15));
-                    let t17 = t9 * t16;
-                    let t18 = t11 * t16;
-                    let t19 = math::max(
-                        math::select(t12 < t13, 1.0, 0.0),
-                        math::select(t12 < 1.0302250000000001e-24, 1.0, 0.0),
-                    );
-                    let t20 = 1.0 / t12;
-                    let t21 = -t1;
-                    // 2. q3 by SP3, given q1 (what all branches share)
-                    let t22 = t10 * t10;
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t23 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    let t24 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    let t25 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    let t26 = r13 - (r21 * r32 - r22 * r31);
-                    let t27 = r23 - (r12 * r31 - r11 * r32);
-                    let t28 = r33 - (r11 * r22 - r12 * r21);
-                    let t29 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27
-                        + t28 * t28;
-                    let t30 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                        + 1.0302250000000002 * t29;
-                    // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
-                    let e1 = [1.0, -1.0, 1.0, -1.0];
-                    let e2 = [1.0, 1.0, -1.0, -1.0];
-                    let mut s1_ = [0.0; 4];
-                    let mut c1_ = [0.0; 4];
-                    let mut t39_ = [0.0; 4];
-                    let mut t52_ = [0.0; 4];
-                    let mut t55_ = [0.0; 4];
-                    let mut t56_ = [0.0; 4];
-                    let mut c5_ = [0.0; 4];
-                    let mut t58_ = [0.0; 4];
-                    let mut t59_ = [0.0; 4];
-                    let mut singular_ = [0.0; 4];
-                    let mut t60_ = [0.0; 4];
-                    let mut t61_ = [0.0; 4];
-                    let mut t62_ = [0.0; 4];
-                    let mut t63_ = [0.0; 4];
-                    let mut t64_ = [0.0; 4];
-                    let mut t65_ = [0.0; 4];
-                    let mut t67_ = [0.0; 4];
-                    let mut t68_ = [0.0; 4];
-                    let mut q1_ = [0.0; 4];
-                    let mut q2_ = [0.0; 4];
-                    let mut q3_ = [0.0; 4];
-                    for k in 0..4 {
-                        // 1. q1 by SP4
-                        let t31 = -e1[k];
-                        let t32 = e1[k] * t14;
-                        let s1 = math::select(
-                            t12 < 1.0302250000000001e-24,
-                            t21,
-                            (t18 + t9 * t32) * t20,
-                        );
-                        let c1 = math::select(
-                            t12 < 1.0302250000000001e-24,
-                            t4,
-                            (t17 - t11 * t32) * t20,
-                        );
-                        // 2. q3 by SP3, given q1
-                        let t33 = t8 * c1 + t9 * s1;
-                        let t34 = 0.025 - t33;
-                        let t35 = t8 * s1 - t9 * c1;
-                        let t36 = 0.5 * (t22 + (t34 * t34 + t35 * t35));
-                        let t37 = 0.192325 - t36;
-                        let t38 = 0.036772815625 - t37 * t37;
-                        let t39 = math::max(
-                            math::max(
-                                math::select(t12 < t13, t31, 0.0),
-                                math::select(t12 < 1.0302250000000001e-24, t31, 0.0),
-                            ),
-                            math::select(t38 < 3.6772815625e-15, -e2[k], 0.0),
-                        );
-                        let t40 = e2[k]
-                            * math::sqrt(math::select(t38 < 3.6772815625e-15, 0.0, t38));
-                        let t41 = math::max(
-                            -0.1917623936672673,
-                            -math::max(-0.1917623936672673, t36 - 0.192325),
-                        );
-                        let t42 = 0.015925000000000016 * t41 + 0.1911 * t40;
-                        let t43 = 0.015925000000000016 * t40 - 0.1911 * t41;
-                        let t44 = 27.194001411198713 * t42;
-                        let s3 = -t44;
-                        let c3 = 27.194001411198713 * t43;
-                        // 3. q2 by SP1, given q1 and q3
-                        let t45 = t33 - 0.025;
-                        let t46 = 0.9517900493919558 * t43 + 11.421480592703459 * t42;
-                        let t47 = 11.421480592703459 * t43 - 0.9517900493919558 * t42
-                            + 0.455;
-                        let t48 = math::sqrt(
-                            (t22 + t45 * t45) * (t46 * t46 + t47 * t47),
-                        );
-                        let t49 = math::max(
-                            math::max(
-                                t19,
-                                math::select(t38 < 3.6772815625e-15, 1.0, 0.0),
-                            ),
-                            math::select(t48 < 1.0302250000000001e-24, 1.0, 0.0),
-                        );
-                        let t50 = 1.0 / t48;
-                        let s2 = math::select(
-                            t48 < 1.0302250000000001e-24,
-                            t2,
-                            (t45 * t46 - t10 * t47) * t50,
-                        );
-                        let c2 = math::select(
-                            t48 < 1.0302250000000001e-24,
-                            t5,
-                            (t10 * t46 + t45 * t47) * t50,
-                        );
-                        // 4. q4 and q5 by SP2, given q1 and q2+q3 (what several
-                        // branches share)
-                        let t51 = r13 * c1 + r23 * s1;
-                        let t52 = r13 * s1 - r23 * c1;
-                        let t53 = c3 * s2;
-                        let t54 = t44 * c2;
-                        let t55 = t53 - t54;
-                        let t56 = c3 * c2 + t44 * s2;
-                        let t57 = t54 - t53;
-                        let c5 = r33 * t57 + t51 * t56;
-                        let t58 = r33 * t56 - t51 * t57;
-                        let t59 = t52 * t52 + t58 * t58;
-                        let singular = math::max(
-                            t49,
-                            math::select(t59 < 1e-13, 1.0, 0.0),
-                        );
-                        let t60 = math::sqrt(math::select(t59 < 1e-24, 0.0, t59));
-                        let t61 = 1.0 / t59;
-                        // Residual: forward kinematics against the target (what several
-                        // branches share)
-                        let t62 = 0.455 * c2;
-                        let t63 = 0.455 * s2;
-                        let t64 = t56 * c5;
-                        let t65 = t55 * c5;
-                        let t66 = 0.08 * c5 + 0.42;
-                        let t67 = t56 * t66;
-                        let t68 = t55 * t66;
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = lanes::angle(-s1, c1);
-                        let q2 = lanes::angle(s2, c2);
-                        let q3 = lanes::angle(s3, c3);
-                        s1_[k] = s1;
-                        c1_[k] = c1;
-                        t39_[k] = t39;
-                        t52_[k] = t52;
-                        t55_[k] = t55;
-                        t56_[k] = t56;
-                        c5_[k] = c5;
-                        t58_[k] = t58;
-                        t59_[k] = t59;
-                        singular_[k] = singular;
-                        t60_[k] = t60;
-                        t61_[k] = t61;
-                        t62_[k] = t62;
-                        t63_[k] = t63;
-                        t64_[k] = t64;
-                        t65_[k] = t65;
-                        t67_[k] = t67;
-                        t68_[k] = t68;
-                        q1_[k] = q1;
-                        q2_[k] = q2;
-                        q3_[k] = q3;
-                    }
-                    // From 4 lanes to 8: lane k goes on from lane k modulo 4
-                    let s1_ = widen::<4, 8>(s1_);
-                    let c1_ = widen::<4, 8>(c1_);
-                    let t39_ = widen::<4, 8>(t39_);
-                    let t52_ = widen::<4, 8>(t52_);
-                    let t55_ = widen::<4, 8>(t55_);
-                    let t56_ = widen::<4, 8>(t56_);
-                    let c5_ = widen::<4, 8>(c5_);
-                    let t58_ = widen::<4, 8>(t58_);
-                    let t59_ = widen::<4, 8>(t59_);
-                    let singular_ = widen::<4, 8>(singular_);
-                    let t60_ = widen::<4, 8>(t60_);
-                    let t61_ = widen::<4, 8>(t61_);
-                    let t62_ = widen::<4, 8>(t62_);
-                    let t63_ = widen::<4, 8>(t63_);
-                    let t64_ = widen::<4, 8>(t64_);
-                    let t65_ = widen::<4, 8>(t65_);
-                    let t67_ = widen::<4, 8>(t67_);
-                    let t68_ = widen::<4, 8>(t68_);
-                    let q1_ = widen::<4, 8>(q1_);
-                    let q2_ = widen::<4, 8>(q2_);
-                    let q3_ = widen::<4, 8>(q3_);
-                    // 8 lanes, by the signs of the roots: e3 of step 4
-                    let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-                    let mut invalid_ = [0.0; 8];
-                    let mut residual_ = [0.0; 8];
-                    let mut q4_ = [0.0; 8];
-                    let mut q5_ = [0.0; 8];
-                    let mut q6_ = [0.0; 8];
-                    for k in 0..8 {
-                        // 4. q4 and q5 by SP2, given q1 and q2+q3
-                        let invalid = math::max(
-                            t39_[k],
-                            math::select(t59_[k] < 1e-24, -e3[k], 0.0),
-                        );
-                        let s5 = e3[k] * t60_[k];
-                        let s4 = math::select(
-                            t59_[k] < 1e-24,
-                            t3,
-                            t52_[k] * s5 * t61_[k],
-                        );
-                        let c4 = math::select(
-                            t59_[k] < 1e-24,
-                            t6,
-                            -(t58_[k] * s5 * t61_[k]),
-                        );
-                        // 5. q6 by SP1, given q1, q4 and q2+q3
-                        let t69 = t56_[k] * s4;
-                        let t70 = t55_[k] * s4;
-                        let t71 = c1_[k] * t70 + s1_[k] * c4;
-                        let t72 = c1_[k] * c4 - s1_[k] * t70;
-                        let c6 = r22 * t72 - r12 * t71 - r32 * t69;
-                        let s6 = r31 * t69 - (r21 * t72 - r11 * t71);
-                        // Residual: forward kinematics against the target
-                        let t73 = c5_[k] * s6;
-                        let t74 = s5 * s6;
-                        let t75 = c4 * c6 - s4 * t73;
-                        let t76 = s4 * c6 + c4 * t73;
-                        let t77 = t55_[k] * t74 - t56_[k] * t76;
-                        let t78 = t55_[k] * t76 + t56_[k] * t74;
-                        let t79 = c1_[k] * t78 + s1_[k] * t75;
-                        let t80 = c1_[k] * t75 - s1_[k] * t78;
-                        let t81 = s5 * c4;
-                        let t82 = s5 * s4;
-                        let t83 = t56_[k] * t81 + t65_[k];
-                        let t84 = t64_[k] - t55_[k] * t81;
-                        let t85 = c1_[k] * t84 + s1_[k] * t82;
-                        let t86 = s1_[k] * t84 - c1_[k] * t82;
-                        let t87 = 0.08 * s5;
-                        let t88 = s4 * t87;
-                        let t89 = 0.035 - c4 * t87;
-                        let t90 = t62_[k] + (t55_[k] * t89 + t67_[k]) + 0.025;
-                        let t91 = c1_[k] * t90 + s1_[k] * t88 - px;
-                        let t92 = s1_[k] * t90 - c1_[k] * t88 - py;
-                        let t93 = t56_[k] * t89 - t68_[k] - t63_[k] + 0.4 - pz;
-                        let t94 = r11 + (t80 * t83 + t77 * t86);
-                        let t95 = r12 + t79;
-                        let t96 = t85 - r13;
-                        let t97 = t77 * t85 - t79 * t83 - r21;
-                        let t98 = t80 - r22;
-                        let t99 = t86 - r23;
-                        let t100 = t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97
-                            + t98 * t98 + t99 * t99;
-                        let t101 = r31 + (t79 * t86 + t80 * t85);
-                        let t102 = t77 - r32;
-                        let t103 = r33 + t83;
-                        let t104 = t30 + (t93 * t93 + (t91 * t91 + t92 * t92))
-                            + 0.5151125000000001
-                                * (t100 + t101 * t101 + t102 * t102 + t103 * t103);
-                        let residual = math::sqrt(t104);
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q4 = lanes::angle(s4, c4);
-                        let q5 = lanes::angle(s5, c5_[k]);
-                        let q6 = lanes::angle(s6, c6);
-                        invalid_[k] = invalid;
-                        residual_[k] = residual;
-                        q4_[k] = q4;
-                        q5_[k] = q5;
-                        q6_[k] = q6;
-                    }
-                    Branches {
-                        q: [q1_, q2_, q3_, q4_, q5_, q6_],
-                        residual: residual_,
-                        invalid: invalid_,
-                        singular: singular_,
-                    }
-                }
-            }
-            dispatch::<Lanes, _>((pose, seed))
+            Branches::of::<Self, _>(pose, seed, &[])
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -1074,9 +776,349 @@ mod __Kr6R900 {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Inverse<6, 8, 0> for Kr6R900 {
+        const FREE: ::core::option::Option<usize> = None;
+        #[inline(always)]
+        fn lanes<const T: usize>(
+            targets: &[Pose; T],
+            seed: &[f64; 6],
+            locked: &[f64; 0],
+            free: f64,
+        ) -> Lanes<6, 8, T> {
+            let _ = locked;
+            let _ = free;
+            let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
+                targets,
+            );
+            // The seed, for an angle that the target leaves free
+            let ([t1, t2, t3], [t4, t5, t6]) = lanes::sin_cos([
+                seed[0],
+                seed[1],
+                seed[3],
+            ]);
+            // 1. q1 by SP4 (what all branches share)
+            let t7 = -t1;
+            let mut t9_ = [0.0; T];
+            let mut t10_ = [0.0; T];
+            let mut t11_ = [0.0; T];
+            let mut t12_ = [0.0; T];
+            let mut t13_ = [0.0; T];
+            let mut t14_ = [0.0; T];
+            let mut t15_ = [0.0; T];
+            let mut t18_ = [0.0; T];
+            let mut t19_ = [0.0; T];
+            let mut t20_ = [0.0; T];
+            let mut t21_ = [0.0; T];
+            let mut t22_ = [0.0; T];
+            let mut t30_ = [0.0; T];
+            for t in 0..T {
+                // 1. q1 by SP4 (what all branches share)
+                let t8 = 0.08 * r13[t];
+                let t9 = px[t] - t8;
+                let t10 = py[t] - 0.08 * r23[t];
+                let t11 = pz[t] - 0.08 * r33[t] - 0.4;
+                let t12 = t8 - px[t];
+                let t13 = t10 * t10 + t12 * t12;
+                let t14 = 1e-13 * t13;
+                let t15 = math::sqrt(math::select(t13 < t14, 0.0, t13));
+                let t16 = -math::sqrt(t13);
+                let t17 = math::max(t16, -math::max(0.0, t16));
+                let t18 = t10 * t17;
+                let t19 = t12 * t17;
+                let t20 = math::max(
+                    math::select(t13 < t14, 1.0, 0.0),
+                    math::select(t13 < 1.0302250000000001e-24, 1.0, 0.0),
+                );
+                let t21 = 1.0 / t13;
+                // 2. q3 by SP3, given q1 (what all branches share)
+                let t22 = t11 * t11;
+                // Residual: forward kinematics against the target (what all branches
+                // share)
+                let t23 = 0.5
+                    * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                let t24 = 0.5
+                    * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                let t25 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                let t26 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                let t27 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                let t28 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                let t29 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27
+                    + t28 * t28;
+                let t30 = 4.930380657631324e-32
+                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t]))
+                    + 1.0302250000000002 * t29;
+                t9_[t] = t9;
+                t10_[t] = t10;
+                t11_[t] = t11;
+                t12_[t] = t12;
+                t13_[t] = t13;
+                t14_[t] = t14;
+                t15_[t] = t15;
+                t18_[t] = t18;
+                t19_[t] = t19;
+                t20_[t] = t20;
+                t21_[t] = t21;
+                t22_[t] = t22;
+                t30_[t] = t30;
+            }
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+            let e1 = [1.0, -1.0, 1.0, -1.0];
+            let e2 = [1.0, 1.0, -1.0, -1.0];
+            let mut s1_ = [[0.0; T]; 4];
+            let mut c1_ = [[0.0; T]; 4];
+            let mut t39_ = [[0.0; T]; 4];
+            let mut t52_ = [[0.0; T]; 4];
+            let mut t55_ = [[0.0; T]; 4];
+            let mut t56_ = [[0.0; T]; 4];
+            let mut c5_ = [[0.0; T]; 4];
+            let mut t58_ = [[0.0; T]; 4];
+            let mut t59_ = [[0.0; T]; 4];
+            let mut singular_ = [[0.0; T]; 4];
+            let mut t60_ = [[0.0; T]; 4];
+            let mut t61_ = [[0.0; T]; 4];
+            let mut t62_ = [[0.0; T]; 4];
+            let mut t63_ = [[0.0; T]; 4];
+            let mut t64_ = [[0.0; T]; 4];
+            let mut t65_ = [[0.0; T]; 4];
+            let mut t67_ = [[0.0; T]; 4];
+            let mut t68_ = [[0.0; T]; 4];
+            let mut q1_ = [[0.0; T]; 4];
+            let mut q2_ = [[0.0; T]; 4];
+            let mut q3_ = [[0.0; T]; 4];
+            for k in 0..4 {
+                for t in 0..T {
+                    // 1. q1 by SP4
+                    let t31 = -e1[k];
+                    let t32 = e1[k] * t15_[t];
+                    let s1 = math::select(
+                        t13_[t] < 1.0302250000000001e-24,
+                        t7,
+                        (t19_[t] + t10_[t] * t32) * t21_[t],
+                    );
+                    let c1 = math::select(
+                        t13_[t] < 1.0302250000000001e-24,
+                        t4,
+                        (t18_[t] - t12_[t] * t32) * t21_[t],
+                    );
+                    // 2. q3 by SP3, given q1
+                    let t33 = t9_[t] * c1 + t10_[t] * s1;
+                    let t34 = 0.025 - t33;
+                    let t35 = t9_[t] * s1 - t10_[t] * c1;
+                    let t36 = 0.5 * (t22_[t] + (t34 * t34 + t35 * t35));
+                    let t37 = 0.192325 - t36;
+                    let t38 = 0.036772815625 - t37 * t37;
+                    let t39 = math::max(
+                        math::max(
+                            math::select(t13_[t] < t14_[t], t31, 0.0),
+                            math::select(t13_[t] < 1.0302250000000001e-24, t31, 0.0),
+                        ),
+                        math::select(t38 < 3.6772815625e-15, -e2[k], 0.0),
+                    );
+                    let t40 = e2[k]
+                        * math::sqrt(math::select(t38 < 3.6772815625e-15, 0.0, t38));
+                    let t41 = math::max(
+                        -0.1917623936672673,
+                        -math::max(-0.1917623936672673, t36 - 0.192325),
+                    );
+                    let t42 = 0.015925000000000016 * t41 + 0.1911 * t40;
+                    let t43 = 0.015925000000000016 * t40 - 0.1911 * t41;
+                    let t44 = 27.194001411198713 * t42;
+                    let s3 = -t44;
+                    let c3 = 27.194001411198713 * t43;
+                    // 3. q2 by SP1, given q1 and q3
+                    let t45 = t33 - 0.025;
+                    let t46 = 0.9517900493919558 * t43 + 11.421480592703459 * t42;
+                    let t47 = 11.421480592703459 * t43 - 0.9517900493919558 * t42
+                        + 0.455;
+                    let t48 = math::sqrt(
+                        (t22_[t] + t45 * t45) * (t46 * t46 + t47 * t47),
+                    );
+                    let t49 = math::max(
+                        math::max(
+                            t20_[t],
+                            math::select(t38 < 3.6772815625e-15, 1.0, 0.0),
+                        ),
+                        math::select(t48 < 1.0302250000000001e-24, 1.0, 0.0),
+                    );
+                    let t50 = 1.0 / t48;
+                    let s2 = math::select(
+                        t48 < 1.0302250000000001e-24,
+                        t2,
+                        (t45 * t46 - t11_[t] * t47) * t50,
+                    );
+                    let c2 = math::select(
+                        t48 < 1.0302250000000001e-24,
+                        t5,
+                        (t11_[t] * t46 + t45 * t47) * t50,
+                    );
+                    // 4. q4 and q5 by SP2, given q1 and q2+q3 (what several branches
+                    // share)
+                    let t51 = r13[t] * c1 + r23[t] * s1;
+                    let t52 = r13[t] * s1 - r23[t] * c1;
+                    let t53 = c3 * s2;
+                    let t54 = t44 * c2;
+                    let t55 = t53 - t54;
+                    let t56 = c3 * c2 + t44 * s2;
+                    let t57 = t54 - t53;
+                    let c5 = r33[t] * t57 + t51 * t56;
+                    let t58 = r33[t] * t56 - t51 * t57;
+                    let t59 = t52 * t52 + t58 * t58;
+                    let singular = math::max(t49, math::select(t59 < 1e-13, 1.0, 0.0));
+                    let t60 = math::sqrt(math::select(t59 < 1e-24, 0.0, t59));
+                    let t61 = 1.0 / t59;
+                    // Residual: forward kinematics against the target (what several
+                    // branches share)
+                    let t62 = 0.455 * c2;
+                    let t63 = 0.455 * s2;
+                    let t64 = t56 * c5;
+                    let t65 = t55 * c5;
+                    let t66 = 0.08 * c5 + 0.42;
+                    let t67 = t56 * t66;
+                    let t68 = t55 * t66;
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = lanes::angle(-s1, c1);
+                    let q2 = lanes::angle(s2, c2);
+                    let q3 = lanes::angle(s3, c3);
+                    s1_[k][t] = s1;
+                    c1_[k][t] = c1;
+                    t39_[k][t] = t39;
+                    t52_[k][t] = t52;
+                    t55_[k][t] = t55;
+                    t56_[k][t] = t56;
+                    c5_[k][t] = c5;
+                    t58_[k][t] = t58;
+                    t59_[k][t] = t59;
+                    singular_[k][t] = singular;
+                    t60_[k][t] = t60;
+                    t61_[k][t] = t61;
+                    t62_[k][t] = t62;
+                    t63_[k][t] = t63;
+                    t64_[k][t] = t64;
+                    t65_[k][t] = t65;
+                    t67_[k][t] = t67;
+                    t68_[k][t] = t68;
+                    q1_[k][t] = q1;
+                    q2_[k][t] = q2;
+                    q3_[k][t] = q3;
+                }
+            }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
+            let s1_ = widen::<4, 8, T, _>(&s1_);
+            let c1_ = widen::<4, 8, T, _>(&c1_);
+            let t39_ = widen::<4, 8, T, _>(&t39_);
+            let t52_ = widen::<4, 8, T, _>(&t52_);
+            let t55_ = widen::<4, 8, T, _>(&t55_);
+            let t56_ = widen::<4, 8, T, _>(&t56_);
+            let c5_ = widen::<4, 8, T, _>(&c5_);
+            let t58_ = widen::<4, 8, T, _>(&t58_);
+            let t59_ = widen::<4, 8, T, _>(&t59_);
+            let singular_ = widen::<4, 8, T, _>(&singular_);
+            let t60_ = widen::<4, 8, T, _>(&t60_);
+            let t61_ = widen::<4, 8, T, _>(&t61_);
+            let t62_ = widen::<4, 8, T, _>(&t62_);
+            let t63_ = widen::<4, 8, T, _>(&t63_);
+            let t64_ = widen::<4, 8, T, _>(&t64_);
+            let t65_ = widen::<4, 8, T, _>(&t65_);
+            let t67_ = widen::<4, 8, T, _>(&t67_);
+            let t68_ = widen::<4, 8, T, _>(&t68_);
+            let q1_ = widen::<4, 8, T, _>(&q1_);
+            let q2_ = widen::<4, 8, T, _>(&q2_);
+            let q3_ = widen::<4, 8, T, _>(&q3_);
+            // 8 lanes, by the signs of the roots: e3 of step 4
+            let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
+            let mut invalid_ = [[0.0; T]; 8];
+            let mut residual_ = [[0.0; T]; 8];
+            let mut q4_ = [[0.0; T]; 8];
+            let mut q5_ = [[0.0; T]; 8];
+            let mut q6_ = [[0.0; T]; 8];
+            for k in 0..8 {
+                for t in 0..T {
+                    // 4. q4 and q5 by SP2, given q1 and q2+q3
+                    let invalid = math::max(
+                        t39_[k][t],
+                        math::select(t59_[k][t] < 1e-24, -e3[k], 0.0),
+                    );
+                    let s5 = e3[k] * t60_[k][t];
+                    let s4 = math::select(
+                        t59_[k][t] < 1e-24,
+                        t3,
+                        t52_[k][t] * s5 * t61_[k][t],
+                    );
+                    let c4 = math::select(
+                        t59_[k][t] < 1e-24,
+                        t6,
+                        -(t58_[k][t] * s5 * t61_[k][t]),
+                    );
+                    // 5. q6 by SP1, given q1, q4 and q2+q3
+                    let t69 = t56_[k][t] * s4;
+                    let t70 = t55_[k][t] * s4;
+                    let t71 = c1_[k][t] * t70 + s1_[k][t] * c4;
+                    let t72 = c1_[k][t] * c4 - s1_[k][t] * t70;
+                    let c6 = r22[t] * t72 - r12[t] * t71 - r32[t] * t69;
+                    let s6 = r31[t] * t69 - (r21[t] * t72 - r11[t] * t71);
+                    // Residual: forward kinematics against the target
+                    let t73 = c5_[k][t] * s6;
+                    let t74 = s5 * s6;
+                    let t75 = c4 * c6 - s4 * t73;
+                    let t76 = s4 * c6 + c4 * t73;
+                    let t77 = t55_[k][t] * t74 - t56_[k][t] * t76;
+                    let t78 = t55_[k][t] * t76 + t56_[k][t] * t74;
+                    let t79 = c1_[k][t] * t78 + s1_[k][t] * t75;
+                    let t80 = c1_[k][t] * t75 - s1_[k][t] * t78;
+                    let t81 = s5 * c4;
+                    let t82 = s5 * s4;
+                    let t83 = t56_[k][t] * t81 + t65_[k][t];
+                    let t84 = t64_[k][t] - t55_[k][t] * t81;
+                    let t85 = c1_[k][t] * t84 + s1_[k][t] * t82;
+                    let t86 = s1_[k][t] * t84 - c1_[k][t] * t82;
+                    let t87 = 0.08 * s5;
+                    let t88 = s4 * t87;
+                    let t89 = 0.035 - c4 * t87;
+                    let t90 = t62_[k][t] + (t55_[k][t] * t89 + t67_[k][t]) + 0.025;
+                    let t91 = c1_[k][t] * t90 + s1_[k][t] * t88 - px[t];
+                    let t92 = s1_[k][t] * t90 - c1_[k][t] * t88 - py[t];
+                    let t93 = t56_[k][t] * t89 - t68_[k][t] - t63_[k][t] + 0.4 - pz[t];
+                    let t94 = r11[t] + (t80 * t83 + t77 * t86);
+                    let t95 = r12[t] + t79;
+                    let t96 = t85 - r13[t];
+                    let t97 = t77 * t85 - t79 * t83 - r21[t];
+                    let t98 = t80 - r22[t];
+                    let t99 = t86 - r23[t];
+                    let t100 = t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97 + t98 * t98
+                        + t99 * t99;
+                    let t101 = r31[t] + (t79 * t86 + t80 * t85);
+                    let t102 = t77 - r32[t];
+                    let t103 = r33[t] + t83;
+                    let t104 = t30_[t] + (t93 * t93 + (t91 * t91 + t92 * t92))
+                        + 0.5151125000000001
+                            * (t100 + t101 * t101 + t102 * t102 + t103 * t103);
+                    let residual = math::sqrt(t104);
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q4 = lanes::angle(s4, c4);
+                    let q5 = lanes::angle(s5, c5_[k][t]);
+                    let q6 = lanes::angle(s6, c6);
+                    invalid_[k][t] = invalid;
+                    residual_[k][t] = residual;
+                    q4_[k][t] = q4;
+                    q5_[k][t] = q5;
+                    q6_[k][t] = q6;
+                }
+            }
+            Lanes {
+                q: [q1_.all(), q2_.all(), q3_.all(), q4_, q5_, q6_],
+                residual: residual_,
+                invalid: invalid_,
+                singular: singular_.all(),
+                level: [[0.0; T]; 8],
+                no_root: [[0.0; T]; 8],
+            }
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Kr6R900, 6, batches : own, inverse : own, derivatives : provided, determinant :
-        own, singularities : own
+        Kr6R900, 6, batches : inverse, inverse : own, derivatives : provided, determinant
+        : own, singularities : own
     }
 }
 

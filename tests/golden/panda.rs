@@ -14,8 +14,8 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, Forward, Locked, SideBySide, SinCos, dispatch,
-        lanes, math, widen,
+        Acceptance, Branches, Forward, Inverse, Lanes, Locked, SideBySide, SinCos, lanes,
+        math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Parameter, Pose, Posture, RedundantKinematics,
@@ -541,8 +541,7 @@ mod __Panda {
             prismatic: 0,
         };
 
-        /// All branches of the plan as lanes, those that do not exist
-        /// marked.
+        /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(
             &self,
@@ -550,345 +549,7 @@ mod __Panda {
             seed: &[f64; 6],
             locked: &[f64; 1],
         ) -> Branches<6, 8> {
-            struct Lanes;
-            impl Dispatched<(&Pose, &[f64; 6], &[f64; 1])> for Lanes {
-                type Output = Branches<6, 8>;
-                #[inline(always)]
-                fn run(
-                    (pose, seed, locked): (&Pose, &[f64; 6], &[f64; 1]),
-                ) -> Self::Output {
-                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                        .rotation;
-                    let [px, py, pz] = pose.translation;
-                    // What is given beside the target; the seed, for an angle that both
-                    // leave free
-                    let ([t1, t2, s7, t3], [t4, t5, c7, t6]) = lanes::sin_cos([
-                        seed[4],
-                        seed[5],
-                        locked[0],
-                        seed[0],
-                    ]);
-                    // 1. q4 by SP3, given q7 (what all branches share)
-                    let t7 = 0.088 * c7;
-                    let t8 = 0.088 * s7;
-                    let t9 = px + (r12 * t8 - r11 * t7 - 0.107 * r13);
-                    let t10 = py + (r22 * t8 - r21 * t7 - 0.107 * r23);
-                    let t11 = pz + (r32 * t8 - r31 * t7 - 0.107 * r33) - 0.333;
-                    let t12 = 0.5 * (t11 * t11 + (t9 * t9 + t10 * t10));
-                    let t13 = 0.13046224999999997 - t12;
-                    let t14 = 0.01645395867506249 - t13 * t13;
-                    let t15 = math::select(t14 < 1.645395867506249e-15, 1.0, 0.0);
-                    let t16 = math::sqrt(
-                        math::select(t14 < 1.645395867506249e-15, 0.0, t14),
-                    );
-                    let t17 = math::max(
-                        -0.12827298497759568,
-                        -math::max(-0.12827298497759568, t12 - 0.13046224999999997),
-                    );
-                    let t18 = 0.11453774999999997 * t17;
-                    let t19 = 0.057749999999999996 * t17;
-                    // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
-                    let t20 = 0.333 - pz;
-                    let t21 = r11 * px + r21 * py - r31 * t20;
-                    let t22 = r12 * px + r22 * py - r32 * t20;
-                    let t23 = r33 * t20 - (r13 * px + r23 * py) + 0.107;
-                    let t24 = s7 * t21 + c7 * t22;
-                    let t25 = c7 * t21 - s7 * t22 - 0.088;
-                    let t26 = t23 * t23 + t25 * t25;
-                    let t27 = 1e-13 * t26;
-                    let t28 = -math::sqrt(t26);
-                    let t29 = math::select(t26 < 9.763255449212622e-25, 1.0, 0.0);
-                    let t30 = 1.0 / t26;
-                    let t31 = t24 * t24;
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t32 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    let t33 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    let t34 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    let t35 = r13 - (r21 * r32 - r22 * r31);
-                    let t36 = r23 - (r12 * r31 - r11 * r32);
-                    let t37 = r33 - (r11 * r22 - r12 * r21);
-                    let t38 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36
-                        + t37 * t37;
-                    let t39 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                        + 0.9763255449212622 * t38;
-                    // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
-                    let e1 = [1.0, -1.0, 1.0, -1.0];
-                    let e2 = [1.0, 1.0, -1.0, -1.0];
-                    let mut s4_ = [0.0; 4];
-                    let mut t43_ = [0.0; 4];
-                    let mut t50_ = [0.0; 4];
-                    let mut s6_ = [0.0; 4];
-                    let mut c6_ = [0.0; 4];
-                    let mut s5_ = [0.0; 4];
-                    let mut c5_ = [0.0; 4];
-                    let mut t62_ = [0.0; 4];
-                    let mut t63_ = [0.0; 4];
-                    let mut c2_ = [0.0; 4];
-                    let mut t64_ = [0.0; 4];
-                    let mut singular_ = [0.0; 4];
-                    let mut t65_ = [0.0; 4];
-                    let mut t66_ = [0.0; 4];
-                    let mut t70_ = [0.0; 4];
-                    let mut t71_ = [0.0; 4];
-                    let mut t72_ = [0.0; 4];
-                    let mut t73_ = [0.0; 4];
-                    let mut t75_ = [0.0; 4];
-                    let mut t76_ = [0.0; 4];
-                    let mut t77_ = [0.0; 4];
-                    let mut t78_ = [0.0; 4];
-                    let mut t80_ = [0.0; 4];
-                    let mut t83_ = [0.0; 4];
-                    let mut t84_ = [0.0; 4];
-                    let mut t85_ = [0.0; 4];
-                    let mut q4_ = [0.0; 4];
-                    let mut q5_ = [0.0; 4];
-                    let mut q6_ = [0.0; 4];
-                    for k in 0..4 {
-                        // 1. q4 by SP3, given q7
-                        let t40 = e1[k] * t16;
-                        let t41 = t19 - 0.11453774999999997 * t40;
-                        let t42 = t18 + 0.057749999999999996 * t40;
-                        let s4 = 60.77564796097327 * t41;
-                        let t43 = 60.77564796097327 * t42;
-                        let c4 = -t43;
-                        // 2. q5 and q6 by SP2, given q4 and q7
-                        let t44 = 19.205104755667552 * t42 + 5.013990956780295 * t41
-                            - 0.384;
-                        let t45 = 19.205104755667552 * t41 - 5.013990956780295 * t42
-                            - 0.0825;
-                        let t46 = t26 - t44 * t44;
-                        let t47 = -e2[k];
-                        let t48 = e2[k] * math::sqrt(math::select(t46 < t27, 0.0, t46));
-                        let t49 = math::max(t28, -math::max(t28, -t44));
-                        let t50 = math::max(
-                            math::max(
-                                math::select(t14 < 1.645395867506249e-15, -e1[k], 0.0),
-                                math::select(t46 < t27, t47, 0.0),
-                            ),
-                            math::select(t26 < 9.763255449212622e-25, t47, 0.0),
-                        );
-                        let s6 = math::select(
-                            t26 < 9.763255449212622e-25,
-                            t2,
-                            -((t25 * t49 + t23 * t48) * t30),
-                        );
-                        let c6 = math::select(
-                            t26 < 9.763255449212622e-25,
-                            t5,
-                            (t25 * t48 - t23 * t49) * t30,
-                        );
-                        let t51 = t25 * c6 - t23 * s6;
-                        let t52 = math::sqrt(t45 * t45 * (t51 * t51 + t31));
-                        let t53 = math::max(
-                            math::max(
-                                math::max(t15, math::select(t46 < t27, 1.0, 0.0)),
-                                t29,
-                            ),
-                            math::select(t52 < 9.763255449212622e-25, 1.0, 0.0),
-                        );
-                        let t54 = 1.0 / t52;
-                        let s5 = math::select(
-                            t52 < 9.763255449212622e-25,
-                            t1,
-                            t45 * t24 * t54,
-                        );
-                        let c5 = math::select(
-                            t52 < 9.763255449212622e-25,
-                            t4,
-                            t45 * t51 * t54,
-                        );
-                        // 3. q1 and q2 by SP2, given q4, q5, q6 and q7 (what several
-                        // branches share)
-                        let t55 = s4 * c5;
-                        let t56 = s4 * s5;
-                        let t57 = t43 * c6;
-                        let t58 = t57 + s6 * t55;
-                        let t59 = t43 * s6 - c6 * t55;
-                        let t60 = s7 * t59 + c7 * t56;
-                        let t61 = s7 * t56 - c7 * t59;
-                        let t62 = r13 * t58 + (r11 * t61 + r12 * t60);
-                        let t63 = r23 * t58 + (r21 * t61 + r22 * t60);
-                        let c2 = r33 * t58 + (r31 * t61 + r32 * t60);
-                        let t64 = t62 * t62 + t63 * t63;
-                        let singular = math::max(
-                            t53,
-                            math::select(t64 < 1e-13, 1.0, 0.0),
-                        );
-                        let t65 = math::sqrt(math::select(t64 < 1e-24, 0.0, t64));
-                        let t66 = 1.0 / t64;
-                        // Residual: forward kinematics against the target (what several
-                        // branches share)
-                        let t67 = s7 * c6;
-                        let t68 = s7 * s6;
-                        let t69 = c5 * t67 - c7 * s5;
-                        let t70 = s5 * t67 + c7 * c5;
-                        let t71 = t43 * t68 - s4 * t69;
-                        let t72 = s4 * t68 + t43 * t69;
-                        let t73 = c2 * t71;
-                        let t74 = s6 * c5;
-                        let t75 = s6 * s5;
-                        let t76 = t57 + s4 * t74;
-                        let t77 = s4 * c6 - t43 * t74;
-                        let t78 = c2 * t76;
-                        let t79 = 0.107 * s6 + 0.088 * c6;
-                        let t80 = s5 * t79;
-                        let t81 = 0.088 * s6 - 0.107 * c6 + 0.384;
-                        let t82 = 0.0825 - c5 * t79;
-                        let t83 = t43 * t82 - s4 * t81 + 0.0825;
-                        let t84 = 0.316 - (t43 * t81 + s4 * t82);
-                        let t85 = c2 * t84;
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q4 = lanes::angle(s4, c4);
-                        let q5 = lanes::angle(s5, c5);
-                        let q6 = lanes::angle(s6, c6);
-                        s4_[k] = s4;
-                        t43_[k] = t43;
-                        t50_[k] = t50;
-                        s6_[k] = s6;
-                        c6_[k] = c6;
-                        s5_[k] = s5;
-                        c5_[k] = c5;
-                        t62_[k] = t62;
-                        t63_[k] = t63;
-                        c2_[k] = c2;
-                        t64_[k] = t64;
-                        singular_[k] = singular;
-                        t65_[k] = t65;
-                        t66_[k] = t66;
-                        t70_[k] = t70;
-                        t71_[k] = t71;
-                        t72_[k] = t72;
-                        t73_[k] = t73;
-                        t75_[k] = t75;
-                        t76_[k] = t76;
-                        t77_[k] = t77;
-                        t78_[k] = t78;
-                        t80_[k] = t80;
-                        t83_[k] = t83;
-                        t84_[k] = t84;
-                        t85_[k] = t85;
-                        q4_[k] = q4;
-                        q5_[k] = q5;
-                        q6_[k] = q6;
-                    }
-                    // From 4 lanes to 8: lane k goes on from lane k modulo 4
-                    let s4_ = widen::<4, 8>(s4_);
-                    let t43_ = widen::<4, 8>(t43_);
-                    let t50_ = widen::<4, 8>(t50_);
-                    let s6_ = widen::<4, 8>(s6_);
-                    let c6_ = widen::<4, 8>(c6_);
-                    let s5_ = widen::<4, 8>(s5_);
-                    let c5_ = widen::<4, 8>(c5_);
-                    let t62_ = widen::<4, 8>(t62_);
-                    let t63_ = widen::<4, 8>(t63_);
-                    let c2_ = widen::<4, 8>(c2_);
-                    let t64_ = widen::<4, 8>(t64_);
-                    let singular_ = widen::<4, 8>(singular_);
-                    let t65_ = widen::<4, 8>(t65_);
-                    let t66_ = widen::<4, 8>(t66_);
-                    let t70_ = widen::<4, 8>(t70_);
-                    let t71_ = widen::<4, 8>(t71_);
-                    let t72_ = widen::<4, 8>(t72_);
-                    let t73_ = widen::<4, 8>(t73_);
-                    let t75_ = widen::<4, 8>(t75_);
-                    let t76_ = widen::<4, 8>(t76_);
-                    let t77_ = widen::<4, 8>(t77_);
-                    let t78_ = widen::<4, 8>(t78_);
-                    let t80_ = widen::<4, 8>(t80_);
-                    let t83_ = widen::<4, 8>(t83_);
-                    let t84_ = widen::<4, 8>(t84_);
-                    let t85_ = widen::<4, 8>(t85_);
-                    let q4_ = widen::<4, 8>(q4_);
-                    let q5_ = widen::<4, 8>(q5_);
-                    let q6_ = widen::<4, 8>(q6_);
-                    // 8 lanes, by the signs of the roots: e3 of step 3
-                    let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-                    let mut invalid_ = [0.0; 8];
-                    let mut residual_ = [0.0; 8];
-                    let mut q1_ = [0.0; 8];
-                    let mut q2_ = [0.0; 8];
-                    let mut q3_ = [0.0; 8];
-                    for k in 0..8 {
-                        // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
-                        let invalid = math::max(
-                            t50_[k],
-                            math::select(t64_[k] < 1e-24, -e3[k], 0.0),
-                        );
-                        let s2 = e3[k] * t65_[k];
-                        let s1 = math::select(
-                            t64_[k] < 1e-24,
-                            t3,
-                            t63_[k] * s2 * t66_[k],
-                        );
-                        let c1 = math::select(
-                            t64_[k] < 1e-24,
-                            t6,
-                            t62_[k] * s2 * t66_[k],
-                        );
-                        // 4. q3 by SP1, given q1, q4, q5, q6 and q7
-                        let t86 = r11 * s1 - r21 * c1;
-                        let t87 = r12 * s1 - r22 * c1;
-                        let t88 = c7 * t86 - s7 * t87;
-                        let t89 = s7 * t86 + c7 * t87;
-                        let t90 = r13 * s1 - r23 * c1;
-                        let t91 = s6_[k] * t90 + c6_[k] * t88;
-                        let s3 = t43_[k] * (c5_[k] * t91 + s5_[k] * t89)
-                            - s4_[k] * (c6_[k] * t90 - s6_[k] * t88);
-                        let c3 = c5_[k] * t89 - s5_[k] * t91;
-                        // Residual: forward kinematics against the target
-                        let t92 = c3 * t72_[k] + s3 * t70_[k];
-                        let t93 = s3 * t72_[k] - c3 * t70_[k];
-                        let t94 = t73_[k] - s2 * t92;
-                        let t95 = s2 * t71_[k] + c2_[k] * t92;
-                        let t96 = c1 * t95 - s1 * t93;
-                        let t97 = s1 * t95 + c1 * t93;
-                        let t98 = c3 * t77_[k] - s3 * t75_[k];
-                        let t99 = s3 * t77_[k] + c3 * t75_[k];
-                        let t100 = t78_[k] - s2 * t98;
-                        let t101 = s2 * t76_[k] + c2_[k] * t98;
-                        let t102 = c1 * t101 - s1 * t99;
-                        let t103 = s1 * t101 + c1 * t99;
-                        let t104 = c3 * t83_[k] - s3 * t80_[k];
-                        let t105 = s3 * t83_[k] + c3 * t80_[k];
-                        let t106 = s2 * t84_[k] + c2_[k] * t104;
-                        let t107 = c1 * t106 - s1 * t105 - px;
-                        let t108 = s1 * t106 + c1 * t105 - py;
-                        let t109 = t85_[k] - s2 * t104 + 0.333 - pz;
-                        let t110 = t97 * t100 - t94 * t103 - r11;
-                        let t111 = t96 - r12;
-                        let t112 = t102 - r13;
-                        let t113 = t94 * t102 - t96 * t100 - r21;
-                        let t114 = t97 - r22;
-                        let t115 = t103 - r23;
-                        let t116 = t110 * t110 + t111 * t111 + t112 * t112 + t113 * t113
-                            + t114 * t114 + t115 * t115;
-                        let t117 = t96 * t103 - t97 * t102 - r31;
-                        let t118 = t94 - r32;
-                        let t119 = t100 - r33;
-                        let t120 = t39 + (t109 * t109 + (t107 * t107 + t108 * t108))
-                            + 0.4881627724606311
-                                * (t116 + t117 * t117 + t118 * t118 + t119 * t119);
-                        let residual = math::sqrt(t120);
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = lanes::angle(s1, c1);
-                        let q2 = lanes::angle(s2, c2_[k]);
-                        let q3 = lanes::angle(s3, c3);
-                        invalid_[k] = invalid;
-                        residual_[k] = residual;
-                        q1_[k] = q1;
-                        q2_[k] = q2;
-                        q3_[k] = q3;
-                    }
-                    Branches {
-                        q: [q1_, q2_, q3_, q4_, q5_, q6_],
-                        residual: residual_,
-                        invalid: invalid_,
-                        singular: singular_,
-                    }
-                }
-            }
-            dispatch::<Lanes, _>((pose, seed, locked))
+            Branches::of::<Self, _>(pose, seed, locked)
         }
     }
 
@@ -1048,9 +709,390 @@ mod __Panda {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Inverse<6, 8, 1> for Panda {
+        const FREE: ::core::option::Option<usize> = None;
+        #[inline(always)]
+        fn lanes<const T: usize>(
+            targets: &[Pose; T],
+            seed: &[f64; 6],
+            locked: &[f64; 1],
+            free: f64,
+        ) -> Lanes<6, 8, T> {
+            let _ = free;
+            let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
+                targets,
+            );
+            // What is given beside the target; the seed, for an angle that both leave
+            // free
+            let ([t1, t2, s7, t3], [t4, t5, c7, t6]) = lanes::sin_cos([
+                seed[4],
+                seed[5],
+                locked[0],
+                seed[0],
+            ]);
+            // 1. q4 by SP3, given q7 (what all branches share)
+            let t7 = 0.088 * c7;
+            let t8 = 0.088 * s7;
+            let mut t14_ = [0.0; T];
+            let mut t15_ = [0.0; T];
+            let mut t16_ = [0.0; T];
+            let mut t18_ = [0.0; T];
+            let mut t19_ = [0.0; T];
+            let mut t23_ = [0.0; T];
+            let mut t24_ = [0.0; T];
+            let mut t25_ = [0.0; T];
+            let mut t26_ = [0.0; T];
+            let mut t27_ = [0.0; T];
+            let mut t28_ = [0.0; T];
+            let mut t29_ = [0.0; T];
+            let mut t30_ = [0.0; T];
+            let mut t31_ = [0.0; T];
+            let mut t39_ = [0.0; T];
+            for t in 0..T {
+                // 1. q4 by SP3, given q7 (what all branches share)
+                let t9 = px[t] + (r12[t] * t8 - r11[t] * t7 - 0.107 * r13[t]);
+                let t10 = py[t] + (r22[t] * t8 - r21[t] * t7 - 0.107 * r23[t]);
+                let t11 = pz[t] + (r32[t] * t8 - r31[t] * t7 - 0.107 * r33[t]) - 0.333;
+                let t12 = 0.5 * (t11 * t11 + (t9 * t9 + t10 * t10));
+                let t13 = 0.13046224999999997 - t12;
+                let t14 = 0.01645395867506249 - t13 * t13;
+                let t15 = math::select(t14 < 1.645395867506249e-15, 1.0, 0.0);
+                let t16 = math::sqrt(
+                    math::select(t14 < 1.645395867506249e-15, 0.0, t14),
+                );
+                let t17 = math::max(
+                    -0.12827298497759568,
+                    -math::max(-0.12827298497759568, t12 - 0.13046224999999997),
+                );
+                let t18 = 0.11453774999999997 * t17;
+                let t19 = 0.057749999999999996 * t17;
+                // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
+                let t20 = 0.333 - pz[t];
+                let t21 = r11[t] * px[t] + r21[t] * py[t] - r31[t] * t20;
+                let t22 = r12[t] * px[t] + r22[t] * py[t] - r32[t] * t20;
+                let t23 = r33[t] * t20 - (r13[t] * px[t] + r23[t] * py[t]) + 0.107;
+                let t24 = s7 * t21 + c7 * t22;
+                let t25 = c7 * t21 - s7 * t22 - 0.088;
+                let t26 = t23 * t23 + t25 * t25;
+                let t27 = 1e-13 * t26;
+                let t28 = -math::sqrt(t26);
+                let t29 = math::select(t26 < 9.763255449212622e-25, 1.0, 0.0);
+                let t30 = 1.0 / t26;
+                let t31 = t24 * t24;
+                // Residual: forward kinematics against the target (what all branches
+                // share)
+                let t32 = 0.5
+                    * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                let t33 = 0.5
+                    * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                let t34 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                let t35 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                let t36 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                let t37 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                let t38 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36
+                    + t37 * t37;
+                let t39 = 4.930380657631324e-32
+                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t]))
+                    + 0.9763255449212622 * t38;
+                t14_[t] = t14;
+                t15_[t] = t15;
+                t16_[t] = t16;
+                t18_[t] = t18;
+                t19_[t] = t19;
+                t23_[t] = t23;
+                t24_[t] = t24;
+                t25_[t] = t25;
+                t26_[t] = t26;
+                t27_[t] = t27;
+                t28_[t] = t28;
+                t29_[t] = t29;
+                t30_[t] = t30;
+                t31_[t] = t31;
+                t39_[t] = t39;
+            }
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+            let e1 = [1.0, -1.0, 1.0, -1.0];
+            let e2 = [1.0, 1.0, -1.0, -1.0];
+            let mut s4_ = [[0.0; T]; 4];
+            let mut t43_ = [[0.0; T]; 4];
+            let mut t50_ = [[0.0; T]; 4];
+            let mut s6_ = [[0.0; T]; 4];
+            let mut c6_ = [[0.0; T]; 4];
+            let mut s5_ = [[0.0; T]; 4];
+            let mut c5_ = [[0.0; T]; 4];
+            let mut t62_ = [[0.0; T]; 4];
+            let mut t63_ = [[0.0; T]; 4];
+            let mut c2_ = [[0.0; T]; 4];
+            let mut t64_ = [[0.0; T]; 4];
+            let mut singular_ = [[0.0; T]; 4];
+            let mut t65_ = [[0.0; T]; 4];
+            let mut t66_ = [[0.0; T]; 4];
+            let mut t70_ = [[0.0; T]; 4];
+            let mut t71_ = [[0.0; T]; 4];
+            let mut t72_ = [[0.0; T]; 4];
+            let mut t73_ = [[0.0; T]; 4];
+            let mut t75_ = [[0.0; T]; 4];
+            let mut t76_ = [[0.0; T]; 4];
+            let mut t77_ = [[0.0; T]; 4];
+            let mut t78_ = [[0.0; T]; 4];
+            let mut t80_ = [[0.0; T]; 4];
+            let mut t83_ = [[0.0; T]; 4];
+            let mut t84_ = [[0.0; T]; 4];
+            let mut t85_ = [[0.0; T]; 4];
+            let mut q4_ = [[0.0; T]; 4];
+            let mut q5_ = [[0.0; T]; 4];
+            let mut q6_ = [[0.0; T]; 4];
+            for k in 0..4 {
+                for t in 0..T {
+                    // 1. q4 by SP3, given q7
+                    let t40 = e1[k] * t16_[t];
+                    let t41 = t19_[t] - 0.11453774999999997 * t40;
+                    let t42 = t18_[t] + 0.057749999999999996 * t40;
+                    let s4 = 60.77564796097327 * t41;
+                    let t43 = 60.77564796097327 * t42;
+                    let c4 = -t43;
+                    // 2. q5 and q6 by SP2, given q4 and q7
+                    let t44 = 19.205104755667552 * t42 + 5.013990956780295 * t41 - 0.384;
+                    let t45 = 19.205104755667552 * t41 - 5.013990956780295 * t42
+                        - 0.0825;
+                    let t46 = t26_[t] - t44 * t44;
+                    let t47 = -e2[k];
+                    let t48 = e2[k] * math::sqrt(math::select(t46 < t27_[t], 0.0, t46));
+                    let t49 = math::max(t28_[t], -math::max(t28_[t], -t44));
+                    let t50 = math::max(
+                        math::max(
+                            math::select(t14_[t] < 1.645395867506249e-15, -e1[k], 0.0),
+                            math::select(t46 < t27_[t], t47, 0.0),
+                        ),
+                        math::select(t26_[t] < 9.763255449212622e-25, t47, 0.0),
+                    );
+                    let s6 = math::select(
+                        t26_[t] < 9.763255449212622e-25,
+                        t2,
+                        -((t25_[t] * t49 + t23_[t] * t48) * t30_[t]),
+                    );
+                    let c6 = math::select(
+                        t26_[t] < 9.763255449212622e-25,
+                        t5,
+                        (t25_[t] * t48 - t23_[t] * t49) * t30_[t],
+                    );
+                    let t51 = t25_[t] * c6 - t23_[t] * s6;
+                    let t52 = math::sqrt(t45 * t45 * (t51 * t51 + t31_[t]));
+                    let t53 = math::max(
+                        math::max(
+                            math::max(t15_[t], math::select(t46 < t27_[t], 1.0, 0.0)),
+                            t29_[t],
+                        ),
+                        math::select(t52 < 9.763255449212622e-25, 1.0, 0.0),
+                    );
+                    let t54 = 1.0 / t52;
+                    let s5 = math::select(
+                        t52 < 9.763255449212622e-25,
+                        t1,
+                        t45 * t24_[t] * t54,
+                    );
+                    let c5 = math::select(
+                        t52 < 9.763255449212622e-25,
+                        t4,
+                        t45 * t51 * t54,
+                    );
+                    // 3. q1 and q2 by SP2, given q4, q5, q6 and q7 (what several
+                    // branches share)
+                    let t55 = s4 * c5;
+                    let t56 = s4 * s5;
+                    let t57 = t43 * c6;
+                    let t58 = t57 + s6 * t55;
+                    let t59 = t43 * s6 - c6 * t55;
+                    let t60 = s7 * t59 + c7 * t56;
+                    let t61 = s7 * t56 - c7 * t59;
+                    let t62 = r13[t] * t58 + (r11[t] * t61 + r12[t] * t60);
+                    let t63 = r23[t] * t58 + (r21[t] * t61 + r22[t] * t60);
+                    let c2 = r33[t] * t58 + (r31[t] * t61 + r32[t] * t60);
+                    let t64 = t62 * t62 + t63 * t63;
+                    let singular = math::max(t53, math::select(t64 < 1e-13, 1.0, 0.0));
+                    let t65 = math::sqrt(math::select(t64 < 1e-24, 0.0, t64));
+                    let t66 = 1.0 / t64;
+                    // Residual: forward kinematics against the target (what several
+                    // branches share)
+                    let t67 = s7 * c6;
+                    let t68 = s7 * s6;
+                    let t69 = c5 * t67 - c7 * s5;
+                    let t70 = s5 * t67 + c7 * c5;
+                    let t71 = t43 * t68 - s4 * t69;
+                    let t72 = s4 * t68 + t43 * t69;
+                    let t73 = c2 * t71;
+                    let t74 = s6 * c5;
+                    let t75 = s6 * s5;
+                    let t76 = t57 + s4 * t74;
+                    let t77 = s4 * c6 - t43 * t74;
+                    let t78 = c2 * t76;
+                    let t79 = 0.107 * s6 + 0.088 * c6;
+                    let t80 = s5 * t79;
+                    let t81 = 0.088 * s6 - 0.107 * c6 + 0.384;
+                    let t82 = 0.0825 - c5 * t79;
+                    let t83 = t43 * t82 - s4 * t81 + 0.0825;
+                    let t84 = 0.316 - (t43 * t81 + s4 * t82);
+                    let t85 = c2 * t84;
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q4 = lanes::angle(s4, c4);
+                    let q5 = lanes::angle(s5, c5);
+                    let q6 = lanes::angle(s6, c6);
+                    s4_[k][t] = s4;
+                    t43_[k][t] = t43;
+                    t50_[k][t] = t50;
+                    s6_[k][t] = s6;
+                    c6_[k][t] = c6;
+                    s5_[k][t] = s5;
+                    c5_[k][t] = c5;
+                    t62_[k][t] = t62;
+                    t63_[k][t] = t63;
+                    c2_[k][t] = c2;
+                    t64_[k][t] = t64;
+                    singular_[k][t] = singular;
+                    t65_[k][t] = t65;
+                    t66_[k][t] = t66;
+                    t70_[k][t] = t70;
+                    t71_[k][t] = t71;
+                    t72_[k][t] = t72;
+                    t73_[k][t] = t73;
+                    t75_[k][t] = t75;
+                    t76_[k][t] = t76;
+                    t77_[k][t] = t77;
+                    t78_[k][t] = t78;
+                    t80_[k][t] = t80;
+                    t83_[k][t] = t83;
+                    t84_[k][t] = t84;
+                    t85_[k][t] = t85;
+                    q4_[k][t] = q4;
+                    q5_[k][t] = q5;
+                    q6_[k][t] = q6;
+                }
+            }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
+            let s4_ = widen::<4, 8, T, _>(&s4_);
+            let t43_ = widen::<4, 8, T, _>(&t43_);
+            let t50_ = widen::<4, 8, T, _>(&t50_);
+            let s6_ = widen::<4, 8, T, _>(&s6_);
+            let c6_ = widen::<4, 8, T, _>(&c6_);
+            let s5_ = widen::<4, 8, T, _>(&s5_);
+            let c5_ = widen::<4, 8, T, _>(&c5_);
+            let t62_ = widen::<4, 8, T, _>(&t62_);
+            let t63_ = widen::<4, 8, T, _>(&t63_);
+            let c2_ = widen::<4, 8, T, _>(&c2_);
+            let t64_ = widen::<4, 8, T, _>(&t64_);
+            let singular_ = widen::<4, 8, T, _>(&singular_);
+            let t65_ = widen::<4, 8, T, _>(&t65_);
+            let t66_ = widen::<4, 8, T, _>(&t66_);
+            let t70_ = widen::<4, 8, T, _>(&t70_);
+            let t71_ = widen::<4, 8, T, _>(&t71_);
+            let t72_ = widen::<4, 8, T, _>(&t72_);
+            let t73_ = widen::<4, 8, T, _>(&t73_);
+            let t75_ = widen::<4, 8, T, _>(&t75_);
+            let t76_ = widen::<4, 8, T, _>(&t76_);
+            let t77_ = widen::<4, 8, T, _>(&t77_);
+            let t78_ = widen::<4, 8, T, _>(&t78_);
+            let t80_ = widen::<4, 8, T, _>(&t80_);
+            let t83_ = widen::<4, 8, T, _>(&t83_);
+            let t84_ = widen::<4, 8, T, _>(&t84_);
+            let t85_ = widen::<4, 8, T, _>(&t85_);
+            let q4_ = widen::<4, 8, T, _>(&q4_);
+            let q5_ = widen::<4, 8, T, _>(&q5_);
+            let q6_ = widen::<4, 8, T, _>(&q6_);
+            // 8 lanes, by the signs of the roots: e3 of step 3
+            let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
+            let mut invalid_ = [[0.0; T]; 8];
+            let mut residual_ = [[0.0; T]; 8];
+            let mut q1_ = [[0.0; T]; 8];
+            let mut q2_ = [[0.0; T]; 8];
+            let mut q3_ = [[0.0; T]; 8];
+            for k in 0..8 {
+                for t in 0..T {
+                    // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
+                    let invalid = math::max(
+                        t50_[k][t],
+                        math::select(t64_[k][t] < 1e-24, -e3[k], 0.0),
+                    );
+                    let s2 = e3[k] * t65_[k][t];
+                    let s1 = math::select(
+                        t64_[k][t] < 1e-24,
+                        t3,
+                        t63_[k][t] * s2 * t66_[k][t],
+                    );
+                    let c1 = math::select(
+                        t64_[k][t] < 1e-24,
+                        t6,
+                        t62_[k][t] * s2 * t66_[k][t],
+                    );
+                    // 4. q3 by SP1, given q1, q4, q5, q6 and q7
+                    let t86 = r11[t] * s1 - r21[t] * c1;
+                    let t87 = r12[t] * s1 - r22[t] * c1;
+                    let t88 = c7 * t86 - s7 * t87;
+                    let t89 = s7 * t86 + c7 * t87;
+                    let t90 = r13[t] * s1 - r23[t] * c1;
+                    let t91 = s6_[k][t] * t90 + c6_[k][t] * t88;
+                    let s3 = t43_[k][t] * (c5_[k][t] * t91 + s5_[k][t] * t89)
+                        - s4_[k][t] * (c6_[k][t] * t90 - s6_[k][t] * t88);
+                    let c3 = c5_[k][t] * t89 - s5_[k][t] * t91;
+                    // Residual: forward kinematics against the target
+                    let t92 = c3 * t72_[k][t] + s3 * t70_[k][t];
+                    let t93 = s3 * t72_[k][t] - c3 * t70_[k][t];
+                    let t94 = t73_[k][t] - s2 * t92;
+                    let t95 = s2 * t71_[k][t] + c2_[k][t] * t92;
+                    let t96 = c1 * t95 - s1 * t93;
+                    let t97 = s1 * t95 + c1 * t93;
+                    let t98 = c3 * t77_[k][t] - s3 * t75_[k][t];
+                    let t99 = s3 * t77_[k][t] + c3 * t75_[k][t];
+                    let t100 = t78_[k][t] - s2 * t98;
+                    let t101 = s2 * t76_[k][t] + c2_[k][t] * t98;
+                    let t102 = c1 * t101 - s1 * t99;
+                    let t103 = s1 * t101 + c1 * t99;
+                    let t104 = c3 * t83_[k][t] - s3 * t80_[k][t];
+                    let t105 = s3 * t83_[k][t] + c3 * t80_[k][t];
+                    let t106 = s2 * t84_[k][t] + c2_[k][t] * t104;
+                    let t107 = c1 * t106 - s1 * t105 - px[t];
+                    let t108 = s1 * t106 + c1 * t105 - py[t];
+                    let t109 = t85_[k][t] - s2 * t104 + 0.333 - pz[t];
+                    let t110 = t97 * t100 - t94 * t103 - r11[t];
+                    let t111 = t96 - r12[t];
+                    let t112 = t102 - r13[t];
+                    let t113 = t94 * t102 - t96 * t100 - r21[t];
+                    let t114 = t97 - r22[t];
+                    let t115 = t103 - r23[t];
+                    let t116 = t110 * t110 + t111 * t111 + t112 * t112 + t113 * t113
+                        + t114 * t114 + t115 * t115;
+                    let t117 = t96 * t103 - t97 * t102 - r31[t];
+                    let t118 = t94 - r32[t];
+                    let t119 = t100 - r33[t];
+                    let t120 = t39_[t] + (t109 * t109 + (t107 * t107 + t108 * t108))
+                        + 0.4881627724606311
+                            * (t116 + t117 * t117 + t118 * t118 + t119 * t119);
+                    let residual = math::sqrt(t120);
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = lanes::angle(s1, c1);
+                    let q2 = lanes::angle(s2, c2_[k][t]);
+                    let q3 = lanes::angle(s3, c3);
+                    invalid_[k][t] = invalid;
+                    residual_[k][t] = residual;
+                    q1_[k][t] = q1;
+                    q2_[k][t] = q2;
+                    q3_[k][t] = q3;
+                }
+            }
+            Lanes {
+                q: [q1_, q2_, q3_, q4_.all(), q5_.all(), q6_.all()],
+                residual: residual_,
+                invalid: invalid_,
+                singular: singular_.all(),
+                level: [[0.0; T]; 8],
+                no_root: [[0.0; T]; 8],
+            }
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Panda, 7, batches : own, inverse : none, derivatives : provided, determinant :
-        none, singularities : none
+        Panda, 7, batches : forward, inverse : none, derivatives : provided, determinant
+        : none, singularities : none
     }
 
     impl RedundantKinematics<7> for Panda {
@@ -1067,51 +1109,72 @@ mod __Panda {
             pose: &Pose,
             parameter: f64,
         ) -> ::core::option::Option<[f64; 16]> {
-            let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose.rotation;
-            let [px, py, pz] = pose.translation;
+            const T: usize = 1;
+            let targets = &[*pose];
+            let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
+                targets,
+            );
             // What is given beside the target; the seed, for an angle that both leave
             // free
             let ([s7], [c7]) = lanes::sin_cos([parameter]);
             // 1. q4 by SP3, given q7 (what all branches share)
             let t1 = 0.088 * c7;
             let t2 = 0.088 * s7;
-            let t3 = px + (r12 * t2 - r11 * t1 - 0.107 * r13);
-            let t4 = py + (r22 * t2 - r21 * t1 - 0.107 * r23);
-            let t5 = pz + (r32 * t2 - r31 * t1 - 0.107 * r33) - 0.333;
-            let t6 = 0.5 * (t5 * t5 + (t3 * t3 + t4 * t4));
-            let t7 = 0.13046224999999997 - t6;
-            let t8 = 0.01645395867506249 - t7 * t7;
-            let t9 = math::sqrt(math::select(t8 < 1.645395867506249e-15, 0.0, t8));
-            let t10 = math::max(
-                -0.12827298497759568,
-                -math::max(-0.12827298497759568, t6 - 0.13046224999999997),
-            );
-            let t11 = 0.11453774999999997 * t10;
-            let t12 = 0.057749999999999996 * t10;
-            // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
-            let t13 = 0.333 - pz;
-            let t14 = r33 * t13 - (r13 * px + r23 * py) + 0.107;
-            let t15 = c7 * (r11 * px + r21 * py - r31 * t13)
-                - s7 * (r12 * px + r22 * py - r32 * t13);
-            let t16 = t15 - 0.088;
-            let t17 = t14 * t14 + t16 * t16;
-            let t18 = -(1.049085042422014 * t8);
+            let mut t9_ = [0.0; T];
+            let mut t11_ = [0.0; T];
+            let mut t12_ = [0.0; T];
+            let mut t17_ = [0.0; T];
+            let mut t18_ = [0.0; T];
+            for t in 0..T {
+                // 1. q4 by SP3, given q7 (what all branches share)
+                let t3 = px[t] + (r12[t] * t2 - r11[t] * t1 - 0.107 * r13[t]);
+                let t4 = py[t] + (r22[t] * t2 - r21[t] * t1 - 0.107 * r23[t]);
+                let t5 = pz[t] + (r32[t] * t2 - r31[t] * t1 - 0.107 * r33[t]) - 0.333;
+                let t6 = 0.5 * (t5 * t5 + (t3 * t3 + t4 * t4));
+                let t7 = 0.13046224999999997 - t6;
+                let t8 = 0.01645395867506249 - t7 * t7;
+                let t9 = math::sqrt(math::select(t8 < 1.645395867506249e-15, 0.0, t8));
+                let t10 = math::max(
+                    -0.12827298497759568,
+                    -math::max(-0.12827298497759568, t6 - 0.13046224999999997),
+                );
+                let t11 = 0.11453774999999997 * t10;
+                let t12 = 0.057749999999999996 * t10;
+                // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
+                let t13 = 0.333 - pz[t];
+                let t14 = r33[t] * t13 - (r13[t] * px[t] + r23[t] * py[t]) + 0.107;
+                let t15 = c7 * (r11[t] * px[t] + r21[t] * py[t] - r31[t] * t13)
+                    - s7 * (r12[t] * px[t] + r22[t] * py[t] - r32[t] * t13);
+                let t16 = t15 - 0.088;
+                let t17 = t14 * t14 + t16 * t16;
+                let t18 = -(1.049085042422014 * t8);
+                t9_[t] = t9;
+                t11_[t] = t11;
+                t12_[t] = t12;
+                t17_[t] = t17;
+                t18_[t] = t18;
+            }
             // 2 lanes, by the signs of the roots: e1 of step 1
             let e1 = [1.0, -1.0];
-            let mut margin_ = [0.0; 2];
+            let mut margin_ = [[0.0; T]; 2];
             for k in 0..2 {
-                // 1. q4 by SP3, given q7
-                let t19 = e1[k] * t9;
-                // 2. q5 and q6 by SP2, given q4 and q7
-                let t20 = 19.205104755667552 * (t11 + 0.057749999999999996 * t19)
-                    + 5.013990956780295 * (t12 - 0.11453774999999997 * t19);
-                let t21 = t20 - 0.384;
-                let margin = -math::max(t18, -(1.0242485257114184 * (t17 - t21 * t21)));
-                margin_[k] = margin;
+                for t in 0..T {
+                    // 1. q4 by SP3, given q7
+                    let t19 = e1[k] * t9_[t];
+                    // 2. q5 and q6 by SP2, given q4 and q7
+                    let t20 = 19.205104755667552 * (t11_[t] + 0.057749999999999996 * t19)
+                        + 5.013990956780295 * (t12_[t] - 0.11453774999999997 * t19);
+                    let t21 = t20 - 0.384;
+                    let margin = -math::max(
+                        t18_[t],
+                        -(1.0242485257114184 * (t17_[t] - t21 * t21)),
+                    );
+                    margin_[k][t] = margin;
+                }
             }
             let mut margins = [0.0; 16];
             for (k, branch) in margins[..8].iter_mut().enumerate() {
-                *branch = margin_[k % 2];
+                *branch = margin_[k % 2][0];
             }
             Some(margins)
         }

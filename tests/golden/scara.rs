@@ -13,8 +13,7 @@
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, Forward, SideBySide, SinCos, dispatch, lanes,
-        math,
+        Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -307,144 +306,10 @@ mod __Scara {
                 .closest_by(|q| self.fk(q), pose, Target::Pose, &Self::ACCEPT)
         }
 
-        /// All branches of the plan as lanes, those that do not exist
-        /// marked.
+        /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 4]) -> Branches<4, 2> {
-            struct Lanes;
-            impl Dispatched<(&Pose, &[f64; 4])> for Lanes {
-                type Output = Branches<4, 2>;
-                #[inline(always)]
-                fn run((pose, seed): (&Pose, &[f64; 4])) -> Self::Output {
-                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                        .rotation;
-                    let [px, py, pz] = pose.translation;
-                    // The seed, for an angle that the target leaves free
-                    let ([t1], [t2]) = lanes::sin_cos([seed[2]]);
-                    // 1. q1+q2+q3 by SP1
-                    // 2. q4 by T2
-                    let t3 = r31 * pz + (r11 * px + r21 * py);
-                    let t4 = r32 * pz + (r12 * px + r22 * py);
-                    let t5 = r33 * pz + (r13 * px + r23 * py);
-                    let d4 = t5 - 0.5;
-                    // 3. q2 by SP3, given q4 (what all branches share)
-                    let t6 = -0.5 - d4;
-                    let t7 = px + r13 * t6;
-                    let t8 = py + r23 * t6;
-                    let t9 = pz + r33 * t6;
-                    let t10 = 0.5 * (t9 * t9 + (t7 * t7 + t8 * t8));
-                    let t11 = 0.125 - t10;
-                    let t12 = 0.014399999999999996 - t11 * t11;
-                    let t13 = math::select(t12 < 1.4399999999999997e-15, 1.0, 0.0);
-                    let t14 = math::sqrt(
-                        math::select(t12 < 1.4399999999999997e-15, 0.0, t12),
-                    );
-                    let t15 = math::max(
-                        -0.11999999999999998,
-                        -math::max(-0.11999999999999998, t10 - 0.125),
-                    );
-                    let t16 = 8.333333333333334 * t15;
-                    let c2 = -t16;
-                    // 4. q3 by SP1, given q2 and q4 (what all branches share)
-                    let t17 = 3.333333333333334 * t15 - 0.3;
-                    let t18 = t4 * t17;
-                    let t19 = t3 * t17;
-                    let t20 = t17 * t17;
-                    let t21 = t3 * t3 + t4 * t4;
-                    // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
-                    // branches share)
-                    let t22 = r11 * t16;
-                    let t23 = r12 * t16;
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t24 = r31 * r31;
-                    let t25 = 0.5 * (t24 + (r11 * r11 + r21 * r21) - 1.0);
-                    let t26 = r32 * r32;
-                    let t27 = 0.5 * (t26 + (r12 * r12 + r22 * r22) - 1.0);
-                    let t28 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    let t29 = r13 - (r21 * r32 - r22 * r31);
-                    let t30 = r23 - (r12 * r31 - r11 * r32);
-                    let t31 = r33 - (r11 * r22 - r12 * r21);
-                    let t32 = t25 * t25 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
-                        + t31 * t31;
-                    let t33 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                        + 1.44 * t32;
-                    let t34 = t5 - pz;
-                    let t35 = t34 * t34;
-                    let t36 = r12 + r21;
-                    let t37 = r11 - r22;
-                    let t38 = 1.0 - r33;
-                    let t39 = t26
-                        + (t24 + (r13 * r13 + t36 * t36 + t37 * t37 + r23 * r23))
-                        + t38 * t38;
-                    let t40 = 0.72 * t39;
-                    // 2 lanes, by the signs of the roots: e1 of step 3
-                    let e1 = [1.0, -1.0];
-                    let mut invalid_ = [0.0; 2];
-                    let mut singular_ = [0.0; 2];
-                    let mut residual_ = [0.0; 2];
-                    let mut q1_ = [0.0; 2];
-                    let mut q2_ = [0.0; 2];
-                    let mut q3_ = [0.0; 2];
-                    for k in 0..2 {
-                        // 3. q2 by SP3, given q4
-                        let invalid = math::select(
-                            t12 < 1.4399999999999997e-15,
-                            -e1[k],
-                            0.0,
-                        );
-                        let t41 = e1[k] * t14;
-                        let t42 = 8.333333333333334 * t41;
-                        let s2 = -t42;
-                        // 4. q3 by SP1, given q2 and q4
-                        let t43 = 3.333333333333334 * t41;
-                        let t44 = math::sqrt((t43 * t43 + t20) * t21);
-                        let singular = math::max(
-                            t13,
-                            math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
-                        );
-                        let t45 = 1.0 / t44;
-                        let s3 = math::select(
-                            t44 < 1.4399999999999998e-24,
-                            t1,
-                            (t4 * t43 - t19) * t45,
-                        );
-                        let c3 = math::select(
-                            t44 < 1.4399999999999998e-24,
-                            t2,
-                            -((t3 * t43 + t18) * t45),
-                        );
-                        // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
-                        let t46 = t23 + r11 * t42;
-                        let t47 = r12 * t42 - t22;
-                        let t48 = c3 * t46 - s3 * t47;
-                        let t49 = c3 * t47 + s3 * t46;
-                        // Residual: forward kinematics against the target
-                        let t50 = 0.3 * (t16 * t48 + t42 * t49) - 0.4 * t48 - px;
-                        let t51 = 0.4 * t49 + 0.3 * (t42 * t48 - t16 * t49) - py;
-                        let residual = math::sqrt(
-                            t33 + (t35 + (t50 * t50 + t51 * t51)) + t40,
-                        );
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = lanes::angle(t48, t49);
-                        let q2 = lanes::angle(s2, c2);
-                        let q3 = lanes::angle(s3, c3);
-                        invalid_[k] = invalid;
-                        singular_[k] = singular;
-                        residual_[k] = residual;
-                        q1_[k] = q1;
-                        q2_[k] = q2;
-                        q3_[k] = q3;
-                    }
-                    Branches {
-                        q: [q1_, q2_, q3_, [d4; 2]],
-                        residual: residual_,
-                        invalid: invalid_,
-                        singular: singular_,
-                    }
-                }
-            }
-            dispatch::<Lanes, _>((pose, seed))
+            Branches::of::<Self, _>(pose, seed, &[])
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -555,8 +420,189 @@ mod __Scara {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Inverse<4, 2, 0> for Scara {
+        const FREE: ::core::option::Option<usize> = None;
+        #[inline(always)]
+        fn lanes<const T: usize>(
+            targets: &[Pose; T],
+            seed: &[f64; 4],
+            locked: &[f64; 0],
+            free: f64,
+        ) -> Lanes<4, 2, T> {
+            let _ = locked;
+            let _ = free;
+            let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
+                targets,
+            );
+            // The seed, for an angle that the target leaves free
+            let ([t1], [t2]) = lanes::sin_cos([seed[2]]);
+            let mut t3_ = [0.0; T];
+            let mut t4_ = [0.0; T];
+            let mut d4_ = [0.0; T];
+            let mut t12_ = [0.0; T];
+            let mut t13_ = [0.0; T];
+            let mut t14_ = [0.0; T];
+            let mut t16_ = [0.0; T];
+            let mut c2_ = [0.0; T];
+            let mut t18_ = [0.0; T];
+            let mut t19_ = [0.0; T];
+            let mut t20_ = [0.0; T];
+            let mut t21_ = [0.0; T];
+            let mut t22_ = [0.0; T];
+            let mut t23_ = [0.0; T];
+            let mut t33_ = [0.0; T];
+            let mut t35_ = [0.0; T];
+            let mut t40_ = [0.0; T];
+            for t in 0..T {
+                // 1. q1+q2+q3 by SP1
+                // 2. q4 by T2
+                let t3 = r31[t] * pz[t] + (r11[t] * px[t] + r21[t] * py[t]);
+                let t4 = r32[t] * pz[t] + (r12[t] * px[t] + r22[t] * py[t]);
+                let t5 = r33[t] * pz[t] + (r13[t] * px[t] + r23[t] * py[t]);
+                let d4 = t5 - 0.5;
+                // 3. q2 by SP3, given q4 (what all branches share)
+                let t6 = -0.5 - d4;
+                let t7 = px[t] + r13[t] * t6;
+                let t8 = py[t] + r23[t] * t6;
+                let t9 = pz[t] + r33[t] * t6;
+                let t10 = 0.5 * (t9 * t9 + (t7 * t7 + t8 * t8));
+                let t11 = 0.125 - t10;
+                let t12 = 0.014399999999999996 - t11 * t11;
+                let t13 = math::select(t12 < 1.4399999999999997e-15, 1.0, 0.0);
+                let t14 = math::sqrt(
+                    math::select(t12 < 1.4399999999999997e-15, 0.0, t12),
+                );
+                let t15 = math::max(
+                    -0.11999999999999998,
+                    -math::max(-0.11999999999999998, t10 - 0.125),
+                );
+                let t16 = 8.333333333333334 * t15;
+                let c2 = -t16;
+                // 4. q3 by SP1, given q2 and q4 (what all branches share)
+                let t17 = 3.333333333333334 * t15 - 0.3;
+                let t18 = t4 * t17;
+                let t19 = t3 * t17;
+                let t20 = t17 * t17;
+                let t21 = t3 * t3 + t4 * t4;
+                // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
+                // branches share)
+                let t22 = r11[t] * t16;
+                let t23 = r12[t] * t16;
+                // Residual: forward kinematics against the target (what all branches
+                // share)
+                let t24 = r31[t] * r31[t];
+                let t25 = 0.5 * (t24 + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                let t26 = r32[t] * r32[t];
+                let t27 = 0.5 * (t26 + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                let t28 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                let t29 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                let t30 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                let t31 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                let t32 = t25 * t25 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
+                    + t31 * t31;
+                let t33 = 4.930380657631324e-32
+                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t])) + 1.44 * t32;
+                let t34 = t5 - pz[t];
+                let t35 = t34 * t34;
+                let t36 = r12[t] + r21[t];
+                let t37 = r11[t] - r22[t];
+                let t38 = 1.0 - r33[t];
+                let t39 = t26
+                    + (t24 + (r13[t] * r13[t] + t36 * t36 + t37 * t37 + r23[t] * r23[t]))
+                    + t38 * t38;
+                let t40 = 0.72 * t39;
+                t3_[t] = t3;
+                t4_[t] = t4;
+                d4_[t] = d4;
+                t12_[t] = t12;
+                t13_[t] = t13;
+                t14_[t] = t14;
+                t16_[t] = t16;
+                c2_[t] = c2;
+                t18_[t] = t18;
+                t19_[t] = t19;
+                t20_[t] = t20;
+                t21_[t] = t21;
+                t22_[t] = t22;
+                t23_[t] = t23;
+                t33_[t] = t33;
+                t35_[t] = t35;
+                t40_[t] = t40;
+            }
+            // 2 lanes, by the signs of the roots: e1 of step 3
+            let e1 = [1.0, -1.0];
+            let mut invalid_ = [[0.0; T]; 2];
+            let mut singular_ = [[0.0; T]; 2];
+            let mut residual_ = [[0.0; T]; 2];
+            let mut q1_ = [[0.0; T]; 2];
+            let mut q2_ = [[0.0; T]; 2];
+            let mut q3_ = [[0.0; T]; 2];
+            for k in 0..2 {
+                for t in 0..T {
+                    // 3. q2 by SP3, given q4
+                    let invalid = math::select(
+                        t12_[t] < 1.4399999999999997e-15,
+                        -e1[k],
+                        0.0,
+                    );
+                    let t41 = e1[k] * t14_[t];
+                    let t42 = 8.333333333333334 * t41;
+                    let s2 = -t42;
+                    // 4. q3 by SP1, given q2 and q4
+                    let t43 = 3.333333333333334 * t41;
+                    let t44 = math::sqrt((t43 * t43 + t20_[t]) * t21_[t]);
+                    let singular = math::max(
+                        t13_[t],
+                        math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
+                    );
+                    let t45 = 1.0 / t44;
+                    let s3 = math::select(
+                        t44 < 1.4399999999999998e-24,
+                        t1,
+                        (t4_[t] * t43 - t19_[t]) * t45,
+                    );
+                    let c3 = math::select(
+                        t44 < 1.4399999999999998e-24,
+                        t2,
+                        -((t3_[t] * t43 + t18_[t]) * t45),
+                    );
+                    // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
+                    let t46 = t23_[t] + r11[t] * t42;
+                    let t47 = r12[t] * t42 - t22_[t];
+                    let t48 = c3 * t46 - s3 * t47;
+                    let t49 = c3 * t47 + s3 * t46;
+                    // Residual: forward kinematics against the target
+                    let t50 = 0.3 * (t16_[t] * t48 + t42 * t49) - 0.4 * t48 - px[t];
+                    let t51 = 0.4 * t49 + 0.3 * (t42 * t48 - t16_[t] * t49) - py[t];
+                    let residual = math::sqrt(
+                        t33_[t] + (t35_[t] + (t50 * t50 + t51 * t51)) + t40_[t],
+                    );
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = lanes::angle(t48, t49);
+                    let q2 = lanes::angle(s2, c2_[t]);
+                    let q3 = lanes::angle(s3, c3);
+                    invalid_[k][t] = invalid;
+                    singular_[k][t] = singular;
+                    residual_[k][t] = residual;
+                    q1_[k][t] = q1;
+                    q2_[k][t] = q2;
+                    q3_[k][t] = q3;
+                }
+            }
+            Lanes {
+                q: [q1_, q2_, q3_, [d4_; 2]],
+                residual: residual_,
+                invalid: invalid_,
+                singular: singular_,
+                level: [[0.0; T]; 2],
+                no_root: [[0.0; T]; 2],
+            }
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Scara, 4, batches : own, inverse : own, derivatives : provided, determinant :
+        Scara, 4, batches : inverse, inverse : own, derivatives : provided, determinant :
         own, singularities : own
     }
 }

@@ -14,8 +14,8 @@
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Dispatched, FREE_BELOW, Forward, FreeAngle, SideBySide,
-        SinCos, dispatch, lanes, math, widen,
+        Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
+        widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -526,353 +526,7 @@ mod __Ur5e {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            let (branches, free_angle) = self.seeded(pose, seed, FREE_BELOW);
-            // A free angle at the seed's value can leave a later step no root: it turns
-            // to where it leaves the most room
-            if free_angle.leaves_no_root() {
-                return branches
-                    .with_free_angle(
-                        &free_angle,
-                        seed,
-                        3,
-                        |seed, free| { self.seeded(pose, seed, free) },
-                    );
-            }
-            branches
-        }
-
-        /// The branches, with the seed's value for an angle that is free, and
-        /// what a later step's root says of that. Vectors whose square is below
-        /// `free` tell no angle.
-        #[inline]
-        fn seeded(
-            &self,
-            pose: &Pose,
-            seed: &[f64; 6],
-            free: f64,
-        ) -> (Branches<6, 8>, FreeAngle<8>) {
-            struct Lanes;
-            impl Dispatched<(&Pose, &[f64; 6], f64)> for Lanes {
-                type Output = (Branches<6, 8>, FreeAngle<8>);
-                #[inline(always)]
-                fn run((pose, seed, free): (&Pose, &[f64; 6], f64)) -> Self::Output {
-                    let [[r11, r12, r13], [r21, r22, r23], [r31, r32, r33]] = pose
-                        .rotation;
-                    let [px, py, pz] = pose.translation;
-                    // The seed, for an angle that the target leaves free
-                    let t1 = seed[3] + (seed[1] + seed[2]);
-                    let ([t2, t3, t4], [t5, t6, t7]) = lanes::sin_cos([
-                        seed[0],
-                        seed[1],
-                        t1,
-                    ]);
-                    // 1. q1 by SP4 (what all branches share)
-                    let t8 = 0.0996 * r13;
-                    let t9 = 0.0996 * r23;
-                    let t10 = 0.0996 * r33;
-                    let t11 = px - t8;
-                    let t12 = t9 - py;
-                    let t13 = t12 * t12 + t11 * t11;
-                    let t14 = t13 - 0.01776889;
-                    let t15 = 1e-13 * t13;
-                    let t16 = math::sqrt(math::select(t14 < t15, 0.0, t14));
-                    let t17 = -math::sqrt(t13);
-                    let t18 = math::max(t17, -math::max(-0.1333, t17));
-                    let t19 = t12 * t18;
-                    let t20 = t11 * t18;
-                    let t21 = math::max(
-                        math::select(t14 < t15, 1.0, 0.0),
-                        math::select(t13 < 1.7221312899999994e-24, 1.0, 0.0),
-                    );
-                    let t22 = 1.0 / t13;
-                    // 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share)
-                    let t23 = r33 * r33;
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t24 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    let t25 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    let t26 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    let t27 = r13 - (r21 * r32 - r22 * r31);
-                    let t28 = r23 - (r12 * r31 - r11 * r32);
-                    let t29 = r33 - (r11 * r22 - r12 * r21);
-                    let t30 = t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28
-                        + t29 * t29;
-                    let t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py))
-                        + 1.7221312899999994 * t30;
-                    // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
-                    let e1 = [1.0, -1.0, 1.0, -1.0];
-                    let e2 = [1.0, 1.0, -1.0, -1.0];
-                    let mut s1_ = [0.0; 4];
-                    let mut c1_ = [0.0; 4];
-                    let mut t39_ = [0.0; 4];
-                    let mut s234_ = [0.0; 4];
-                    let mut c234_ = [0.0; 4];
-                    let mut t49_ = [0.0; 4];
-                    let mut level_ = [0.0; 4];
-                    let mut t52_ = [0.0; 4];
-                    let mut t53_ = [0.0; 4];
-                    let mut t54_ = [0.0; 4];
-                    let mut t56_ = [0.0; 4];
-                    let mut c3_ = [0.0; 4];
-                    let mut no_root_ = [0.0; 4];
-                    let mut t57_ = [0.0; 4];
-                    let mut t59_ = [0.0; 4];
-                    let mut t60_ = [0.0; 4];
-                    let mut t61_ = [0.0; 4];
-                    let mut t62_ = [0.0; 4];
-                    let mut t74_ = [0.0; 4];
-                    let mut t75_ = [0.0; 4];
-                    let mut t77_ = [0.0; 4];
-                    let mut t78_ = [0.0; 4];
-                    let mut t89_ = [0.0; 4];
-                    let mut q1_ = [0.0; 4];
-                    let mut q5_ = [0.0; 4];
-                    let mut q6_ = [0.0; 4];
-                    for k in 0..4 {
-                        // 1. q1 by SP4
-                        let t32 = -e1[k];
-                        let t33 = e1[k] * t16;
-                        let s1 = math::select(
-                            t13 < 1.7221312899999994e-24,
-                            t2,
-                            (t20 + t12 * t33) * t22,
-                        );
-                        let c1 = math::select(
-                            t13 < 1.7221312899999994e-24,
-                            t5,
-                            (t19 - t11 * t33) * t22,
-                        );
-                        // 2. q2+q3+q4 and q5 by SP2, given q1
-                        let t34 = r13 * s1;
-                        let t35 = r23 * c1;
-                        let t36 = r13 * c1 + r23 * s1;
-                        let t37 = t35 - t34;
-                        let c5 = t34 - t35;
-                        let t38 = t23 + t36 * t36;
-                        let t39 = math::max(
-                            math::max(
-                                math::select(t14 < t15, t32, 0.0),
-                                math::select(t13 < 1.7221312899999994e-24, t32, 0.0),
-                            ),
-                            math::select(t38 < free, -e2[k], 0.0),
-                        );
-                        let s5 = e2[k] * math::sqrt(math::select(t38 < free, 0.0, t38));
-                        let t40 = 1.0 / t38;
-                        let s234 = math::select(t38 < free, t4, -(r33 * s5 * t40));
-                        let c234 = math::select(t38 < free, t7, -(t36 * s5 * t40));
-                        // 3. q6 by SP1, given q1 and q2+q3+q4
-                        let t41 = c1 * s234;
-                        let t42 = s1 * s234;
-                        let t43 = r31 * c234;
-                        let t44 = r11 * t41 + r21 * t42;
-                        let c6 = r32 * c234 - (r12 * t41 + r22 * t42);
-                        let s6 = t43 - t44;
-                        // 4. q3 by SP3, given q6 (what several branches share)
-                        let t45 = 0.0997 * c6;
-                        let t46 = 0.0997 * (t44 - t43);
-                        let t47 = px + (r12 * t45 - r11 * t46 - t8);
-                        let t48 = py + (r22 * t45 - r21 * t46 - t9);
-                        let t49 = pz + (r32 * t45 - r31 * t46 - t10) - 0.1625;
-                        let t50 = t49 * t49;
-                        let t51 = 0.5 * (t50 + (t47 * t47 + t48 * t48));
-                        let level = 0.17610736499999996 - t51;
-                        let t52 = 0.02778388922499999 - level * level;
-                        let t53 = math::max(
-                            math::max(
-                                math::max(t21, math::select(t38 < 1e-13, 1.0, 0.0)),
-                                math::select(t38 < free, 1.0, 0.0),
-                            ),
-                            math::select(t52 < 2.778388922499999e-15, 1.0, 0.0),
-                        );
-                        let t54 = math::sqrt(
-                            math::select(t52 < 2.778388922499999e-15, 0.0, t52),
-                        );
-                        let t55 = math::max(
-                            -0.16668499999999997,
-                            -math::max(-0.16668499999999997, t51 - 0.17610736499999996),
-                        );
-                        let t56 = 5.999340072592016 * t55;
-                        let c3 = -t56;
-                        let no_root = math::select(
-                            t38 < 2.5e-19,
-                            math::select(t52 < -2.778388922499999e-15, 1.0, 0.0),
-                            0.0,
-                        );
-                        // 5. q2 by SP1, given q1, q3 and q6 (what several branches
-                        // share)
-                        let t57 = c1 * t47 + s1 * t48;
-                        let t58 = 0.425 - 2.3529411764705883 * t55;
-                        let t59 = t57 * t58;
-                        let t60 = t49 * t58;
-                        let t61 = t50 + t57 * t57;
-                        let t62 = t58 * t58;
-                        // Residual: forward kinematics against the target (what several
-                        // branches share)
-                        let t63 = c5 * s6;
-                        let t64 = s5 * s6;
-                        let t65 = c234 * c6 - s234 * t63;
-                        let t66 = s234 * c6 + c234 * t63;
-                        let t67 = c1 * t66 + s1 * t64;
-                        let t68 = c1 * t64 - s1 * t66;
-                        let t69 = s5 * c234;
-                        let t70 = s5 * s234;
-                        let t71 = c1 * t69 + s1 * t37;
-                        let t72 = c1 * t37 - s1 * t69;
-                        let t73 = 0.0996 * s5;
-                        let t74 = 0.0997 * c234 + s234 * t73;
-                        let t75 = c234 * t73 - 0.0997 * s234;
-                        let t76 = -0.1333 - 0.0996 * c5;
-                        let t77 = c1 * t76;
-                        let t78 = s1 * t76;
-                        let t79 = r11 + (t68 * t70 + t65 * t72);
-                        let t80 = r12 + t67;
-                        let t81 = r13 + t71;
-                        let t82 = r21 + (t65 * t71 + t67 * t70);
-                        let t83 = t68 - r22;
-                        let t84 = t72 - r23;
-                        let t85 = t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82
-                            + t83 * t83 + t84 * t84;
-                        let t86 = t68 * t71 - t67 * t72 - r31;
-                        let t87 = t65 - r32;
-                        let t88 = r33 + t70;
-                        let t89 = 0.8610656449999997
-                            * (t85 + t86 * t86 + t87 * t87 + t88 * t88);
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = lanes::angle(s1, c1);
-                        let q5 = lanes::angle(s5, c5);
-                        let q6 = lanes::angle(s6, c6);
-                        s1_[k] = s1;
-                        c1_[k] = c1;
-                        t39_[k] = t39;
-                        s234_[k] = s234;
-                        c234_[k] = c234;
-                        t49_[k] = t49;
-                        level_[k] = level;
-                        t52_[k] = t52;
-                        t53_[k] = t53;
-                        t54_[k] = t54;
-                        t56_[k] = t56;
-                        c3_[k] = c3;
-                        no_root_[k] = no_root;
-                        t57_[k] = t57;
-                        t59_[k] = t59;
-                        t60_[k] = t60;
-                        t61_[k] = t61;
-                        t62_[k] = t62;
-                        t74_[k] = t74;
-                        t75_[k] = t75;
-                        t77_[k] = t77;
-                        t78_[k] = t78;
-                        t89_[k] = t89;
-                        q1_[k] = q1;
-                        q5_[k] = q5;
-                        q6_[k] = q6;
-                    }
-                    // From 4 lanes to 8: lane k goes on from lane k modulo 4
-                    let s1_ = widen::<4, 8>(s1_);
-                    let c1_ = widen::<4, 8>(c1_);
-                    let t39_ = widen::<4, 8>(t39_);
-                    let s234_ = widen::<4, 8>(s234_);
-                    let c234_ = widen::<4, 8>(c234_);
-                    let t49_ = widen::<4, 8>(t49_);
-                    let level_ = widen::<4, 8>(level_);
-                    let t52_ = widen::<4, 8>(t52_);
-                    let t53_ = widen::<4, 8>(t53_);
-                    let t54_ = widen::<4, 8>(t54_);
-                    let t56_ = widen::<4, 8>(t56_);
-                    let c3_ = widen::<4, 8>(c3_);
-                    let no_root_ = widen::<4, 8>(no_root_);
-                    let t57_ = widen::<4, 8>(t57_);
-                    let t59_ = widen::<4, 8>(t59_);
-                    let t60_ = widen::<4, 8>(t60_);
-                    let t61_ = widen::<4, 8>(t61_);
-                    let t62_ = widen::<4, 8>(t62_);
-                    let t74_ = widen::<4, 8>(t74_);
-                    let t75_ = widen::<4, 8>(t75_);
-                    let t77_ = widen::<4, 8>(t77_);
-                    let t78_ = widen::<4, 8>(t78_);
-                    let t89_ = widen::<4, 8>(t89_);
-                    let q1_ = widen::<4, 8>(q1_);
-                    let q5_ = widen::<4, 8>(q5_);
-                    let q6_ = widen::<4, 8>(q6_);
-                    // 8 lanes, by the signs of the roots: e3 of step 4
-                    let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-                    let mut invalid_ = [0.0; 8];
-                    let mut singular_ = [0.0; 8];
-                    let mut residual_ = [0.0; 8];
-                    let mut q2_ = [0.0; 8];
-                    let mut q3_ = [0.0; 8];
-                    let mut q4_ = [0.0; 8];
-                    for k in 0..8 {
-                        // 4. q3 by SP3, given q6
-                        let invalid = math::max(
-                            t39_[k],
-                            math::select(t52_[k] < 2.778388922499999e-15, -e3[k], 0.0),
-                        );
-                        let t90 = e3[k] * t54_[k];
-                        let t91 = 5.999340072592016 * t90;
-                        let s3 = -t91;
-                        // 5. q2 by SP1, given q1, q3 and q6
-                        let t92 = 2.3529411764705883 * t90;
-                        let t93 = math::sqrt(t61_[k] * (t92 * t92 + t62_[k]));
-                        let singular = math::max(
-                            t53_[k],
-                            math::select(t93 < 1.7221312899999994e-24, 1.0, 0.0),
-                        );
-                        let t94 = 1.0 / t93;
-                        let s2 = math::select(
-                            t93 < 1.7221312899999994e-24,
-                            t3,
-                            -((t57_[k] * t92 + t60_[k]) * t94),
-                        );
-                        let c2 = math::select(
-                            t93 < 1.7221312899999994e-24,
-                            t6,
-                            (t49_[k] * t92 - t59_[k]) * t94,
-                        );
-                        // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                        let t95 = s234_[k] * c2 - c234_[k] * s2;
-                        let t96 = c234_[k] * c2 + s234_[k] * s2;
-                        // Residual: forward kinematics against the target
-                        let t97 = 0.425 * c2 + 0.3922 * (t91 * s2 - t56_[k] * c2)
-                            + t75_[k];
-                        let t98 = 0.3922 * (t56_[k] * s2 + t91 * c2) - 0.425 * s2
-                            - t74_[k] + 0.1625;
-                        let t99 = px + (c1_[k] * t97 + t78_[k]);
-                        let t100 = t77_[k] - s1_[k] * t97 - py;
-                        let t101 = t98 - pz;
-                        let residual = math::sqrt(
-                            t31 + (t101 * t101 + (t99 * t99 + t100 * t100)) + t89_[k],
-                        );
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q2 = lanes::angle(s2, c2);
-                        let q3 = lanes::angle(s3, c3_[k]);
-                        let q4 = lanes::angle(
-                            t91 * t96 - t56_[k] * t95,
-                            -(t56_[k] * t96 + t91 * t95),
-                        );
-                        invalid_[k] = invalid;
-                        singular_[k] = singular;
-                        residual_[k] = residual;
-                        q2_[k] = q2;
-                        q3_[k] = q3;
-                        q4_[k] = q4;
-                    }
-                    (
-                        Branches {
-                            q: [q1_, q2_, q3_, q4_, q5_, q6_],
-                            residual: residual_,
-                            invalid: invalid_,
-                            singular: singular_,
-                        },
-                        FreeAngle {
-                            level: level_,
-                            no_root: no_root_,
-                        },
-                    )
-                }
-            }
-            dispatch::<Lanes, _>((pose, seed, free))
+            Branches::of::<Self, _>(pose, seed, &[])
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -1073,9 +727,367 @@ mod __Ur5e {
             )
         }
     }
+
+    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+    impl Inverse<6, 8, 0> for Ur5e {
+        const FREE: ::core::option::Option<usize> = Some(3);
+        #[inline(always)]
+        fn lanes<const T: usize>(
+            targets: &[Pose; T],
+            seed: &[f64; 6],
+            locked: &[f64; 0],
+            free: f64,
+        ) -> Lanes<6, 8, T> {
+            let _ = locked;
+            let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
+                targets,
+            );
+            // The seed, for an angle that the target leaves free
+            let t1 = seed[3] + (seed[1] + seed[2]);
+            let ([t2, t3, t4], [t5, t6, t7]) = lanes::sin_cos([seed[0], seed[1], t1]);
+            let mut t8_ = [0.0; T];
+            let mut t9_ = [0.0; T];
+            let mut t10_ = [0.0; T];
+            let mut t11_ = [0.0; T];
+            let mut t12_ = [0.0; T];
+            let mut t13_ = [0.0; T];
+            let mut t14_ = [0.0; T];
+            let mut t15_ = [0.0; T];
+            let mut t16_ = [0.0; T];
+            let mut t19_ = [0.0; T];
+            let mut t20_ = [0.0; T];
+            let mut t21_ = [0.0; T];
+            let mut t22_ = [0.0; T];
+            let mut t23_ = [0.0; T];
+            let mut t31_ = [0.0; T];
+            for t in 0..T {
+                // 1. q1 by SP4 (what all branches share)
+                let t8 = 0.0996 * r13[t];
+                let t9 = 0.0996 * r23[t];
+                let t10 = 0.0996 * r33[t];
+                let t11 = px[t] - t8;
+                let t12 = t9 - py[t];
+                let t13 = t12 * t12 + t11 * t11;
+                let t14 = t13 - 0.01776889;
+                let t15 = 1e-13 * t13;
+                let t16 = math::sqrt(math::select(t14 < t15, 0.0, t14));
+                let t17 = -math::sqrt(t13);
+                let t18 = math::max(t17, -math::max(-0.1333, t17));
+                let t19 = t12 * t18;
+                let t20 = t11 * t18;
+                let t21 = math::max(
+                    math::select(t14 < t15, 1.0, 0.0),
+                    math::select(t13 < 1.7221312899999994e-24, 1.0, 0.0),
+                );
+                let t22 = 1.0 / t13;
+                // 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share)
+                let t23 = r33[t] * r33[t];
+                // Residual: forward kinematics against the target (what all branches
+                // share)
+                let t24 = 0.5
+                    * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                let t25 = 0.5
+                    * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
+                let t26 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                let t27 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                let t28 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                let t29 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                let t30 = t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28
+                    + t29 * t29;
+                let t31 = 4.930380657631324e-32
+                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t]))
+                    + 1.7221312899999994 * t30;
+                t8_[t] = t8;
+                t9_[t] = t9;
+                t10_[t] = t10;
+                t11_[t] = t11;
+                t12_[t] = t12;
+                t13_[t] = t13;
+                t14_[t] = t14;
+                t15_[t] = t15;
+                t16_[t] = t16;
+                t19_[t] = t19;
+                t20_[t] = t20;
+                t21_[t] = t21;
+                t22_[t] = t22;
+                t23_[t] = t23;
+                t31_[t] = t31;
+            }
+            // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
+            let e1 = [1.0, -1.0, 1.0, -1.0];
+            let e2 = [1.0, 1.0, -1.0, -1.0];
+            let mut s1_ = [[0.0; T]; 4];
+            let mut c1_ = [[0.0; T]; 4];
+            let mut t39_ = [[0.0; T]; 4];
+            let mut s234_ = [[0.0; T]; 4];
+            let mut c234_ = [[0.0; T]; 4];
+            let mut t49_ = [[0.0; T]; 4];
+            let mut level_ = [[0.0; T]; 4];
+            let mut t52_ = [[0.0; T]; 4];
+            let mut t53_ = [[0.0; T]; 4];
+            let mut t54_ = [[0.0; T]; 4];
+            let mut t56_ = [[0.0; T]; 4];
+            let mut c3_ = [[0.0; T]; 4];
+            let mut no_root_ = [[0.0; T]; 4];
+            let mut t57_ = [[0.0; T]; 4];
+            let mut t59_ = [[0.0; T]; 4];
+            let mut t60_ = [[0.0; T]; 4];
+            let mut t61_ = [[0.0; T]; 4];
+            let mut t62_ = [[0.0; T]; 4];
+            let mut t74_ = [[0.0; T]; 4];
+            let mut t75_ = [[0.0; T]; 4];
+            let mut t77_ = [[0.0; T]; 4];
+            let mut t78_ = [[0.0; T]; 4];
+            let mut t89_ = [[0.0; T]; 4];
+            let mut q1_ = [[0.0; T]; 4];
+            let mut q5_ = [[0.0; T]; 4];
+            let mut q6_ = [[0.0; T]; 4];
+            for k in 0..4 {
+                for t in 0..T {
+                    // 1. q1 by SP4
+                    let t32 = -e1[k];
+                    let t33 = e1[k] * t16_[t];
+                    let s1 = math::select(
+                        t13_[t] < 1.7221312899999994e-24,
+                        t2,
+                        (t20_[t] + t12_[t] * t33) * t22_[t],
+                    );
+                    let c1 = math::select(
+                        t13_[t] < 1.7221312899999994e-24,
+                        t5,
+                        (t19_[t] - t11_[t] * t33) * t22_[t],
+                    );
+                    // 2. q2+q3+q4 and q5 by SP2, given q1
+                    let t34 = r13[t] * s1;
+                    let t35 = r23[t] * c1;
+                    let t36 = r13[t] * c1 + r23[t] * s1;
+                    let t37 = t35 - t34;
+                    let c5 = t34 - t35;
+                    let t38 = t23_[t] + t36 * t36;
+                    let t39 = math::max(
+                        math::max(
+                            math::select(t14_[t] < t15_[t], t32, 0.0),
+                            math::select(t13_[t] < 1.7221312899999994e-24, t32, 0.0),
+                        ),
+                        math::select(t38 < free, -e2[k], 0.0),
+                    );
+                    let s5 = e2[k] * math::sqrt(math::select(t38 < free, 0.0, t38));
+                    let t40 = 1.0 / t38;
+                    let s234 = math::select(t38 < free, t4, -(r33[t] * s5 * t40));
+                    let c234 = math::select(t38 < free, t7, -(t36 * s5 * t40));
+                    // 3. q6 by SP1, given q1 and q2+q3+q4
+                    let t41 = c1 * s234;
+                    let t42 = s1 * s234;
+                    let t43 = r31[t] * c234;
+                    let t44 = r11[t] * t41 + r21[t] * t42;
+                    let c6 = r32[t] * c234 - (r12[t] * t41 + r22[t] * t42);
+                    let s6 = t43 - t44;
+                    // 4. q3 by SP3, given q6 (what several branches share)
+                    let t45 = 0.0997 * c6;
+                    let t46 = 0.0997 * (t44 - t43);
+                    let t47 = px[t] + (r12[t] * t45 - r11[t] * t46 - t8_[t]);
+                    let t48 = py[t] + (r22[t] * t45 - r21[t] * t46 - t9_[t]);
+                    let t49 = pz[t] + (r32[t] * t45 - r31[t] * t46 - t10_[t]) - 0.1625;
+                    let t50 = t49 * t49;
+                    let t51 = 0.5 * (t50 + (t47 * t47 + t48 * t48));
+                    let level = 0.17610736499999996 - t51;
+                    let t52 = 0.02778388922499999 - level * level;
+                    let t53 = math::max(
+                        math::max(
+                            math::max(t21_[t], math::select(t38 < 1e-13, 1.0, 0.0)),
+                            math::select(t38 < free, 1.0, 0.0),
+                        ),
+                        math::select(t52 < 2.778388922499999e-15, 1.0, 0.0),
+                    );
+                    let t54 = math::sqrt(
+                        math::select(t52 < 2.778388922499999e-15, 0.0, t52),
+                    );
+                    let t55 = math::max(
+                        -0.16668499999999997,
+                        -math::max(-0.16668499999999997, t51 - 0.17610736499999996),
+                    );
+                    let t56 = 5.999340072592016 * t55;
+                    let c3 = -t56;
+                    let no_root = math::select(
+                        t38 < 2.5e-19,
+                        math::select(t52 < -2.778388922499999e-15, 1.0, 0.0),
+                        0.0,
+                    );
+                    // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
+                    let t57 = c1 * t47 + s1 * t48;
+                    let t58 = 0.425 - 2.3529411764705883 * t55;
+                    let t59 = t57 * t58;
+                    let t60 = t49 * t58;
+                    let t61 = t50 + t57 * t57;
+                    let t62 = t58 * t58;
+                    // Residual: forward kinematics against the target (what several
+                    // branches share)
+                    let t63 = c5 * s6;
+                    let t64 = s5 * s6;
+                    let t65 = c234 * c6 - s234 * t63;
+                    let t66 = s234 * c6 + c234 * t63;
+                    let t67 = c1 * t66 + s1 * t64;
+                    let t68 = c1 * t64 - s1 * t66;
+                    let t69 = s5 * c234;
+                    let t70 = s5 * s234;
+                    let t71 = c1 * t69 + s1 * t37;
+                    let t72 = c1 * t37 - s1 * t69;
+                    let t73 = 0.0996 * s5;
+                    let t74 = 0.0997 * c234 + s234 * t73;
+                    let t75 = c234 * t73 - 0.0997 * s234;
+                    let t76 = -0.1333 - 0.0996 * c5;
+                    let t77 = c1 * t76;
+                    let t78 = s1 * t76;
+                    let t79 = r11[t] + (t68 * t70 + t65 * t72);
+                    let t80 = r12[t] + t67;
+                    let t81 = r13[t] + t71;
+                    let t82 = r21[t] + (t65 * t71 + t67 * t70);
+                    let t83 = t68 - r22[t];
+                    let t84 = t72 - r23[t];
+                    let t85 = t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82 + t83 * t83
+                        + t84 * t84;
+                    let t86 = t68 * t71 - t67 * t72 - r31[t];
+                    let t87 = t65 - r32[t];
+                    let t88 = r33[t] + t70;
+                    let t89 = 0.8610656449999997
+                        * (t85 + t86 * t86 + t87 * t87 + t88 * t88);
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = lanes::angle(s1, c1);
+                    let q5 = lanes::angle(s5, c5);
+                    let q6 = lanes::angle(s6, c6);
+                    s1_[k][t] = s1;
+                    c1_[k][t] = c1;
+                    t39_[k][t] = t39;
+                    s234_[k][t] = s234;
+                    c234_[k][t] = c234;
+                    t49_[k][t] = t49;
+                    level_[k][t] = level;
+                    t52_[k][t] = t52;
+                    t53_[k][t] = t53;
+                    t54_[k][t] = t54;
+                    t56_[k][t] = t56;
+                    c3_[k][t] = c3;
+                    no_root_[k][t] = no_root;
+                    t57_[k][t] = t57;
+                    t59_[k][t] = t59;
+                    t60_[k][t] = t60;
+                    t61_[k][t] = t61;
+                    t62_[k][t] = t62;
+                    t74_[k][t] = t74;
+                    t75_[k][t] = t75;
+                    t77_[k][t] = t77;
+                    t78_[k][t] = t78;
+                    t89_[k][t] = t89;
+                    q1_[k][t] = q1;
+                    q5_[k][t] = q5;
+                    q6_[k][t] = q6;
+                }
+            }
+            // From 4 lanes to 8: lane k goes on from lane k modulo 4
+            let s1_ = widen::<4, 8, T, _>(&s1_);
+            let c1_ = widen::<4, 8, T, _>(&c1_);
+            let t39_ = widen::<4, 8, T, _>(&t39_);
+            let s234_ = widen::<4, 8, T, _>(&s234_);
+            let c234_ = widen::<4, 8, T, _>(&c234_);
+            let t49_ = widen::<4, 8, T, _>(&t49_);
+            let level_ = widen::<4, 8, T, _>(&level_);
+            let t52_ = widen::<4, 8, T, _>(&t52_);
+            let t53_ = widen::<4, 8, T, _>(&t53_);
+            let t54_ = widen::<4, 8, T, _>(&t54_);
+            let t56_ = widen::<4, 8, T, _>(&t56_);
+            let c3_ = widen::<4, 8, T, _>(&c3_);
+            let no_root_ = widen::<4, 8, T, _>(&no_root_);
+            let t57_ = widen::<4, 8, T, _>(&t57_);
+            let t59_ = widen::<4, 8, T, _>(&t59_);
+            let t60_ = widen::<4, 8, T, _>(&t60_);
+            let t61_ = widen::<4, 8, T, _>(&t61_);
+            let t62_ = widen::<4, 8, T, _>(&t62_);
+            let t74_ = widen::<4, 8, T, _>(&t74_);
+            let t75_ = widen::<4, 8, T, _>(&t75_);
+            let t77_ = widen::<4, 8, T, _>(&t77_);
+            let t78_ = widen::<4, 8, T, _>(&t78_);
+            let t89_ = widen::<4, 8, T, _>(&t89_);
+            let q1_ = widen::<4, 8, T, _>(&q1_);
+            let q5_ = widen::<4, 8, T, _>(&q5_);
+            let q6_ = widen::<4, 8, T, _>(&q6_);
+            // 8 lanes, by the signs of the roots: e3 of step 4
+            let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
+            let mut invalid_ = [[0.0; T]; 8];
+            let mut singular_ = [[0.0; T]; 8];
+            let mut residual_ = [[0.0; T]; 8];
+            let mut q2_ = [[0.0; T]; 8];
+            let mut q3_ = [[0.0; T]; 8];
+            let mut q4_ = [[0.0; T]; 8];
+            for k in 0..8 {
+                for t in 0..T {
+                    // 4. q3 by SP3, given q6
+                    let invalid = math::max(
+                        t39_[k][t],
+                        math::select(t52_[k][t] < 2.778388922499999e-15, -e3[k], 0.0),
+                    );
+                    let t90 = e3[k] * t54_[k][t];
+                    let t91 = 5.999340072592016 * t90;
+                    let s3 = -t91;
+                    // 5. q2 by SP1, given q1, q3 and q6
+                    let t92 = 2.3529411764705883 * t90;
+                    let t93 = math::sqrt(t61_[k][t] * (t92 * t92 + t62_[k][t]));
+                    let singular = math::max(
+                        t53_[k][t],
+                        math::select(t93 < 1.7221312899999994e-24, 1.0, 0.0),
+                    );
+                    let t94 = 1.0 / t93;
+                    let s2 = math::select(
+                        t93 < 1.7221312899999994e-24,
+                        t3,
+                        -((t57_[k][t] * t92 + t60_[k][t]) * t94),
+                    );
+                    let c2 = math::select(
+                        t93 < 1.7221312899999994e-24,
+                        t6,
+                        (t49_[k][t] * t92 - t59_[k][t]) * t94,
+                    );
+                    // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
+                    let t95 = s234_[k][t] * c2 - c234_[k][t] * s2;
+                    let t96 = c234_[k][t] * c2 + s234_[k][t] * s2;
+                    // Residual: forward kinematics against the target
+                    let t97 = 0.425 * c2 + 0.3922 * (t91 * s2 - t56_[k][t] * c2)
+                        + t75_[k][t];
+                    let t98 = 0.3922 * (t56_[k][t] * s2 + t91 * c2) - 0.425 * s2
+                        - t74_[k][t] + 0.1625;
+                    let t99 = px[t] + (c1_[k][t] * t97 + t78_[k][t]);
+                    let t100 = t77_[k][t] - s1_[k][t] * t97 - py[t];
+                    let t101 = t98 - pz[t];
+                    let residual = math::sqrt(
+                        t31_[t] + (t101 * t101 + (t99 * t99 + t100 * t100)) + t89_[k][t],
+                    );
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q2 = lanes::angle(s2, c2);
+                    let q3 = lanes::angle(s3, c3_[k][t]);
+                    let q4 = lanes::angle(
+                        t91 * t96 - t56_[k][t] * t95,
+                        -(t56_[k][t] * t96 + t91 * t95),
+                    );
+                    invalid_[k][t] = invalid;
+                    singular_[k][t] = singular;
+                    residual_[k][t] = residual;
+                    q2_[k][t] = q2;
+                    q3_[k][t] = q3;
+                    q4_[k][t] = q4;
+                }
+            }
+            Lanes {
+                q: [q1_.all(), q2_, q3_, q4_, q5_.all(), q6_.all()],
+                residual: residual_,
+                invalid: invalid_,
+                singular: singular_,
+                level: level_.all(),
+                no_root: no_root_.all(),
+            }
+        }
+    }
     ::kinematics::__private::implement_kinematics! {
-        Ur5e, 6, batches : own, inverse : own, derivatives : provided, determinant : own,
-        singularities : own
+        Ur5e, 6, batches : inverse, inverse : own, derivatives : provided, determinant :
+        own, singularities : own
     }
 }
 

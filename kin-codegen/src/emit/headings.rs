@@ -94,6 +94,11 @@ struct Part {
     is_told: bool,
 }
 
+/// The stage of what is computed of the joints that are given, and of the seed.
+pub const GIVEN: usize = 0;
+/// That of what all branches of a target share; the loops over branches follow.
+pub const SHARED: usize = 1;
+
 /// The headings of all parts.
 pub struct Headings {
     parts: Vec<Part>,
@@ -143,7 +148,7 @@ impl Headings {
             if last == stage || stands {
                 let which = match stage {
                     _ if last == stage || !part.is_told => "",
-                    0 => " (what all branches share)",
+                    ..=SHARED => " (what all branches share)",
                     _ => " (what several branches share)",
                 };
                 headings.push((part.begins, format!("{}{which}", part.text)));

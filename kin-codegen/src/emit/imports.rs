@@ -28,20 +28,19 @@ const PUBLIC: [&str; 19] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 18] = [
+const PRIVATE: [&str; 17] = [
     "Acceptance",
     "AtSwivel",
     "Branches",
-    "Dispatched",
     "Elimination",
     "FREE_BELOW",
     "Forward",
-    "FreeAngle",
+    "Inverse",
+    "Lanes",
     "Locked",
     "SideBySide",
     "SinCos",
     "Univariate",
-    "dispatch",
     "lanes",
     "math",
     "three_spheres",

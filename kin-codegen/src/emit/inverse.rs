@@ -1,7 +1,6 @@
 //! Inverse kinematics as Rust functions.
 
-use super::comment::comment;
-use super::lanes::{Lanes, lanes};
+use super::lanes::{Lanes, TARGET, lanes};
 use super::straight::literal;
 use super::univariate;
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
@@ -9,20 +8,17 @@ use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
 use kin_runtime::__private::Acceptance;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The methods that solve for joint values.
 pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
-    let inverse: &InverseGraph = match &solver.inverse {
-        Inverse::Expressions(inverse) => inverse,
-        Inverse::Univariate(arm) => {
-            let what = what(solver.plan.target);
-            return univariate::methods(arm, model.variables.len(), &what);
-        }
-    };
+    if let Inverse::Univariate(arm) = &solver.inverse {
+        let what = what(solver.plan.target);
+        return univariate::methods(arm, model.variables.len(), &what);
+    }
     let n = Literal::usize_unsuffixed(model.variables.len());
-    let branches = branches(solver, inverse);
+    let branches = branches(solver);
     let accept = acceptance(solver);
     let sorted = sorted(solver);
     let closest = closest(model, solver);
@@ -72,131 +68,97 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
 }
 
 /// The private method `branches`, which `ik` and its like share.
-pub fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> TokenStream {
-    let solved = solver.given.variables();
-    let n = Literal::usize_unsuffixed(solved);
-    let width = Literal::usize_unsuffixed(solver.plan.branches());
-    let seed = (0..solved).map(|i| {
-        let i = Literal::usize_unsuffixed(i);
-        quote!(seed[#i])
-    });
-    let locked = solver.given.parameters();
-    let given = (0..locked).map(|k| {
-        let k = Literal::usize_unsuffixed(k);
-        quote!(locked[#k])
-    });
-    let free = [quote!(free)];
-    let (takes, passes, kind) = match locked {
-        0 => (quote!(), quote!(), quote!()),
-        k => {
-            let k = Literal::usize_unsuffixed(k);
-            let kind = quote!(&[f64; #k]);
-            (quote!(, locked: #kind), quote!(, locked), quote!(, #kind))
-        }
+pub fn branches(solver: &ClosedForm) -> TokenStream {
+    let [n, width, locked] = sizes(solver);
+    let (takes, given) = match solver.given.parameters() {
+        0 => (quote!(), quote!(&[])),
+        _ => (quote!(, locked: &[f64; #locked]), quote!(locked)),
     };
-    let (statements, lanes) = statements(solver, inverse, seed.chain(given).chain(free));
-    let q = &lanes.q;
-    let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
-    let mut seeds = lanes.inputs.iter().skip(TARGET).take(solved);
-    let unused = seeds.all(|used| !used);
-    let unused = unused.then(|| quote!(let _ = seed;));
-    let statements = quote! {
-        #unused
-        #statements
-    };
-    let branches = quote! {
-        Branches {
-            q: [#(#q),*],
-            residual: #residual,
-            invalid: #invalid,
-            singular: #singular,
-        }
-    };
-    let Some((free, said)) = inverse.free_angle.zip(lanes.free_angle) else {
-        let run = dispatched(
-            &quote!((pose, seed #passes)),
-            &quote!((&Pose, &[f64; #n] #kind)),
-            &quote!(Branches<#n, #width>),
-            &quote!(#statements #branches),
-        );
-        return quote! {
-            /// All branches of the plan as lanes, those that do not exist
-            /// marked.
-            #[inline]
-            fn branches(
-                &self, pose: &Pose, seed: &[f64; #n] #takes
-            ) -> Branches<#n, #width> {
-                #run
-            }
-        };
-    };
-    let coordinate = Literal::usize_unsuffixed(free.coordinate);
-    let where_it_goes = comment(
-        "A free angle at the seed's value can leave a later step no root: it turns to where it \
-         leaves the most room",
-    );
-    let run = dispatched(
-        &quote!((pose, seed #passes, free)),
-        &quote!((&Pose, &[f64; #n] #kind, f64)),
-        &quote!((Branches<#n, #width>, FreeAngle<#width>)),
-        &quote!(#statements (#branches, #said)),
-    );
     quote! {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(
             &self, pose: &Pose, seed: &[f64; #n] #takes
         ) -> Branches<#n, #width> {
-            let (branches, free_angle) = self.seeded(pose, seed #passes, FREE_BELOW);
-            #where_it_goes
-            if free_angle.leaves_no_root() {
-                return branches.with_free_angle(&free_angle, seed, #coordinate, |seed, free| {
-                    self.seeded(pose, seed #passes, free)
-                });
-            }
-            branches
-        }
-
-        /// The branches, with the seed's value for an angle that is free, and
-        /// what a later step's root says of that. Vectors whose square is below
-        /// `free` tell no angle.
-        #[inline]
-        fn seeded(
-            &self,
-            pose: &Pose,
-            seed: &[f64; #n]
-            #takes,
-            free: f64,
-        ) -> (Branches<#n, #width>, FreeAngle<#width>) {
-            #run
+            Branches::of::<Self, _>(pose, seed, #given)
         }
     }
 }
 
-/// A body that is compiled for several instruction sets, of which the processor's
-/// is chosen when it runs.
-fn dispatched(
-    input: &TokenStream,
-    of: &TokenStream,
-    output: &TokenStream,
-    body: &TokenStream,
-) -> TokenStream {
-    quote! {
-        struct Lanes;
+/// How many joints are solved for, branches there are, and joints are given.
+fn sizes(solver: &ClosedForm) -> [Literal; 3] {
+    let given = &solver.given;
+    [
+        given.variables(),
+        solver.plan.branches(),
+        given.parameters(),
+    ]
+    .map(Literal::usize_unsuffixed)
+}
 
-        impl Dispatched<#of> for Lanes {
-            type Output = #output;
+/// The branches of several targets as the robot's implementation of `Inverse`.
+pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream> {
+    let inverse = solver.expressions()?;
+    let sizes = sizes(solver);
+    let [n, width, locked] = &sizes;
+    let places = |name: &str, count: usize| -> Vec<TokenStream> {
+        let name = format_ident!("{name}");
+        let places = (0..count).map(Literal::usize_unsuffixed);
+        places.map(|i| quote!(#name[#i])).collect()
+    };
+    let seed = places("seed", solver.given.variables());
+    let given = places("locked", solver.given.parameters());
+    let ends = [TARGET + seed.len(), TARGET + seed.len() + given.len()];
+    let inputs = seed.into_iter().chain(given).chain([quote!(free)]);
+    let (statements, lanes) = statements(solver, inverse, inputs);
+    let parameters = [
+        (quote!(seed), TARGET..ends[0]),
+        (quote!(locked), ends[0]..ends[1]),
+        (quote!(free), ends[1]..ends[1] + 1),
+    ];
+    let unused = parameters.into_iter().filter_map(|(name, inputs)| {
+        let used = lanes.inputs[inputs].contains(&true);
+        (!used).then(|| quote!(let _ = #name;))
+    });
+    let free = match inverse.free_angle {
+        Some(free) => {
+            let coordinate = Literal::usize_unsuffixed(free.coordinate);
+            quote!(Some(#coordinate))
+        }
+        None => quote!(None),
+    };
+    let q = &lanes.q;
+    let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
+    let [level, no_root] = &lanes.free_angle;
+    Some(quote! {
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
+        impl Inverse<#n, #width, #locked> for #robot {
+            const FREE: ::core::option::Option<usize> = #free;
 
             #[inline(always)]
-            fn run(#input: #of) -> Self::Output {
-                #body
+            fn lanes<const T: usize>(
+                targets: &[Pose; T],
+                seed: &[f64; #n],
+                locked: &[f64; #locked],
+                free: f64,
+            ) -> Lanes<#n, #width, T> {
+                #(#unused)*
+                #statements
+                Lanes {
+                    q: [#(#q),*],
+                    residual: #residual,
+                    invalid: #invalid,
+                    singular: #singular,
+                    level: #level,
+                    no_root: #no_root,
+                }
             }
         }
-        dispatch::<Lanes, _>(#input)
-    }
+    })
 }
 
-/// The statements that compute the lanes of a graph from `pose` and more `inputs`.
+/// The statements that compute the lanes of a graph from the T `targets` and more
+/// `inputs`.
 pub fn statements(
     solver: &ClosedForm,
     inverse: &InverseGraph,
@@ -386,10 +348,7 @@ pub fn assumes(solver: &ClosedForm) -> String {
     }
 }
 
-/// How many numbers a target has.
-const TARGET: usize = 12;
-
-/// The names of the target's entries: r11 … r33, px, py, pz.
+/// The names of the targets' entries: r11 … r33, px, py, pz.
 fn target_names() -> Vec<TokenStream> {
     let rotation = (1..=3).flat_map(|i| (1..=3).map(move |j| format_ident!("r{i}{j}")));
     let translation = ["px", "py", "pz"].map(|name| format_ident!("{name}"));
@@ -399,17 +358,9 @@ fn target_names() -> Vec<TokenStream> {
         .collect()
 }
 
-/// Takes the target apart, as far as it is read.
+/// Takes the targets apart, as far as they are read: an array for each entry.
 fn target_pattern(names: &[TokenStream], used: &[bool]) -> TokenStream {
-    let name = |i: usize| if used[i] { names[i].clone() } else { quote!(_) };
-    let row = |i: usize| {
-        let entries = (3 * i..3 * i + 3).map(name);
-        quote!([#(#entries),*])
-    };
-    let rows = (0..3).map(row);
-    let translation = row(3);
-    quote! {
-        let [#(#rows),*] = pose.rotation;
-        let #translation = pose.translation;
-    }
+    let names = names.iter().zip(used);
+    let names = names.map(|(name, used)| if *used { name.clone() } else { quote!(_) });
+    quote!(let [#(#names),*] = lanes::entries(targets);)
 }

@@ -1,15 +1,16 @@
-//! Inverse kinematics as Rust: all branches together, as array lanes.
+//! Inverse kinematics as Rust: all branches of `T` targets together, as array lanes.
 //!
-//! Values that depend on no sign are scalars. Every sign doubles the lanes,
-//! and the values that depend on it are computed in a loop over them, whose
-//! body is straight-line code on lane `k` that the compiler turns into vector
-//! instructions. For that the signs are arrays from outside of the loop, a
-//! loop reads no array that it writes, and arrays that outlive their loop are
-//! widened, so that every access is contiguous. Two lanes are too few to
-//! vectorize, so the first two signs share a loop of four.
+//! Values that depend on no sign are one for each target. Every sign doubles the
+//! branches, and the values that depend on it are computed in a loop over them,
+//! with a loop over the targets inside, whose body is straight-line code on target
+//! `t` of branch `k`. Of one target, the loop over branches becomes vector
+//! instructions; of several, the loop over targets. For that the signs are arrays
+//! from outside of the loop, a loop reads no array that it writes, and arrays that
+//! outlive their loop are widened, so that every access is contiguous. Two lanes
+//! are too few to vectorize, so the first two signs share a loop of four.
 
 use super::comment::comment;
-use super::headings::{self, Headings};
+use super::headings::{self, GIVEN, Headings, SHARED};
 use super::straight::{Place, Writer, sign_name};
 use crate::closed_form::ClosedForm;
 use crate::expr::inverse::InverseGraph;
@@ -30,8 +31,9 @@ pub struct Lanes {
     pub invalid: TokenStream,
     /// Positive where the branch is singular.
     pub singular: TokenStream,
-    /// What the next root says of an angle that may be free.
-    pub free_angle: Option<TokenStream>,
+    /// What the next root says of an angle that may be free: its level, and positive
+    /// where it has none.
+    pub free_angle: [TokenStream; 2],
     /// The inputs that are read.
     pub inputs: Vec<bool>,
 }
@@ -44,47 +46,62 @@ fn loops(choices: u8) -> Vec<u8> {
     }
 }
 
-/// Writes all lanes of a closed form. `inputs` are the names of its inputs.
+/// How many numbers a target has, the first inputs.
+pub const TARGET: usize = 12;
+
+/// When each node is computed.
+fn stages(g: &Graph, loops: &[u8]) -> Vec<usize> {
+    let mut of_target = vec![false; g.nodes().len()];
+    for (i, node) in g.nodes().iter().enumerate() {
+        of_target[i] = match node {
+            Node::Input(k) => usize::from(*k) < TARGET,
+            _ => node.operands().any(|e| of_target[e.index()]),
+        };
+    }
+    let stage = |(level, of_target): (u8, bool)| match (level, of_target) {
+        (0, false) => GIVEN,
+        (0, true) => SHARED,
+        _ => SHARED + 1 + loops.iter().position(|&last| level <= last).unwrap_or(0),
+    };
+    g.levels().into_iter().zip(of_target).map(stage).collect()
+}
+
+/// Writes all lanes of a closed form. `inputs` are the names of its inputs, those of
+/// the target arrays with a place for each target.
 pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]) -> Lanes {
     let g = &inverse.graph;
     let headings = Headings::new(&solver.plan, &solver.linkage, inverse);
     let outputs = inverse.outputs();
     let loops = loops(g.choices());
-    // The loop that computes each node: 0 for none, else 1 + its index.
-    let stage = |level: u8| match level {
-        0 => 0,
-        level => 1 + loops.iter().position(|&last| level <= last).unwrap_or(0),
-    };
-    let stages: Vec<usize> = g.levels().into_iter().map(stage).collect();
-    let mut writer = Writer::new(g, &outputs, inputs, &stages);
-    let last_read = last_read(&writer, inverse, &stages, loops.len());
-    let mut statements = Vec::new();
-    let seeds = writer.sines_and_cosines(&quote!(lanes::sin_cos));
-    if !seeds.is_empty() {
-        statements.push(comment(match solver.given.parameters() {
-            0 => "The seed, for an angle that the target leaves free",
-            _ => "What is given beside the target; the seed, for an angle that both leave free",
-        }));
-        statements.extend(seeds);
-    }
-    let mut opened = headings.of_stage(&writer, &stages, 0);
-    statements.extend(writer.statements(
-        Place::Scalar,
-        |i| stages[i] == 0,
-        |i| opened.before(i),
-        |_, name, value| (quote!(let #name = #value;), quote!(#name)),
-    ));
-    statements.push(opened.rest());
+    let stages = stages(g, &loops);
+    let inputs: Vec<TokenStream> = (inputs.iter().enumerate())
+        .map(|(i, name)| {
+            if i < TARGET {
+                quote!(#name[t])
+            } else {
+                name.clone()
+            }
+        })
+        .collect();
+    let mut writer = Writer::new(g, &outputs, &inputs, &stages);
+    let last_read = last_read(&writer, inverse, &stages, SHARED + loops.len());
+    let mut statements = given(&mut writer, solver, &headings, &stages);
     // Arrays alive, by node: name and the last stage that reads them.
     let mut alive: BTreeMap<usize, (Ident, usize)> = BTreeMap::new();
     let mut before = 0;
-    for (index, &signs) in loops.iter().enumerate() {
-        let stage = index + 1;
-        statements.push(widened(&alive, stage, 1 << before, 1 << signs));
+    for (stage, signs) in (SHARED..).zip(std::iter::once(0).chain(loops)) {
+        if stage > SHARED + 1 {
+            statements.push(widened(&alive, &stages, stage, 1 << before, 1 << signs));
+        }
         let mut kept: Vec<(Ident, Ident)> = Vec::new();
         let mut opened = headings.of_stage(&writer, &stages, stage);
+        let place = if stage == SHARED {
+            Place::Scalar
+        } else {
+            Place::Lane
+        };
         let mut body = writer.statements(
-            Place::Lane,
+            place,
             |i| stages[i] == stage,
             |i| opened.before(i),
             |e, name, value| {
@@ -99,8 +116,13 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
         );
         body.push(opened.rest());
         // From here on they are read from their arrays.
+        let branch = (stage > SHARED).then(|| quote!([k]));
         for (i, (array, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
-            writer.rename(g.at(*i), quote!(#array[k]));
+            writer.rename(g.at(*i), quote!(#array #branch [t]));
+        }
+        if stage == SHARED {
+            statements.extend(target_loop(&kept, &body));
+            continue;
         }
         let read = signs_read(&writer, g, &stages, stage);
         statements.push(headings::lanes(&solver.plan, &read, signs));
@@ -108,11 +130,18 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
         before = signs;
     }
     let width = Literal::usize_unsuffixed(1 << before);
-    let array = |e: Expr| match alive.get(&e.index()) {
-        Some((array, _)) => quote!(#array),
-        None => {
+    let last = stages.iter().copied().max().unwrap_or(SHARED);
+    let array = |e: Expr| match (alive.get(&e.index()), stages[e.index()]) {
+        (Some((array, _)), SHARED) => quote!([#array; #width]),
+        (Some((array, _)), stage) if stage < last => quote!(#array.all()),
+        (Some((array, _)), _) => quote!(#array),
+        (None, SHARED) => {
             let value = writer.output(e);
-            quote!([#value; #width])
+            quote!([::core::array::from_fn(|t| #value); #width])
+        }
+        (None, _) => {
+            let value = writer.output(e);
+            quote!([[#value; T]; #width])
         }
     };
     Lanes {
@@ -120,13 +149,40 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
         residual: array(inverse.residual),
         invalid: array(inverse.invalid),
         singular: array(inverse.singular),
-        free_angle: inverse.free_angle.map(|free| {
-            let (level, no_root) = (array(free.level), array(free.no_root));
-            quote!(FreeAngle { level: #level, no_root: #no_root })
-        }),
+        free_angle: match inverse.free_angle {
+            Some(free) => [array(free.level), array(free.no_root)],
+            None => std::array::from_fn(|_| quote!([[0.0; T]; #width])),
+        },
         inputs: (0..inputs.len()).map(|k| writer.needs_input(k)).collect(),
         statements,
     }
+}
+
+/// The statements in front of all loops.
+fn given(
+    writer: &mut Writer,
+    solver: &ClosedForm,
+    headings: &Headings,
+    stages: &[usize],
+) -> Vec<TokenStream> {
+    let mut statements = Vec::new();
+    let seeds = writer.sines_and_cosines(&quote!(lanes::sin_cos));
+    if !seeds.is_empty() {
+        statements.push(comment(match solver.given.parameters() {
+            0 => "The seed, for an angle that the target leaves free",
+            _ => "What is given beside the target; the seed, for an angle that both leave free",
+        }));
+        statements.extend(seeds);
+    }
+    let mut opened = headings.of_stage(writer, stages, GIVEN);
+    statements.extend(writer.statements(
+        Place::Scalar,
+        |i| stages[i] == GIVEN,
+        |i| opened.before(i),
+        |_, name, value| (quote!(let #name = #value;), quote!(#name)),
+    ));
+    statements.push(opened.rest());
+    statements
 }
 
 /// The last stage at which each node is read; results are read after all.
@@ -134,7 +190,7 @@ fn last_read(
     writer: &Writer,
     inverse: &InverseGraph,
     stages: &[usize],
-    loops: usize,
+    after: usize,
 ) -> Vec<usize> {
     let g = &inverse.graph;
     let mut last = vec![0; stages.len()];
@@ -144,7 +200,7 @@ fn last_read(
         }
     }
     for e in inverse.outputs() {
-        last[e.index()] = loops;
+        last[e.index()] = after;
     }
     last
 }
@@ -162,8 +218,22 @@ fn signs_read(writer: &Writer, g: &Graph, stages: &[usize], stage: usize) -> BTr
         .collect()
 }
 
-/// One loop over the lanes of `signs` choices, of which those in `read` are
-/// read.
+/// The loop over targets of what their branches share.
+fn target_loop(kept: &[(Ident, Ident)], body: &[TokenStream]) -> Option<TokenStream> {
+    let (arrays, values): (Vec<&Ident>, Vec<&Ident>) = kept.iter().map(|(a, v)| (a, v)).unzip();
+    (!kept.is_empty()).then(|| {
+        quote! {
+            #(let mut #arrays = [0.0; T];)*
+            for t in 0..T {
+                #(#body)*
+                #(#arrays[t] = #values;)*
+            }
+        }
+    })
+}
+
+/// One loop over the branches of `signs` choices, of which those in `read` are
+/// read, and the targets of each.
 fn lane_loop(
     read: &BTreeSet<u8>,
     signs: u8,
@@ -178,10 +248,12 @@ fn lane_loop(
     let (arrays, values): (Vec<&Ident>, Vec<&Ident>) = kept.iter().map(|(a, v)| (a, v)).unzip();
     quote! {
         #(let #names = #lanes;)*
-        #(let mut #arrays = [0.0; #width];)*
+        #(let mut #arrays = [[0.0; T]; #width];)*
         for k in 0..#width {
-            #(#body)*
-            #(#arrays[k] = #values;)*
+            for t in 0..T {
+                #(#body)*
+                #(#arrays[k][t] = #values;)*
+            }
         }
     }
 }
@@ -199,16 +271,19 @@ fn sign_lanes(choice: u8, signs: u8) -> TokenStream {
 /// Statements that bring older arrays to the width of a stage.
 fn widened(
     alive: &BTreeMap<usize, (Ident, usize)>,
+    stages: &[usize],
     stage: usize,
     from: usize,
     to: usize,
 ) -> TokenStream {
-    let read = alive.values().filter(|(_, last)| *last >= stage);
-    let names: Vec<&Ident> = read.map(|(name, _)| name).collect();
+    let read = alive
+        .iter()
+        .filter(|(i, (_, last))| stages[**i] > SHARED && *last >= stage);
+    let names: Vec<&Ident> = read.map(|(_, (name, _))| name).collect();
     let comment = (!names.is_empty()).then(|| headings::widened(from, to));
     let (from, to) = (
         Literal::usize_unsuffixed(from),
         Literal::usize_unsuffixed(to),
     );
-    quote!(#comment #(let #names = widen::<#from, #to>(#names);)*)
+    quote!(#comment #(let #names = widen::<#from, #to, T, _>(&#names);)*)
 }

@@ -199,6 +199,9 @@ fn arm(name: &Ident, what: &str, compiled: &CompiledArm) -> TokenStream {
     let inverse = compiled
         .form()
         .map(|form| inverse::methods(&compiled.model, form));
+    let lanes = compiled
+        .form()
+        .and_then(|form| inverse::implementation(name, form));
     quote! {
         #[doc = #what]
         pub struct #name;
@@ -218,6 +221,8 @@ fn arm(name: &Ident, what: &str, compiled: &CompiledArm) -> TokenStream {
 
             #inverse
         }
+
+        #lanes
     }
 }
 

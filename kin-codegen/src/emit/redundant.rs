@@ -27,9 +27,9 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
     let constants = constants(model, solver, redundancy);
     let solve = solve(model, solver, redundancy);
     let private = match &solver.inverse {
-        Inverse::Expressions(inverse) => {
+        Inverse::Expressions(_) => {
             let accept = inverse::acceptance(solver);
-            let branches = inverse::branches(solver, inverse);
+            let branches = inverse::branches(solver);
             quote! {
                 #accept
                 #branches
@@ -364,10 +364,12 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
             &self, pose: &Pose, parameter: f64
         ) -> ::core::option::Option<[f64; 16]> {
             #turned
+            const T: usize = 1;
+            let targets = &[*pose];
             #statements
             let mut margins = [0.0; 16];
             for (k, branch) in margins[..#branches].iter_mut().enumerate() {
-                *branch = #margin[k % #width];
+                *branch = #margin[k % #width][0];
             }
             Some(margins)
         }

@@ -53,7 +53,10 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
         }
     };
     let straight = straight(compiled, name);
-    let imports = imports(&quote!(#items #straight #redundant), runtime);
+    let lanes = compiled
+        .form()
+        .and_then(|form| inverse::implementation(name, form));
+    let imports = imports(&quote!(#items #straight #lanes #redundant), runtime);
     in_module(
         name,
         &quote! {
@@ -66,6 +69,7 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
 
             #items
             #straight
+            #lanes
             #kinematics
             #redundant
         },
@@ -319,11 +323,16 @@ fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream
             "none",
         ),
     ];
+    let in_lanes = compiled.form().is_some_and(|form| {
+        compiled.branches() > 0 && form.is_exact() && form.expressions().is_some()
+    });
+    let batches = if in_lanes { "inverse" } else { "forward" };
+    let batches = format_ident!("{batches}");
     let [inverse, derivatives, determinant, singularities] =
         groups.map(|word| Ident::new(word, proc_macro2::Span::call_site()));
     quote! {
         #runtime::__private::implement_kinematics! {
-            #name, #n, batches: own, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
+            #name, #n, batches: #batches, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
             singularities: #singularities
         }
     }

@@ -19,6 +19,11 @@ pub trait Dispatched<I> {
     type Output;
     /// Computes it.
     fn run(input: I) -> Self::Output;
+    /// The same for vectors of two lanes, where less side by side may be faster.
+    #[inline(always)]
+    fn run_narrow(input: I) -> Self::Output {
+        Self::run(input)
+    }
 }
 
 /// Runs `T` by the widest instructions that the processor has.
@@ -41,9 +46,13 @@ pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
     {
         x86_64::dispatch::<T, I>(input)
     }
-    #[cfg(not(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2"))))]
+    #[cfg(target_feature = "avx2")]
     {
         T::run(input)
+    }
+    #[cfg(not(any(target_feature = "avx2", all(feature = "std", target_arch = "x86_64"))))]
+    {
+        T::run_narrow(input)
     }
 }
 
@@ -112,7 +121,7 @@ mod x86_64 {
             AVX512 => unsafe { with_avx512::<T, I>(input) },
             // SAFETY: as above.
             AVX2 => unsafe { with_avx2::<T, I>(input) },
-            _ => T::run(input),
+            _ => T::run_narrow(input),
         }
     }
 

@@ -1,19 +1,85 @@
 //! Branches as array lanes, and elementary functions for loops over them.
 
-use crate::math;
+use crate::{Pose, math};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use core::ops::Index;
 
-/// Repeats the lanes of a value until they are `B`: when a plan takes another
-/// sign, every branch so far becomes two, and lane k descends from lane k
-/// modulo `A`.
+/// The entries of T poses, row by row and the translation behind them: an array for
+/// each, with a place for each pose.
+#[inline(always)]
+pub fn entries<const T: usize>(poses: &[Pose; T]) -> [[f64; T]; 12] {
+    let mut entries = [[0.0; T]; 12];
+    for t in 0..T {
+        for i in 0..3 {
+            for j in 0..3 {
+                entries[3 * i + j][t] = poses[t].rotation[i][j];
+            }
+            entries[9 + i][t] = poses[t].translation[i];
+        }
+    }
+    entries
+}
+
+/// The branches of a value repeated until they are `B`: when a plan takes another
+/// sign, every branch so far becomes two, and branch k descends from branch k
+/// modulo `A`. Of one target they are copied, so that a loop over branches reads
+/// neighbours; of several, whose loop is over targets, they stay where they are.
 ///
 /// ```
-/// use kin_runtime::__private::lanes::widen;
-/// assert_eq!(widen([1.0, 2.0]), [1.0, 2.0, 1.0, 2.0]);
+/// use kin_runtime::__private::widen;
+/// let one = [[1.0], [2.0]];
+/// assert_eq!(widen::<2, 4, 1, _>(&one).all(), [[1.0], [2.0], [1.0], [2.0]]);
+/// let two = [[1.0, 5.0], [2.0, 6.0]];
+/// assert_eq!(widen::<2, 4, 2, _>(&two)[3], [2.0, 6.0]);
 /// ```
 #[inline(always)]
-pub fn widen<const A: usize, const B: usize>(x: [f64; A]) -> [f64; B] {
-    core::array::from_fn(|k| x[k % A])
+pub fn widen<const A: usize, const B: usize, const T: usize, X>(
+    narrow: &X,
+) -> Widened<'_, A, B, T, X>
+where
+    X: Index<usize, Output = [f64; T]>,
+{
+    let mut wide = [[0.0; T]; B];
+    if T == 1 {
+        for k in 0..B {
+            wide[k] = narrow[k % A];
+        }
+    }
+    Widened { narrow, wide }
+}
+
+/// What [`widen`] gives: an array of arrays, to be read.
+pub struct Widened<'a, const A: usize, const B: usize, const T: usize, X> {
+    narrow: &'a X,
+    /// Filled for one target alone.
+    wide: [[f64; T]; B],
+}
+
+impl<const A: usize, const B: usize, const T: usize, X> Widened<'_, A, B, T, X>
+where
+    X: Index<usize, Output = [f64; T]>,
+{
+    /// All branches.
+    #[inline(always)]
+    pub fn all(&self) -> [[f64; T]; B] {
+        core::array::from_fn(|k| self[k])
+    }
+}
+
+impl<const A: usize, const B: usize, const T: usize, X> Index<usize> for Widened<'_, A, B, T, X>
+where
+    X: Index<usize, Output = [f64; T]>,
+{
+    type Output = [f64; T];
+
+    #[inline(always)]
+    fn index(&self, k: usize) -> &[f64; T] {
+        if T == 1 {
+            &self.wide[k]
+        } else {
+            &self.narrow[k % A]
+        }
+    }
 }
 
 /// The sines and cosines of all angles, radians; see [`math::sin_cos`].

@@ -7,6 +7,7 @@ pub mod batch;
 pub mod branches;
 pub mod dispatch;
 pub mod free_angle;
+pub mod inverse;
 pub mod lanes;
 pub mod locked;
 pub mod refinement;

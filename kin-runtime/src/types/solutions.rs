@@ -83,6 +83,13 @@ impl<const N: usize> Solutions<N> {
         }
     }
 
+    /// Forgets all, for other solutions of an arm with these prismatic joints.
+    #[inline(always)]
+    pub(crate) fn clear(&mut self, mask: u32) {
+        self.len = 0;
+        self.prismatic = mask;
+    }
+
     /// Fills an empty answer in the place where the caller wants it. Filling a
     /// local one and returning that costs a copy of a kilobyte, 10 ns.
     ///

@@ -68,7 +68,12 @@ where
             next = blocks.get(i + 1).map_or(next, columns);
             compute::<R, Output, N, M>(&block, results);
         }
-        for (q, result) in rest.iter().zip(last) {
+        Self::run_narrow((rest, last));
+    }
+
+    #[inline(always)]
+    fn run_narrow((q, results): (&[[f64; N]], &mut [Output])) {
+        for (q, result) in q.iter().zip(results) {
             *result = R::at(q, SideBySide);
         }
     }

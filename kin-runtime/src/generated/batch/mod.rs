@@ -1,8 +1,11 @@
-//! Many configurations or targets at once: one in each lane.
+//! Many configurations or targets at once: one in each lane, where vectors have more
+//! than two; otherwise one after the other, which is as fast.
 
 mod forward;
+mod inverse;
 
 pub use forward::{Forward, forward};
+pub use inverse::inverse;
 
 /// How many are computed side by side: a vector of AVX-512.
 const LANES: usize = 8;
