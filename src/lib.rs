@@ -23,6 +23,8 @@ extern crate self as kinematics;
 pub use kin_macros::kinematics;
 #[doc(hidden)]
 pub use kin_runtime::__private;
+#[cfg(feature = "rayon")]
+pub use kin_runtime::Multithreaded;
 pub use kin_runtime::{
     Basis, Body, Ellipsoid, Follow, Following, Frame, FullTurns, Hessian, Jacobian, JointLimit,
     Kinematics, Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, PathStep, Pose,

@@ -14,6 +14,7 @@
 //! | `alloc` | `Chain`, the generic product of exponentials, its numerical search, self-motions, and `Mechanism` |
 //! | `std` (default) | the processor's square root instead of `libm`'s; implies `alloc` |
 //! | `nalgebra` (default), `glam`, `mint` | conversions |
+//! | `rayon` | batches on all cores; implies `std` |
 #![no_std]
 
 #[cfg(feature = "alloc")]
@@ -56,6 +57,8 @@ pub use generic::{Chain, ChainSolution, Mechanism, SearchOptions};
 pub use parallel::{ParallelKinematics, Postures};
 #[cfg(feature = "alloc")]
 pub use path::{BranchEnd, NoPath, Path, ik_path, least_motion};
+#[cfg(feature = "rayon")]
+pub use robot::Multithreaded;
 pub use robot::{
     Body, Follow, Following, Frame, Kinematics, NoSolution, Parameter, PathStep,
     RedundantKinematics, WithBase, WithTool,

@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use crate::subject::Subject;
-use kinematics::{Kinematics, Pose, Solutions, WithBase, WithTool};
+use kinematics::{Kinematics, Multithreaded, Pose, Solutions, WithBase, WithTool};
 
 for_every_robot!(forward_batches);
 for_every_robot!(inverse_batches);
@@ -85,6 +85,32 @@ fn tools_and_bases_come_with_batches() {
     forward_batch(&placed, &q);
     inverse_batch(&robot, &targets);
     inverse_batch(&placed, &targets);
+}
+
+#[test]
+fn threads_share_the_work_and_change_nothing() {
+    use crate::zoo::Ur5e;
+    let mut random = Random::new(6);
+    let q: Vec<[f64; 6]> = (0..1001)
+        .map(|_| std::array::from_fn(|_| random.angle()))
+        .collect();
+    let mut poses = vec![Pose::IDENTITY; q.len()];
+    Ur5e.par_fk_batch(&q, &mut poses);
+    let mut both = vec![Ur5e.fk_jacobian(&[0.0; 6]); q.len()];
+    Ur5e.par_fk_jacobian_batch(&q, &mut both);
+    let mut found = vec![Solutions::new(); q.len()];
+    Ur5e.par_ik_batch(&poses, &mut found);
+    for (i, q) in q.iter().enumerate() {
+        assert_eq!(poses[i], Ur5e.fk(q));
+        assert_eq!(both[i], Ur5e.fk_jacobian(q));
+        assert_eq!(found[i], Ur5e.ik(&poses[i]));
+    }
+}
+
+#[test]
+#[should_panic(expected = "a place for each result")]
+fn threads_want_as_many_places() {
+    crate::zoo::Ur5e.par_fk_batch(&[[0.0; 6]; 9], &mut [Pose::IDENTITY; 8]);
 }
 
 #[test]

@@ -5,6 +5,8 @@ mod frame;
 mod inherent;
 mod kinematics;
 mod methods;
+#[cfg(feature = "rayon")]
+mod multithreaded;
 mod no_solution;
 mod placement;
 mod redundant;
@@ -13,6 +15,8 @@ pub use follow::{Follow, PathStep};
 pub use frame::{Body, Following, Frame};
 pub use kinematics::Kinematics;
 pub(crate) use kinematics::define_kinematics;
+#[cfg(feature = "rayon")]
+pub use multithreaded::Multithreaded;
 pub use no_solution::NoSolution;
 pub use placement::{WithBase, WithTool};
 pub use redundant::{Parameter, RedundantKinematics};
