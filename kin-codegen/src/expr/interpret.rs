@@ -55,19 +55,23 @@ impl Graph {
 
     /// The values of all branches.
     pub fn evaluate_all<'a>(&self, schedule: &'a Schedule, inputs: &[f64]) -> Values<'a> {
-        let mut all = Values {
-            schedule,
-            values: Vec::with_capacity(schedule.width),
-        };
+        let mut values = vec![0.0; schedule.width];
+        // Slices: macros run in builds without optimizations, where every index of a
+        // vector is a call.
+        let (places, slots) = (schedule.places.as_slice(), values.as_mut_slice());
         let mut quartic = Quartic::default();
         for &i in &schedule.nodes {
-            for lane in 0..=schedule.places[i].1 as Lane {
-                let of = |e: &Expr| all.at(*e, lane);
-                let value = self.nodes()[i].value(inputs, lane, of, &mut quartic);
-                all.values.push(value);
+            let node = &self.nodes()[i];
+            let (begin, last) = places[i];
+            for lane in 0..=last {
+                let of = |e: &Expr| {
+                    let (begin, mask) = places[e.0 as usize];
+                    slots[begin + (lane & mask)]
+                };
+                slots[begin + lane] = node.value(inputs, lane as Lane, of, &mut quartic);
             }
         }
-        all
+        Values { schedule, values }
     }
 
     /// Evaluates every node for one branch with the functions that generated

@@ -14,14 +14,15 @@ mod axes;
 mod count;
 pub mod determinant;
 pub mod forward;
+mod hash;
 mod interpret;
 pub mod inverse;
 pub mod jacobian;
 pub mod linear;
 
 pub use count::Operations;
+use hash::NodeMap;
 pub use interpret::{Lane, Schedule, Values};
-use std::collections::HashMap;
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -135,8 +136,8 @@ impl Node {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
-    names: HashMap<Expr, String>,
+    index: NodeMap<Node, Expr>,
+    names: NodeMap<Expr, String>,
     inputs: u16,
     choices: u8,
 }
@@ -467,7 +468,7 @@ impl Graph {
     /// Rebuilds `e` of another graph, with some of its nodes replaced.
     pub fn import(&mut self, other: &Graph, e: Expr, replaced: &[(Expr, Expr)]) -> Expr {
         let needed = other.reachable(&[e]);
-        let mut here: HashMap<Expr, Expr> = replaced.iter().copied().collect();
+        let mut here: NodeMap<Expr, Expr> = replaced.iter().copied().collect();
         for i in (0..=e.index()).filter(|&i| needed[i]) {
             let there = other.at(i);
             if here.contains_key(&there) {

@@ -212,9 +212,9 @@ fn rodrigues(w: [f64; 3], theta: f64) -> Pose {
             add(scale(sine, once), scale(1.0 - cosine, cross(w, once))),
         )
     };
-    let columns = Pose::IDENTITY.rotation.map(turned);
+    let [x, y, z] = Pose::IDENTITY.rotation.map(turned);
     Pose {
-        rotation: core::array::from_fn(|i| core::array::from_fn(|j| columns[j][i])),
+        rotation: [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]],
         translation: [0.0; 3],
     }
 }

@@ -48,15 +48,15 @@ impl Pose {
     /// R v, for directions.
     #[inline]
     pub fn rotate(&self, v: [f64; 3]) -> [f64; 3] {
-        self.rotation
-            .map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+        let [x, y, z] = self.rotation;
+        [along(x, v), along(y, v), along(z, v)]
     }
 
     /// Rᵀ v, for directions.
     #[inline]
     pub fn rotate_back(&self, v: [f64; 3]) -> [f64; 3] {
-        let r = &self.rotation;
-        core::array::from_fn(|i| r[0][i] * v[0] + r[1][i] * v[1] + r[2][i] * v[2])
+        let [x, y, z] = transpose(&self.rotation);
+        [along(x, v), along(y, v), along(z, v)]
     }
 
     /// The inverse motion (Rᵀ, −Rᵀ p).
@@ -277,7 +277,8 @@ impl core::ops::Mul for Pose {
     /// Composition: first `rhs`, then `self`.
     #[inline]
     fn mul(self, rhs: Pose) -> Pose {
-        let columns = transpose(&rhs.rotation).map(|column| self.rotate(column));
+        let [x, y, z] = transpose(&rhs.rotation);
+        let columns = [self.rotate(x), self.rotate(y), self.rotate(z)];
         Pose {
             rotation: transpose(&columns),
             translation: self.transform_point(rhs.translation),
@@ -285,9 +286,16 @@ impl core::ops::Mul for Pose {
     }
 }
 
+// Written out, here and where poses are multiplied: the compiler of robots runs in
+// builds without optimizations, where closures take most of its time.
 #[inline(always)]
-fn transpose(r: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    core::array::from_fn(|i| core::array::from_fn(|j| r[j][i]))
+fn transpose([x, y, z]: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
+}
+
+#[inline(always)]
+fn along(row: [f64; 3], v: [f64; 3]) -> f64 {
+    row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
 }
 
 /// The vector of R − Rᵀ: 2 sin θ times the axis.
