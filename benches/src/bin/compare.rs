@@ -1,7 +1,7 @@
 //! Forward kinematics, Jacobians and inverse kinematics beside other crates.
 
 use kin_codegen::{Options, Source, compile};
-use kinematics::{Chain, Kinematics, Pose, RedundantKinematics, Solutions};
+use kinematics::{Chain, JointLimit, Kinematics, Pose, RedundantKinematics, Solutions};
 use kinematics_benches::contest::Contest;
 use kinematics_benches::inputs::{configurations, targets};
 use kinematics_benches::peers::{self, ByHand, InK};
@@ -10,6 +10,7 @@ use rs_opw_kinematics::kinematic_traits::Kinematics as _;
 
 kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/kr6_r900.yaml");
+kinematics::kinematics!("../robots/irb6640.yaml");
 kinematics::kinematics!("../robots/xarm6.yaml");
 kinematics::kinematics!("../robots/panda.yaml");
 kinematics::kinematics!("../robots/iiwa14.yaml");
@@ -23,6 +24,9 @@ fn main() {
     jacobian_ur5e();
     inverse_ur5e();
     inverse_kr6();
+    nearest("UR5e", &Ur5e);
+    nearest("KR 6 R900", &Kr6R900);
+    nearest("IRB 6640", &Irb6640);
     inverse_xarm6();
     inverse_redundant();
 }
@@ -124,6 +128,32 @@ fn inverse_kr6() {
         contest.with("ik-geo", |p| geo.ik(p), |s| first(s))
     };
     contest.run();
+}
+
+/// The one solution that a controller asks for, beside the list of all.
+fn nearest(name: &str, robot: &(impl Kinematics<6> + Copy)) {
+    let inputs = targets(robot);
+    let seed = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    for target in &inputs {
+        let chosen = robot.ik_nearest(target, &seed);
+        let of_all = robot.ik(target).nearest(&seed, &limits(robot));
+        assert!(
+            chosen.map(|s| s.branch) == of_all.map(|s| s.branch),
+            "{target:?}"
+        );
+    }
+    Contest::new(&format!("{name}, one solution of all"), &inputs)
+        .with("all", |p| robot.ik(p), |s| s[0].q[0])
+        .with(
+            "nearest",
+            |p| robot.ik_nearest(p, &seed),
+            |s| s.map_or(0.0, |s| s.q[0]),
+        )
+        .run();
+}
+
+fn limits<K: Kinematics<6>>(_: &K) -> [JointLimit; 6] {
+    K::LIMITS
 }
 
 /// Beside the eigenvalues of a matrix as large as that of the usual elimination: what
