@@ -10,6 +10,8 @@
 //! cargo run --release --bin tail          # the slowest calls
 //! ```
 //!
+//! `python_peers.py` has packages from PyPI on the same inputs (`--bin inputs`).
+//!
 //! `--features ik-geo` adds one more peer, which needs CMake.
 //!
 //! Inputs are random and larger together than the first-level cache; all
