@@ -16,6 +16,7 @@ kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/kr6_r900.yaml");
 kinematics::kinematics!("../robots/stanford.yaml");
 kinematics::kinematics!("../robots/scara.yaml", target = position_yaw);
+kinematics::kinematics!("../robots/xarm6.yaml");
 kinematics::kinematics!("robots/noisy/calibrated.yaml");
 
 /// What a robot says of targets: regular ones, singular ones, and some out of
@@ -89,6 +90,7 @@ fn all_instructions_give_the_same_bits() {
             answers(&Kr6R900),
             answers(&Stanford),
             answers(&Scara),
+            answers(&Xarm6),
             answers(&Calibrated),
         ]
     };

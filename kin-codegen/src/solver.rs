@@ -1,7 +1,7 @@
 //! The search for a closed form: relations are read into the axes with growing
 //! tolerance, and the plans for them certified, until one stands.
 
-use crate::certificate::{Certificate, Failure, Trials, certify};
+use crate::certificate::{Certificate, Failure, NearSingular, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Refinement, UNMOVED};
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
@@ -39,7 +39,7 @@ const REFINEMENT: usize = 24;
 const TAKES_PART: f64 = 0.1;
 
 /// With more noise an elimination is not asked beside an idealized arm.
-const NOISY: f64 = 1e-11;
+const NOISY: f64 = 1e-8;
 
 /// Values of locked joints at which nothing is aligned.
 pub(crate) const SOMEWHERE: f64 = 0.83;
@@ -412,23 +412,33 @@ impl Later<'_> {
 
 /// The elimination to ask beside the branches of an idealized arm: near a singular
 /// configuration two solutions are apart along the motion that moves the tip least, and
-/// a joint tells them apart if it takes part in that.
+/// a joint tells them apart if it takes part in that. Of those that lose least there, the
+/// one that most motions move and whose polynomial has the least noise.
 fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
     if form.plan.target != Target::Pose || trials.linkage().parameters() > 0 {
         return None;
     }
-    let motions = trials.weak_motions(form.untold());
+    let near = trials.near_singular(form.untold());
     let arms = univariate::Arm::keeping_each(trials.linkage()).into_iter();
     let trusted = arms.filter(|arm| arm.kept[0].noise < NOISY);
-    trusted.min_by_key(|arm| {
+    let quality = |arm: &univariate::Arm| {
         let Kept {
             elimination, noise, ..
         } = arm.kept[0];
         let kept = usize::from(elimination.joints[0]);
-        let hardly = |motion: &&[f64; 6]| motion[kept].abs() < TAKES_PART;
-        let untold = motions.iter().filter(hardly).count();
-        (untold, elimination.degree, noise.to_bits())
-    })
+        let hardly = |near: &&NearSingular| near.motion[kept].abs() < TAKES_PART;
+        let untold = near.iter().filter(hardly).count();
+        let form = ClosedForm {
+            refinement: Refinement::Univariate(Box::new(arm.clone())),
+            ..form.clone()
+        };
+        let lost = trials.lost_near(&form, &near);
+        (lost, 4 * untold / near.len().max(1), noise.to_bits())
+    };
+    let rated = trusted.map(|arm| (quality(&arm), arm));
+    rated
+        .min_by_key(|(quality, _)| *quality)
+        .map(|(_, arm)| arm)
 }
 
 /// How far apart the tips of two arms get, with orientation as a length at

@@ -38,6 +38,9 @@ const SHARE: usize = 400;
 /// Configurations near singular ones.
 const NEAR: usize = 240;
 
+/// Of these, those on which an elimination is tried.
+const TRIED: usize = 30;
+
 /// Above this conditioning a configuration is far from singular.
 const REGULAR: f64 = 1e-3;
 
@@ -97,6 +100,16 @@ impl fmt::Display for Failure {
             Failure::Doubled(q) => write!(f, "a solution to the target of {q:.4?} comes twice"),
         }
     }
+}
+
+/// A configuration near a singular one.
+pub struct NearSingular {
+    /// Radians and metres.
+    pub q: Vec<f64>,
+    /// How far from singular.
+    pub conditioning: f64,
+    /// How the tip moves least, by joint and of length 1.
+    pub motion: [f64; 6],
 }
 
 /// The configurations to try on an arm, with the targets that they make.
@@ -168,10 +181,10 @@ impl<'a> Trials<'a> {
         self.linkage
     }
 
-    /// How the tip moves least, by joint and of length 1, at configurations that are nearer
-    /// to singular than some conditioning, though not singular: next to singular ones
-    /// there are some at every distance. Of arms of six joints without locked ones.
-    pub fn weak_motions(&self, untold: f64) -> Vec<[f64; 6]> {
+    /// Configurations that are nearer to singular than some conditioning, though not
+    /// singular: next to singular ones there are some at every distance. Of arms of six
+    /// joints that take nothing beside a target.
+    pub fn near_singular(&self, untold: f64) -> Vec<NearSingular> {
         let mut random = Random(0x94d0_49bb_1331_11eb);
         let mut nearby = |q: &[f64]| -> Vec<f64> {
             let off = untold * random.between(0.0, 4.0);
@@ -183,13 +196,29 @@ impl<'a> Trials<'a> {
         };
         let size = self.linkage.size;
         let starts = held.all.iter().cycle().take(16 * held.all.len());
-        let near = starts.map(|trial| nearby(&trial.q)).filter(|q| {
-            let conditioning = geometry::conditioning(&held.chain, q, size, self.target);
-            (0.01 * SINGULAR..untold).contains(&conditioning)
+        let near = starts.filter_map(|trial| {
+            let q = nearby(&trial.q);
+            let conditioning = geometry::conditioning(&held.chain, &q, size, self.target);
+            let is_near = (0.01 * SINGULAR..untold).contains(&conditioning);
+            let motion = is_near.then(|| geometry::weak_motion(&held.chain, &q, size))??;
+            Some(NearSingular {
+                q,
+                conditioning,
+                motion,
+            })
         });
-        near.take(NEAR)
-            .filter_map(|q| geometry::weak_motion(&held.chain, &q, size))
-            .collect()
+        near.take(NEAR).collect()
+    }
+
+    /// How many of some configurations near singular ones a closed form loses.
+    pub fn lost_near(&self, form: &ClosedForm, near: &[NearSingular]) -> usize {
+        let chain = self.model.chain();
+        let tried = near.iter().step_by(near.len().div_ceil(TRIED).max(1));
+        let lost = tried.filter(|near| {
+            let solutions = form.solutions(&chain.fk(&near.q));
+            recovered(self.model, &near.q, &solutions, near.conditioning).is_err()
+        });
+        lost.count()
     }
 
     /// The configurations that some plan has lost, of an arm that takes nothing beside a target.

@@ -2,6 +2,7 @@
 
 use super::harmonics::{DEGREE, Harmonics};
 use super::turn::cosine_of_turn;
+use crate::generated::dispatch::{Dispatched, dispatch};
 use core::f64::consts::TAU;
 
 /// The circle in arcs.
@@ -102,7 +103,25 @@ impl<const N: usize> Basis<N> {
 }
 
 /// Coefficients on all arcs, and how many of each there are.
-pub(super) fn on_arcs(f: &Harmonics) -> ([[f64; ARCS]; COEFFICIENTS], usize) {
+pub(super) fn on_arcs(f: &Harmonics) -> OnArcs {
+    dispatch::<Turned, _>(f)
+}
+
+type OnArcs = ([[f64; ARCS]; COEFFICIENTS], usize);
+
+struct Turned;
+
+impl Dispatched<&Harmonics> for Turned {
+    type Output = OnArcs;
+
+    #[inline(always)]
+    fn run(f: &Harmonics) -> OnArcs {
+        turned(f)
+    }
+}
+
+#[inline(always)]
+fn turned(f: &Harmonics) -> OnArcs {
     const PARTS: [f64; ARCS] = {
         let mut table = [0.0; ARCS];
         let mut i = 0;

@@ -22,29 +22,24 @@ const LEAST_PIVOT: f64 = 1e-150;
 /// those that no other row has: half of the work is on zeros, and left out. `shifted`
 /// tells the rows.
 #[inline(always)]
-pub(super) fn eliminate<const L: usize>(m: &mut Matrices<L>, shifted: impl Fn(usize) -> bool) {
+pub(super) fn eliminate<const L: usize>(m: &mut Matrices<L>, shifted: u16) {
+    const LOW: u16 = 0xff;
     for k in (0..4).step_by(2) {
-        let rest = (8..SIZE).filter(|&i| !shifted(i));
-        pivots(m, k, k + 2..4, (k + 2..4).chain(rest));
+        pivots(m, k, k + 2..4, 0xf | !shifted & !LOW);
     }
     for k in (4..8).step_by(2) {
-        let rest = (8..SIZE).filter(|&i| shifted(i));
-        pivots(m, k, k + 2..8, (k + 2..8).chain(rest));
+        pivots(m, k, k + 2..8, LOW | shifted & !LOW);
     }
     for k in (8..SIZE).step_by(2) {
-        pivots(m, k, k + 2..8, k + 2..SIZE);
+        pivots(m, k, k + 2..8, u16::MAX);
     }
 }
 
 /// Two pivots at a time, so that the matrices are read and written half as often.
-/// They have entries in the columns given, and from the eighth on.
+/// They have entries in the columns given, and from the eighth on; bit i of `rows` is set
+/// where row i has some there too.
 #[inline(always)]
-fn pivots<const L: usize>(
-    m: &mut Matrices<L>,
-    k: usize,
-    near: Range<usize>,
-    rows: impl Iterator<Item = usize>,
-) {
+fn pivots<const L: usize>(m: &mut Matrices<L>, k: usize, near: Range<usize>, rows: u16) {
     let from = 8.max(k + 2);
     let first = m[k];
     let mut second = m[k + 1];
@@ -61,8 +56,10 @@ fn pivots<const L: usize>(
         }
     }
     m[k + 1] = second;
-    for i in rows {
-        let row = &mut m[i];
+    for (i, row) in m.iter_mut().enumerate().skip(k + 2) {
+        if rows >> i & 1 == 0 {
+            continue;
+        }
         let (mut a, mut b) = ([0.0; L], [0.0; L]);
         for lane in 0..L {
             a[lane] = row[k][lane] * inverses[0][lane];
@@ -170,7 +167,8 @@ pub(super) fn null_plane_of_triangle<const L: usize>(m: &Matrices<L>) -> [Vector
     let start = |of: usize| core::array::from_fn(|i| [math::sin_cos((1 + i * of) as f64).0; L]);
     let mut plane = [start(1), start(2)];
     for _ in 0..3 {
-        let [first, second] = plane.map(|x| improved(m, x));
+        // No closure: it would be compiled for the narrowest instructions.
+        let [first, second] = [improved(m, plane[0]), improved(m, plane[1])];
         let mut along = [0.0; L];
         for (x, y) in first.iter().zip(&second) {
             for lane in 0..L {

@@ -42,9 +42,10 @@ pub struct Elimination {
 }
 
 impl Elimination {
-    /// Whether a row is multiplied by the last joint's half tangent.
-    pub(super) fn is_shifted(&self, row: usize) -> bool {
-        self.rows[row][1] & 1 == 1
+    /// Bit i is set where row i is multiplied by the last joint's half tangent.
+    pub(super) fn shifted(&self) -> u16 {
+        let rows = self.rows.iter().enumerate();
+        rows.fold(0, |bits, (i, row)| bits | u16::from(row[1] & 1) << i)
     }
 
     /// The functionals at a value of the kept joint, radians, along the other

@@ -19,6 +19,7 @@ const BELOW: [f64; 4] = [0.92, -0.38, 0.29, 0.71];
 /// How much of each of the plane's vectors makes a vector of monomials, twice; where the
 /// two are complex, their real part twice. `column` tells the place of a monomial by its
 /// powers.
+#[inline(always)]
 pub(super) fn monomial_vectors(
     plane: &[Vectors<LANES>; 2],
     column: impl Fn(usize, usize) -> usize,
@@ -64,11 +65,13 @@ pub(super) fn monomial_vectors(
 type Square = [[f64; 2]; 2];
 
 /// G⁻¹ H but for a factor, which eigenvectors do not see.
+#[inline(always)]
 fn adjugate_times([[a, b], [c, d]]: Square, h: Square) -> Square {
     let row = |x: f64, y: f64| [0, 1].map(|j| x * h[0][j] + y * h[1][j]);
     [row(d, -b), row(-c, a)]
 }
 
+#[inline(always)]
 fn eigenvectors([[a, b], [c, d]]: Square) -> Square {
     let half = 0.5 * (a - d);
     let root = math::sqrt(math::max(half * half + b * c, 0.0));

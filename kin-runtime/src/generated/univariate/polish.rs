@@ -1,6 +1,7 @@
 //! Newton's method on many configurations at once.
 
 use super::LANES;
+use crate::generated::dispatch::{Dispatched, dispatch};
 use crate::generated::lanes::sin_cos;
 use crate::{Pose, math};
 
@@ -38,6 +39,24 @@ pub(super) fn polished(
     start: &[Lanes; 6],
     steps: usize,
 ) -> Polished {
+    dispatch::<Newton, _>((frames, target, start, steps))
+}
+
+struct Newton;
+
+type NewtonOf<'a> = (&'a [Pose; 7], &'a Pose, &'a [Lanes; 6], usize);
+
+impl Dispatched<NewtonOf<'_>> for Newton {
+    type Output = Polished;
+
+    #[inline(always)]
+    fn run((frames, target, start, steps): NewtonOf) -> Polished {
+        newton(frames, target, start, steps)
+    }
+}
+
+#[inline(always)]
+fn newton(frames: &[Pose; 7], target: &Pose, start: &[Lanes; 6], steps: usize) -> Polished {
     let mut q = *start;
     let mut step = 0;
     let mut before = [f64::INFINITY; LANES];
@@ -84,17 +103,30 @@ pub(super) fn polished(
 /// I, 1985, chapter I). H(v, v) is a second difference.
 #[inline(never)]
 pub(super) fn split(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
-    let along = |v: &[Lanes; 6], by: f64| {
-        let q: [Lanes; 6] =
-            core::array::from_fn(|i| core::array::from_fn(|k| q[i][k] + by * v[i][k]));
-        linearized(frames, target, &q)
-    };
-    let zero = [ZERO; 6];
-    let mut here = along(&zero, 0.0);
+    dispatch::<Split, _>((frames, target, q))
+}
+
+struct Split;
+
+type SplitOf<'a> = (&'a [Pose; 7], &'a Pose, &'a [Lanes; 6]);
+
+impl Dispatched<SplitOf<'_>> for Split {
+    type Output = [[Lanes; 6]; 2];
+
+    #[inline(always)]
+    fn run((frames, target, q): SplitOf) -> Self::Output {
+        apart(frames, target, q)
+    }
+}
+
+#[inline(always)]
+fn apart(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
+    let mut here = linearized(frames, target, q);
+    let mut bend = here;
     let missing = here.error;
     let v = weak(&solve(&mut here));
-    let [ahead, behind] = [BEND, -BEND].map(|by| along(&v, by).error);
-    let mut bend = along(&zero, 0.0);
+    let ahead = linearized(frames, target, &moved(q, &v, BEND)).error;
+    let behind = linearized(frames, target, &moved(q, &v, -BEND)).error;
     for i in 0..6 {
         for k in 0..LANES {
             bend.error[i][k] = (2.0 * missing[i][k] - ahead[i][k] - behind[i][k]) / (BEND * BEND);
@@ -124,6 +156,18 @@ pub(super) fn split(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lane
     out
 }
 
+/// q + by v.
+#[inline(always)]
+fn moved(q: &[Lanes; 6], v: &[Lanes; 6], by: f64) -> [Lanes; 6] {
+    let mut out = *q;
+    for (out, v) in out.iter_mut().zip(v) {
+        for k in 0..LANES {
+            out[k] += by * v[k];
+        }
+    }
+    out
+}
+
 /// How far the second derivative is taken, radians.
 const BEND: f64 = 1e-3;
 
@@ -132,12 +176,14 @@ const FARTHEST: f64 = 0.5;
 
 /// What is missing and the geometric Jacobian that makes it, lengths in units of
 /// the arm's size.
+#[derive(Clone, Copy)]
 struct System {
     columns: [[Lanes; 6]; 6],
     error: [Lanes; 6],
     residual: Lanes,
 }
 
+#[inline(always)]
 fn linearized(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> System {
     let splat = |x: f64| [x; LANES];
     let mut r: [Vector; 3] = frames[0].rotation.map(|row| row.map(splat));
@@ -204,6 +250,7 @@ fn linearized(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> System {
 
 /// The step in place of what is missing, by Householder's reflections; gives R by
 /// column.
+#[inline(always)]
 fn solve(system: &mut System) -> [[Lanes; 6]; 6] {
     let System { columns, error, .. } = system;
     for j in 0..6 {
@@ -239,11 +286,13 @@ fn solve(system: &mut System) -> [[Lanes; 6]; 6] {
 }
 
 /// A pivot that can be divided by.
+#[inline(always)]
 fn guarded(x: f64) -> f64 {
     math::max(x.abs(), 1e-12).copysign(x)
 }
 
 /// R⁻¹ x.
+#[inline(always)]
 fn back_substitute(triangle: &[[Lanes; 6]; 6], x: &mut [Lanes; 6]) {
     for j in (0..6).rev() {
         for k in 0..LANES {
@@ -256,16 +305,25 @@ fn back_substitute(triangle: &[[Lanes; 6]; 6], x: &mut [Lanes; 6]) {
 }
 
 /// The least pivot by the largest.
+#[inline(always)]
 fn independence(triangle: &[[Lanes; 6]; 6]) -> Lanes {
-    core::array::from_fn(|k| {
-        let pivots = (0..6).map(|j| triangle[j][j][k].abs());
-        let least = pivots.clone().fold(f64::INFINITY, f64::min);
-        least / pivots.fold(0.0, math::max)
-    })
+    let (mut least, mut largest) = ([f64::INFINITY; LANES], ZERO);
+    for (j, column) in triangle.iter().enumerate() {
+        for k in 0..LANES {
+            let pivot = column[j][k].abs();
+            least[k] = math::select(pivot < least[k], pivot, least[k]);
+            largest[k] = math::max(largest[k], pivot);
+        }
+    }
+    for k in 0..LANES {
+        least[k] /= largest[k];
+    }
+    least
 }
 
 /// The motion of the joints that moves the tip least, of length 1: the least right
 /// singular vector, by inverse iteration on Rᵀ R.
+#[inline(always)]
 fn weak(triangle: &[[Lanes; 6]; 6]) -> [Lanes; 6] {
     // A start that no arm is square to.
     let mut x: [Lanes; 6] = core::array::from_fn(|i| [1.0 + 0.3 * i as f64; LANES]);

@@ -9,6 +9,7 @@ use super::elimination::{Elimination, Equations, Loop, SIZE};
 use super::line::{ENTRIES, Lines};
 use super::pair;
 use super::sharing::{self, SHARING};
+use crate::generated::dispatch::{Dispatched, dispatch};
 use crate::generated::lanes::{angle, sin_cos};
 use crate::math;
 
@@ -35,7 +36,13 @@ pub(super) struct Recovery<'a> {
 
 impl Recovery<'_> {
     /// The joints that go with values of the kept one.
+    #[inline(never)]
     pub fn joints(&self, kept: &Lanes) -> Starts {
+        dispatch::<One, _>((self, kept))
+    }
+
+    #[inline(always)]
+    fn one(&self, kept: &Lanes) -> Starts {
         let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
         let null = self.null_vectors(&cosine, &sine);
         self.of_null_vectors(kept, &null)
@@ -44,50 +51,67 @@ impl Recovery<'_> {
     /// What several configurations each have in common that share a value of the kept
     /// joint, or have nearly met there.
     pub fn several<'r>(&'r self, kept: &'r Lanes) -> Several<'r> {
+        Several {
+            recovery: self,
+            kept,
+            triangle: dispatch::<Triangle, _>((self, kept)),
+        }
+    }
+
+    #[inline(always)]
+    fn triangle(&self, kept: &Lanes) -> Matrices<LANES> {
         let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
         let mut triangle = [[[0.0; LANES]; SIZE]; SIZE];
         self.equations
             .write(self.elimination, &cosine, &sine, &mut triangle);
         reflect(&mut triangle);
-        Several {
-            recovery: self,
-            kept,
-            triangle,
-        }
+        triangle
     }
 
     /// Where a monomial of the half tangents stands.
+    #[inline(always)]
     fn column(&self, i: usize, j: usize) -> usize {
         usize::from(self.elimination.columns[(i + 4 * j) & 15] & 15)
     }
 
+    #[inline(always)]
     fn of_null_vectors(&self, kept: &Lanes, null: &Vectors<LANES>) -> Starts {
-        // tan is the share of two neighbouring powers, and sine and cosine are had
-        // without dividing.
-        let half_tangent = |at: &dyn Fn(usize, usize) -> usize| -> Lanes {
-            let (mut y, mut x) = ([0.0; LANES], [0.0; LANES]);
-            for i in 0..3 {
-                for j in 0..4 {
-                    let (low, high) = (&null[at(i, j)], &null[at(i + 1, j)]);
-                    for k in 0..LANES {
-                        y[k] += 2.0 * low[k] * high[k];
-                        x[k] += (low[k] - high[k]) * (low[k] + high[k]);
-                    }
-                }
-            }
-            core::array::from_fn(|k| angle(y[k], x[k]))
-        };
-        let last = half_tangent(&|i, j| self.column(i, j));
-        let before = half_tangent(&|i, j| self.column(j, i));
+        let last = self.eliminated::<false>(null);
+        let before = self.eliminated::<true>(null);
         self.rest(kept, &before, &last)
     }
 
+    /// The last joint, or the last but one: tan of its half is the share of two
+    /// neighbouring powers, and sine and cosine are had without dividing.
+    #[inline(always)]
+    fn eliminated<const BEFORE: bool>(&self, null: &Vectors<LANES>) -> Lanes {
+        let (mut y, mut x) = ([0.0; LANES], [0.0; LANES]);
+        for i in 0..3 {
+            for j in 0..4 {
+                let [low, high] = [i, i + 1].map(|i| match BEFORE {
+                    true => &null[self.column(j, i)],
+                    false => &null[self.column(i, j)],
+                });
+                for k in 0..LANES {
+                    y[k] += 2.0 * low[k] * high[k];
+                    x[k] += (low[k] - high[k]) * (low[k] + high[k]);
+                }
+            }
+        }
+        let mut angles = [0.0; LANES];
+        for k in 0..LANES {
+            angles[k] = angle(y[k], x[k]);
+        }
+        angles
+    }
+
+    #[inline(always)]
     fn null_vectors(&self, cosine: &Lanes, sine: &Lanes) -> Vectors<LANES> {
         let mut matrix = [[[0.0; LANES]; SIZE]; SIZE];
         self.equations
             .write(self.elimination, cosine, sine, &mut matrix);
         let mut factors = matrix;
-        eliminate(&mut factors, |row| self.elimination.is_shifted(row));
+        eliminate(&mut factors, self.elimination.shifted());
         let null = null_vector_of_factors(&factors);
         let miss = times(&matrix, &null);
         let worst = miss
@@ -102,6 +126,7 @@ impl Recovery<'_> {
         null_vector_of_triangle(&matrix)
     }
 
+    #[inline(always)]
     fn rest(&self, kept: &Lanes, before: &Lanes, last: &Lanes) -> Starts {
         let (sk, ck) = sin_cos(*kept);
         let (sb, cb) = sin_cos(*before);
@@ -153,6 +178,7 @@ impl Recovery<'_> {
 
     /// The joint whose axis was followed: where its x axis goes the other way
     /// round.
+    #[inline(always)]
     fn fourth(&self, angles: &[Lanes; 6]) -> Lanes {
         let mut x = [[1.0; LANES], [0.0; LANES], [0.0; LANES]];
         for i in [3, 4, 5, 0, 1, 2] {
@@ -161,7 +187,42 @@ impl Recovery<'_> {
                 x = turned_back(&x, &angles[(i + 1) % 6]);
             }
         }
-        core::array::from_fn(|k| angle(x[1][k], x[0][k]))
+        let mut angles = [0.0; LANES];
+        for k in 0..LANES {
+            angles[k] = angle(x[1][k], x[0][k]);
+        }
+        angles
+    }
+}
+
+struct One;
+struct Two;
+struct Triangle;
+
+impl Dispatched<(&Recovery<'_>, &Lanes)> for One {
+    type Output = Starts;
+
+    #[inline(always)]
+    fn run((recovery, kept): (&Recovery, &Lanes)) -> Starts {
+        recovery.one(kept)
+    }
+}
+
+impl Dispatched<(&Recovery<'_>, &Lanes)> for Triangle {
+    type Output = Matrices<LANES>;
+
+    #[inline(always)]
+    fn run((recovery, kept): (&Recovery, &Lanes)) -> Matrices<LANES> {
+        recovery.triangle(kept)
+    }
+}
+
+impl Dispatched<&Several<'_>> for Two {
+    type Output = [Starts; 2];
+
+    #[inline(always)]
+    fn run(several: &Several) -> [Starts; 2] {
+        several.two()
     }
 }
 
@@ -177,17 +238,29 @@ pub(super) struct Several<'a> {
 impl Several<'_> {
     /// Two at every value.
     pub fn pairs(&self) -> [Starts; 2] {
+        dispatch::<Two, _>(self)
+    }
+
+    #[inline(always)]
+    fn two(&self) -> [Starts; 2] {
         let plane = null_plane_of_triangle(&self.triangle);
         let weights = pair::monomial_vectors(&plane, |i, j| self.recovery.column(i, j));
-        weights.map(|[a, b]| {
-            let mut null = [[0.0; LANES]; SIZE];
-            for (out, (x, y)) in null.iter_mut().zip(plane[0].iter().zip(&plane[1])) {
-                for k in 0..LANES {
-                    out[k] = a[k] * x[k] + b[k] * y[k];
-                }
+        [
+            self.in_plane(&plane, &weights[0]),
+            self.in_plane(&plane, &weights[1]),
+        ]
+    }
+
+    /// The configuration whose vector of monomials is so much of each of two vectors.
+    #[inline(always)]
+    fn in_plane(&self, plane: &[Vectors<LANES>; 2], [a, b]: &[Lanes; 2]) -> Starts {
+        let mut null = [[0.0; LANES]; SIZE];
+        for (out, (x, y)) in null.iter_mut().zip(plane[0].iter().zip(&plane[1])) {
+            for k in 0..LANES {
+                out[k] = a[k] * x[k] + b[k] * y[k];
             }
-            self.recovery.of_null_vectors(self.kept, &null)
-        })
+        }
+        self.recovery.of_null_vectors(self.kept, &null)
     }
 
     /// Up to [`SHARING`] at the value in a lane, as the first lanes.
@@ -213,17 +286,24 @@ impl Several<'_> {
     }
 }
 
+#[inline(always)]
 fn rotated_back(r: &[[f64; 3]; 3], x: &[Lanes; 3]) -> [Lanes; 3] {
-    core::array::from_fn(|i| {
-        core::array::from_fn(|k| r[0][i] * x[0][k] + r[1][i] * x[1][k] + r[2][i] * x[2][k])
-    })
+    let mut out = [[0.0; LANES]; 3];
+    for (i, out) in out.iter_mut().enumerate() {
+        for k in 0..LANES {
+            out[k] = r[0][i] * x[0][k] + r[1][i] * x[1][k] + r[2][i] * x[2][k];
+        }
+    }
+    out
 }
 
+#[inline(always)]
 fn turned_back(x: &[Lanes; 3], angles: &Lanes) -> [Lanes; 3] {
     let (s, c) = sin_cos(*angles);
-    [
-        core::array::from_fn(|k| c[k] * x[0][k] + s[k] * x[1][k]),
-        core::array::from_fn(|k| c[k] * x[1][k] - s[k] * x[0][k]),
-        x[2],
-    ]
+    let mut out = *x;
+    for k in 0..LANES {
+        out[0][k] = c[k] * x[0][k] + s[k] * x[1][k];
+        out[1][k] = c[k] * x[1][k] - s[k] * x[0][k];
+    }
+    out
 }

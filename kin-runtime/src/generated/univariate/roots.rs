@@ -10,6 +10,7 @@
 use super::LANES;
 use super::bernstein::{ARCS, COEFFICIENTS, REACH, middle, on_arcs};
 use super::harmonics::Harmonics;
+use crate::generated::dispatch::{Dispatched, dispatch};
 use crate::math;
 use core::f64::consts::TAU;
 
@@ -110,6 +111,17 @@ impl Roots {
     }
 }
 
+struct Simple;
+
+impl Dispatched<(&Search<'_>, &mut Roots)> for Simple {
+    type Output = ();
+
+    #[inline(always)]
+    fn run((search, found): (&Search, &mut Roots)) {
+        search.newton(found);
+    }
+}
+
 /// An interval with one root, radians, and where it may be.
 #[derive(Clone, Copy)]
 struct Bracket {
@@ -206,6 +218,10 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
         }; MOST],
         count: 0,
         halvings: 0,
+        waiting: [Interval {
+            coefficients: [0.0; COEFFICIENTS],
+            t: [0.0; 2],
+        }; WAITING],
     };
     let (coefficients, n) = on_arcs(f);
     for arc in 0..ARCS {
@@ -229,16 +245,18 @@ struct Search<'a> {
     brackets: [Bracket; MOST],
     count: usize,
     halvings: usize,
+    /// Intervals that are looked at later.
+    waiting: [Interval; WAITING],
 }
 
 impl Search<'_> {
     fn on_arc(&mut self, middle: f64, whole: Interval, n: usize, found: &mut Roots) {
         let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
-        let mut waiting = [whole; WAITING];
+        self.waiting[0] = whole;
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let interval = waiting[count];
+            let interval = self.waiting[count];
             let [low, high] = interval.t;
             match signs(&interval.coefficients[..n], self.noise) {
                 Signs::None => {}
@@ -265,7 +283,7 @@ impl Search<'_> {
                 }
                 Signs::Two | Signs::Many => {
                     self.halvings += 1;
-                    waiting[count..count + 2].copy_from_slice(&interval.halved(n));
+                    self.waiting[count..count + 2].copy_from_slice(&interval.halved(n));
                     count += 2;
                 }
             }
@@ -330,6 +348,11 @@ impl Search<'_> {
 
     /// Newton's method on all brackets at once, halving where it leaves them.
     fn simple(&self, found: &mut Roots) {
+        dispatch::<Simple, _>((self, found));
+    }
+
+    #[inline(always)]
+    fn newton(&self, found: &mut Roots) {
         for chunk in self.brackets[..self.count].chunks(LANES) {
             let at = |k: usize| chunk[k.min(chunk.len() - 1)];
             let mut x: [f64; LANES] = core::array::from_fn(|k| at(k).guess);
