@@ -1,7 +1,7 @@
 //! The closed form of an arm: the relations that were read into its axes, the
 //! plan, its expressions, and the refinement onto the arm as given.
 
-use crate::expr::Values;
+use crate::expr::Lanes;
 use crate::expr::inverse::{FreeAngle, InverseGraph};
 use crate::geometry::{Carried, Idealized, Linkage};
 use crate::model::JointKind;
@@ -94,17 +94,6 @@ impl BranchSolution {
     }
 }
 
-impl BranchSolution {
-    fn start<const N: usize>(&self) -> Solution<N> {
-        Solution {
-            q: std::array::from_fn(|i| self.q[i]),
-            residual: self.residual,
-            branch: self.branch,
-            singular: self.singular,
-        }
-    }
-}
-
 impl ClosedForm {
     /// Whether the arm as given has the relations exactly.
     pub fn is_exact(&self) -> bool {
@@ -129,31 +118,47 @@ impl ClosedForm {
     /// The same with the values of the locked joints, which are left out of the
     /// configurations, or with the swivel angle.
     pub fn solutions_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
-        if self.plan.target.is_projected() {
-            let mut branches = self.branches(target, parameters);
-            let tolerance = self.acceptance().tolerance;
-            branches.retain(|solution| solution.residual <= tolerance);
-            return branches;
-        }
         match self.given.variables() {
-            1 => self.solved::<1>(target, parameters),
-            2 => self.solved::<2>(target, parameters),
-            3 => self.solved::<3>(target, parameters),
-            4 => self.solved::<4>(target, parameters),
-            5 => self.solved::<5>(target, parameters),
-            7 => self.solved_at_swivel(target, parameters),
-            _ => self.solved::<6>(target, parameters),
+            1 => told(&self.solved::<1>(target, parameters)),
+            2 => told(&self.solved::<2>(target, parameters)),
+            3 => told(&self.solved::<3>(target, parameters)),
+            4 => told(&self.solved::<4>(target, parameters)),
+            5 => told(&self.solved::<5>(target, parameters)),
+            7 => told(&self.solved_at_swivel(target, parameters)),
+            _ => told(&self.solved::<6>(target, parameters)),
         }
     }
 
-    /// The solutions of an arm of N joints without the locked ones.
-    fn solved<const N: usize>(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
-        let branches = self.branches(target, parameters);
-        let starts = branches.iter().map(BranchSolution::start);
-        let found = match (&self.inverse, &self.refinement) {
+    /// The solutions for the N joints that a target is solved for, unless they are seven with a
+    /// swivel.
+    pub fn solved<const N: usize>(&self, target: &Pose, parameters: &[f64]) -> Solutions<N> {
+        self.solved_near(target, parameters, None)
+    }
+
+    /// The same; an angle that a singular target leaves free keeps its value in `seed`.
+    pub fn solved_near<const N: usize>(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: Option<&[f64; N]>,
+    ) -> Solutions<N> {
+        let branches = self.branches::<N>(target, parameters, seed.unwrap_or(&[0.0; N]));
+        let starts = branches.iter().copied();
+        match (&self.inverse, &self.refinement) {
+            _ if self.plan.target.is_projected() => {
+                let accept = self.acceptance();
+                Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+                    for branch in starts {
+                        solutions.push_if(branch.residual <= accept.tolerance, branch);
+                    }
+                })
+            }
             (Inverse::Univariate(arm), _) => {
-                let carried = Carried::new(&self.given);
-                arm.solutions::<N>(&carried.target(target, parameters))
+                let carried = Carried::new(&self.given).target(target, parameters);
+                match seed {
+                    None => arm.solutions(&carried),
+                    Some(seed) => arm.solutions_near(&carried, seed),
+                }
             }
             (_, Refinement::Univariate(arm))
                 if !self.is_exact() || branches.iter().any(|branch| branch.singular) =>
@@ -161,8 +166,7 @@ impl ClosedForm {
                 arm.refined(target, starts, self.plan.branches(), self.untold())
             }
             _ => self.refined(target, parameters, starts),
-        };
-        found.iter().map(BranchSolution::of).collect()
+        }
     }
 
     /// All joint values, from those that a target is solved for and those of locked
@@ -196,8 +200,29 @@ impl ClosedForm {
         }
     }
 
+    /// The branches of the plan that exist, of an arm of so many joints as it has.
+    pub(crate) fn branches_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
+        fn told<const N: usize>(branches: &[Solution<N>]) -> Vec<BranchSolution> {
+            branches.iter().map(BranchSolution::of).collect()
+        }
+        match self.given.variables() {
+            1 => told(&self.branches::<1>(target, parameters, &[0.0; 1])),
+            2 => told(&self.branches::<2>(target, parameters, &[0.0; 2])),
+            3 => told(&self.branches::<3>(target, parameters, &[0.0; 3])),
+            4 => told(&self.branches::<4>(target, parameters, &[0.0; 4])),
+            5 => told(&self.branches::<5>(target, parameters, &[0.0; 5])),
+            7 => told(&self.branches::<7>(target, parameters, &[0.0; 7])),
+            _ => told(&self.branches::<6>(target, parameters, &[0.0; 6])),
+        }
+    }
+
     /// The branches of the plan that exist, if it is run by expressions.
-    pub(crate) fn branches(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
+    pub(crate) fn branches<const N: usize>(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: &[f64; N],
+    ) -> Vec<Solution<N>> {
         let Some(inverse) = self.expressions() else {
             return Vec::new();
         };
@@ -205,24 +230,24 @@ impl ClosedForm {
             inverse,
             target,
             parameters,
+            seed,
+            branches: self.plan.branches() as u32,
         };
-        let values = at.evaluate(FREE_BELOW, 0.0);
-        let branches = 0..self.plan.branches() as u32;
+        let values = at.evaluate(FREE_BELOW);
         let exists = |branch: u32| {
             let turned = inverse.free_angle.and_then(|free| {
-                let no_root = values.at(free.no_root, branch) > 0.0;
+                let no_root = values.at(NO_ROOT, branch) > 0.0;
                 no_root.then(|| at.turned(branch, free))
             });
             let values = turned.as_ref().unwrap_or(&values);
-            let of = |e| values.at(e, branch);
-            (of(inverse.invalid) <= 0.0).then(|| BranchSolution {
-                q: inverse.q.iter().map(|&e| of(e)).collect(),
-                residual: of(inverse.residual),
-                singular: of(inverse.singular) > 0.0,
+            (values.at(INVALID, branch) <= 0.0).then(|| Solution {
+                q: std::array::from_fn(|i| values.joint(i, branch)),
+                residual: values.at(RESIDUAL, branch),
+                singular: values.at(SINGULAR, branch) > 0.0,
                 branch,
             })
         };
-        branches.filter_map(exists).collect()
+        (0..at.branches).filter_map(exists).collect()
     }
 
     /// The branches, corrected or refined onto the arm as given.
@@ -242,9 +267,9 @@ impl ClosedForm {
     }
 
     /// The same from the branches at a swivel angle.
-    fn solved_at_swivel(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
+    pub fn solved_at_swivel(&self, target: &Pose, parameters: &[f64]) -> Solutions<7> {
         let (Some(swivel), &[angle]) = (self.given.swivel, parameters) else {
-            return Vec::new();
+            return Solutions::new();
         };
         let twists = self.given.twists();
         let arm = AtSwivel {
@@ -257,10 +282,8 @@ impl ClosedForm {
             Refinement::Branches(steps) => Some(steps),
             _ => None,
         };
-        let branches = self.branches(target, parameters);
-        let starts = branches.iter().map(BranchSolution::start);
-        let found = arm.refined(target, starts, steps, &self.acceptance());
-        found.iter().map(BranchSolution::of).collect()
+        let branches = self.branches::<7>(target, parameters, &[0.0; 7]);
+        arm.refined(target, branches.into_iter(), steps, &self.acceptance())
     }
 
     /// Below this conditioning of the Jacobian solutions may be lost, 0 if none
@@ -299,34 +322,80 @@ impl ClosedForm {
     }
 }
 
+fn told<const N: usize>(found: &Solutions<N>) -> Vec<BranchSolution> {
+    found.iter().map(BranchSolution::of).collect()
+}
+
 /// What expressions are evaluated for.
 struct Question<'a> {
     inverse: &'a InverseGraph,
     target: &'a Pose,
     parameters: &'a [f64],
+    /// What free angles keep.
+    seed: &'a [f64],
+    branches: u32,
+}
+
+/// Lanes that are computed at once: most plans have so many branches.
+const LANES: usize = 8;
+
+/// Outputs of [`InverseGraph::outputs`] behind the joint values.
+const RESIDUAL: usize = 0;
+const INVALID: usize = 1;
+const SINGULAR: usize = 2;
+const LEVEL: usize = 3;
+const NO_ROOT: usize = 4;
+
+/// All branches of a plan.
+struct Values<'a> {
+    joints: usize,
+    lanes: Vec<Lanes<'a, LANES>>,
+}
+
+impl Values<'_> {
+    fn joint(&self, coordinate: usize, branch: u32) -> f64 {
+        let branch = branch as usize;
+        self.lanes[branch / LANES].output(coordinate)[branch % LANES]
+    }
+
+    /// Of an output behind the joint values.
+    fn at(&self, output: usize, branch: u32) -> f64 {
+        self.joint(self.joints + output, branch)
+    }
 }
 
 impl<'a> Question<'a> {
     /// The values with the free angle of a branch turned.
     fn turned(&self, branch: u32, free: FreeAngle) -> Values<'a> {
-        let turned = |turn| self.evaluate(NEARLY_FREE, turn);
-        let level = |turn| turned(turn).at(free.level, branch);
+        let turned = |turn: f64| self.evaluate_with(NEARLY_FREE, Some((free.coordinate, turn)));
+        let level = |turn| turned(turn).at(LEVEL, branch);
         turned(roomiest_turn(SAMPLES.map(level)))
     }
 
-    /// The values for a seed of zeros, but for a turn of the angle that is free
-    /// below a threshold.
-    fn evaluate(&self, free_below: f64, turn: f64) -> Values<'a> {
+    /// The values with angles free below a threshold.
+    fn evaluate(&self, free_below: f64) -> Values<'a> {
+        self.evaluate_with(free_below, None)
+    }
+
+    /// The same with one coordinate of the seed turned.
+    fn evaluate_with(&self, free_below: f64, turned: Option<(usize, f64)>) -> Values<'a> {
         let inverse = self.inverse;
-        let mut inputs: Vec<f64> = self.target.rotation.iter().flatten().copied().collect();
+        let mut inputs: Vec<f64> = Vec::with_capacity(24);
+        inputs.extend(self.target.rotation.iter().flatten());
         inputs.extend(self.target.translation);
         let seed = inputs.len();
-        inputs.resize(seed + inverse.q.len(), 0.0);
-        if let Some(free) = inverse.free_angle {
-            inputs[seed + free.coordinate] = turn;
+        inputs.extend(self.seed);
+        if let Some((coordinate, turn)) = turned {
+            inputs[seed + coordinate] += turn;
         }
         inputs.extend(self.parameters);
         inputs.push(free_below);
-        inverse.graph.evaluate_all(&inverse.schedule, &inputs)
+        let blocks = (0..self.branches).step_by(LANES);
+        Values {
+            joints: inverse.q.len(),
+            lanes: blocks
+                .map(|first| inverse.tape.run(&inputs, first))
+                .collect(),
+        }
     }
 }

@@ -4,7 +4,7 @@
 use kin_codegen::certificate::{Certificate, Failure, Trials, certify};
 use kin_codegen::closed_form::{ClosedForm, Inverse, Refinement};
 use kin_codegen::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
-use kin_codegen::expr::{Choice, Expr, Node};
+use kin_codegen::expr::{Choice, Expr, Node, Tape};
 use kin_codegen::geometry::{Linkage, idealize, natural_target};
 use kin_codegen::model::Model;
 use kin_codegen::plan::{Plan, Plans, Subproblem, Target};
@@ -71,7 +71,7 @@ fn tampered(mut form: ClosedForm, tamper: impl Fn(&mut InverseGraph)) -> ClosedF
         panic!("the plan is run by expressions");
     };
     tamper(inverse);
-    inverse.schedule = inverse.graph.schedule(&inverse.outputs());
+    inverse.tape = Tape::new(&inverse.graph, &inverse.outputs());
     form
 }
 

@@ -70,20 +70,26 @@ impl Attack {
         inputs.extend(target.translation);
         inputs.resize(inputs.len() + q.len(), 0.0);
         inputs.push(1e-24);
-        let values = inverse.graph.evaluate_all(&inverse.schedule, &inputs);
+        let branches = 0..self.form.plan.branches() as u32;
+        let values = branches.clone().map(|branch| {
+            let mut values = Vec::new();
+            inverse.graph.evaluate(&inputs, branch, &mut values);
+            values
+        });
+        let values: Vec<Vec<f64>> = values.collect();
+        let at = |e: Expr, branch: u32| values[branch as usize][e.index()];
         let apart = |branch: u32| {
             let turn = |i: usize| {
-                let d = (values.at(inverse.q[i], branch) - q[i]).abs() % TAU;
+                let d = (at(inverse.q[i], branch) - q[i]).abs() % TAU;
                 d.min(TAU - d)
             };
             (0..q.len()).map(turn).sum::<f64>()
         };
-        let branches = 0..self.form.plan.branches() as u32;
         let own = branches
             .min_by(|&x, &y| apart(x).total_cmp(&apart(y)))
             .unwrap();
-        let value = values.at(a, own);
-        b.map_or(value, |b| value.hypot(values.at(b, own)))
+        let value = at(a, own);
+        b.map_or(value, |b| value.hypot(at(b, own)))
     }
 
     /// Moves one joint to where a quantity changes its sign, or is least.

@@ -127,7 +127,7 @@ fn seen(solver: &ClosedForm, arm: &Arm, candidates: &[Candidate]) -> Vec<Seen> {
         let anywhere = arm.anywhere(&mut random);
         let target = arm.chain.fk(&anywhere);
         let (parameters, _) = solver.split(&anywhere);
-        for solution in solver.branches(&target, &parameters) {
+        for solution in solver.branches_at(&target, &parameters) {
             if solution.residual <= tolerance && !solution.singular {
                 let at = arm.at(&solver.whole(&solution.q, &parameters));
                 let sign = |candidate: &Candidate| (candidate.value)(arm, &at).and_then(sign);

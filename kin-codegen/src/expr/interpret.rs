@@ -7,73 +7,7 @@ use kin_runtime::__private::{lanes, math};
 /// One combination of signs: bit i set means that choice i is −1.
 pub type Lane = u32;
 
-/// The order in which a graph computes some outputs for all its branches: an
-/// expression that sees k choices is computed in 2ᵏ lanes, and one that no
-/// output needs not at all.
-#[derive(Clone, Debug, Default)]
-pub struct Schedule {
-    /// The nodes that are needed.
-    nodes: Vec<usize>,
-    /// By node: where its lanes begin, and how many there are, less one.
-    places: Vec<(usize, usize)>,
-    /// All lanes of all nodes.
-    width: usize,
-}
-
-/// The values of a graph's nodes.
-#[derive(Clone, Debug)]
-pub struct Values<'a> {
-    schedule: &'a Schedule,
-    values: Vec<f64>,
-}
-
-impl Values<'_> {
-    /// Of an expression in a lane.
-    pub fn at(&self, e: Expr, lane: Lane) -> f64 {
-        let (begin, mask) = self.schedule.places[e.index()];
-        self.values[begin + (lane as usize & mask)]
-    }
-}
-
 impl Graph {
-    /// The order in which to compute `outputs`.
-    pub fn schedule(&self, outputs: &[Expr]) -> Schedule {
-        let needed = self.reachable(outputs);
-        let mut next = 0;
-        let places = (self.levels().into_iter().zip(&needed)).map(|(level, &needed)| {
-            let begin = next;
-            next += usize::from(needed) << level;
-            (begin, (1 << level) - 1)
-        });
-        let places = places.collect();
-        Schedule {
-            places,
-            width: next,
-            nodes: (0..needed.len()).filter(|&i| needed[i]).collect(),
-        }
-    }
-
-    /// The values of all branches.
-    pub fn evaluate_all<'a>(&self, schedule: &'a Schedule, inputs: &[f64]) -> Values<'a> {
-        let mut values = vec![0.0; schedule.width];
-        // Slices: macros run in builds without optimizations, where every index of a
-        // vector is a call.
-        let (places, slots) = (schedule.places.as_slice(), values.as_mut_slice());
-        let mut quartic = Quartic::default();
-        for &i in &schedule.nodes {
-            let node = &self.nodes()[i];
-            let (begin, last) = places[i];
-            for lane in 0..=last {
-                let of = |e: &Expr| {
-                    let (begin, mask) = places[e.0 as usize];
-                    slots[begin + (lane & mask)]
-                };
-                slots[begin + lane] = node.value(inputs, lane as Lane, of, &mut quartic);
-            }
-        }
-        Values { schedule, values }
-    }
-
     /// Evaluates every node for one branch with the functions that generated
     /// code uses. `values` is resized and filled, indexed by [`Expr::index`].
     pub fn evaluate(&self, inputs: &[f64], lane: Lane, values: &mut Vec<f64>) {

@@ -19,10 +19,12 @@ mod interpret;
 pub mod inverse;
 pub mod jacobian;
 pub mod linear;
+mod tape;
 
 pub use count::Operations;
 use hash::NodeMap;
-pub use interpret::{Lane, Schedule, Values};
+pub use interpret::Lane;
+pub use tape::{Lanes, Tape};
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -88,6 +88,11 @@ impl Arm {
         self.with(|arm| arm.solutions(target))
     }
 
+    /// The same; if `seed` is a singular solution, it is among them.
+    pub fn solutions_near<const N: usize>(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        self.with(|arm| arm.solutions_near(target, seed))
+    }
+
     fn with<T>(&self, run: impl FnOnce(&Univariate) -> T) -> T {
         let eliminations: Vec<Elimination> =
             self.kept.iter().map(|kept| kept.elimination).collect();

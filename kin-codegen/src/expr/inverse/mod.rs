@@ -22,7 +22,7 @@ pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Expr, Graph, Operations, Schedule};
+use super::{Expr, Graph, Operations, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -59,8 +59,9 @@ pub struct InverseGraph {
     pub free_angle: Option<FreeAngle>,
     /// Which of the graph's nodes belong to what.
     pub parts: Parts,
-    /// The order in which the interpreter computes it.
-    pub schedule: Schedule,
+    /// All of it but the margin as instructions; outputs in the order of
+    /// [`outputs`](Self::outputs).
+    pub tape: Tape,
 }
 
 /// The parts of an [`InverseGraph`], in the order of its graph: each begins behind
@@ -446,9 +447,9 @@ impl<'a> Writer<'a> {
             margin: self.margin,
             free_angle,
             graph: self.g,
-            schedule: Schedule::default(),
+            tape: Tape::default(),
         };
-        inverse.schedule = inverse.graph.schedule(&inverse.outputs());
+        inverse.tape = Tape::new(&inverse.graph, &inverse.outputs());
         inverse
     }
 

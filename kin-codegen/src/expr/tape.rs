@@ -1,0 +1,416 @@
+//! Expressions as a tape: instructions in a row that compute some outputs in array lanes, for
+//! arms that are solved where no code was generated.
+//!
+//! Every value is as wide as the lanes, those that depend on no sign too: an instruction is one
+//! loop, which becomes packed instructions, and the cost of finding the next one is shared by
+//! all lanes. Places of values that are read no more are used again, so that all of them stay in
+//! the first cache. The operations are those of generated code, in its order within an
+//! expression, and so are the results.
+
+use super::{Expr, Graph, Lane, Node, RootField};
+use kin_runtime::__private::quartic::{TrigRoot, trig_roots};
+use kin_runtime::__private::{Dispatched, dispatch, lanes, math};
+use std::collections::HashMap;
+
+/// Where a value stands.
+type Place = u16;
+
+/// One operation, and where it reads and writes.
+#[derive(Clone, Copy, Debug)]
+enum Instruction {
+    Add(Place, [Place; 2]),
+    Sub(Place, [Place; 2]),
+    Mul(Place, [Place; 2]),
+    Div(Place, [Place; 2]),
+    Max(Place, [Place; 2]),
+    Atan2(Place, [Place; 2]),
+    /// The same angle in all lanes: generated code has another polynomial for it.
+    OneAtan2(Place, [Place; 2]),
+    Neg(Place, Place),
+    Sqrt(Place, Place),
+    Wrap(Place, Place),
+    /// Sine and cosine.
+    SinCos([Place; 2], Place),
+    Select(Place, [Place; 4]),
+    /// All roots of a quartic, by the number of their places.
+    Roots(Place),
+}
+
+/// Where the roots of a trigonometric quartic go: sine, cosine and state of each.
+#[derive(Clone, Debug)]
+struct Roots {
+    coefficients: [Place; 5],
+    parts: [[Place; 3]; 4],
+}
+
+/// A graph's outputs as instructions.
+#[derive(Clone, Debug, Default)]
+pub struct Tape {
+    constants: Vec<(Place, f64)>,
+    /// The place of an input, and which it is.
+    inputs: Vec<(Place, u16)>,
+    /// The place of a sign, and of which choice.
+    signs: Vec<(Place, u8)>,
+    /// The sines and cosines of inputs, which all lanes share.
+    angles: Vec<([Place; 2], u16)>,
+    instructions: Vec<Instruction>,
+    roots: Vec<Roots>,
+    outputs: Vec<Place>,
+    places: usize,
+}
+
+/// The values of some lanes.
+#[derive(Clone, Debug)]
+pub struct Lanes<'a, const L: usize> {
+    tape: &'a Tape,
+    values: Vec<[f64; L]>,
+}
+
+impl<const L: usize> Lanes<'_, L> {
+    /// An output, by its number, in all lanes.
+    pub fn output(&self, number: usize) -> &[f64; L] {
+        &self.values[usize::from(self.tape.outputs[number])]
+    }
+}
+
+impl Tape {
+    /// Of some outputs, in their order.
+    pub fn new(graph: &Graph, outputs: &[Expr]) -> Self {
+        Writer::new(graph, outputs).write(outputs)
+    }
+
+    /// How many outputs there are.
+    pub fn outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// Computes `L` lanes from `first` on: bit i of a lane's number tells that choice i is −1.
+    pub fn run<const L: usize>(&self, inputs: &[f64], first: Lane) -> Lanes<'_, L> {
+        let mut values = vec![[0.0; L]; self.places];
+        dispatch::<Running<L>, _>((self, inputs, first, &mut values[..]));
+        Lanes { tape: self, values }
+    }
+}
+
+/// Angles whose sines and cosines are computed side by side.
+const ANGLES: usize = 8;
+
+/// What is compiled for several instruction sets.
+struct Running<const L: usize>;
+
+impl<const L: usize> Dispatched<(&Tape, &[f64], Lane, &mut [[f64; L]])> for Running<L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run((tape, inputs, first, values): (&Tape, &[f64], Lane, &mut [[f64; L]])) {
+        for &(place, x) in &tape.constants {
+            values[usize::from(place)] = [x; L];
+        }
+        for &(place, input) in &tape.inputs {
+            values[usize::from(place)] = [inputs[usize::from(input)]; L];
+        }
+        for &(place, choice) in &tape.signs {
+            let sign = |k: usize| 1.0 - 2.0 * f64::from(((first + k as u32) >> choice) & 1);
+            values[usize::from(place)] = std::array::from_fn(sign);
+        }
+        for angles in tape.angles.chunks(ANGLES) {
+            let mut inputs_of = [0.0; ANGLES];
+            for (x, (_, input)) in inputs_of.iter_mut().zip(angles) {
+                *x = inputs[*input as usize];
+            }
+            let (sines, cosines) = lanes::sin_cos(inputs_of);
+            for (k, ([sin, cos], _)) in angles.iter().enumerate() {
+                values[*sin as usize] = [sines[k]; L];
+                values[*cos as usize] = [cosines[k]; L];
+            }
+        }
+        for instruction in &tape.instructions {
+            tape.step(*instruction, values);
+        }
+    }
+}
+
+impl Tape {
+    #[inline(always)]
+    fn step<const L: usize>(&self, instruction: Instruction, values: &mut [[f64; L]]) {
+        let at = |place: Place| place as usize;
+        // Plain loops: macros run this in builds without optimizations, where closures are calls.
+        macro_rules! lane_by_lane {
+            ($to:ident, [$($operand:ident),*], $k:ident => $value:expr) => {{
+                $(let $operand = values[at($operand)];)*
+                let out = &mut values[at($to)];
+                let mut $k = 0;
+                while $k < L {
+                    out[$k] = $value;
+                    $k += 1;
+                }
+            }};
+        }
+        match instruction {
+            Instruction::Add(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] + b[k]),
+            Instruction::Sub(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] - b[k]),
+            Instruction::Mul(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] * b[k]),
+            Instruction::Div(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] / b[k]),
+            Instruction::Max(to, [a, b]) => lane_by_lane!(to, [a, b], k => math::max(a[k], b[k])),
+            Instruction::Atan2(to, [y, x]) => {
+                lane_by_lane!(to, [y, x], k => lanes::angle(y[k], x[k]));
+            }
+            Instruction::OneAtan2(to, [y, x]) => {
+                values[at(to)] = [math::atan2(values[at(y)][0], values[at(x)][0]); L];
+            }
+            Instruction::Neg(to, a) => lane_by_lane!(to, [a], k => -a[k]),
+            Instruction::Sqrt(to, a) => lane_by_lane!(to, [a], k => a[k].sqrt()),
+            Instruction::Wrap(to, a) => lane_by_lane!(to, [a], k => math::wrap(a[k])),
+            Instruction::SinCos([sin, cos], a) => {
+                let a = values[at(a)];
+                let mut both = [[0.0; L]; 2];
+                for k in 0..L {
+                    (both[0][k], both[1][k]) = math::sin_cos(a[k]);
+                }
+                [values[at(sin)], values[at(cos)]] = both;
+            }
+            Instruction::Select(to, [a, b, x, y]) => {
+                lane_by_lane!(to, [a, b, x, y], k => if a[k] < b[k] { x[k] } else { y[k] });
+            }
+            Instruction::Roots(number) => self.solve(&self.roots[at(number)], values),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn solve<const L: usize>(&self, roots: &Roots, values: &mut [[f64; L]]) {
+        let coefficients = roots.coefficients.map(|place| values[usize::from(place)]);
+        for k in 0..L {
+            let found = trig_roots(coefficients.map(|c| c[k]));
+            for (TrigRoot { sin, cos, state }, parts) in found.iter().zip(&roots.parts) {
+                for (part, x) in parts.iter().zip([sin, cos, state]) {
+                    values[usize::from(*part)][k] = *x;
+                }
+            }
+        }
+    }
+}
+
+/// A tape in the making.
+struct Writer<'a> {
+    graph: &'a Graph,
+    needed: Vec<bool>,
+    /// By node, how many choices it sees.
+    levels: Vec<u8>,
+    /// By node, the last one that reads it; outputs are read by none of them.
+    last: Vec<usize>,
+    /// By node, its place.
+    place: Vec<Place>,
+    /// Nodes that another one's instruction has written.
+    written: Vec<bool>,
+    free: Vec<Place>,
+    tape: Tape,
+}
+
+impl<'a> Writer<'a> {
+    fn new(graph: &'a Graph, outputs: &[Expr]) -> Self {
+        let needed = graph.reachable(outputs);
+        let nodes = graph.nodes();
+        let mut last = vec![0; nodes.len()];
+        for (i, node) in nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
+            for operand in node.operands() {
+                last[operand.index()] = i;
+            }
+        }
+        for output in outputs {
+            last[output.index()] = usize::MAX;
+        }
+        Self {
+            graph,
+            needed,
+            levels: graph.levels(),
+            last,
+            place: vec![0; nodes.len()],
+            written: vec![false; nodes.len()],
+            free: Vec::new(),
+            tape: Tape::default(),
+        }
+    }
+
+    fn write(mut self, outputs: &[Expr]) -> Tape {
+        let nodes = 0..self.graph.nodes().len();
+        let needed: Vec<usize> = nodes.filter(|&i| self.needed[i]).collect();
+        for &i in &needed {
+            // What nothing is made of stands before the instructions, and stays.
+            let node = self.graph.nodes()[i];
+            if node.operands().next().is_none() {
+                let place = self.another();
+                self.place[i] = place;
+                match node {
+                    Node::Constant(bits) => {
+                        self.tape.constants.push((place, f64::from_bits(bits)));
+                    }
+                    Node::Input(input) => self.tape.inputs.push((place, input)),
+                    Node::Sign(choice) => self.tape.signs.push((place, choice.0)),
+                    _ => {}
+                }
+            }
+        }
+        let partners = self.partners();
+        for i in needed {
+            if !self.written[i] {
+                self.instruction(i, &partners);
+            }
+            self.release(i);
+        }
+        self.tape.outputs = outputs.iter().map(|e| self.place[e.index()]).collect();
+        self.tape
+    }
+
+    /// By angle, the nodes of its sine and cosine; by quartic, those of its roots.
+    fn partners(&self) -> HashMap<Vec<Expr>, Vec<usize>> {
+        let mut partners: HashMap<Vec<Expr>, Vec<usize>> = HashMap::new();
+        for (i, node) in self.graph.nodes().iter().enumerate() {
+            if self.needed[i] && matches!(node, Node::Sin(_) | Node::Cos(_) | Node::TrigRoot(..)) {
+                partners
+                    .entry(node.operands().collect())
+                    .or_default()
+                    .push(i);
+            }
+        }
+        partners
+    }
+
+    /// A place that was never used.
+    fn another(&mut self) -> Place {
+        self.tape.places += 1;
+        Place::try_from(self.tape.places - 1).unwrap_or(Place::MAX)
+    }
+
+    fn next(&mut self) -> Place {
+        match self.free.pop() {
+            Some(place) => place,
+            None => self.another(),
+        }
+    }
+
+    /// The places that a node was the last to read.
+    fn release(&mut self, i: usize) {
+        let node = self.graph.nodes()[i];
+        let operands: Vec<usize> = node.operands().map(Expr::index).collect();
+        for (k, &operand) in operands.iter().enumerate() {
+            let made = self.graph.nodes()[operand].operands().next().is_some();
+            if made && self.last[operand] == i && !operands[..k].contains(&operand) {
+                self.free.push(self.place[operand]);
+            }
+        }
+    }
+
+    fn instruction(&mut self, i: usize, partners: &HashMap<Vec<Expr>, Vec<usize>>) {
+        let node = self.graph.nodes()[i];
+        let of = |writer: &Self, e: Expr| writer.place[e.index()];
+        let instruction = match node {
+            Node::Constant(_) | Node::Input(_) | Node::Sign(_) => return,
+            Node::Sin(a) | Node::Cos(a) => {
+                let input = match self.graph.node(a) {
+                    Node::Input(input) => Some(input),
+                    _ => None,
+                };
+                // Those of inputs come before all instructions.
+                let both = match input {
+                    Some(_) => [self.another(), self.another()],
+                    None => [self.next(), self.next()],
+                };
+                for &partner in &partners[&vec![a]] {
+                    let which = matches!(self.graph.nodes()[partner], Node::Cos(_));
+                    self.place[partner] = both[usize::from(which)];
+                    self.written[partner] = true;
+                }
+                if let Some(input) = input {
+                    self.tape.angles.push((both, input));
+                    return;
+                }
+                Instruction::SinCos(both, of(self, a))
+            }
+            Node::TrigRoot(coefficients, _) => {
+                let parts = [[(); 3]; 4].map(|part| part.map(|()| self.next()));
+                for &partner in &partners[&coefficients.to_vec()] {
+                    if let Node::TrigRoot(_, part) = self.graph.nodes()[partner] {
+                        let field = match part.field {
+                            RootField::Sin => 0,
+                            RootField::Cos => 1,
+                            RootField::State => 2,
+                        };
+                        self.place[partner] = parts[usize::from(part.place)][field];
+                        self.written[partner] = true;
+                    }
+                }
+                let coefficients = coefficients.map(|e| of(self, e));
+                let number = self.tape.roots.len() as Place;
+                self.tape.roots.push(Roots {
+                    coefficients,
+                    parts,
+                });
+                Instruction::Roots(number)
+            }
+            _ => {
+                let to = self.next();
+                self.place[i] = to;
+                match node {
+                    Node::Add(a, b) => Instruction::Add(to, [a, b].map(|e| of(self, e))),
+                    Node::Sub(a, b) => Instruction::Sub(to, [a, b].map(|e| of(self, e))),
+                    Node::Mul(a, b) => Instruction::Mul(to, [a, b].map(|e| of(self, e))),
+                    Node::Div(a, b) => Instruction::Div(to, [a, b].map(|e| of(self, e))),
+                    Node::Max(a, b) => Instruction::Max(to, [a, b].map(|e| of(self, e))),
+                    Node::Atan2(y, x) if self.levels[i] == 0 => {
+                        Instruction::OneAtan2(to, [y, x].map(|e| of(self, e)))
+                    }
+                    Node::Atan2(y, x) => Instruction::Atan2(to, [y, x].map(|e| of(self, e))),
+                    Node::Sqrt(a) => Instruction::Sqrt(to, of(self, a)),
+                    Node::Wrap(a) => Instruction::Wrap(to, of(self, a)),
+                    Node::Select(all) => Instruction::Select(to, all.map(|e| of(self, e))),
+                    Node::Neg(a) => Instruction::Neg(to, of(self, a)),
+                    _ => return,
+                }
+            }
+        };
+        self.tape.instructions.push(instruction);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By the interpreter of single lanes, bit by bit.
+    #[test]
+    fn every_lane_is_what_the_interpreter_has() {
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|name| g.input(name));
+        let (sin, cos) = g.sin_cos(x);
+        let (first, second) = (g.sign(), g.sign());
+        let root = g.sqrt(y);
+        let root = g.mul(first, root);
+        let sum = g.add(sin, root);
+        let limited = g.max(sum, cos);
+        let quotient = g.div(limited, y);
+        let other = g.mul(second, quotient);
+        let angle = g.atan2(other, sum);
+        let wrapped = g.wrap(angle);
+        let less = g.select_less(wrapped, cos, root, other);
+        let minus = g.neg(less);
+        let outputs = [less, angle, minus, sin, y, first];
+        let tape = Tape::new(&g, &outputs);
+        let inputs = [0.7, 2.3];
+        let four = tape.run::<4>(&inputs, 0);
+        let rest = tape.run::<2>(&inputs, 2);
+        for lane in 0..4 {
+            let mut values = Vec::new();
+            g.evaluate(&inputs, lane, &mut values);
+            for (number, output) in outputs.iter().enumerate() {
+                let expected = values[output.index()].to_bits();
+                assert_eq!(four.output(number)[lane as usize].to_bits(), expected);
+                if lane >= 2 {
+                    assert_eq!(rest.output(number)[lane as usize - 2].to_bits(), expected);
+                }
+            }
+        }
+        // Places are used again.
+        assert!(tape.places < g.nodes().len(), "{}", tape.places);
+    }
+}
