@@ -1,5 +1,5 @@
 #![doc = include_str!("../README.md")]
-#![no_std]
+#![cfg_attr(not(feature = "runtime"), no_std)]
 
 // What the macro expands to names this crate.
 #[cfg(docsrs)]
@@ -38,6 +38,13 @@ pub use kin_runtime::{
     SearchOptions, SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, Workspace,
     WorkspaceMethod, ik_path, least_motion, scattered_rotations, self_motion, self_motions,
 };
+
+#[cfg(feature = "runtime")]
+mod robot;
+#[cfg(feature = "runtime")]
+pub use kin_codegen::{Error as LoadError, Ik, Options as RobotOptions, Source as RobotSource};
+#[cfg(feature = "runtime")]
+pub use robot::{Answer, Answers, Arm, NearestAnswer, OfSlices, Robot};
 
 /// What `kinematics!("robots/ur5e.urdf")` leaves: a sample, in this
 /// documentation alone.

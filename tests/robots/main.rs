@@ -10,6 +10,7 @@ mod subject;
 #[macro_use]
 mod zoo;
 
+mod at_run_time;
 mod batches;
 mod book;
 mod closest;

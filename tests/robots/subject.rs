@@ -10,6 +10,8 @@ use kinematics::{Chain, ChainSolution, Kinematics, Pose, SearchOptions, Solution
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub struct Subject<K, const N: usize> {
+    /// Where the file is.
+    pub path: &'static str,
     /// What the macro made of the file.
     pub arm: K,
     /// The product of exponentials that the file describes.
@@ -25,10 +27,11 @@ pub struct Subject<K, const N: usize> {
 }
 
 impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
-    pub fn new(arm: K, path: &str) -> Self {
+    pub fn new(arm: K, path: &'static str) -> Self {
         let model = read(path);
         let (chain, counts) = (model.chain(), geometry::natural_target(&model));
         Subject {
+            path,
             arm,
             freed: freed(&chain, counts),
             chain,

@@ -1,0 +1,55 @@
+//! The same arm read while the program runs and compiled into it: the same answers, and what
+//! each takes.
+
+use std::time::Instant;
+
+use kinematics::{Pose, Robot};
+
+kinematics::kinematics!("robots/ur5e.urdf");
+
+/// Configurations, spread over the whole turn of every joint.
+const COUNT: usize = 1024;
+/// The fastest of so many rounds counts.
+const ROUNDS: usize = 20;
+
+fn main() -> Result<(), kinematics::LoadError> {
+    let clock = Instant::now();
+    let arm = Robot::from_urdf(concat!(env!("CARGO_MANIFEST_DIR"), "/robots/ur5e.urdf"))?;
+    let read = clock.elapsed().as_secs_f64();
+    println!("{} from {} to {}", arm.name(), arm.base(), arm.tip());
+    println!("read in {:.1} ms", 1e3 * read);
+
+    let angle = |i: usize| (i as f64 * 2.399_963).rem_euclid(6.28) - 3.14;
+    let all: Vec<[f64; 6]> = (0..COUNT)
+        .map(|k| std::array::from_fn(|i| angle(7 * k + i * i + 1)))
+        .collect();
+    let poses: Vec<Pose> = all.iter().map(|q| Ur5e.fk(q)).collect();
+    for (q, pose) in all.iter().zip(&poses) {
+        assert_eq!(arm.fk(q), *pose);
+        let (here, there) = (Ur5e.ik(pose), arm.ik(pose));
+        assert!(here.iter().zip(there.iter()).all(|(a, b)| a.q == b.q));
+    }
+    println!("              at run time   compiled in");
+    let [here, there] = [
+        fastest(&all, |q| arm.fk(q).translation[0]),
+        fastest(&all, |q| Ur5e.fk(q).translation[0]),
+    ];
+    println!("pose          {here:8.0} ns   {there:8.0} ns");
+    let [here, there] = [
+        fastest(&poses, |pose| arm.ik(pose).len() as f64),
+        fastest(&poses, |pose| Ur5e.ik(pose).len() as f64),
+    ];
+    println!("all solutions {here:8.0} ns   {there:8.0} ns");
+    Ok(())
+}
+
+/// Nanoseconds for one of some inputs.
+fn fastest<T>(inputs: &[T], run: impl Fn(&T) -> f64) -> f64 {
+    let round = |_| {
+        let clock = Instant::now();
+        let sum: f64 = inputs.iter().map(&run).sum();
+        std::hint::black_box(sum);
+        1e9 * clock.elapsed().as_secs_f64() / inputs.len() as f64
+    };
+    (0..ROUNDS).map(round).fold(f64::INFINITY, f64::min)
+}

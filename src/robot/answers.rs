@@ -1,0 +1,78 @@
+//! Solutions of a robot whose number of joints is known when the program runs.
+
+use kin_runtime::{Solution, Solutions};
+
+/// All solutions to a target, in the order of their branches; see
+/// [`Solutions`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answers {
+    joints: usize,
+    /// Of all solutions, one behind the other.
+    q: Vec<f64>,
+    rest: Vec<Rest>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rest {
+    residual: f64,
+    branch: u32,
+    singular: bool,
+}
+
+/// One solution; see [`Solution`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer<'a> {
+    /// Joint values, radians and metres.
+    pub q: &'a [f64],
+    /// The distance of its pose from the target, metres.
+    pub residual: f64,
+    /// Which combination of roots it is.
+    pub branch: u32,
+    /// Whether it stands for a family of solutions, or for two that have met.
+    pub singular: bool,
+}
+
+impl Answers {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// One of them, by its place.
+    pub fn get(&self, place: usize) -> Option<Answer<'_>> {
+        let rest = self.rest.get(place)?;
+        Some(Answer {
+            q: &self.q[place * self.joints..(place + 1) * self.joints],
+            residual: rest.residual,
+            branch: rest.branch,
+            singular: rest.singular,
+        })
+    }
+
+    /// One after the other.
+    pub fn iter(&self) -> impl Iterator<Item = Answer<'_>> {
+        (0..self.len()).filter_map(|place| self.get(place))
+    }
+}
+
+impl<const N: usize> From<&Solutions<N>> for Answers {
+    fn from(solutions: &Solutions<N>) -> Self {
+        let rest = |solution: &Solution<N>| Rest {
+            residual: solution.residual,
+            branch: solution.branch,
+            singular: solution.singular,
+        };
+        let mut q = Vec::with_capacity(N * solutions.len());
+        solutions.iter().for_each(|solution| q.extend(solution.q));
+        Answers {
+            joints: N,
+            q,
+            rest: solutions.iter().map(rest).collect(),
+        }
+    }
+}

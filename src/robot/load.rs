@@ -1,0 +1,156 @@
+//! From a robot file to a robot.
+
+use kin_codegen::arm::CompiledArm;
+use kin_codegen::expr::forward::Outputs;
+use kin_codegen::expr::{Expr, Graph, Tape};
+use kin_codegen::spec::{Diagnostic, Diagnostics};
+use kin_codegen::{Error, Options, Source, compile};
+use kin_runtime::{Chain, JointLimit};
+use std::path::Path;
+use std::str::FromStr;
+
+/// An arm that is known when the program runs: from a URDF or a YAML file as
+/// [`kinematics!`](crate::kinematics) takes it, with the same options, refusals and methods, on
+/// slices.
+///
+/// Reading one compiles it, which takes as long as in a build: some tens of milliseconds for an
+/// arm with a closed form.
+///
+/// ```
+/// use kinematics::Robot;
+/// let arm = Robot::from_urdf("robots/ur5e.urdf")?;
+/// let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4]; // radians
+/// let pose = arm.fk(&q);
+/// let solutions = arm.ik(&pose);
+/// assert_eq!(solutions.len(), 8);
+/// let nearest = arm.ik_nearest(&pose, &q).unwrap();
+/// assert!(nearest.q.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-9));
+/// # Ok::<(), kinematics::LoadError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Robot {
+    pub(super) arm: CompiledArm,
+    pub(super) chain: Chain,
+    pub(super) limits: Vec<JointLimit>,
+    pub(super) tip: Tape,
+    pub(super) links: Tape,
+    /// The spatial, body and geometric Jacobian.
+    pub(super) jacobians: [Tape; 3],
+    /// The determinant of the Jacobian, and how far singularities are.
+    pub(super) singular: Option<Tape>,
+}
+
+impl Robot {
+    /// Reads a URDF file.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read, something is wrong with it, or its robot has no closed form.
+    pub fn from_urdf(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::load(&read(path.as_ref(), "urdf")?, &Options::default())
+    }
+
+    /// Reads a YAML file.
+    ///
+    /// # Errors
+    ///
+    /// As [`Robot::from_urdf`].
+    pub fn from_yaml(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::load(&read(path.as_ref(), "yaml")?, &Options::default())
+    }
+
+    /// Reads a robot with options: base and tip, `target`, `free`, without inverse kinematics,
+    /// and so on.
+    ///
+    /// ```
+    /// use kinematics::{Robot, RobotOptions, RobotSource};
+    /// let source = RobotSource::read("robots/panda.yaml", std::path::Path::new("."))?;
+    /// let options = RobotOptions { free: vec!["joint1".into()], ..Default::default() };
+    /// let panda = Robot::load(&source, &options)?;
+    /// let q = [0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6];
+    /// let pose = panda.fk(&q);
+    /// let given = panda.redundancy(&pose, &q);
+    /// assert_eq!(given, [0.3]);
+    /// assert!(panda.ik_at(&pose, &given).iter().any(|s| (s.q[3] + 1.8).abs() < 1e-9));
+    /// # Ok::<(), kinematics::LoadError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the file or the options, or why the robot has no closed form. A
+    /// mechanism of several chains is none of these robots.
+    pub fn load(source: &Source, options: &Options) -> Result<Self, Error> {
+        let compiled = compile(source, options)?;
+        let Some(arm) = compiled.arm() else {
+            let reason = "the file has a mechanism of several chains, which is no arm";
+            let remedy = "generate its code with `kinematics!` or a build script";
+            return Err(Diagnostics::one(&source.path, Diagnostic::whole(reason, remedy)).into());
+        };
+        Ok(Self::new(arm.clone()))
+    }
+
+    fn new(arm: CompiledArm) -> Self {
+        let forward = &arm.forward;
+        let tape = |graph: &Graph, outputs: Vec<Expr>| Tape::new(graph, &outputs);
+        let of = |outputs: &dyn Outputs| tape(&forward.graph, outputs.expressions());
+        let model = &arm.model;
+        let limit = |i: usize| match (model.turns(i), model.variables[i].limits) {
+            (true, None) => JointLimit::Continuous,
+            (true, Some([lower, upper])) => JointLimit::revolute(lower, upper),
+            (false, limits) => {
+                let [lower, upper] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+                JointLimit::prismatic(lower, upper)
+            }
+        };
+        let singular = arm.singular.as_ref().map(|singular| {
+            let values = singular.values().into_iter();
+            let outputs = std::iter::once(singular.determinant.product).chain(values);
+            tape(&singular.graph, outputs.collect())
+        });
+        Self {
+            chain: model.chain(),
+            limits: (0..model.variables.len()).map(limit).collect(),
+            tip: of(&forward.tip),
+            links: of(&forward.links),
+            jacobians: [
+                of(&forward.spatial),
+                of(&forward.body),
+                of(&forward.geometric),
+            ],
+            singular,
+            arm,
+        }
+    }
+}
+
+impl FromStr for Robot {
+    type Err = Error;
+
+    /// Reads a robot from the text of a file: a URDF if it begins with `<`, otherwise YAML.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let is_markup = text
+            .trim_start_matches('\u{feff}')
+            .trim_start()
+            .starts_with('<');
+        let path = if is_markup {
+            "robot.urdf"
+        } else {
+            "robot.yaml"
+        };
+        let source = Source {
+            path: path.into(),
+            text: text.into(),
+        };
+        Self::load(&source, &Options::default())
+    }
+}
+
+/// A file that is read in a format whatever its name.
+fn read(path: &Path, format: &str) -> Result<Source, Error> {
+    let name = path.to_string_lossy();
+    let mut source = Source::read(&name, Path::new(""))?;
+    if path.extension().is_none_or(|extension| extension != format) {
+        source.path = format!("{name}.{format}");
+    }
+    Ok(source)
+}

@@ -1,0 +1,15 @@
+//! Robots whose files are read while the program runs.
+//!
+//! The same compiler as behind the macro, up to its expressions: they run as a tape over array
+//! lanes in place of generated code, and give what it gives.
+
+mod answers;
+mod arm;
+mod forward;
+mod inverse;
+mod load;
+
+pub use answers::{Answer, Answers};
+pub use arm::{Arm, OfSlices};
+pub use inverse::NearestAnswer;
+pub use load::Robot;
