@@ -77,7 +77,7 @@ fn tools_and_bases_come_with_batches() {
     let base = Pose::from_rpy([0.3, -0.7, 1.1], [1.0, 2.0, 3.0]);
     let placed = WithBase { robot, base };
     let mut random = Random::new(5);
-    let q: Vec<[f64; 6]> = (0..19)
+    let q: Vec<[f64; 6]> = (0..147)
         .map(|_| std::array::from_fn(|_| random.angle()))
         .collect();
     let targets: Vec<Pose> = q.iter().map(|q| placed.fk(q)).collect();

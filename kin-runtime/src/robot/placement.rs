@@ -90,6 +90,15 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
         self.robot.ik(&self.at_tip(target))
     }
 
+    fn ik_batch(&self, targets: &[Pose], solutions: &mut [Solutions<N>]) {
+        batch_at(
+            &self.robot,
+            |target| self.at_tip(target),
+            targets,
+            solutions,
+        );
+    }
+
     fn ik_seeded(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
         self.robot.ik_seeded(&self.at_tip(target), seed)
     }
@@ -123,6 +132,29 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
         } else {
             Singularities::default()
         }
+    }
+}
+
+/// The solutions of a robot at other places than the targets, which are written to
+/// the stack some at a time.
+fn batch_at<K: Kinematics<N>, const N: usize>(
+    robot: &K,
+    place: impl Fn(&Pose) -> Pose,
+    targets: &[Pose],
+    solutions: &mut [Solutions<N>],
+) {
+    const SOME: usize = 64;
+    assert_eq!(
+        targets.len(),
+        solutions.len(),
+        "a place for the solutions of each target"
+    );
+    let mut placed = [Pose::IDENTITY; SOME];
+    for (targets, solutions) in targets.chunks(SOME).zip(solutions.chunks_mut(SOME)) {
+        for (placed, target) in placed.iter_mut().zip(targets) {
+            *placed = place(target);
+        }
+        robot.ik_batch(&placed[..targets.len()], solutions);
     }
 }
 
@@ -216,6 +248,11 @@ impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
 
     fn ik(&self, target: &Pose) -> Solutions<N> {
         self.robot.ik(&self.seen_from_base(target))
+    }
+
+    fn ik_batch(&self, targets: &[Pose], solutions: &mut [Solutions<N>]) {
+        let seen = |target: &Pose| self.seen_from_base(target);
+        batch_at(&self.robot, seen, targets, solutions);
     }
 
     fn ik_seeded(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
