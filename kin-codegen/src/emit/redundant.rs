@@ -2,6 +2,7 @@
 //! methods that take the values of the joints that stay free, or the turn of the tool.
 
 use super::headings::list;
+use super::lanes::TARGET;
 use super::straight::signed;
 use super::{Names, inverse, text, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
@@ -356,6 +357,9 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
     let given = (0..solver.given.parameters()).map(|_| quote!(parameter));
     let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
     let (statements, lanes) = inverse::statements(solver, &margin, inputs);
+    let own = TARGET + solver.given.variables();
+    let reads = lanes.inputs[own..own + solver.given.parameters()].contains(&true);
+    let unread = (!reads && !redundancy.turn).then(|| quote!(let _ = parameter;));
     let margin = &lanes.residual;
     let branches = usize_literal(solver.plan.branches());
     let width = usize_literal(1 << choices);
@@ -364,6 +368,7 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
             &self, pose: &Pose, parameter: f64
         ) -> ::core::option::Option<[f64; 16]> {
             #turned
+            #unread
             const T: usize = 1;
             let targets = &[*pose];
             #statements
