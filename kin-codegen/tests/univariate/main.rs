@@ -7,8 +7,11 @@ use arms::{
     Neighbour, anywhere, chain, cobot, least_singular_value, miss, near_singular, patterns,
     random_arm,
 };
+use kin_codegen::geometry::Linkage;
+use kin_codegen::model::Model;
 use kin_codegen::random::Random;
-use kin_codegen::univariate::{choose, eliminate, forward};
+use kin_codegen::spec::ArmSpec;
+use kin_codegen::univariate::{Arm, choose, eliminate, forward};
 use kin_codegen::{Options, Source, compile};
 use kin_runtime::__private::univariate::{Elimination, Univariate};
 use kin_runtime::{Pose, SearchOptions, Solutions, Target};
@@ -258,6 +261,47 @@ fn offset_wrist(offset: f64) -> Source {
     Source {
         path: "arm.yaml".into(),
         text,
+    }
+}
+
+/// Two roots 2e-4 apart are known to half of their digits, and what follows from one of
+/// them looks like an extraneous root's. Lengths as a CRX-30iA's.
+#[test]
+fn roots_that_have_nearly_met_are_not_extraneous() {
+    let source = Source {
+        path: "arm.yaml".into(),
+        text: "\
+robot: offset_wrist
+units: {angle: rad, length: m}
+screws:
+  - {name: a, axis: [0, 0, 1],  point: [0, 0, 0.37]}
+  - {name: b, axis: [0, 1, 0],  point: [0, 0, 0.37]}
+  - {name: c, axis: [0, -1, 0], point: [0, 0, 1.32]}
+  - {name: d, axis: [-1, 0, 0], point: [0, 0, 1.32]}
+  - {name: e, axis: [0, -1, 0], point: [0.75, 0, 1.32]}
+  - {name: f, axis: [-1, 0, 0], point: [0.75, -0.185, 1.32]}
+home: {xyz: [0.93, -0.185, 1.32]}
+"
+        .into(),
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let arm = Arm::new(&Linkage::new(&model)).unwrap();
+    let chain = model.chain();
+    let at = [
+        -0.7618901807945826,
+        -0.29853813479853253,
+        2.9298264456040974,
+        3.1415578029100155,
+        1.6816917321542262,
+        -2.655148342510275,
+    ];
+    let mut random = Random(19);
+    for _ in 0..200 {
+        let off = 10_f64.powf(random.between(-14.0, -6.0));
+        let q = at.map(|x| x + off * random.between(-1.0, 1.0));
+        let found: Solutions<6> = arm.solutions(&chain.fk(&q));
+        let known = found.iter().any(|solution| apart(&solution.q, &q) < 1e-6);
+        assert!(known && found.len() == 12, "{q:?}: {found:?}");
     }
 }
 

@@ -87,6 +87,12 @@ impl Roots {
         self.several >> i & 1 == 1
     }
 
+    /// Whether another candidate is near one.
+    pub fn has_neighbour(&self, i: usize) -> bool {
+        let near = |j: usize| math::wrap(self.angles[j] - self.angles[i]).abs() < CLUSTER;
+        (0..self.count).any(|j| j != i && near(j))
+    }
+
     fn push(&mut self, angle: f64) {
         if self.count == MOST {
             self.incomplete = true;

@@ -211,7 +211,9 @@ impl<'a> Search<'a> {
                 let off = starts.inconsistency[k];
                 let one = !roots.is_double(candidate) && !roots.is_several(candidate);
                 let known = self.knows(&starts.q, k);
-                if known && (self.found.again == before || off > PURE) || !one {
+                // Next to another one a root is known to half of its digits.
+                let mixed = off >= EXTRANEOUS && roots.has_neighbour(candidate);
+                if known && (self.found.again == before || off > PURE) || !one || mixed {
                     unclear.push(candidate);
                 } else if !known && off < EXTRANEOUS {
                     candidates[new.count] = candidate;
