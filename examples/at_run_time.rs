@@ -4,6 +4,7 @@
 use std::time::Instant;
 
 use kinematics::{Pose, Robot};
+use std::f64::consts::{PI, TAU};
 
 kinematics::kinematics!("robots/ur5e.urdf");
 
@@ -19,7 +20,7 @@ fn main() -> Result<(), kinematics::LoadError> {
     println!("{} from {} to {}", arm.name(), arm.base(), arm.tip());
     println!("read in {:.1} ms", 1e3 * read);
 
-    let angle = |i: usize| (i as f64 * 2.399_963).rem_euclid(6.28) - 3.14;
+    let angle = |i: usize| (i as f64 * 2.399_963).rem_euclid(TAU) - PI;
     let all: Vec<[f64; 6]> = (0..COUNT)
         .map(|k| std::array::from_fn(|i| angle(7 * k + i * i + 1)))
         .collect();

@@ -203,7 +203,7 @@ pub fn solve_redundant(
     };
     if let Some(swivel) = swivel {
         match solve(model, &linkage.clone().with_swivel(Some(swivel)), target) {
-            Ok(found) if found.certificate.lost == 0 || asked.swivel.is_some() => {
+            Ok(found) if found.certificate.is_complete() || asked.swivel.is_some() => {
                 let redundancy = Redundancy {
                     joints: Vec::new(),
                     swivel: Some(swivel),

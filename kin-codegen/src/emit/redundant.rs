@@ -363,6 +363,14 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
     let margin = &lanes.residual;
     let branches = usize_literal(solver.plan.branches());
     let width = usize_literal(1 << choices);
+    let each = match choices {
+        0 => quote!(margins[..#branches].fill(#margin[0][0]);),
+        _ => quote! {
+            for (k, branch) in margins[..#branches].iter_mut().enumerate() {
+                *branch = #margin[k % #width][0];
+            }
+        },
+    };
     Some(quote! {
         fn margins_at(
             &self, pose: &Pose, parameter: f64
@@ -373,9 +381,7 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
             let targets = &[*pose];
             #statements
             let mut margins = [0.0; 16];
-            for (k, branch) in margins[..#branches].iter_mut().enumerate() {
-                *branch = #margin[k % #width][0];
-            }
+            #each
             Some(margins)
         }
     })
