@@ -4,7 +4,7 @@ use kin_cli::sweep::{Draw, Kind, Replay, Settings, Tally, sweep};
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::closed_form::{ClosedForm, Inverse, Refinement};
 use kin_codegen::expr::inverse::InverseGraph;
-use kin_codegen::expr::{Choice, Node};
+use kin_codegen::expr::{Choice, Node, Tape};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::{Compiled, Options, Source, Target, compile, univariate};
@@ -167,11 +167,13 @@ fn a_refinement_onto_another_arm_is_unsound() {
     assert!(tally.unsound > SETTINGS.targets, "{tally}");
 }
 
-fn expressions(form: &mut ClosedForm) -> &mut InverseGraph {
-    match &mut form.inverse {
-        Inverse::Expressions(inverse) => inverse,
-        Inverse::Univariate(_) => panic!("the plan is of subproblems"),
-    }
+/// Changes the expressions of a form.
+fn tamper(form: &mut ClosedForm, change: impl Fn(&mut InverseGraph)) {
+    let Inverse::Expressions(inverse) = &mut form.inverse else {
+        panic!("the plan is of subproblems");
+    };
+    change(inverse);
+    inverse.tape = Tape::new(&inverse.graph, &inverse.outputs());
 }
 
 #[test]
@@ -179,8 +181,9 @@ fn a_branch_left_out_is_lost_and_missing() {
     let (model, mut form) = arm("robots/puma560.yaml");
     // +1 where the first choice is a plus.
     let plus = Node::Sign(Choice(0));
-    let inverse = expressions(&mut form);
-    inverse.invalid = inverse.graph.find(plus).unwrap();
+    tamper(&mut form, |inverse| {
+        inverse.invalid = inverse.graph.find(plus).unwrap();
+    });
     let tally = swept(&(model, form));
     assert_eq!(tally.solutions[&4], SETTINGS.targets, "{tally}");
     let half = SETTINGS.targets / 2;
@@ -208,8 +211,9 @@ fn a_choice_without_effect_doubles() {
 fn faults_can_be_replayed() {
     let (model, mut form) = arm("robots/puma560.yaml");
     let plus = Node::Sign(Choice(0));
-    let inverse = expressions(&mut form);
-    inverse.invalid = inverse.graph.find(plus).unwrap();
+    tamper(&mut form, |inverse| {
+        inverse.invalid = inverse.graph.find(plus).unwrap();
+    });
     let tally = swept(&(model.clone(), form.clone()));
     let regular = tally.faults.iter().filter(|fault| !fault.near_singular);
     let lost = |kind| regular.clone().filter(move |fault| fault.kind == kind);
@@ -264,8 +268,9 @@ fn a_configuration_of_another_length_is_not_replayed() {
 #[test]
 fn a_target_without_answers_is_told_from_a_lost_configuration() {
     let (model, mut form) = arm("robots/scara.yaml");
-    let inverse = expressions(&mut form);
-    inverse.invalid = inverse.graph.one();
+    tamper(&mut form, |inverse| {
+        inverse.invalid = inverse.graph.one();
+    });
     let tally = swept(&(model, form));
     assert_eq!(tally.solutions[&0], SETTINGS.targets, "{tally}");
     assert_eq!(tally.lost.regular, SETTINGS.targets, "{tally}");
