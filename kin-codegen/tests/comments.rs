@@ -25,8 +25,8 @@ fn generated(robot: &str) -> kin_codegen::Generated {
 /// is one.
 fn branches(code: &str) -> Vec<String> {
     let lines = code.lines().map(str::trim_start);
-    let body = lines.skip_while(|line| !line.starts_with("let [["));
-    let body = body.take_while(|line| !line.starts_with("Branches {"));
+    let body = lines.skip_while(|line| !line.contains("lanes::entries("));
+    let body = body.take_while(|line| !line.starts_with("Lanes {"));
     let mut whole: Vec<String> = Vec::new();
     for line in body {
         match (line.strip_prefix("// "), whole.last_mut()) {
@@ -74,6 +74,7 @@ fn headings_stand_in_the_order_of_the_plan() {
     for robot in &ROBOTS[..7] {
         let code = generated(robot).code();
         let body = branches(&code);
+        assert!(body.iter().any(|line| number(line).is_some()), "{robot}");
         // In front of the loops, and in each of them.
         for stretch in body.split(|line| line.starts_with("for k in")) {
             let numbers: Vec<usize> = stretch.iter().filter_map(|line| number(line)).collect();
