@@ -1321,7 +1321,7 @@ mod __Calibrated {
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 0> for Calibrated {
-        const FREE: ::core::option::Option<usize> = None;
+        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],

@@ -316,7 +316,7 @@ mod __Delta {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<3, 4, 0> for Head1 {
-            const FREE: ::core::option::Option<usize> = None;
+            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
@@ -622,7 +622,7 @@ mod __Delta {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<2, 1, 0> for Tail1 {
-            const FREE: ::core::option::Option<usize> = None;
+            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
@@ -1009,7 +1009,7 @@ mod __Delta {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<3, 4, 0> for Head2 {
-            const FREE: ::core::option::Option<usize> = None;
+            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
@@ -1341,7 +1341,7 @@ mod __Delta {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<2, 2, 0> for Tail2 {
-            const FREE: ::core::option::Option<usize> = None;
+            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
@@ -1798,7 +1798,7 @@ mod __Delta {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<3, 4, 0> for Head3 {
-            const FREE: ::core::option::Option<usize> = None;
+            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
@@ -2131,7 +2131,7 @@ mod __Delta {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<2, 2, 0> for Tail3 {
-            const FREE: ::core::option::Option<usize> = None;
+            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],

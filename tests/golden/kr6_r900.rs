@@ -779,7 +779,7 @@ mod __Kr6R900 {
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 0> for Kr6R900 {
-        const FREE: ::core::option::Option<usize> = None;
+        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],

@@ -712,7 +712,7 @@ mod __Panda {
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 1> for Panda {
-        const FREE: ::core::option::Option<usize> = None;
+        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],

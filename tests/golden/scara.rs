@@ -423,7 +423,7 @@ mod __Scara {
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<4, 2, 0> for Scara {
-        const FREE: ::core::option::Option<usize> = None;
+        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],

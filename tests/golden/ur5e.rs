@@ -730,7 +730,7 @@ mod __Ur5e {
 
     #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 0> for Ur5e {
-        const FREE: ::core::option::Option<usize> = Some(3);
+        const FREE: ::core::option::Option<usize> = ::core::option::Option::Some(3);
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],

@@ -123,9 +123,9 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let free = match inverse.free_angle {
         Some(free) => {
             let coordinate = Literal::usize_unsuffixed(free.coordinate);
-            quote!(Some(#coordinate))
+            quote!(::core::option::Option::Some(#coordinate))
         }
-        None => quote!(None),
+        None => quote!(::core::option::Option::None),
     };
     let q = &lanes.q;
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);

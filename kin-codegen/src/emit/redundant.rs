@@ -214,9 +214,9 @@ fn at_swivel(solver: &ClosedForm, angle: &TokenStream) -> TokenStream {
     let steps = match solver.refinement {
         Refinement::Branches(steps) => {
             let steps = usize_literal(steps);
-            quote!(Some(#steps))
+            quote!(::core::option::Option::Some(#steps))
         }
-        _ => quote!(None),
+        _ => quote!(::core::option::Option::None),
     };
     quote! {
         let arm = AtSwivel {
