@@ -419,8 +419,8 @@ fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::
         return None;
     }
     let near = trials.near_singular(form.untold());
-    let arms = univariate::Arm::keeping_each(trials.linkage()).into_iter();
-    let trusted = arms.filter(|arm| arm.kept[0].noise < NOISY);
+    let mut arms = univariate::Arm::keeping_each(trials.linkage());
+    arms.retain(|arm| arm.kept[0].noise < NOISY);
     let quality = |arm: &univariate::Arm| {
         let Kept {
             elimination, noise, ..
@@ -428,17 +428,27 @@ fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::
         let kept = usize::from(elimination.joints[0]);
         let hardly = |near: &&NearSingular| near.motion[kept].abs() < TAKES_PART;
         let untold = near.iter().filter(hardly).count();
+        (4 * untold / near.len().max(1), noise.to_bits())
+    };
+    let lost = |arm: &univariate::Arm| {
         let form = ClosedForm {
             refinement: Refinement::Univariate(Box::new(arm.clone())),
             ..form.clone()
         };
-        let lost = trials.lost_near(&form, &near);
-        (lost, 4 * untold / near.len().max(1), noise.to_bits())
+        trials.lost_near(&form, &near)
     };
-    let rated = trusted.map(|arm| (quality(&arm), arm));
-    rated
-        .min_by_key(|(quality, _)| *quality)
-        .map(|(_, arm)| arm)
+    let mut best: Option<(usize, univariate::Arm)> = None;
+    arms.sort_by_key(quality);
+    for arm in arms {
+        let lost = lost(&arm);
+        if best.as_ref().is_none_or(|(fewest, _)| lost < *fewest) {
+            best = Some((lost, arm));
+        }
+        if lost == 0 {
+            break;
+        }
+    }
+    best.map(|(_, arm)| arm)
 }
 
 /// How far apart the tips of two arms get, with orientation as a length at
