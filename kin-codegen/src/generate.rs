@@ -2,7 +2,8 @@
 
 use crate::compile::compile;
 use crate::compiled::Compiled;
-use crate::emit::{self, Names, header};
+use crate::emit::header;
+use crate::emit::rust::{self, Names};
 use crate::error::Error;
 use crate::options::{self, Options};
 use crate::spec::{Diagnostic, Diagnostics, Source};
@@ -42,11 +43,11 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Error> 
     };
     let robot = compile(source, options)?;
     let commented = match &robot {
-        Compiled::Arm(arm) => emit::robot(arm, &names),
-        Compiled::Mechanism(mechanism) => emit::mechanism(mechanism, &names),
+        Compiled::Arm(arm) => rust::robot(arm, &names),
+        Compiled::Mechanism(mechanism) => rust::mechanism(mechanism, &names),
     };
     Ok(Generated {
-        tokens: emit::without_comments(commented.clone()),
+        tokens: rust::without_comments(commented.clone()),
         commented,
         hash: header::fnv1a(source.text.as_bytes()),
         name,
@@ -60,7 +61,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Error> 
 /// not.
 fn type_ident(name: &str) -> Result<Ident, Diagnostic> {
     let (reason, remedy) = match syn::parse_str::<Ident>(name) {
-        Ok(_) if emit::is_taken(name) => (
+        Ok(_) if rust::is_taken(name) => (
             format!("the generated code uses a type `{name}` of its own"),
             "choose another with the option `name`".into(),
         ),
@@ -68,7 +69,7 @@ fn type_ident(name: &str) -> Result<Ident, Diagnostic> {
         _ => (
             format!("`{name}` cannot name the type of a robot"),
             match options::upper_camel_case(name) {
-                camel if camel == name || emit::is_taken(&camel) => {
+                camel if camel == name || rust::is_taken(&camel) => {
                     "choose another with the option `name`".into()
                 }
                 camel => format!(
@@ -114,47 +115,8 @@ impl Generated {
     /// The items as formatted source, under a header that says from what and
     /// how they were made.
     pub fn code(&self) -> String {
-        let items = emit::print(self.commented.clone());
-        format!("{}\n{items}", self.header())
-    }
-
-    /// From what the code was made, with which options, and what it costs.
-    fn header(&self) -> String {
-        let asked = &self.options;
-        let (path, told, ends, target) = match &self.robot {
-            Compiled::Arm(arm) => {
-                let target = arm.form().map(|_| arm.target());
-                let ends = [&arm.model.base, &arm.model.tip];
-                (&arm.file, header::arm(arm), ends, target)
-            }
-            Compiled::Mechanism(compiled) => {
-                let mechanism = &compiled.mechanism;
-                let ends = [&mechanism.base, &mechanism.platform];
-                (&compiled.file, header::mechanism(compiled), ends, None)
-            }
-        };
-        let free = match &self.robot {
-            Compiled::Arm(arm) => arm.free_joints(),
-            Compiled::Mechanism(_) => Vec::new(),
-        };
-        let [base, tip] = ends.map(|end| Some(end.clone()));
-        let options = Options {
-            name: Some(self.name.clone()),
-            base,
-            tip,
-            ik: asked.ik,
-            target,
-            free,
-            strict: asked.strict,
-            krate: asked.krate.clone(),
-        };
-        let hash = self.hash;
-        header::Provenance {
-            path,
-            hash,
-            asked,
-            options,
-        }
-        .header(&told)
+        let items = rust::print(self.commented.clone());
+        let header = header::of(&self.robot, &self.name, self.hash, &self.options, None);
+        format!("{}\n{items}", rust::header(&header))
     }
 }

@@ -1,12 +1,11 @@
 //! What the comments inside of `ik` say: the steps of the plan, where their
 //! statements begin.
 
-use super::comment::comment;
+use super::language::Language;
 use super::straight::{Writer, sign_name};
 use crate::expr::inverse::{InverseGraph, Parts, StepPart};
 use crate::geometry::Linkage;
 use crate::plan::{Atom, Plan, Step, Subproblem};
-use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
 /// The steps of a plan, each in a line: `q2+q3+q4 and q5 by SP2, given q1`.
@@ -136,7 +135,12 @@ impl Headings {
     /// The headings of a stage, by the first node that they stand in front of.
     /// Every part has one in the last stage that it reaches, and in those
     /// before where it has statements of its own; behind the last that has any, none.
-    pub fn of_stage(&self, writer: &Writer, stages: &[usize], stage: usize) -> StageHeadings {
+    pub fn of_stage<L: Language>(
+        &self,
+        writer: &Writer<L>,
+        stages: &[usize],
+        stage: usize,
+    ) -> StageHeadings {
         let has_own = |part: &Part| (part.begins..part.ends).any(|i| writer.needs_operation(i));
         let end = self.parts.iter().rposition(has_own).map_or(0, |i| i + 1);
         let mut last = 0;
@@ -166,29 +170,29 @@ pub struct StageHeadings {
 
 impl StageHeadings {
     /// Those in front of the statement of a node.
-    pub fn before(&mut self, node: usize) -> TokenStream {
-        let mut out = TokenStream::new();
+    pub fn before(&mut self, node: usize) -> Vec<String> {
+        let mut out = Vec::new();
         while let Some((_, text)) = self.headings.pop_if(|(begins, _)| *begins <= node) {
-            out.extend(comment(&text));
+            out.push(text);
         }
         out
     }
 
     /// Those that no statement follows.
-    pub fn rest(mut self) -> TokenStream {
+    pub fn rest(mut self) -> Vec<String> {
         self.before(usize::MAX)
     }
 }
 
 /// What the lanes of a loop over `signs` choices are; of these it reads some.
-pub fn lanes(plan: &Plan, read: &BTreeSet<u8>, signs: u8) -> TokenStream {
+pub fn lanes(plan: &Plan, read: &BTreeSet<u8>, signs: u8) -> String {
     let mut said = Vec::new();
     let mut first = 0;
     for (i, step) in plan.steps.iter().enumerate() {
         let own = first..first + step.subproblem.choices();
         first = own.end;
         let names = own.filter(|choice| read.contains(choice));
-        let names = list(names.map(|choice| sign_name(choice).to_string()));
+        let names = list(names.map(sign_name));
         said.extend(match (&names[..], step.subproblem) {
             ("", _) => None,
             (_, Subproblem::Sp6 | Subproblem::Hyperboloid) => {
@@ -198,15 +202,13 @@ pub fn lanes(plan: &Plan, read: &BTreeSet<u8>, signs: u8) -> TokenStream {
         });
     }
     let number = 1 << signs;
-    comment(&match said.is_empty() {
+    match said.is_empty() {
         true => format!("{number} lanes, one for every branch"),
         false => format!("{number} lanes, by the signs of the roots: {}", list(said)),
-    })
+    }
 }
 
 /// How older lanes go on in more of them.
-pub fn widened(from: usize, to: usize) -> TokenStream {
-    comment(&format!(
-        "From {from} lanes to {to}: lane k goes on from lane k modulo {from}"
-    ))
+pub fn widened(from: usize, to: usize) -> String {
+    format!("From {from} lanes to {to}: lane k goes on from lane k modulo {from}")
 }

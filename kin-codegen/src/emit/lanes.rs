@@ -1,41 +1,82 @@
-//! Inverse kinematics as Rust: all branches of `T` targets together, as array lanes.
+//! Inverse kinematics in any language: all branches of a target, or of several, together,
+//! as array lanes.
 //!
 //! Values that depend on no sign are one for each target. Every sign doubles the
 //! branches, and the values that depend on it are computed in a loop over them,
-//! with a loop over the targets inside, whose body is straight-line code on target
-//! `t` of branch `k`. Of one target, the loop over branches becomes vector
-//! instructions; of several, the loop over targets. For that the signs are arrays
-//! from outside of the loop, a loop reads no array that it writes, and arrays that
-//! outlive their loop are widened, so that every access is contiguous. Two lanes
-//! are too few to vectorize, so the first two signs share a loop of four.
+//! whose body is straight-line code on one branch, so that it becomes vector
+//! instructions. For that the signs are arrays from outside of the loop, a loop
+//! reads no array that it writes, and arrays that outlive their loop are widened,
+//! so that every access is contiguous. Two lanes are too few to vectorize, so the
+//! first two signs share a loop of four.
 
-use super::comment::comment;
 use super::headings::{self, GIVEN, Headings, SHARED};
-use super::straight::{Place, Writer, sign_name};
+use super::language::Language;
+use super::straight::{Place, Trig, Writer};
 use crate::closed_form::ClosedForm;
 use crate::expr::inverse::InverseGraph;
 use crate::expr::{Expr, Graph, Node};
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The statements that compute the lanes, and the arrays of the results.
-pub struct Lanes {
-    /// The body.
-    pub statements: Vec<TokenStream>,
+/// The computation of all lanes.
+pub struct Lanes<L: Language> {
+    /// The sines and cosines of what is given beside targets.
+    pub trig: Trig<L::Text>,
+    /// What is computed of them before any target is looked at.
+    pub given: Vec<L::Text>,
+    /// The loop over targets of what their branches share, and those over branches.
+    pub stages: Vec<Stage<L>>,
     /// By coordinate of q.
-    pub q: Vec<TokenStream>,
+    pub q: Vec<Output<L::Text>>,
     /// Metres.
-    pub residual: TokenStream,
+    pub residual: Output<L::Text>,
     /// Positive where there is no branch.
-    pub invalid: TokenStream,
+    pub invalid: Output<L::Text>,
     /// Positive where the branch is singular.
-    pub singular: TokenStream,
+    pub singular: Output<L::Text>,
     /// What the next root says of an angle that may be free: its level, and positive
     /// where it has none.
-    pub free_angle: [TokenStream; 2],
+    pub free_angle: Option<[Output<L::Text>; 2]>,
+    /// How many lanes there are.
+    pub width: usize,
     /// The inputs that are read.
     pub inputs: Vec<bool>,
+}
+
+/// A loop.
+pub struct Stage<L: Language> {
+    /// How many choices its lanes are of; none of the one over targets alone.
+    pub signs: u8,
+    /// Arrays of earlier loops over branches that this one or a later one reads, and of how
+    /// many lanes they are so far.
+    pub widened: (Vec<String>, usize),
+    /// The choices whose signs it reads.
+    pub reads: BTreeSet<u8>,
+    /// What its lanes are.
+    pub heading: String,
+    /// Of one lane.
+    pub body: Vec<L::Text>,
+    /// The values that outlive it, with their arrays.
+    pub kept: Vec<Kept>,
+}
+
+/// A value that outlives its loop.
+pub struct Kept {
+    pub array: String,
+    pub value: String,
+}
+
+/// Where a result stands.
+pub enum Output<Text> {
+    /// In an array with a place for each target.
+    OfTarget(String),
+    /// In an array with a place for each lane of an earlier loop than the last.
+    Earlier(String),
+    /// In an array with a place for each lane.
+    Last(String),
+    /// A value of the target at hand.
+    ValueOfTarget(Text),
+    /// The same value in all lanes.
+    Value(Text),
 }
 
 /// The loops: each handles the signs up to the given number.
@@ -48,6 +89,14 @@ fn loops(choices: u8) -> Vec<u8> {
 
 /// How many numbers a target has, the first inputs.
 pub const TARGET: usize = 12;
+
+/// The names of a target's entries: r11 … r33, px, py, pz.
+pub fn target_names() -> Vec<String> {
+    let rotation = (1..=3).flat_map(|i| (1..=3).map(move |j| format!("r{i}{j}")));
+    rotation
+        .chain(["px", "py", "pz"].map(str::to_owned))
+        .collect()
+}
 
 /// When each node is computed.
 fn stages(g: &Graph, loops: &[u8]) -> Vec<usize> {
@@ -66,34 +115,34 @@ fn stages(g: &Graph, loops: &[u8]) -> Vec<usize> {
     g.levels().into_iter().zip(of_target).map(stage).collect()
 }
 
-/// Writes all lanes of a closed form. `inputs` are the names of its inputs, those of
-/// the target arrays with a place for each target.
-pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]) -> Lanes {
+/// Writes all lanes of a closed form. `inputs` is how the inputs behind the target are read.
+pub fn lanes<L: Language>(
+    solver: &ClosedForm,
+    inverse: &InverseGraph,
+    inputs: impl IntoIterator<Item = L::Text>,
+) -> Lanes<L> {
     let g = &inverse.graph;
     let headings = Headings::new(&solver.plan, &solver.linkage, inverse);
     let outputs = inverse.outputs();
     let loops = loops(g.choices());
     let stages = stages(g, &loops);
-    let inputs: Vec<TokenStream> = (inputs.iter().enumerate())
-        .map(|(i, name)| {
-            if i < TARGET {
-                quote!(#name[t])
-            } else {
-                name.clone()
-            }
-        })
-        .collect();
-    let mut writer = Writer::new(g, &outputs, &inputs, &stages);
+    let target = target_names();
+    let target = target.iter().map(|name| L::in_array(name, false));
+    let inputs: Vec<L::Text> = target.chain(inputs).collect();
+    let mut writer = Writer::<L>::new(g, &outputs, &inputs, &stages);
     let last_read = last_read(&writer, inverse, &stages, SHARED + loops.len());
-    let mut statements = given(&mut writer, solver, &headings, &stages);
+    let trig = writer.sines_and_cosines();
+    let given = given(&mut writer, &headings, &stages);
+    let mut written = Vec::new();
     // Arrays alive, by node: name and the last stage that reads them.
-    let mut alive: BTreeMap<usize, (Ident, usize)> = BTreeMap::new();
+    let mut alive: BTreeMap<usize, (String, usize)> = BTreeMap::new();
     let mut before = 0;
     for (stage, signs) in (SHARED..).zip(std::iter::once(0).chain(loops)) {
-        if stage > SHARED + 1 {
-            statements.push(widened(&alive, &stages, stage, 1 << before, 1 << signs));
-        }
-        let mut kept: Vec<(Ident, Ident)> = Vec::new();
+        let widened = match stage > SHARED + 1 {
+            true => still_read(&alive, &stages, stage),
+            false => Vec::new(),
+        };
+        let mut kept = Vec::new();
         let mut opened = headings.of_stage(&writer, &stages, stage);
         let place = if stage == SHARED {
             Place::Scalar
@@ -104,90 +153,76 @@ pub fn lanes(solver: &ClosedForm, inverse: &InverseGraph, inputs: &[TokenStream]
             place,
             |i| stages[i] == stage,
             |i| opened.before(i),
-            |e, name, value| {
+            |e, name| {
                 let last = last_read[e.index()];
                 if last > stage || outputs.contains(&e) {
-                    let array = format_ident!("{name}_");
-                    kept.push((array.clone(), name.clone()));
-                    alive.insert(e.index(), (array, last));
+                    let array = format!("{name}_");
+                    alive.insert(e.index(), (array.clone(), last));
+                    let value = name.to_owned();
+                    kept.push(Kept { array, value });
                 }
-                (quote!(let #name = #value;), quote!(#name))
             },
         );
-        body.push(opened.rest());
+        body.extend(opened.rest().iter().map(|text| L::comment(text)));
         // From here on they are read from their arrays.
-        let branch = (stage > SHARED).then(|| quote!([k]));
         for (i, (array, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
-            writer.rename(g.at(*i), quote!(#array #branch [t]));
+            writer.rename(g.at(*i), L::in_array(array, stage > SHARED));
         }
-        if stage == SHARED {
-            statements.extend(target_loop(&kept, &body));
-            continue;
-        }
-        let read = signs_read(&writer, g, &stages, stage);
-        statements.push(headings::lanes(&solver.plan, &read, signs));
-        statements.push(lane_loop(&read, signs, &kept, &body));
+        let reads = signs_read(&writer, g, &stages, stage);
+        written.push(Stage {
+            signs,
+            widened: (widened, 1 << before),
+            heading: headings::lanes(&solver.plan, &reads, signs),
+            reads,
+            body,
+            kept,
+        });
         before = signs;
     }
-    let width = Literal::usize_unsuffixed(1 << before);
     let last = stages.iter().copied().max().unwrap_or(SHARED);
-    let array = |e: Expr| match (alive.get(&e.index()), stages[e.index()]) {
-        (Some((array, _)), SHARED) => quote!([#array; #width]),
-        (Some((array, _)), stage) if stage < last => quote!(#array.all()),
-        (Some((array, _)), _) => quote!(#array),
-        (None, SHARED) => {
-            let value = writer.output(e);
-            quote!([::core::array::from_fn(|t| #value); #width])
-        }
-        (None, _) => {
-            let value = writer.output(e);
-            quote!([[#value; T]; #width])
-        }
+    let output = |e: Expr| match (alive.get(&e.index()), stages[e.index()]) {
+        (Some((array, _)), SHARED) => Output::OfTarget(array.clone()),
+        (Some((array, _)), stage) if stage < last => Output::Earlier(array.clone()),
+        (Some((array, _)), _) => Output::Last(array.clone()),
+        (None, SHARED) => Output::ValueOfTarget(writer.output(e)),
+        (None, _) => Output::Value(writer.output(e)),
     };
     Lanes {
-        q: inverse.q.iter().map(|&e| array(e)).collect(),
-        residual: array(inverse.residual),
-        invalid: array(inverse.invalid),
-        singular: array(inverse.singular),
-        free_angle: match inverse.free_angle {
-            Some(free) => [array(free.level), array(free.no_root)],
-            None => std::array::from_fn(|_| quote!([[0.0; T]; #width])),
-        },
+        trig,
+        given,
+        stages: written,
+        q: inverse.q.iter().map(|&e| output(e)).collect(),
+        residual: output(inverse.residual),
+        invalid: output(inverse.invalid),
+        singular: output(inverse.singular),
+        free_angle: inverse
+            .free_angle
+            .map(|free| [free.level, free.no_root].map(output)),
+        width: 1 << before,
         inputs: (0..inputs.len()).map(|k| writer.needs_input(k)).collect(),
-        statements,
     }
 }
 
-/// The statements in front of all loops.
-fn given(
-    writer: &mut Writer,
-    solver: &ClosedForm,
+/// What stands in front of all loops.
+fn given<L: Language>(
+    writer: &mut Writer<L>,
     headings: &Headings,
     stages: &[usize],
-) -> Vec<TokenStream> {
-    let mut statements = Vec::new();
-    let seeds = writer.sines_and_cosines(&quote!(lanes::sin_cos));
-    if !seeds.is_empty() {
-        statements.push(comment(match solver.given.parameters() {
-            0 => "The seed, for an angle that the target leaves free",
-            _ => "What is given beside the target; the seed, for an angle that both leave free",
-        }));
-        statements.extend(seeds);
-    }
+) -> Vec<L::Text> {
     let mut opened = headings.of_stage(writer, stages, GIVEN);
-    statements.extend(writer.statements(
+    let mut statements = writer.statements(
         Place::Scalar,
         |i| stages[i] == GIVEN,
         |i| opened.before(i),
-        |_, name, value| (quote!(let #name = #value;), quote!(#name)),
-    ));
-    statements.push(opened.rest());
+        |_, _| (),
+    );
+    statements.extend(opened.rest().iter().map(|text| L::comment(text)));
     statements
 }
 
 /// The last stage at which each node is read; results are read after all.
-fn last_read(
-    writer: &Writer,
+fn last_read<L: Language>(
+    writer: &Writer<L>,
     inverse: &InverseGraph,
     stages: &[usize],
     after: usize,
@@ -207,7 +242,12 @@ fn last_read(
 
 /// The choices whose signs a stage reads: its own, and earlier ones that it
 /// selects by.
-fn signs_read(writer: &Writer, g: &Graph, stages: &[usize], stage: usize) -> BTreeSet<u8> {
+fn signs_read<L: Language>(
+    writer: &Writer<L>,
+    g: &Graph,
+    stages: &[usize],
+    stage: usize,
+) -> BTreeSet<u8> {
     let nodes = g.nodes();
     let here = (0..nodes.len()).filter(|&i| stages[i] == stage && writer.needs(g.at(i)));
     here.flat_map(|i| nodes[i].operands())
@@ -218,72 +258,27 @@ fn signs_read(writer: &Writer, g: &Graph, stages: &[usize], stage: usize) -> BTr
         .collect()
 }
 
-/// The loop over targets of what their branches share.
-fn target_loop(kept: &[(Ident, Ident)], body: &[TokenStream]) -> Option<TokenStream> {
-    let (arrays, values): (Vec<&Ident>, Vec<&Ident>) = kept.iter().map(|(a, v)| (a, v)).unzip();
-    (!kept.is_empty()).then(|| {
-        quote! {
-            #(let mut #arrays = [0.0; T];)*
-            for t in 0..T {
-                #(#body)*
-                #(#arrays[t] = #values;)*
-            }
-        }
-    })
-}
-
-/// One loop over the branches of `signs` choices, of which those in `read` are
-/// read, and the targets of each.
-fn lane_loop(
-    read: &BTreeSet<u8>,
-    signs: u8,
-    kept: &[(Ident, Ident)],
-    body: &[TokenStream],
-) -> TokenStream {
-    let width = Literal::usize_unsuffixed(1 << signs);
-    let (names, lanes): (Vec<Ident>, Vec<TokenStream>) = read
-        .iter()
-        .map(|&choice| (sign_name(choice), sign_lanes(choice, signs)))
-        .unzip();
-    let (arrays, values): (Vec<&Ident>, Vec<&Ident>) = kept.iter().map(|(a, v)| (a, v)).unzip();
-    quote! {
-        #(let #names = #lanes;)*
-        #(let mut #arrays = [[0.0; T]; #width];)*
-        for k in 0..#width {
-            for t in 0..T {
-                #(#body)*
-                #(#arrays[k][t] = #values;)*
-            }
-        }
-    }
-}
-
-/// The sign of a choice in every lane: lane k has + where bit `choice` of k is
-/// clear.
-fn sign_lanes(choice: u8, signs: u8) -> TokenStream {
-    let lanes = (0..1_u32 << signs).map(|k| match k >> choice & 1 {
-        0 => quote!(1.0),
-        _ => quote!(-1.0),
-    });
-    quote!([#(#lanes),*])
-}
-
-/// Statements that bring older arrays to the width of a stage.
-fn widened(
-    alive: &BTreeMap<usize, (Ident, usize)>,
+/// The arrays of loops over branches that a stage or a later one reads.
+fn still_read(
+    alive: &BTreeMap<usize, (String, usize)>,
     stages: &[usize],
     stage: usize,
-    from: usize,
-    to: usize,
-) -> TokenStream {
+) -> Vec<String> {
     let read = alive
         .iter()
         .filter(|(i, (_, last))| stages[**i] > SHARED && *last >= stage);
-    let names: Vec<&Ident> = read.map(|(_, (name, _))| name).collect();
-    let comment = (!names.is_empty()).then(|| headings::widened(from, to));
-    let (from, to) = (
-        Literal::usize_unsuffixed(from),
-        Literal::usize_unsuffixed(to),
-    );
-    quote!(#comment #(let #names = widen::<#from, #to, T, _>(&#names);)*)
+    read.map(|(_, (name, _))| name.clone()).collect()
+}
+
+/// Whether the sign of a choice is − in a lane: lane k has + where bit `choice` of k is clear.
+pub fn is_minus(choice: u8, lane: u32) -> bool {
+    lane >> choice & 1 == 1
+}
+
+/// What stands in front of the sines and cosines of what is given.
+pub fn told_of_angles(solver: &ClosedForm) -> &'static str {
+    match solver.given.parameters() {
+        0 => "The seed, for an angle that the target leaves free",
+        _ => "What is given beside the target; the seed, for an angle that both leave free",
+    }
 }

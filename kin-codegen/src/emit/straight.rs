@@ -1,11 +1,11 @@
-//! Expressions as Rust: one `let` per shared or named node, the rest inline.
+//! Expressions as statements of a language: one per shared or named node, the rest
+//! inline.
 
-use crate::expr::{Expr, Graph, Node, RootField};
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use super::language::{Function, Language, Operator};
+use crate::expr::{Expr, Graph, Node};
 use std::collections::HashSet;
 
-/// How tightly a piece of Rust binds.
+/// How tightly a piece of source binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Sum,
@@ -26,8 +26,27 @@ pub enum Place {
     Lane,
 }
 
-/// Writes parts of a graph as Rust.
-pub struct Writer<'a> {
+/// An angle of which the sine, the cosine or both are needed, under these names.
+pub struct Angle<Text> {
+    /// Radians.
+    pub value: Text,
+    /// Of its sine.
+    pub sin: Option<String>,
+    /// Of its cosine.
+    pub cos: Option<String>,
+}
+
+/// All sines and cosines of a function, to be computed by one call on an array: a loop
+/// over lanes is vectorized where single calls are not.
+pub struct Trig<Text> {
+    /// The statements that add angles up.
+    pub sums: Vec<Text>,
+    /// The angles.
+    pub angles: Vec<Angle<Text>>,
+}
+
+/// Writes parts of a graph in a language.
+pub struct Writer<'a, L: Language> {
     graph: &'a Graph,
     needed: Vec<bool>,
     /// How many operations read a node.
@@ -35,7 +54,7 @@ pub struct Writer<'a> {
     /// Nodes that stand inline where they are used.
     inline: Vec<bool>,
     /// What a node is called, once it has been written.
-    names: Vec<Option<TokenStream>>,
+    names: Vec<Option<L::Text>>,
     taken: HashSet<String>,
     temporaries: usize,
     /// The quartics solved so far.
@@ -43,16 +62,11 @@ pub struct Writer<'a> {
     place: Place,
 }
 
-impl<'a> Writer<'a> {
-    /// For a function that computes `outputs`. `inputs` are the Rust
-    /// expressions of the inputs, by number. Nodes of different `stages` do
+impl<'a, L: Language> Writer<'a, L> {
+    /// For a function that computes `outputs`. `inputs` is how the
+    /// inputs are read, by number. Nodes of different `stages` do
     /// not stand inline in each other.
-    pub fn new(
-        graph: &'a Graph,
-        outputs: &[Expr],
-        inputs: &[TokenStream],
-        stages: &[usize],
-    ) -> Self {
+    pub fn new(graph: &'a Graph, outputs: &[Expr], inputs: &[L::Text], stages: &[usize]) -> Self {
         let needed = graph.reachable(outputs);
         let mut uses = vec![0; needed.len()];
         let mut pinned = vec![false; needed.len()];
@@ -80,10 +94,7 @@ impl<'a> Writer<'a> {
         for (i, node) in graph.nodes().iter().enumerate() {
             writer.names[i] = match node {
                 Node::Input(k) => Some(inputs[usize::from(*k)].clone()),
-                Node::Sign(choice) => {
-                    let sign = sign_name(choice.0);
-                    Some(quote!(#sign[k]))
-                }
+                Node::Sign(choice) => Some(L::sign(&sign_name(choice.0))),
                 _ => None,
             };
         }
@@ -91,7 +102,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Reads a node that has been written in another way from here on.
-    pub fn rename(&mut self, e: Expr, reading: TokenStream) {
+    pub fn rename(&mut self, e: Expr, reading: L::Text) {
         self.names[e.index()] = Some(reading);
     }
 
@@ -156,57 +167,49 @@ impl<'a> Writer<'a> {
         self.needed[index] && !self.inline[index] && self.names[index].is_none()
     }
 
-    /// The statements for the nodes that `select` picks, in order. `open` says
-    /// what stands in front of a node's; `bind` makes a statement of a name and
-    /// a value, and says how the name is to be read from then on.
+    /// The statements for the nodes that `select` picks, in order. `open` says what
+    /// comments stand in front of a node's; `named` is told its name.
     pub fn statements(
         &mut self,
         place: Place,
         select: impl Fn(usize) -> bool,
-        mut open: impl FnMut(usize) -> TokenStream,
-        mut bind: impl FnMut(Expr, &Ident, TokenStream) -> (TokenStream, TokenStream),
-    ) -> Vec<TokenStream> {
+        mut open: impl FnMut(usize) -> Vec<String>,
+        mut named: impl FnMut(Expr, &str),
+    ) -> Vec<L::Text> {
         self.place = place;
         let mut out = Vec::new();
         for i in 0..self.needed.len() {
             if !self.awaits(i) || !select(i) {
                 continue;
             }
-            out.push(open(i));
+            out.extend(open(i).iter().map(|text| L::comment(text)));
             let e = self.expr(i);
             if let Node::TrigRoot(coefficients, _) = self.graph.node(e) {
                 out.extend(self.roots_of(coefficients));
             }
             let name = self.identifier(e);
             let value = self.value(e).0;
-            let (statement, reading) = bind(e, &name, value);
-            self.names[i] = Some(reading);
-            out.push(statement);
+            self.names[i] = Some(L::name(&name));
+            named(e, &name);
+            out.push(L::definition(&name, value));
         }
         out
     }
 
-    /// The statements that compute every sine and cosine of the function, in
-    /// one call of `function` on an array: a loop over lanes is vectorized where
-    /// single calls are not.
-    pub fn sines_and_cosines(&mut self, function: &TokenStream) -> Vec<TokenStream> {
+    /// The sines and cosines of the function.
+    pub fn sines_and_cosines(&mut self) -> Trig<L::Text> {
         let angles = self.laid_out(self.angles());
-        let sums = self.graph.reachable(&angles);
-        let mut out = self.statements(
-            Place::Scalar,
-            |i| sums[i],
-            |_| TokenStream::new(),
-            |_, name, value| (quote!(let #name = #value;), quote!(#name)),
-        );
-        let values: Vec<TokenStream> = angles.iter().map(|&a| self.read(a).0).collect();
-        let sines: Vec<TokenStream> = angles.iter().map(|&a| self.bound(Node::Sin(a))).collect();
-        let cosines: Vec<TokenStream> = angles.iter().map(|&a| self.bound(Node::Cos(a))).collect();
-        if !angles.is_empty() {
-            out.push(quote! {
-                let ([#(#sines),*], [#(#cosines),*]) = #function([#(#values),*]);
-            });
+        let reached = self.graph.reachable(&angles);
+        let sums = self.statements(Place::Scalar, |i| reached[i], |_| Vec::new(), |_, _| ());
+        let values: Vec<L::Text> = angles.iter().map(|&a| self.read(a).0).collect();
+        let sines: Vec<_> = angles.iter().map(|&a| self.bound(Node::Sin(a))).collect();
+        let cosines: Vec<_> = angles.iter().map(|&a| self.bound(Node::Cos(a))).collect();
+        let all = values.into_iter().zip(sines).zip(cosines);
+        let all = all.map(|((value, sin), cos)| Angle { value, sin, cos });
+        Trig {
+            sums,
+            angles: all.collect(),
         }
-        out
     }
 
     /// The angles of which a sine or cosine is needed.
@@ -257,165 +260,137 @@ impl<'a> Writer<'a> {
         self.angles().iter().any(is_sum)
     }
 
-    /// The name under which a node is bound by a pattern; `_` if it is not
-    /// needed.
-    fn bound(&mut self, node: Node) -> TokenStream {
-        match self.graph.find(node).filter(|e| self.needed[e.index()]) {
-            Some(e) => {
-                let name = self.identifier(e);
-                self.names[e.index()] = Some(quote!(#name));
-                quote!(#name)
-            }
-            None => quote!(_),
-        }
+    /// The name of a node that is computed with others; none if it is not needed.
+    fn bound(&mut self, node: Node) -> Option<String> {
+        let e = self.graph.find(node).filter(|e| self.needed[e.index()])?;
+        let name = self.identifier(e);
+        self.names[e.index()] = Some(L::name(&name));
+        Some(name)
     }
 
     /// The call that finds the roots of a quartic, unless it stands already.
-    fn roots_of(&mut self, coefficients: [Expr; 5]) -> Option<TokenStream> {
+    fn roots_of(&mut self, coefficients: [Expr; 5]) -> Option<L::Text> {
         if self.quartics.contains(&coefficients) {
             return None;
         }
         self.quartics.push(coefficients);
         let name = quartic_name(self.quartics.len());
-        let values = coefficients.map(|e| self.read(e).0);
-        Some(quote!(let #name = trig_roots([#(#values),*]);))
+        Some(L::roots(&name, coefficients.map(|e| self.read(e).0)))
     }
 
-    fn identifier(&mut self, e: Expr) -> Ident {
+    fn identifier(&mut self, e: Expr) -> String {
         let wanted = self.graph.name(e).map(str::to_owned);
         if let Some(name) = wanted
             && self.taken.insert(name.clone())
         {
-            return format_ident!("{name}");
+            return name;
         }
         loop {
             self.temporaries += 1;
             let name = format!("t{}", self.temporaries);
             if self.taken.insert(name.clone()) {
-                return format_ident!("{name}");
+                return name;
             }
         }
     }
 
     /// A node as an operand or a result.
-    pub fn output(&self, e: Expr) -> TokenStream {
+    pub fn output(&self, e: Expr) -> L::Text {
         self.read(e).0
     }
 
-    fn read(&self, e: Expr) -> (TokenStream, Binding) {
+    fn read(&self, e: Expr) -> (L::Text, Binding) {
         match &self.names[e.index()] {
             Some(name) => (name.clone(), Binding::Atom),
             None => self.value(e),
         }
     }
 
-    fn at_least(&self, e: Expr, binding: Binding) -> TokenStream {
-        let (tokens, own) = self.read(e);
+    fn at_least(&self, e: Expr, binding: Binding) -> L::Text {
+        let (text, own) = self.read(e);
         if own >= binding {
-            tokens
+            text
         } else {
-            quote!((#tokens))
+            L::parenthesized(text)
         }
     }
 
-    fn value(&self, e: Expr) -> (TokenStream, Binding) {
+    fn value(&self, e: Expr) -> (L::Text, Binding) {
         use Binding::{Atom, Product, Sum, Unary};
+        let infix = |a, operator, b, binding| (L::infix(a, operator, b), binding);
         match self.graph.node(e) {
-            Node::Constant(bits) => constant(f64::from_bits(bits)),
+            Node::Constant(bits) => constant::<L>(f64::from_bits(bits)),
             Node::Input(_) | Node::Sign(_) | Node::Sin(_) | Node::Cos(_) => {
                 unreachable!("inputs, signs, sines and cosines have names before they are read")
             }
             Node::Add(a, b) => match self.graph.value(b) {
                 Some(c) if c < 0.0 => {
-                    let (a, c) = (self.read(a).0, constant(-c).0);
-                    (quote!(#a - #c), Sum)
+                    let (a, c) = (self.read(a).0, constant::<L>(-c).0);
+                    infix(a, Operator::Minus, c, Sum)
                 }
                 _ => {
                     let (a, b) = (self.at_least(a, Sum), self.at_least(b, Product));
-                    (quote!(#a + #b), Sum)
+                    infix(a, Operator::Plus, b, Sum)
                 }
             },
             Node::Sub(a, b) => {
                 let (a, b) = (self.at_least(a, Sum), self.at_least(b, Product));
-                (quote!(#a - #b), Sum)
+                infix(a, Operator::Minus, b, Sum)
             }
             Node::Mul(a, b) => {
                 let (a, b) = (self.at_least(a, Product), self.at_least(b, Unary));
-                (quote!(#a * #b), Product)
+                infix(a, Operator::Times, b, Product)
             }
             Node::Div(a, b) => {
                 let (a, b) = (self.at_least(a, Product), self.at_least(b, Unary));
-                (quote!(#a / #b), Product)
+                infix(a, Operator::Over, b, Product)
             }
-            Node::Neg(a) => {
-                let a = self.at_least(a, Atom);
-                (quote!(-#a), Unary)
-            }
-            Node::Sqrt(a) => self.call(quote!(math::sqrt), &[a]),
-            Node::Atan2(y, x) if self.place == Place::Lane => {
-                self.call(quote!(lanes::angle), &[y, x])
-            }
+            Node::Neg(a) => (L::minus(self.at_least(a, Atom)), Unary),
+            Node::Sqrt(a) => self.call(Function::Sqrt, &[a]),
             Node::Atan2(y, x) => {
-                let (angle, _) = self.call(quote!(math::atan2), &[y, x]);
-                (quote!(math::wrap(#angle)), Atom)
+                let function = match self.place {
+                    Place::Lane => Function::AngleInLanes,
+                    Place::Scalar => Function::Angle,
+                };
+                self.call(function, &[y, x])
             }
-            Node::Wrap(a) => self.call(quote!(math::wrap), &[a]),
-            Node::Max(a, b) => self.call(quote!(math::max), &[a, b]),
-            Node::Select([a, b, x, y]) => {
-                let [a, b, x, y] = [a, b, x, y].map(|e| self.read(e).0);
-                (quote!(math::select(#a < #b, #x, #y)), Atom)
-            }
+            Node::Wrap(a) => self.call(Function::Wrap, &[a]),
+            Node::Max(a, b) => self.call(Function::Max, &[a, b]),
+            Node::Select(all) => self.call(Function::SelectLess, &all),
             Node::TrigRoot(coefficients, part) => {
                 let known = self.quartics.iter().position(|c| *c == coefficients);
                 let name = quartic_name(known.map_or(0, |i| i + 1));
-                let place = Literal::u8_unsuffixed(part.place);
-                let field = match part.field {
-                    RootField::Sin => quote!(sin),
-                    RootField::Cos => quote!(cos),
-                    RootField::State => quote!(state),
-                };
-                (quote!(#name[#place].#field), Atom)
+                (L::root(&name, part), Atom)
             }
         }
     }
 
-    fn call(&self, function: TokenStream, arguments: &[Expr]) -> (TokenStream, Binding) {
-        let arguments = arguments.iter().map(|e| self.read(*e).0);
-        (quote!(#function(#(#arguments),*)), Binding::Atom)
+    fn call(&self, function: Function, arguments: &[Expr]) -> (L::Text, Binding) {
+        let arguments = arguments.iter().map(|e| self.read(*e).0).collect();
+        (L::call(function, arguments), Binding::Atom)
     }
 }
 
-fn quartic_name(number: usize) -> Ident {
-    format_ident!("roots{number}")
+fn quartic_name(number: usize) -> String {
+    format!("roots{number}")
 }
 
 /// What the sign of a choice is called.
-pub fn sign_name(choice: u8) -> Ident {
-    format_ident!("e{}", choice + 1)
+pub fn sign_name(choice: u8) -> String {
+    format!("e{}", choice + 1)
 }
 
-/// A literal; a negative one binds like the minus that it has.
-fn constant(x: f64) -> (TokenStream, Binding) {
-    let literal = literal(x.abs());
+/// A number; a negative one binds like the minus that it has.
+fn constant<L: Language>(x: f64) -> (L::Text, Binding) {
+    let number = L::number(x.abs());
     if x < 0.0 {
-        (quote!(-#literal), Binding::Unary)
+        (L::minus(number), Binding::Unary)
     } else {
-        (quote!(#literal), Binding::Atom)
+        (number, Binding::Atom)
     }
 }
 
-/// A literal with its sign.
-pub fn signed(x: f64) -> TokenStream {
-    constant(x).0
-}
-
-/// The shortest digits of a positive number, small ones as 1e-9.
-pub fn literal(x: f64) -> Literal {
-    if x != 0.0 && x < 1e-6 {
-        format!("{x:e}")
-            .parse()
-            .unwrap_or_else(|_| Literal::f64_unsuffixed(x))
-    } else {
-        Literal::f64_unsuffixed(x)
-    }
+/// A number with its sign.
+pub fn signed<L: Language>(x: f64) -> L::Text {
+    constant::<L>(x).0
 }

@@ -1,7 +1,7 @@
 //! The links that are fixed to others, as a constant.
 
-use super::straight::signed;
-use super::{matrix, text};
+use super::language::{matrix, signed};
+use crate::emit::text;
 use crate::model::{Frame, Joint, Model};
 use kin_runtime::Pose;
 use proc_macro2::{Literal, TokenStream};

@@ -1,8 +1,8 @@
 //! Forward kinematics and Jacobians as Rust functions.
 
 use super::comment::comment;
-use super::matrix;
-use super::straight::{Place, Writer};
+use super::language::{Writer, matrix, sines_and_cosines};
+use crate::emit::straight::Place;
 use crate::expr::jacobian::Columns;
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph};
@@ -79,13 +79,8 @@ fn block_of(
         .collect();
     let stages = vec![0; g.nodes().len()];
     let mut writer = Writer::new(g, outputs, &inputs, &stages);
-    let trig = writer.sines_and_cosines(sin_cos);
-    let statements = writer.statements(
-        Place::Scalar,
-        |_| true,
-        |_| TokenStream::new(),
-        |_, name, value| (quote!(let #name = #value;), quote!(#name)),
-    );
+    let trig = sines_and_cosines(&mut writer, sin_cos);
+    let statements = writer.statements(Place::Scalar, |_| true, |_| Vec::new(), |_, _| ());
     // A parameter that nothing depends on is taken all the same.
     let unread = (parameters.iter().enumerate())
         .filter(|(i, _)| !(i * n..(i + 1) * n).any(|k| writer.needs_input(k)))

@@ -5,7 +5,8 @@
 //! that is printed has the comment there; tokens that are compiled as they are
 //! lose the marker.
 
-use super::text::one_line;
+use crate::emit::header::Header;
+use crate::emit::text::one_line;
 use proc_macro2::{Group, Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
 
@@ -66,15 +67,25 @@ pub fn print(items: TokenStream) -> String {
     out
 }
 
+/// The comment at the top of a file.
+pub fn header(header: &Header) -> String {
+    let mut out = String::new();
+    for paragraph in &header.paragraphs {
+        push_comment(&mut out, "", paragraph);
+    }
+    push_line(&mut out, &header.made_by);
+    out
+}
+
 /// `text` as one line of a comment, however long.
-pub fn push_line(out: &mut String, text: &str) {
+fn push_line(out: &mut String, text: &str) {
     out.push_str("// ");
     out.push_str(&one_line(text));
     out.push('\n');
 }
 
 /// `text` as lines of a comment.
-pub fn push_comment(out: &mut String, indent: &str, text: &str) {
+fn push_comment(out: &mut String, indent: &str, text: &str) {
     let mut line = format!("{indent}//");
     let empty = line.len();
     for word in one_line(text).split(' ') {
@@ -164,6 +175,19 @@ mod tests {
             assert_eq!(tokens.to_string(), expected.to_string(), "{code}");
             assert!(!code.contains('\u{202e}'));
         }
+    }
+
+    #[test]
+    fn names_do_not_leave_the_header() {
+        let header = header(&Header {
+            paragraphs: vec!["From a\nb.urdf".into()],
+            made_by: "kin generate 'a\nb.urdf'".into(),
+        });
+        assert!(
+            header.lines().all(|line| line.starts_with("// ")),
+            "{header}"
+        );
+        assert!(header.contains(r"'a\nb.urdf'"), "{header}");
     }
 
     #[test]

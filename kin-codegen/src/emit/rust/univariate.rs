@@ -1,7 +1,7 @@
 //! Inverse kinematics by a polynomial in one joint: the arm's numbers, and calls of
 //! what is the same for every arm.
 
-use super::straight::{literal, signed};
+use super::language::{literal, signed};
 use crate::univariate::Arm;
 use kin_runtime::__private::univariate::Elimination;
 use kin_runtime::{Pose, Target};

@@ -1,12 +1,12 @@
 //! The rustdoc of a generated type: what it is, how to use it, its joints, its
 //! plan, and what its branches are called. Lines of Markdown.
 
-use super::headings::{does, list, steps};
-use super::postures::Postures;
 use super::redundant::given;
-use super::text::{code, degrees, number, one_line};
 use crate::arm::CompiledArm;
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::emit::headings::{does, list, steps};
+use crate::emit::postures::Postures;
+use crate::emit::text::{code, degrees, number, one_line};
 use crate::geometry::{Linkage, structure};
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};

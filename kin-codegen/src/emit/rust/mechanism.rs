@@ -4,10 +4,11 @@
 
 use super::comment::comment;
 use super::imports::imports;
+use super::language::{matrix, signed};
 use super::robot::{generated_by, in_module, limit, rated};
-use super::straight::signed;
-use super::{Names, documentation, forward, inverse, matrix, text};
+use super::{Names, documentation, forward, inverse};
 use crate::arm::CompiledArm;
+use crate::emit::text;
 use crate::expr::forward::Outputs;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Loop, Rod};
 use crate::model::JointKind;

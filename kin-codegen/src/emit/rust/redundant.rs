@@ -1,11 +1,12 @@
 //! Inverse kinematics of arms with more joints than their targets have coordinates:
 //! methods that take the values of the joints that stay free, or the turn of the tool.
 
-use super::headings::list;
-use super::lanes::TARGET;
-use super::straight::signed;
-use super::{Names, inverse, text, univariate};
+use super::language::signed;
+use super::{Names, inverse, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::emit::headings::list;
+use crate::emit::lanes::TARGET;
+use crate::emit::text;
 use crate::geometry::{Carried, Swivel, numbers};
 use crate::model::Model;
 use crate::redundancy::Redundancy;

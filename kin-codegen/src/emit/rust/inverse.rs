@@ -1,9 +1,10 @@
 //! Inverse kinematics as Rust functions.
 
-use super::lanes::{Lanes, TARGET, lanes};
-use super::straight::literal;
+use super::lanes::{Lanes, lanes};
+use super::language::{identifier, literal};
 use super::univariate;
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::emit::lanes::{TARGET, target_names};
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
@@ -164,10 +165,8 @@ pub fn statements(
     inverse: &InverseGraph,
     inputs: impl Iterator<Item = TokenStream>,
 ) -> (TokenStream, Lanes) {
-    let target = target_names();
-    let names: Vec<TokenStream> = target.iter().cloned().chain(inputs).collect();
-    let lanes = lanes(solver, inverse, &names);
-    let entries = target_pattern(&target, &lanes.inputs);
+    let lanes = lanes(solver, inverse, inputs);
+    let entries = target_pattern(&lanes.inputs);
     let statements = &lanes.statements;
     (quote!(#entries #(#statements)*), lanes)
 }
@@ -348,19 +347,15 @@ pub fn assumes(solver: &ClosedForm) -> String {
     }
 }
 
-/// The names of the targets' entries: r11 … r33, px, py, pz.
-fn target_names() -> Vec<TokenStream> {
-    let rotation = (1..=3).flat_map(|i| (1..=3).map(move |j| format_ident!("r{i}{j}")));
-    let translation = ["px", "py", "pz"].map(|name| format_ident!("{name}"));
-    rotation
-        .chain(translation)
-        .map(|name| quote!(#name))
-        .collect()
-}
-
 /// Takes the targets apart, as far as they are read: an array for each entry.
-fn target_pattern(names: &[TokenStream], used: &[bool]) -> TokenStream {
-    let names = names.iter().zip(used);
-    let names = names.map(|(name, used)| if *used { name.clone() } else { quote!(_) });
+fn target_pattern(used: &[bool]) -> TokenStream {
+    let names = target_names().into_iter().zip(used);
+    let names = names.map(|(name, used)| match used {
+        true => {
+            let name = identifier(&name);
+            quote!(#name)
+        }
+        false => quote!(_),
+    });
     quote!(let [#(#names),*] = lanes::entries(targets);)
 }

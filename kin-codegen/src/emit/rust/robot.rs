@@ -1,10 +1,11 @@
 //! The type of a robot, with its constants, methods and documentation.
 
 use super::imports::imports;
-use super::postures::Postures;
-use super::straight::signed;
-use super::{Names, documentation, forward, frames, inverse, redundant, singular, text};
+use super::language::signed;
+use super::{Names, documentation, forward, frames, inverse, redundant, singular};
 use crate::arm::CompiledArm;
+use crate::emit::postures::Postures;
+use crate::emit::text;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
 use crate::model::{JointKind, Model, Variable};
