@@ -40,33 +40,14 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
         }
     }
 
-    /// The arm with the parameter held and the target that it then has; the search's
-    /// answers are without the joint that is held.
-    fn held(&self, target: &Pose, parameter: f64) -> (Chain, Pose) {
-        match K::PARAMETER {
-            Parameter::Joint(joint) => (self.chain.locked(joint, parameter), *target),
-            Parameter::Turn => (self.chain.clone(), target.turned(parameter)),
-            Parameter::Swivel(_) => (self.chain.clone(), *target),
-        }
-    }
-
     /// All that the numerical search finds.
     pub fn search(&self, target: &Pose, parameter: f64) -> Vec<ChainSolution> {
-        if let Parameter::Swivel(swivel) = K::PARAMETER {
-            return Shoulder::new(&self.arm, &swivel).search(&self.chain, target, parameter);
-        }
-        let (chain, target) = self.held(target, parameter);
         let options = SearchOptions {
             target: self.counts,
+            given: &[(K::PARAMETER, parameter)],
             ..SearchOptions::default()
         };
-        let mut found = chain.ik_all(&target, &options);
-        if let Parameter::Joint(joint) = K::PARAMETER {
-            found
-                .iter_mut()
-                .for_each(|found| found.q.insert(joint, parameter));
-        }
-        found
+        self.chain.ik_all(target, &options)
     }
 
     /// The least singular value of the Jacobian of the joints that are not given, by the
@@ -128,7 +109,10 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
 
     /// How far `q` leaves the tip from what is asked, or the parameter, metres.
     pub fn miss(&self, q: &[f64; N], target: &Pose, parameter: f64) -> f64 {
-        let (_, target) = self.held(target, parameter);
+        let target = match K::PARAMETER {
+            Parameter::Turn => target.turned(parameter),
+            Parameter::Joint(_) | Parameter::Swivel(_) => *target,
+        };
         let held = match K::PARAMETER {
             Parameter::Joint(joint) => self.apart_at(joint, q[joint], parameter),
             Parameter::Turn => 0.0,

@@ -1,12 +1,9 @@
 //! The swivel angle: told by points of the generic chain, with other formulas than the
-//! runtime's, and searched for by locking the joints that it tells.
+//! runtime's.
 
 use crate::random::Random;
-use kinematics::{
-    Chain, ChainSolution, Kinematics, Parameter, Pose, RedundantKinematics, SearchOptions, Swivel,
-    Target, Twist,
-};
-use std::f64::consts::{FRAC_PI_2, PI};
+use kinematics::{Chain, Kinematics, Parameter, Pose, RedundantKinematics, Swivel};
+use std::f64::consts::FRAC_PI_2;
 
 /// Shoulder, elbow and wrist as points of the generic chain at home.
 pub struct Shoulder {
@@ -72,72 +69,6 @@ impl Shoulder {
             length(across(elbow, unit(way))),
             length(across(way, self.reference)),
         )
-    }
-
-    /// All solutions at an angle: those with the first joint where two joints put the elbow on
-    /// its circle, and the second one where they do.
-    pub fn search(&self, chain: &Chain, target: &Pose, angle: f64) -> Vec<ChainSolution> {
-        let wrist = target.transform_point(self.wrist);
-        let way = minus(wrist, self.centre);
-        let length = dot(way, way).sqrt();
-        let axis = unit(way);
-        let upper = minus(self.elbow, self.centre);
-        let home = chain.fk(&[0.0; 7]).transform_point(self.wrist);
-        let (upper, fore) = (dot(upper, upper), minus(home, self.elbow));
-        let along = (upper - dot(fore, fore) + length * length) / (2.0 * length);
-        let radius = (upper - along * along).max(0.0).sqrt();
-        let side = unit(across(self.reference, axis)).map(|x| radius * x);
-        let side = Pose::from_axis_angle(axis, angle, [0.0; 3]).rotate(side);
-        let elbow = [0, 1, 2].map(|i| self.centre[i] + along * axis[i] + side[i]);
-        let two: Vec<Twist> = chain.twists()[..2].to_vec();
-        let two = Chain::new(two, Pose::from_translation(self.elbow));
-        let position = SearchOptions {
-            target: Target::Position,
-            ..SearchOptions::default()
-        };
-        let mut all = Vec::new();
-        for start in two.ik_all(&Pose::from_translation(elbow), &position) {
-            let locked = chain.locked(0, start.q[0]);
-            for mut found in locked.ik_all(target, &SearchOptions::default()) {
-                let apart = (found.q[0] - start.q[1] + PI).rem_euclid(2.0 * PI) - PI;
-                found.q.insert(0, start.q[0]);
-                // With the first joint locked, the others may be singular where the arm is not.
-                if apart.abs() < 1e-3 && found.conditioning > 1e-4 {
-                    all.extend(self.moved_to(chain, target, angle, found));
-                }
-            }
-        }
-        all
-    }
-
-    /// A solution next to one at nearly this angle, by secants of the first joint: links that
-    /// are off a spherical shoulder and wrist have no triangle.
-    fn moved_to(
-        &self,
-        chain: &Chain,
-        target: &Pose,
-        angle: f64,
-        mut found: ChainSolution,
-    ) -> Option<ChainSolution> {
-        let at = |first: f64, near: &[f64]| {
-            let locked = chain.locked(0, first);
-            let mut found = locked.ik_from(target, &SearchOptions::default(), &near[1..])?;
-            found.q.insert(0, first);
-            Some(found)
-        };
-        let off = |q: &[f64]| {
-            let off = self.angle(chain, q, target) - angle;
-            (off + PI).rem_euclid(2.0 * PI) - PI
-        };
-        for _ in 0..6 {
-            if off(&found.q).abs() < 1e-12 {
-                break;
-            }
-            let beside = at(found.q[0] + 1e-5, &found.q)?;
-            let slope = (off(&beside.q) - off(&found.q)) / 1e-5;
-            found = at(found.q[0] - off(&found.q) / slope, &found.q)?;
-        }
-        Some(found)
     }
 }
 

@@ -6,7 +6,7 @@ use kin_codegen::certificate::{Failure, SINGULAR, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
 use kin_codegen::geometry::size;
 use kin_codegen::model::Model;
-use kin_runtime::{Chain, Pose};
+use kin_runtime::{Chain, Parameter, Pose};
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
@@ -90,6 +90,16 @@ impl<'a> Case<'a> {
         let hold = |chain: Chain, &joint: &usize| chain.locked(joint, q[joint]);
         let chain = locked.iter().rev().fold(self.chain.clone(), hold);
         (Cow::Owned(chain), self.form.split(q).1)
+    }
+
+    /// The parameters of a configuration, for the numerical search.
+    pub(super) fn given(&self, q: &[f64]) -> Vec<(Parameter, f64)> {
+        let (values, _) = self.form.split(q);
+        let locked = self.form.given.locked.iter();
+        let joints = locked.map(|&joint| Parameter::Joint(joint));
+        let swivel = self.form.given.swivel.iter();
+        let swivel = swivel.map(|swivel| Parameter::Swivel(swivel.at_run_time(self.model)));
+        joints.chain(swivel).zip(values).collect()
     }
 
     /// How far from singular a configuration is.

@@ -3,7 +3,7 @@
 use super::case::{Case, Outcome};
 use super::{Kind, Split};
 use kin_codegen::closed_form::BranchSolution;
-use kin_runtime::{ChainSolution, SearchOptions};
+use kin_runtime::{ChainSolution, Parameter, SearchOptions};
 use serde::Serialize;
 
 /// Targets with a solution worse conditioned than this are left out: there the
@@ -41,11 +41,6 @@ impl Comparison {
         outcome: &Outcome,
         mut note: impl FnMut(Kind, bool),
     ) {
-        if case.form.given.swivel.is_some() {
-            // The search knows joints that are locked, and no swivel angle.
-            self.skipped += 1;
-            return;
-        }
         let found = search(case, outcome);
         if found.iter().any(|found| found.conditioning < REGULAR) {
             self.skipped += 1;
@@ -87,28 +82,16 @@ impl Comparison {
     }
 }
 
-/// What the search finds for a target, with locked joints where the configuration has
-/// them.
+/// What the search finds for a target, with the parameters of the configuration.
 pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
-    let (chain, _) = case.solved_for(&outcome.q);
-    let found = chain.ik_all(&outcome.target, &options(case));
-    found
-        .into_iter()
-        .map(|found| whole(case, outcome, found))
-        .collect()
+    let given = case.given(&outcome.q);
+    case.chain.ik_all(&outcome.target, &options(case, &given))
 }
 
-fn whole(case: &Case, outcome: &Outcome, found: ChainSolution) -> ChainSolution {
-    let (parameters, _) = case.form.split(&outcome.q);
-    ChainSolution {
-        q: case.form.whole(&found.q, &parameters),
-        ..found
-    }
-}
-
-fn options(case: &Case) -> SearchOptions {
+fn options<'a>(case: &Case, given: &'a [(Parameter, f64)]) -> SearchOptions<'a> {
     SearchOptions {
         target: case.form.plan.target,
+        given,
         ..SearchOptions::default()
     }
 }
@@ -120,9 +103,9 @@ fn is_confirmed(
     solution: &BranchSolution,
     conditioning: f64,
 ) -> bool {
-    let (chain, start) = case.solved_for(&solution.q);
-    let landed = chain.ik_from(&outcome.target, &options(case), &start);
-    let landed = landed.map(|landed| whole(case, outcome, landed));
+    let given = case.given(&outcome.q);
+    let options = options(case, &given);
+    let landed = case.chain.ik_from(&outcome.target, &options, &solution.q);
     landed.is_some_and(|landed| case.is_among(&solution.q, &[as_solution(&landed)], conditioning))
 }
 

@@ -69,8 +69,8 @@ impl Chain {
     }
 
     /// The chain that is left when a joint is held at a value: a joint less, and what is
-    /// behind it where that has moved it. Of an arm with more joints than a target has
-    /// coordinates, [`Chain::ik_all`] of this finds the solutions that are isolated.
+    /// behind it where that has moved it. [`SearchOptions::given`](crate::SearchOptions::given)
+    /// holds joints for a search.
     ///
     /// ```
     /// use kin_runtime::{Chain, Pose, Twist};
@@ -106,6 +106,11 @@ impl Chain {
     /// The unit twists of the joints at q = 0.
     pub fn twists(&self) -> &[Twist] {
         &self.twists
+    }
+
+    /// The frames of [`Chain::with_links`].
+    pub(crate) fn links(&self) -> &[Pose] {
+        &self.links
     }
 
     /// The tip's pose at q = 0.
@@ -187,7 +192,7 @@ pub(crate) fn at_point(twist: &Twist, point: [f64; 3]) -> Twist {
 
 /// e^(ξ̂ θ) of a unit twist. With ω: R = I + ω̂ sin θ + ω̂² (1 − cos θ) and
 /// p = (I − R)(ω × v) + ω ωᵀ v θ; without: a translation by v θ.
-fn exponential(twist: &Twist, theta: f64) -> Pose {
+pub(super) fn exponential(twist: &Twist, theta: f64) -> Pose {
     let (v, w) = (twist.linear, twist.angular);
     if is_prismatic(twist) {
         return Pose::from_translation(scale(theta, v));

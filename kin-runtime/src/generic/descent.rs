@@ -3,8 +3,9 @@
 use alloc::{vec, vec::Vec};
 
 use super::chain::at_point;
+use super::half_plane::HalfPlane;
 use crate::linear::cholesky;
-use crate::linear::vector::{dot, scale};
+use crate::linear::vector::scale;
 use crate::{Chain, Pose, Target, Twist};
 
 /// A run ends after this many steps. Regular solutions take about ten; double
@@ -26,6 +27,16 @@ pub(crate) struct Task<'a> {
     pub(crate) counts: Target,
     /// Metres that weigh as much as one radian: the arm's size.
     pub(crate) length: f64,
+    /// Where the elbow has to be, if a swivel angle is given.
+    pub(super) elbow: Option<HalfPlane>,
+}
+
+/// Six coordinates of a motion, its angular part multiplied by the length, and that of an
+/// elbow out of its plane, metres.
+type Row = [f64; 7];
+
+fn dot(a: &Row, b: &Row) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 /// A descent and the memory that it reuses between runs.
@@ -42,12 +53,12 @@ pub(crate) struct Descent<'a> {
 /// A configuration, where it puts the tip and how the tip would move.
 struct State {
     q: Vec<f64>,
-    /// What counts of the geometric Jacobian, its angular part multiplied by
-    /// the length.
-    columns: Vec<Twist>,
-    /// What is missing, its angular part multiplied by the length: minus half
-    /// the gradient of the cost in the coordinates of the columns.
-    error: Twist,
+    spatial: Vec<Twist>,
+    /// What counts of the geometric Jacobian.
+    columns: Vec<Row>,
+    /// What is missing: minus half the gradient of the cost in the coordinates of the
+    /// columns.
+    error: Row,
     /// The squared distance from the target.
     cost: f64,
 }
@@ -90,7 +101,7 @@ impl<'a> Descent<'a> {
                 earlier = self.current.cost;
             }
         }
-        self.converged()
+        self.converged() && self.task.has(&self.current.q)
     }
 
     /// The configuration reached.
@@ -134,9 +145,9 @@ impl<'a> Descent<'a> {
         let State { columns, error, .. } = &self.current;
         let n = columns.len();
         for i in 0..n {
-            self.slope[i] = dot(columns[i].to_array(), error.to_array());
+            self.slope[i] = dot(&columns[i], error);
             for j in 0..=i {
-                let entry = dot(columns[i].to_array(), columns[j].to_array());
+                let entry = dot(&columns[i], &columns[j]);
                 self.gram[i * n + j] = entry;
                 self.gram[j * n + i] = entry;
             }
@@ -187,8 +198,9 @@ impl State {
     fn new(n: usize) -> State {
         State {
             q: vec![0.0; n],
-            columns: vec![Twist::default(); n],
-            error: Twist::default(),
+            spatial: vec![Twist::default(); n],
+            columns: vec![[0.0; 7]; n],
+            error: [0.0; 7],
             cost: f64::INFINITY,
         }
     }
@@ -199,25 +211,37 @@ impl Task<'_> {
     fn visit(&self, state: &mut State) {
         let mut before = Pose::IDENTITY;
         let moved = self.chain.displacements(&state.q).zip(self.chain.twists());
-        for (column, (after, twist)) in state.columns.iter_mut().zip(moved) {
-            *column = before.adjoint(twist);
+        for (spatial, (after, twist)) in state.spatial.iter_mut().zip(moved) {
+            *spatial = before.adjoint(twist);
             before = after;
         }
         let tip = before * *self.chain.home();
-        for column in &mut state.columns {
-            let velocity = at_point(column, tip.translation);
+        for (column, spatial) in state.columns.iter_mut().zip(&state.spatial) {
+            let velocity = at_point(spatial, tip.translation);
             *column = self.weighed(self.counts.counting(&tip, &velocity));
         }
         state.error = self.weighed(self.counts.missing(&tip, &self.target));
         let distance = self.counts.distance(&tip, &self.target, self.length);
         state.cost = distance * distance;
+        if let Some(elbow) = &self.elbow {
+            let (below, lifts) = elbow.row(self.chain, &state.q);
+            for (joint, twist) in state.spatial.iter().enumerate() {
+                state.columns[joint][6] = lifts(joint, twist);
+            }
+            state.error[6] = below;
+            state.cost += below * below;
+        }
+    }
+
+    /// Whether a solution of the equations is one of the task.
+    fn has(&self, q: &[f64]) -> bool {
+        let elbow = self.elbow.as_ref();
+        elbow.is_none_or(|elbow| elbow.has(self.chain, q))
     }
 
     /// With angles as lengths.
-    fn weighed(&self, twist: Twist) -> Twist {
-        Twist {
-            angular: scale(self.length, twist.angular),
-            ..twist
-        }
+    fn weighed(&self, twist: Twist) -> Row {
+        let ([x, y, z], [a, b, c]) = (twist.linear, scale(self.length, twist.angular));
+        [x, y, z, a, b, c, 0.0]
     }
 }

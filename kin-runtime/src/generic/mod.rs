@@ -5,6 +5,8 @@ mod assembly_modes;
 pub(crate) mod chain;
 mod characteristic_length;
 mod descent;
+mod given;
+mod half_plane;
 mod mechanism;
 mod search;
 

@@ -6,15 +6,22 @@ use core::f64::consts::PI;
 use super::chain::is_prismatic;
 use super::characteristic_length::characteristic_length;
 use super::descent::{Descent, Task};
+use super::given::Given;
 use crate::linear::vector::norm;
-use crate::{Chain, Pose, Target, Twist, math};
+use crate::{Chain, Parameter, Pose, Target, Twist, math};
 
 /// How [`Chain::ik_all`] searches. The defaults suit arms of up to six
-/// joints.
+/// joints, and arms of more with parameters that leave six.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SearchOptions {
+pub struct SearchOptions<'a> {
     /// What of the target counts; [`Target::Pose`] by default.
     pub target: Target,
+    /// What is given beside the target, so that an arm with more joints than that has
+    /// coordinates has isolated solutions: values of joints, the turn of the tool (then all of
+    /// the target so turned counts) and the swivel angle, each at most once. For a swivel the
+    /// chain needs its frames ([`Chain::with_links`]); where that angle is not defined, rounding
+    /// decides.
+    pub given: &'a [(Parameter, f64)],
     /// How often in a row a doubling of the number of starts must find nothing
     /// new.
     pub stable_doublings: u32,
@@ -28,10 +35,11 @@ pub struct SearchOptions {
     pub same: f64,
 }
 
-impl Default for SearchOptions {
-    fn default() -> SearchOptions {
+impl Default for SearchOptions<'_> {
+    fn default() -> Self {
         SearchOptions {
             target: Target::Pose,
+            given: &[],
             stable_doublings: 3,
             max_starts: 1 << 14,
             max_solutions: 64,
@@ -43,13 +51,14 @@ impl Default for SearchOptions {
 /// A configuration found by [`Chain::ik_all`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainSolution {
-    /// Joint values: radians in (−π, π], metres for prismatic joints.
+    /// Values of all joints: radians in (−π, π], metres for prismatic joints.
     pub q: Vec<f64>,
     /// How far the tip is from the target, metres: [`Target::distance`] with
     /// the arm's size.
     pub residual: f64,
     /// The least singular value of the geometric Jacobian by its Frobenius
-    /// norm, with the angular part in units of the arm's size. 0, or below
+    /// norm, with the angular part in units of the arm's size; of the joints that are not
+    /// given, with a row for the elbow where a swivel angle is. 0, or below
     /// 1e-6 or so, where this is one of a family or two solutions that meet.
     pub conditioning: f64,
 }
@@ -86,33 +95,56 @@ impl Chain {
     /// assert_eq!(planar.ik_all(&target, &options).len(), 2);
     /// assert!(planar.ik_all(&target, &SearchOptions::default()).is_empty());
     /// ```
+    ///
+    /// Of three joints in a plane, one is given beside a position:
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Parameter, Pose, SearchOptions, Target, Twist};
+    /// let joint = |x| Twist::revolute([0.0, 0.0, 1.0], [x, 0.0, 0.0]);
+    /// let home = Pose::from_translation([1.3, 0.0, 0.0]);
+    /// let planar = Chain::new(vec![joint(0.0), joint(0.5), joint(0.9)], home);
+    /// let options = SearchOptions {
+    ///     target: Target::Position,
+    ///     given: &[(Parameter::Joint(2), 0.4)],
+    ///     ..Default::default()
+    /// };
+    /// let found = planar.ik_all(&planar.fk(&[0.3, 0.8, 0.1]), &options);
+    /// assert_eq!(found.len(), 2);
+    /// assert!(found.iter().all(|solution| solution.q[2] == 0.4));
+    /// ```
+    ///
+    /// # Panics
+    /// If there is no joint of a place that is given; so does [`Chain::ik_from`].
     pub fn ik_all(&self, target: &Pose, options: &SearchOptions) -> Vec<ChainSolution> {
-        let length = self.length();
-        let mut descent = Descent::new(self.task(target, options.target));
-        let mut starts = Starts::new(self.twists(), length + norm(target.translation));
+        let given = Given::new(self, target, options.target, options.given);
+        let chain = &given.chain;
+        let task = chain.task(&given);
+        let mut starts = Starts::new(chain.twists(), task.length + norm(target.translation));
+        let mut descent = Descent::new(task);
         let mut found: Vec<ChainSolution> = Vec::new();
         let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
-        while quiet < options.stable_doublings && tried < options.max_starts {
+        'search: while quiet < options.stable_doublings && tried < options.max_starts {
             let known = found.len();
             for _ in 0..batch.min(options.max_starts - tried) {
                 if descent.run(starts.next()) {
-                    self.insert(&mut found, &mut descent, options.same);
+                    chain.insert(&mut found, &mut descent, options.same);
                 }
                 if found.len() == options.max_solutions {
-                    return in_order(found);
+                    break 'search;
                 }
             }
             tried += batch;
             batch = tried;
             quiet = if found.len() > known { 0 } else { quiet + 1 };
         }
-        in_order(found)
+        let whole = |found| given.completed(found);
+        in_order(found.into_iter().map(whole).collect())
     }
 
     /// The configuration that puts the tip at `target` and that a descent from
     /// `start` arrives at, if it arrives. As exact as those of
-    /// [`Chain::ik_all`]; of `options` only [`SearchOptions::target`] and
-    /// [`SearchOptions::same`] count.
+    /// [`Chain::ik_all`]; of `options` only [`SearchOptions::target`],
+    /// [`SearchOptions::given`] and [`SearchOptions::same`] count.
     ///
     /// ```
     /// use kin_runtime::{Chain, Pose, SearchOptions, Twist};
@@ -130,15 +162,16 @@ impl Chain {
         options: &SearchOptions,
         start: &[f64],
     ) -> Option<ChainSolution> {
-        let mut descent = Descent::new(self.task(target, options.target));
+        let given = Given::new(self, target, options.target, options.given);
+        let mut descent = Descent::new(given.chain.task(&given));
         let mut found = Vec::new();
-        if descent.run(start) {
-            self.insert(&mut found, &mut descent, options.same);
+        if descent.run(&given.others(start)) {
+            given.chain.insert(&mut found, &mut descent, options.same);
         }
-        found.pop()
+        found.pop().map(|found| given.completed(found))
     }
 
-    fn task(&self, target: &Pose, counts: Target) -> Task<'_> {
+    fn task(&self, given: &Given) -> Task<'_> {
         let axis = self.twists().first().map_or([0.0; 3], |first| {
             if is_prismatic(first) {
                 first.linear
@@ -148,9 +181,10 @@ impl Chain {
         });
         Task {
             chain: self,
-            target: counts.stands_for(target, axis, self.home()),
-            counts,
+            target: given.counts.stands_for(&given.target, axis, self.home()),
+            counts: given.counts,
             length: self.length(),
+            elbow: given.elbow,
         }
     }
 
