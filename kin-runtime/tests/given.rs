@@ -22,7 +22,7 @@ fn shoulder_and_wrist() -> (Chain, Swivel) {
     let swivel = Swivel {
         shoulder: at(0.36),
         link: 2,
-        // Any point of the upper arm tells the side; this one the fourth joint would move.
+        // Any point of the upper arm tells the side.
         elbow: link.inverse().transform_point(at(0.7)),
         wrist: home.inverse().transform_point(at(1.18)),
         reference: base.rotate(Z),

@@ -56,6 +56,8 @@ mod __Panda {
     ///
     /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. It makes the plan for the others cheapest, in operations of all branches (q7: 2727, q4: 2768, q6: 3636, q5: 3685).
     ///
+    /// Where it is singular, and how it moves while the tip rests: the documentation of `RedundantKinematics` tells the methods.
+    ///
     /// 1. q4 by SP3, given q7: turn a point to a distance
     /// 2. q5 and q6 by SP2, given q4 and q7: turn a vector onto another about two axes
     /// 3. q1 and q2 by SP2, given q4, q5, q6 and q7: turn a vector onto another about two axes

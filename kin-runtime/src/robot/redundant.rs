@@ -29,6 +29,16 @@ pub enum Parameter {
 ///
 /// The parameter is the value of a joint, the swivel angle, or the turn of the tool; generated
 /// robots tell which.
+///
+/// # Singularities and internal motions
+///
+/// Where the joints that are not given are singular and the arm is not, the internal motion has
+/// no share of the parameter: solutions meet, and a feasible interval ends. Where the arm is
+/// singular, it has more than one internal motion. The front page of `kinematics` has a section
+/// on both, with the methods that measure, avoid and follow them ("Of arms with joints to
+/// spare"); they are those of [`Kinematics`]: [`manipulability`](Kinematics::manipulability),
+/// [`internal_motions`](Kinematics::internal_motions),
+/// [`null_space_projection`](Kinematics::null_space_projection).
 pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// What the parameter is.
     const PARAMETER: Parameter;

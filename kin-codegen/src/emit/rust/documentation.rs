@@ -226,6 +226,10 @@ fn redundancy(compiled: &CompiledArm) -> Vec<String> {
     vec![
         format!("`ik_at` is given beside a target {given}.{why}"),
         String::new(),
+        "Where it is singular, and how it moves while the tip rests: the documentation of \
+         `RedundantKinematics` tells the methods."
+            .into(),
+        String::new(),
     ]
 }
 
