@@ -1,6 +1,6 @@
 //! The command line.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use kin_codegen::{Diagnostics, Ik, Options, Source, Target};
 use std::path::{Path, PathBuf};
 
@@ -32,14 +32,19 @@ pub enum Command {
 }
 
 /// Write a robot's forward kinematics, Jacobians and closed-form inverse
-/// kinematics as Rust
+/// kinematics as Rust or C
 #[derive(Debug, Args)]
 pub struct Generate {
     /// The robot file, URDF or YAML
     pub file: String,
     #[command(flatten)]
     pub options: RobotOptions,
-    /// The name of the type [default: the file's stem in UpperCamelCase]
+    /// The language: Rust, or C99 that is C++ as well, a header and a file that need
+    /// nothing but <math.h>
+    #[arg(long, value_enum, default_value_t)]
+    pub lang: Language,
+    /// The name of the type, or what all names in C begin with [default: the file's
+    /// stem in UpperCamelCase, in C in lower case]
     #[arg(long)]
     pub name: Option<String>,
     /// The path of the crate `kinematics` where the code is compiled, if the
@@ -47,12 +52,20 @@ pub struct Generate {
     /// ::kinematics]
     #[arg(long = "crate", value_name = "PATH")]
     pub krate: Option<String>,
-    /// Where to write [default: standard output]
-    #[arg(short, long)]
+    /// Where to write [default: standard output]; the folder of the files, if it is C
+    #[arg(short, long, required_if_eq("lang", "c"))]
     pub output: Option<PathBuf>,
     /// Write nothing; fail if the output is not what would be written
     #[arg(long, requires = "output")]
     pub check: bool,
+}
+
+/// A language of generated code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    #[default]
+    Rust,
+    C,
 }
 
 /// Tell what is known of a robot: chain, axes, plan step by step, costs

@@ -1,11 +1,18 @@
 //! `kin generate`.
 
-use crate::arguments::{Generate, read};
+use crate::arguments::{Generate, Language, read};
 use crate::{Done, Exit};
-use kin_codegen::spec::one_line;
-use kin_codegen::{Diagnostics, Options, generate};
+use kin_codegen::spec::{Diagnostic, one_line};
+use kin_codegen::{Diagnostics, Error, Options, Source, generate, generate_c};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// What is generated.
+struct Output {
+    /// Texts, and where they go; none for standard output.
+    files: Vec<(Option<PathBuf>, String)>,
+    warnings: Vec<Diagnostic>,
+}
 
 pub fn run(arguments: &Generate) -> Done {
     let options = Options {
@@ -17,21 +24,49 @@ pub fn run(arguments: &Generate) -> Done {
         Ok(source) => source,
         Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
     };
-    let generated = match generate(&source, &options) {
-        Ok(generated) => generated,
+    let generated = match arguments.lang {
+        Language::Rust => rust(&source, &options, arguments.output.as_ref()),
+        Language::C => c(&source, &options, arguments.output.as_ref()),
+    };
+    let Output { files, warnings } = match generated {
+        Ok(output) => output,
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
-    let code = generated.code();
-    let mut done = match &arguments.output {
-        None => Done::printing(code),
-        Some(output) if arguments.check => check(output, &code),
-        Some(output) => write(output, &code),
-    };
-    let warnings = generated.robot.warnings().to_vec();
+    let mut done = Done::printing("");
+    for (file, code) in files {
+        done = match file {
+            None => Done::printing(code),
+            Some(file) if arguments.check => check(&file, &code),
+            Some(file) => write(&file, &code),
+        };
+        if done.exit != Exit::Success {
+            break;
+        }
+    }
     if let Some(warnings) = Diagnostics::of(&source.path, warnings) {
         done.stderr.insert_str(0, &format!("{warnings}\n"));
     }
     done
+}
+
+fn rust(source: &Source, options: &Options, file: Option<&PathBuf>) -> Result<Output, Error> {
+    let generated = generate(source, options)?;
+    Ok(Output {
+        files: vec![(file.cloned(), generated.code())],
+        warnings: generated.robot.warnings().to_vec(),
+    })
+}
+
+fn c(source: &Source, options: &Options, folder: Option<&PathBuf>) -> Result<Output, Error> {
+    let generated = generate_c(source, options)?;
+    let place = |ending: &str| Some(folder?.join(format!("{}.{ending}", generated.name)));
+    Ok(Output {
+        files: vec![
+            (place("h"), generated.header.clone()),
+            (place("c"), generated.source.clone()),
+        ],
+        warnings: generated.warnings.clone(),
+    })
 }
 
 fn check(output: &Path, code: &str) -> Done {

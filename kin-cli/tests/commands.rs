@@ -43,6 +43,50 @@ fn checked_in_code_is_stale_once_it_differs() {
 }
 
 #[test]
+fn c_is_written_as_two_files() {
+    let folder = temporary("c");
+    std::fs::create_dir_all(&folder).unwrap();
+    let [header, source] = ["scara.h", "scara.c"].map(|file| folder.join(file));
+    let command = ["generate", "--lang", "c", "robots/scara.yaml"];
+    let nowhere = kin(&command);
+    assert_eq!(nowhere.status.code(), Some(2), "two files are no output");
+    let command = [&command[..], &["-o", folder.to_str().unwrap()]].concat();
+    let check = [&command[..], &["--check"]].concat();
+    let written = kin(&command);
+    assert_eq!((written.status.code(), stdout(&written)), (Some(0), ""));
+    assert_eq!(kin(&check).status.code(), Some(0));
+    let code = std::fs::read_to_string(&header).unwrap();
+    assert!(
+        code.contains("by: kin generate scara.yaml --lang c\n"),
+        "{code}"
+    );
+    assert!(
+        std::fs::read_to_string(&source)
+            .unwrap()
+            .contains("#include \"scara.h\"")
+    );
+    std::fs::write(&header, code + "// by hand\n").unwrap();
+    let stale = kin(&check);
+    assert_eq!(stale.status.code(), Some(4));
+    assert!(stderr(&stale).contains("scara.h is stale"));
+}
+
+#[test]
+fn what_is_not_written_as_c_is_a_warning() {
+    let folder = temporary("c_warned");
+    std::fs::create_dir_all(&folder).unwrap();
+    let command = ["generate", "--lang", "c", "robots/xarm6.yaml", "-o"];
+    let warned = kin(&[&command[..], &[folder.to_str().unwrap()]].concat());
+    assert_eq!(warned.status.code(), Some(0));
+    let said = stderr(&warned);
+    assert!(
+        said.starts_with("robots/xarm6.yaml: warning: no inverse kinematics in C: "),
+        "{said}"
+    );
+    assert!(folder.join("xarm6.h").exists());
+}
+
+#[test]
 fn checked_in_code_is_stale_once_its_robot_file_differs() {
     let (robot, file) = (temporary("stale.yaml"), temporary("stale_robot.rs"));
     let scara = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots/scara.yaml");

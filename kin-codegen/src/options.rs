@@ -167,7 +167,7 @@ impl fmt::Display for Unknown {
 
 impl std::error::Error for Unknown {}
 
-fn stem(path: &str) -> &str {
+pub(crate) fn stem(path: &str) -> &str {
     let file = file_name(path);
     file.split('.').next().unwrap_or(file)
 }

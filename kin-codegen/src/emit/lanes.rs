@@ -46,8 +46,8 @@ pub struct Lanes<L: Language> {
 pub struct Stage<L: Language> {
     /// How many choices its lanes are of; none of the one over targets alone.
     pub signs: u8,
-    /// Arrays of earlier loops over branches that this one or a later one reads, and of how
-    /// many lanes they are so far.
+    /// Values of earlier loops over branches that this one or a later one reads, and how many
+    /// lanes they have so far.
     pub widened: (Vec<String>, usize),
     /// The choices whose signs it reads.
     pub reads: BTreeSet<u8>,
@@ -55,23 +55,17 @@ pub struct Stage<L: Language> {
     pub heading: String,
     /// Of one lane.
     pub body: Vec<L::Text>,
-    /// The values that outlive it, with their arrays.
-    pub kept: Vec<Kept>,
-}
-
-/// A value that outlives its loop.
-pub struct Kept {
-    pub array: String,
-    pub value: String,
+    /// The values that outlive it, by their names.
+    pub kept: Vec<String>,
 }
 
 /// Where a result stands.
 pub enum Output<Text> {
-    /// In an array with a place for each target.
+    /// A value that has outlived the loop over targets.
     OfTarget(String),
-    /// In an array with a place for each lane of an earlier loop than the last.
+    /// One that has outlived an earlier loop over branches than the last.
     Earlier(String),
-    /// In an array with a place for each lane.
+    /// One of the last loop.
     Last(String),
     /// A value of the target at hand.
     ValueOfTarget(Text),
@@ -127,14 +121,14 @@ pub fn lanes<L: Language>(
     let loops = loops(g.choices());
     let stages = stages(g, &loops);
     let target = target_names();
-    let target = target.iter().map(|name| L::in_array(name, false));
+    let target = target.iter().map(|name| L::of_target(name));
     let inputs: Vec<L::Text> = target.chain(inputs).collect();
     let mut writer = Writer::<L>::new(g, &outputs, &inputs, &stages);
     let last_read = last_read(&writer, inverse, &stages, SHARED + loops.len());
     let trig = writer.sines_and_cosines();
     let given = given(&mut writer, &headings, &stages);
     let mut written = Vec::new();
-    // Arrays alive, by node: name and the last stage that reads them.
+    // Values that outlive their loops, by node: name and the last stage that reads them.
     let mut alive: BTreeMap<usize, (String, usize)> = BTreeMap::new();
     let mut before = 0;
     for (stage, signs) in (SHARED..).zip(std::iter::once(0).chain(loops)) {
@@ -156,17 +150,15 @@ pub fn lanes<L: Language>(
             |e, name| {
                 let last = last_read[e.index()];
                 if last > stage || outputs.contains(&e) {
-                    let array = format!("{name}_");
-                    alive.insert(e.index(), (array.clone(), last));
-                    let value = name.to_owned();
-                    kept.push(Kept { array, value });
+                    alive.insert(e.index(), (name.to_owned(), last));
+                    kept.push(name.to_owned());
                 }
             },
         );
         body.extend(opened.rest().iter().map(|text| L::comment(text)));
         // From here on they are read from their arrays.
-        for (i, (array, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
-            writer.rename(g.at(*i), L::in_array(array, stage > SHARED));
+        for (i, (value, _)) in alive.iter().filter(|(i, _)| stages[**i] == stage) {
+            writer.rename(g.at(*i), L::kept(value, stage > SHARED));
         }
         let reads = signs_read(&writer, g, &stages, stage);
         written.push(Stage {
@@ -181,9 +173,9 @@ pub fn lanes<L: Language>(
     }
     let last = stages.iter().copied().max().unwrap_or(SHARED);
     let output = |e: Expr| match (alive.get(&e.index()), stages[e.index()]) {
-        (Some((array, _)), SHARED) => Output::OfTarget(array.clone()),
-        (Some((array, _)), stage) if stage < last => Output::Earlier(array.clone()),
-        (Some((array, _)), _) => Output::Last(array.clone()),
+        (Some((value, _)), SHARED) => Output::OfTarget(value.clone()),
+        (Some((value, _)), stage) if stage < last => Output::Earlier(value.clone()),
+        (Some((value, _)), _) => Output::Last(value.clone()),
         (None, SHARED) => Output::ValueOfTarget(writer.output(e)),
         (None, _) => Output::Value(writer.output(e)),
     };
@@ -258,7 +250,7 @@ fn signs_read<L: Language>(
         .collect()
 }
 
-/// The arrays of loops over branches that a stage or a later one reads.
+/// The values of loops over branches that a stage or a later one reads.
 fn still_read(
     alive: &BTreeMap<usize, (String, usize)>,
     stages: &[usize],

@@ -24,9 +24,11 @@ pub trait Language {
     fn root(quartic: &str, part: RootPart) -> Self::Text;
     /// The sign of a choice, by its name, in the lane at hand.
     fn sign(name: &str) -> Self::Text;
-    /// What an array of lanes has for the target at hand, and for the branch at hand where it
-    /// depends on that.
-    fn in_array(array: &str, of_branch: bool) -> Self::Text;
+    /// An entry of the target at hand.
+    fn of_target(entry: &str) -> Self::Text;
+    /// A value that has outlived its loop, by its name there: that of the target at hand, and
+    /// of the branch at hand where it depends on that.
+    fn kept(value: &str, of_branch: bool) -> Self::Text;
     /// The statement that gives a value its name.
     fn definition(name: &str, value: Self::Text) -> Self::Text;
     /// The statement that solves a quartic and gives its roots a name.

@@ -2,6 +2,7 @@
 //! order and under which names is decided for all of them alike; each has a folder for the
 //! rest.
 
+pub mod c;
 pub(crate) mod header;
 mod headings;
 mod lanes;

@@ -3,7 +3,7 @@
 //! inside of those do.
 
 use super::comment::comment;
-use super::language::{Rust, bound, identifier};
+use super::language::{Rust, array, bound, identifier};
 use crate::closed_form::ClosedForm;
 use crate::emit::headings;
 use crate::emit::lanes::{self, Output, Stage, is_minus, told_of_angles};
@@ -52,15 +52,15 @@ pub fn lanes(
         statements.push(lane_loop(stage));
     }
     let width = Literal::usize_unsuffixed(found.width);
-    let array = |output: &Output<TokenStream>| written(output, &width);
+    let result = |output: &Output<TokenStream>| written(output, &width);
     Lanes {
         statements,
-        q: found.q.iter().map(array).collect(),
-        residual: array(&found.residual),
-        invalid: array(&found.invalid),
-        singular: array(&found.singular),
+        q: found.q.iter().map(result).collect(),
+        residual: result(&found.residual),
+        invalid: result(&found.invalid),
+        singular: result(&found.singular),
         free_angle: match &found.free_angle {
-            Some(free) => free.each_ref().map(array),
+            Some(free) => free.each_ref().map(result),
             None => std::array::from_fn(|_| quote!([[0.0; T]; #width])),
         },
         inputs: found.inputs,
@@ -70,16 +70,16 @@ pub fn lanes(
 /// A result as an array of lanes.
 fn written(output: &Output<TokenStream>, width: &Literal) -> TokenStream {
     match output {
-        Output::OfTarget(array) => {
-            let array = identifier(array);
+        Output::OfTarget(value) => {
+            let array = array(value);
             quote!([#array; #width])
         }
-        Output::Earlier(array) => {
-            let array = identifier(array);
+        Output::Earlier(value) => {
+            let array = array(value);
             quote!(#array.all())
         }
-        Output::Last(array) => {
-            let array = identifier(array);
+        Output::Last(value) => {
+            let array = array(value);
             quote!(#array)
         }
         Output::ValueOfTarget(value) => quote!([::core::array::from_fn(|t| #value); #width]),
@@ -90,8 +90,7 @@ fn written(output: &Output<TokenStream>, width: &Literal) -> TokenStream {
 /// The values that outlive a loop, with their arrays.
 fn kept(stage: &Stage<Rust>) -> (Vec<Ident>, Vec<Ident>) {
     let kept = stage.kept.iter();
-    kept.map(|kept| (identifier(&kept.array), identifier(&kept.value)))
-        .unzip()
+    kept.map(|value| (array(value), identifier(value))).unzip()
 }
 
 /// The loop over targets of what their branches share.
@@ -151,7 +150,7 @@ fn widened(stage: &Stage<Rust>) -> Option<TokenStream> {
     let to = 1 << stage.signs;
     let comment = comment(&headings::widened(*from, to));
     let [from, to] = [*from, to].map(Literal::usize_unsuffixed);
-    let names: Vec<Ident> = names.iter().map(|name| identifier(name)).collect();
+    let names: Vec<Ident> = names.iter().map(|name| array(name)).collect();
     (!names.is_empty())
         .then(|| quote!(#comment #(let #names = widen::<#from, #to, T, _>(&#names);)*))
 }

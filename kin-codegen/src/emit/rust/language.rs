@@ -72,8 +72,13 @@ impl Language for Rust {
         quote!(#name[k])
     }
 
-    fn in_array(array: &str, of_branch: bool) -> TokenStream {
-        let array = Self::name(array);
+    fn of_target(entry: &str) -> TokenStream {
+        let array = Self::name(entry);
+        quote!(#array[t])
+    }
+
+    fn kept(value: &str, of_branch: bool) -> TokenStream {
+        let array = array(value);
         match of_branch {
             true => quote!(#array[k][t]),
             false => quote!(#array[t]),
@@ -141,6 +146,11 @@ pub fn literal(x: f64) -> Literal {
 pub fn matrix<const R: usize>(rows: [[TokenStream; 3]; R]) -> TokenStream {
     let rows = rows.map(|[a, b, c]| quote!([#a, #b, #c]));
     quote!([#(#rows),*])
+}
+
+/// The array of the lanes of a value.
+pub fn array(value: &str) -> Ident {
+    format_ident!("{value}_")
 }
 
 /// What is called `name`.

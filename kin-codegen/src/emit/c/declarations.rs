@@ -1,0 +1,169 @@
+//! The header.
+
+use super::name::named;
+use super::{form, refused, text};
+use crate::arm::CompiledArm;
+use crate::closed_form::ClosedForm;
+use crate::emit::headings::{list, steps};
+use crate::emit::postures::Postures;
+use crate::emit::text::{degrees, number};
+use crate::model::Model;
+use crate::plan::Target;
+use crate::redundancy::Redundancy;
+use std::fmt::Write as _;
+
+const CONVENTIONS: &str = include_str!("runtime/conventions.h");
+const FORWARD: &str = include_str!("runtime/forward.h");
+const FRAMES: &str = include_str!("runtime/frames.h");
+const SOLUTION: &str = include_str!("runtime/solution.h");
+const IK: &str = include_str!("runtime/ik.h");
+const IK_AT: &str = include_str!("runtime/ik_at.h");
+
+/// What it declares beside functions.
+const CONSTANTS: &str = "\
+/* The joints' and their links' names, in the order of q; those of base and tip. In UTF-8. */
+extern const char *const kin_joint_names[KIN_JOINTS];
+extern const char *const kin_link_names[KIN_JOINTS];
+extern const char *const kin_base;
+extern const char *const kin_tip;
+/* Whether joints turn, 1, or slide, 0. */
+extern const int kin_turns[KIN_JOINTS];
+/* Radians and metres, rad/s and m/s, N m and N; infinite where the robot file has none. */
+extern const double kin_lower_limits[KIN_JOINTS];
+extern const double kin_upper_limits[KIN_JOINTS];
+extern const double kin_velocity_limits[KIN_JOINTS];
+extern const double kin_effort_limits[KIN_JOINTS];
+";
+
+/// All of it, behind the comment at the top.
+pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
+    let model = &compiled.model;
+    let about = text::comment("", &about(compiled));
+    let mut sizes = format!("#define KIN_JOINTS {}\n", model.variables.len());
+    let mut parts = vec![CONSTANTS.to_owned(), FORWARD.to_owned()];
+    if !model.frames.is_empty() {
+        let _ = writeln!(sizes, "#define KIN_FRAMES {}", model.frames.len());
+        sizes += "#define KIN_NO_SUCH_FRAME (-1)\n";
+        parts.push(FRAMES.to_owned());
+    }
+    if let Some(form) = form(compiled) {
+        let branches = form.plan.branches();
+        let _ = writeln!(
+            sizes,
+            "/* How many branches inverse kinematics looks at. */"
+        );
+        let _ = writeln!(sizes, "#define KIN_BRANCHES {branches}");
+        let _ = writeln!(sizes, "#define KIN_MAX_SOLUTIONS {branches}");
+        if let Some(redundancy) = &compiled.redundancy {
+            let _ = writeln!(
+                sizes,
+                "/* What inverse kinematics takes beside a target. */"
+            );
+            let _ = writeln!(sizes, "#define KIN_PARAMETERS {}", redundancy.parameters());
+        }
+        parts.push(SOLUTION.to_owned());
+        parts.push(match compiled.redundancy {
+            Some(_) => IK_AT.to_owned(),
+            None => IK.to_owned(),
+        });
+    }
+    let (conventions, parts) = (named(CONVENTIONS, prefix), named(&parts.join("\n"), prefix));
+    let guard = named("KIN_H", prefix);
+    let sizes = named(&sizes, prefix);
+    format!(
+        "#ifndef {guard}\n#define {guard}\n\n{about}\n{conventions}\n#ifdef __cplusplus\n\
+         extern \"C\" {{\n#endif\n\n{sizes}\n{parts}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
+    )
+}
+
+/// What the robot is.
+fn about(compiled: &CompiledArm) -> Vec<String> {
+    let model = &compiled.model;
+    let mut out = vec![
+        format!(
+            "The arm `{}` from `{}` to `{}`, compiled from `{}`.",
+            model.name, model.base, model.tip, compiled.file
+        ),
+        String::new(),
+    ];
+    out.extend((0..model.variables.len()).map(|i| joint(model, i)));
+    match (form(compiled), refused(compiled)) {
+        (Some(form), _) => out.extend(solved(compiled, form)),
+        (None, Some(refused)) => {
+            out.push(String::new());
+            out.push(format!("{}: {}.", refused.reason, refused.remedy));
+        }
+        (None, None) => {}
+    }
+    out
+}
+
+fn joint(model: &Model, i: usize) -> String {
+    let variable = &model.variables[i];
+    let turns = model.turns(i);
+    let bound = |x: f64| match turns {
+        true => format!("{} degrees", degrees(x)),
+        false => format!("{} m", number(x, 4)),
+    };
+    let travel = match variable.limits {
+        Some([lower, upper]) => format!("{} to {}", bound(lower), bound(upper)),
+        None => "without limits".into(),
+    };
+    let kind = if turns { "turns" } else { "slides" };
+    format!("q[{i}]: `{}`, {kind}, {travel}.", variable.name)
+}
+
+/// How inverse kinematics is solved, and what its branches are.
+fn solved(compiled: &CompiledArm, form: &ClosedForm) -> Vec<String> {
+    let redundancy = compiled.redundancy.as_ref();
+    let target = compiled.target();
+    let reads = match target {
+        Target::Pose => "whole poses".to_owned(),
+        _ => format!("{}; the rest of a pose is not read", target.phrase()),
+    };
+    let mut out = vec![
+        String::new(),
+        format!(
+            "Inverse kinematics of {reads}. Solutions reach the target to {:.1e} m, angles \
+             counted at the distance of {:.4} m.",
+            form.acceptance().tolerance,
+            form.acceptance().size
+        ),
+    ];
+    out.extend(redundancy.map(|redundancy| parameters(&compiled.model, redundancy)));
+    if let Some(inverse) = form.expressions() {
+        let steps = steps(&form.plan, &form.linkage, &inverse.parts);
+        out.extend((1..).zip(steps).map(|(i, step)| format!("{i}. {step}")));
+    }
+    let Some(postures) = Postures::of(form) else {
+        return out;
+    };
+    let columns = &postures.columns;
+    out.push(String::new());
+    out.extend((0..form.plan.branches() as u32).map(|branch| {
+        let words = columns.iter().zip(postures.words(branch));
+        let words: Vec<String> = words
+            .map(|(column, word)| format!("{} {word}", column.name))
+            .collect();
+        format!("Branch {branch}: {}.", words.join(", "))
+    }));
+    out.extend(columns.iter().map(|column| column.meaning.clone()));
+    out.retain(|line| line != " ");
+    out
+}
+
+/// What the parameters are.
+fn parameters(model: &Model, redundancy: &Redundancy) -> String {
+    let joints = redundancy.joints.iter().map(|&joint| {
+        let name = &model.joints[joint].name;
+        format!(
+            "the value of q[{}] (`{name}`)",
+            model.joints[joint].variable
+        )
+    });
+    let turn = redundancy.turn.then(|| {
+        "the turn of the tool about the tip's z axis from where the target has it, radians"
+            .to_owned()
+    });
+    format!("Parameters: {}.", list(joints.chain(turn)))
+}

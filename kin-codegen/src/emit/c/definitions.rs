@@ -1,0 +1,109 @@
+//! The file of definitions.
+
+use super::language::signed;
+use super::name::named;
+use super::text::string;
+use super::{form, forward, frames, inverse, runtime};
+use crate::arm::CompiledArm;
+use crate::model::{Model, Variable};
+use crate::spec::Rating;
+
+/// What stands in front of all functions.
+const PREAMBLE: &str = "\
+#ifdef __FAST_MATH__
+#error \"compile without -ffast-math: rounding and what is not a number have a meaning here\"
+#endif
+
+#if defined(__GNUC__)
+#define KIN_INLINE static inline __attribute__((always_inline))
+#else
+#define KIN_INLINE static inline
+#endif
+";
+
+/// All of it, behind the comment at the top.
+pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
+    let model = &compiled.model;
+    let frames = match model.frames.is_empty() {
+        true => String::new(),
+        false => format!("{}\n", frames::function(compiled)),
+    };
+    let inverse = match form(compiled).and_then(|form| Some((form, form.expressions()?))) {
+        Some((form, graph)) => {
+            let redundancy = compiled.redundancy.as_ref();
+            format!("\n{}", inverse::functions(model, form, graph, redundancy))
+        }
+        None => String::new(),
+    };
+    let functions = [
+        forward::functions(compiled),
+        frames,
+        runtime::LIMITS.to_owned(),
+        inverse,
+    ];
+    let code = runtime::with_pieces(&functions.join("\n"));
+    let constants = constants(compiled, prefix);
+    format!(
+        "#include \"{prefix}.h\"\n\n#include <math.h>\n\n{}\n{constants}\n{}",
+        named(PREAMBLE, prefix),
+        named(&code, prefix)
+    )
+}
+
+/// The constants, whose names are data.
+fn constants(compiled: &CompiledArm, prefix: &str) -> String {
+    let model = &compiled.model;
+    let variables = &model.variables;
+    let joints = variables.iter().map(|variable| string(&variable.name));
+    let links = (0..variables.len()).map(|i| string(&model.joints[model.joint_of(i)].link));
+    let list = |items: &mut dyn Iterator<Item = String>| items.collect::<Vec<_>>().join(",\n    ");
+    let strings = |what: &str, count: &str, values: String| {
+        let declared = named(
+            &format!("const char *const kin_{what}[KIN_{count}]"),
+            prefix,
+        );
+        format!("{declared} = {{\n    {values}\n}};\n")
+    };
+    let mut out = strings("joint_names", "JOINTS", list(&mut joints.into_iter()));
+    out += &strings("link_names", "JOINTS", list(&mut links.into_iter()));
+    if !model.frames.is_empty() {
+        out += &strings("frame_names", "FRAMES", frames::names(compiled));
+    }
+    for (what, name) in [("base", &model.base), ("tip", &model.tip)] {
+        let declared = named(&format!("const char *const kin_{what}"), prefix);
+        out += &format!("{declared} = {};\n", string(name));
+    }
+    out + &named(&limits(model), prefix)
+}
+
+fn limits(model: &Model) -> String {
+    let variables = &model.variables;
+    let bound = |variable: &Variable, i: usize| {
+        variable
+            .limits
+            .unwrap_or([f64::NEG_INFINITY, f64::INFINITY])[i]
+    };
+    let rated = |of: fn(&Rating) -> Option<f64>| {
+        move |variable: &Variable| of(&variable.rating).unwrap_or(f64::INFINITY)
+    };
+    let all = |what: &str, of: &dyn Fn(&Variable) -> f64| {
+        let values: Vec<String> = variables
+            .iter()
+            .map(|variable| signed(of(variable)))
+            .collect();
+        format!(
+            "const double kin_{what}[KIN_JOINTS] = {{{}}};\n",
+            values.join(", ")
+        )
+    };
+    let turns = (0..variables.len()).map(|i| i32::from(model.turns(i)).to_string());
+    let turns = turns.collect::<Vec<_>>().join(", ");
+    [
+        format!("const int kin_turns[KIN_JOINTS] = {{{turns}}};\n"),
+        all("lower_limits", &|variable| bound(variable, 0)),
+        all("upper_limits", &|variable| bound(variable, 1)),
+        all("velocity_limits", &rated(|rating| rating.velocity)),
+        all("effort_limits", &rated(|rating| rating.effort)),
+    ]
+    .concat()
+}

@@ -1,0 +1,225 @@
+//! Inverse kinematics as C functions.
+
+use super::language::signed;
+use super::{lanes, runtime};
+use crate::closed_form::ClosedForm;
+use crate::expr::inverse::InverseGraph;
+use crate::model::Model;
+use crate::plan::Target;
+use crate::redundancy::Redundancy;
+use std::fmt::Write as _;
+
+/// The definitions that solve for joint values.
+pub fn functions(
+    model: &Model,
+    solver: &ClosedForm,
+    inverse: &InverseGraph,
+    redundancy: Option<&Redundancy>,
+) -> String {
+    let target = solver.plan.target;
+    let parts = [
+        constants(solver),
+        whole(model, solver),
+        lanes::function(solver, inverse),
+        branches(solver, inverse),
+        runtime::SOLUTIONS.to_owned(),
+        match target.is_projected() {
+            true => String::new(),
+            false => runtime::CORRECTION.to_owned(),
+        },
+        solve(solver),
+        entry(redundancy, solver),
+    ];
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("\n")
+}
+
+/// What the runtime's pieces take from the arm.
+fn constants(solver: &ClosedForm) -> String {
+    let accept = solver.acceptance();
+    let target = solver.plan.target;
+    let is = |holds: bool| i32::from(holds);
+    let translation = !matches!(target, Target::Direction | Target::Orientation);
+    let all = [
+        ("SOLVED", solver.given.variables().to_string()),
+        ("SIZE", signed(accept.size)),
+        ("TOLERANCE", signed(accept.tolerance)),
+        ("COUNTS_TRANSLATION", is(translation).to_string()),
+        (
+            "COUNTS_ROTATION",
+            is(target != Target::Position).to_string(),
+        ),
+        ("COUNTS_AXIS", is(target.fixes_axis()).to_string()),
+        ("PROJECTED", is(target.is_projected()).to_string()),
+    ];
+    let mut out = String::from(
+        "/* The joints that are solved for; the arm's size, at whose distance angles count as \
+         lengths,\n * and by how much solutions may miss the target, metres; what of a target \
+         counts. */\n",
+    );
+    for (name, value) in all {
+        let _ = writeln!(out, "#define KIN_{name} {value}");
+    }
+    out
+}
+
+/// The values of all joints from those that are solved for and those that are given.
+fn whole(model: &Model, solver: &ClosedForm) -> String {
+    let given = &solver.given;
+    let locked: Vec<usize> = given
+        .locked
+        .iter()
+        .map(|&j| model.joints[j].variable)
+        .collect();
+    let all = 0..model.variables.len();
+    let solved: Vec<String> = all
+        .filter(|i| !locked.contains(i))
+        .map(|i| i.to_string())
+        .collect();
+    let mut body = String::new();
+    for (k, joint) in locked.iter().enumerate() {
+        let _ = match model.turns(*joint) {
+            true => writeln!(body, "    q[{joint}] = kin_wrap(given[{k}]);"),
+            false => writeln!(body, "    q[{joint}] = given[{k}];"),
+        };
+    }
+    if locked.is_empty() {
+        body += "    (void)given;\n";
+    }
+    format!(
+        "/* The joints that are solved for. */\nstatic const int kin_solved[KIN_SOLVED] = {{{}}};\n\n\
+         /* The values of all joints, from those that are solved for and those that are given. */\n\
+         static void kin_whole(const double solved[KIN_SOLVED], const double *given, \
+         double q[KIN_JOINTS])\n{{\n    for (int i = 0; i < KIN_SOLVED; ++i) {{\n        \
+         q[kin_solved[i]] = solved[i];\n    }}\n{body}}}\n",
+        solved.join(", ")
+    )
+}
+
+/// The lanes, with an angle that is free turned where its own value leaves the next root none.
+fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> String {
+    let heading = "static void kin_compute_branches(\n    const double target[12], \
+                   const double seed[KIN_SOLVED], const double *given, kin_lanes *lanes)\n{\n    \
+                   kin_compute_lanes(target, seed, given, 1e-24, lanes);\n";
+    let Some(free) = inverse.free_angle else {
+        return format!("{heading}}}\n");
+    };
+    let width = 1_usize << inverse.graph.choices();
+    let coordinate = free.coordinate;
+    let _ = solver;
+    format!(
+        "/* A free angle at the seed's value can leave a later step no root: it turns to where it \
+         leaves\n * the most room. */\nstatic void kin_turn_free_angles(\n    \
+         const double target[12], const double seed[KIN_SOLVED], const double *given, \
+         kin_lanes *lanes)\n{{\n    \
+         const double turns[3] = {{0.0, 1.5707963267948966, 3.141592653589793}};\n    \
+         kin_lanes turned[3], best;\n    double other[KIN_SOLVED];\n    \
+         for (int i = 0; i < KIN_SOLVED; ++i) {{\n        other[i] = seed[i];\n    }}\n    \
+         for (int s = 0; s < 3; ++s) {{\n        \
+         other[{coordinate}] = seed[{coordinate}] + turns[s];\n        \
+         kin_compute_lanes(target, other, given, 2.5e-19, &turned[s]);\n    }}\n    \
+         for (int k = 0; k < {width}; ++k) {{\n        \
+         if (lanes->no_root[k] > 0.0) {{\n            \
+         other[{coordinate}] = seed[{coordinate}] + kin_roomiest_turn(\n                \
+         turned[0].level[k], turned[1].level[k], turned[2].level[k]);\n            \
+         kin_compute_lanes(target, other, given, 2.5e-19, &best);\n            \
+         for (int i = 0; i < KIN_SOLVED; ++i) {{\n                \
+         lanes->q[i][k] = best.q[i][k];\n            }}\n            \
+         lanes->residual[k] = best.residual[k];\n            \
+         lanes->invalid[k] = best.invalid[k];\n            \
+         lanes->singular[k] = best.singular[k];\n        }}\n    }}\n}}\n\n\
+         {heading}    for (int k = 0; k < {width}; ++k) {{\n        \
+         if (lanes->no_root[k] > 0.0) {{\n            \
+         kin_turn_free_angles(target, seed, given, lanes);\n            \
+         return;\n        }}\n    }}\n}}\n"
+    )
+}
+
+/// The branches that reach their target.
+fn solve(solver: &ClosedForm) -> String {
+    let corrected = match solver.plan.target.is_projected() {
+        true => "",
+        false => {
+            "    if (nearly) {\n        count = kin_add_corrected(&lanes, target, given, \
+             solutions, count);\n    }\n"
+        }
+    };
+    let (mark, marked) = match corrected {
+        "" => ("", ""),
+        _ => (
+            "    int nearly = 0;\n",
+            " else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * KIN_SIZE) {\n            \
+             nearly = 1;\n        }",
+        ),
+    };
+    format!(
+        "/* The branches that reach their target, those that rounding keeps from it corrected. */\n\
+         static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
+         const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
+         int count = 0;\n{mark}    kin_compute_branches(target, seed, given, &lanes);\n    \
+         for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
+         if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_TOLERANCE) {{\n            \
+         double q[KIN_SOLVED];\n            \
+         for (int i = 0; i < KIN_SOLVED; ++i) {{\n                q[i] = lanes.q[i][k];\n            }}\n            \
+         kin_whole(q, given, solutions[count].q);\n            \
+         solutions[count].residual = lanes.residual[k];\n            \
+         solutions[count].branch = k;\n            \
+         solutions[count].singular = lanes.singular[k] > 0.0;\n            ++count;\n        }}{marked}\n    }}\n\
+         {corrected}    return count > 0 ? count : kin_why_none(target);\n}}\n"
+    )
+}
+
+/// The public functions.
+fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
+    let zeros = vec!["0.0"; solver.given.variables()].join(", ");
+    let Some(redundancy) = redundancy else {
+        return format!(
+            "int kin_ik(const double pose[12], kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n    \
+             static const double seed[KIN_JOINTS] = {{{zeros}}};\n    \
+             return kin_solve(pose, seed, 0, solutions);\n}}\n\n\
+             int kin_ik_seeded(\n    const double pose[12], const double seed[KIN_JOINTS],\n    \
+             kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n    \
+             return kin_solve(pose, seed, 0, solutions);\n}}\n\n{}\n\
+             int kin_ik_nearest(\n    const double pose[12], const double seed[KIN_JOINTS], \
+             kin_solution *solution)\n{{\n    kin_solution solutions[KIN_MAX_SOLUTIONS];\n    \
+             const int count = kin_solve(pose, seed, 0, solutions);\n    \
+             return count > 0 ? kin_choose(solutions, count, seed, solution) : count;\n}}\n",
+            runtime::NEAREST
+        );
+    };
+    let count = redundancy.joints.len();
+    let turned = match redundancy.turn {
+        true => format!(
+            "    double sine, cosine, turned[12];\n    \
+             kin_sin_cos(parameters[{count}], &sine, &cosine);\n    \
+             for (int i = 0; i < 12; i += 4) {{\n        \
+             turned[i] = pose[i] * cosine + pose[i + 1] * sine;\n        \
+             turned[i + 1] = pose[i + 1] * cosine - pose[i] * sine;\n        \
+             turned[i + 2] = pose[i + 2];\n        turned[i + 3] = pose[i + 3];\n    }}\n"
+        ),
+        false => String::new(),
+    };
+    let target = if redundancy.turn { "turned" } else { "pose" };
+    let joints = redundancy.joints.iter().enumerate();
+    let told: String = joints
+        .map(|(i, joint)| format!("    parameters[{i}] = q[{joint}];\n"))
+        .collect();
+    let of_turn = match redundancy.turn {
+        true => format!(
+            "    double reached[12], sine = 0.0, cosine = 0.0;\n    kin_fk(q, reached);\n    \
+             for (int i = 0; i < 12; i += 4) {{\n        \
+             sine += pose[i + 1] * reached[i] - pose[i] * reached[i + 1];\n        \
+             cosine += pose[i] * reached[i] + pose[i + 1] * reached[i + 1];\n    }}\n    \
+             parameters[{count}] = kin_atan2(sine, cosine);\n"
+        ),
+        false => "    (void)pose;\n".into(),
+    };
+    format!(
+        "int kin_ik_at(\n    const double pose[12], const double parameters[KIN_PARAMETERS],\n    \
+         kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n    \
+         static const double seed[KIN_SOLVED] = {{{zeros}}};\n{turned}    \
+         return kin_solve({target}, seed, parameters, solutions);\n}}\n\n\
+         void kin_redundancy(\n    const double pose[12], const double q[KIN_JOINTS], \
+         double parameters[KIN_PARAMETERS])\n{{\n{of_turn}{told}}}\n"
+    )
+}

@@ -1,0 +1,135 @@
+//! What a robot's symbols and files begin with.
+
+use crate::options::{Options, stem};
+use crate::spec::Diagnostic;
+
+/// Headers of C and C++ that a robot's would stand in for where its folder is searched first.
+const HEADERS: [&str; 30] = [
+    "assert",
+    "complex",
+    "ctype",
+    "errno",
+    "fenv",
+    "float",
+    "inttypes",
+    "iso646",
+    "limits",
+    "locale",
+    "malloc",
+    "math",
+    "memory",
+    "setjmp",
+    "signal",
+    "stdalign",
+    "stdarg",
+    "stdatomic",
+    "stdbool",
+    "stddef",
+    "stdint",
+    "stdio",
+    "stdlib",
+    "stdnoreturn",
+    "string",
+    "tgmath",
+    "threads",
+    "time",
+    "uchar",
+    "wchar",
+];
+
+/// The prefix of a robot's symbols, and the stem of its files: the option `name`, or the stem
+/// of the robot file in lower case. Every symbol goes on behind it, so that a reserved word
+/// may stand in it.
+pub fn prefix(options: &Options, path: &str) -> Result<String, Diagnostic> {
+    let Some(name) = &options.name else {
+        return Ok(snake_case(stem(path)));
+    };
+    let reason = match () {
+        () if !is_identifier(name) => {
+            format!("`{name}` cannot begin the names of a C library")
+        }
+        () if HEADERS.contains(&name.as_str()) => format!("`{name}.h` is a header of C"),
+        () => return Ok(name.clone()),
+    };
+    let remedy = format!(
+        "names are of ASCII letters, digits and single underscores, with a letter in front: \
+         `name = {}`",
+        snake_case(name)
+    );
+    Err(Diagnostic::whole(reason, remedy))
+}
+
+/// Whether a name can begin identifiers, none of which C or C++ reserve.
+fn is_identifier(name: &str) -> bool {
+    let part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(part)
+        && !name.contains("__")
+        && !name.ends_with('_')
+}
+
+/// `KR6-R900` becomes `kr6_r900`.
+fn snake_case(stem: &str) -> String {
+    let words = stem
+        .split(|c: char| !c.is_ascii_alphanumeric())
+        .filter(|word| !word.is_empty());
+    let name = words.collect::<Vec<_>>().join("_").to_ascii_lowercase();
+    match name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        true if HEADERS.contains(&name.as_str()) => format!("robot_{name}"),
+        true => name,
+        false if name.is_empty() => "robot".into(),
+        false => format!("robot{name}"),
+    }
+}
+
+/// Code that speaks of `kin_` and `KIN_`, with the robot's name in their place.
+pub fn named(code: &str, prefix: &str) -> String {
+    let upper = prefix.to_ascii_uppercase();
+    let lines = code.split("KIN_").map(|part| {
+        let parts: Vec<&str> = part.split("kin_").collect();
+        parts.join(&format!("{prefix}_"))
+    });
+    lines.collect::<Vec<_>>().join(&format!("{upper}_"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_come_from_the_file() {
+        let name = |path: &str| prefix(&Options::default(), path).unwrap();
+        assert_eq!(name("robots/KR6-R900.yaml"), "kr6_r900");
+        assert_eq!(name("int.urdf"), "int");
+        assert_eq!(name("math.urdf"), "robot_math");
+        assert_eq!(name("3r.yaml"), "robot3r");
+        assert_eq!(name("__x__.yaml"), "x");
+        assert_eq!(name("机械臂.urdf"), "robot");
+        assert_eq!(name("x; system(\"reboot\").urdf"), "x_system_reboot");
+    }
+
+    #[test]
+    fn a_name_is_not_named_again() {
+        assert_eq!(
+            named("kin_fk(KIN_JOINTS)", "AKIN_kin"),
+            "AKIN_kin_fk(AKIN_KIN_JOINTS)"
+        );
+    }
+
+    #[test]
+    fn names_that_break_c_are_refused() {
+        let asked = |name: &str| {
+            let options = Options {
+                name: Some(name.into()),
+                ..Options::default()
+            };
+            prefix(&options, "arm.urdf").map_err(|refused| refused.reason)
+        };
+        assert_eq!(asked("Ur5e").unwrap(), "Ur5e");
+        for name in ["", "a b", "1a", "_a", "a__b", "a_", "a;b", "é", "a-b"] {
+            let reason = format!("`{name}` cannot begin the names of a C library");
+            assert_eq!(asked(name).unwrap_err(), reason);
+        }
+        assert_eq!(asked("math").unwrap_err(), "`math.h` is a header of C");
+    }
+}

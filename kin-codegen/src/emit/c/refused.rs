@@ -1,0 +1,46 @@
+//! Inverse kinematics that is not written as C: it calls what of the runtime is large.
+
+use crate::arm::CompiledArm;
+use crate::closed_form::{Inverse, Refinement};
+use crate::spec::Diagnostic;
+
+/// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
+pub fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
+    let form = compiled.form()?;
+    let redundancy = compiled.redundancy.as_ref();
+    let swivel = redundancy.is_some_and(|redundancy| redundancy.swivel.is_some());
+    let in_rust = "generate Rust, which has it; `--ik none` says that C without it is meant";
+    let (reason, remedy) = match (&form.inverse, &form.refinement) {
+        (Inverse::Univariate(_), _) => (
+            format!(
+                "the arm has no closed form, and the polynomial in one joint that solves it, {}, \
+                 is not written as C",
+                form.plan
+            ),
+            in_rust.to_owned(),
+        ),
+        _ if !form.is_exact() => (
+            format!(
+                "the closed form is that of an arm whose tip is up to {:.1e} m from that of the \
+                 file, and the refinement of its solutions is not written as C",
+                form.tip_shift
+            ),
+            format!(
+                "write the relations between the axes exactly, as `kin explain` has them, or {in_rust}"
+            ),
+        ),
+        (_, Refinement::Univariate(_)) => (
+            "a step of the closed form degenerates where the arm does not, and the elimination \
+             that finds the solutions there is not written as C"
+                .to_owned(),
+            in_rust.to_owned(),
+        ),
+        _ if swivel => (
+            "the swivel angle as a parameter is not written as C".to_owned(),
+            format!("name a joint with `--free`, or {in_rust}"),
+        ),
+        _ => return None,
+    };
+    let reason = format!("no inverse kinematics in C: {reason}");
+    Some(Diagnostic::whole(reason, remedy).warning())
+}

@@ -1,0 +1,25 @@
+/* Of some solutions the one inside the limits that moves the joints least from a seed; of
+ * equals the first. */
+static int kin_choose(
+    const kin_solution *solutions, int count, const double seed[KIN_JOINTS], kin_solution *chosen)
+{
+    double least = HUGE_VAL;
+    for (int k = 0; k < count; ++k) {
+        double motion = 0.0, excess = -HUGE_VAL;
+        kin_solution moved = solutions[k];
+        for (int i = 0; i < KIN_JOINTS; ++i) {
+            const int known = fabs(seed[i]) < HUGE_VAL;
+            const double from = known ? seed[i] : 0.0;
+            double beyond;
+            const double value = kin_next_inside(i, solutions[k].q[i], from, &beyond);
+            motion += known ? (value - from) * (value - from) : 0.0;
+            excess = kin_max(excess, beyond);
+            moved.q[i] = kin_at_most_at_a_stop(i, value);
+        }
+        if (excess <= 1e-9 && motion < least) {
+            least = motion;
+            *chosen = moved;
+        }
+    }
+    return least < HUGE_VAL ? 1 : KIN_BEYOND_LIMITS;
+}

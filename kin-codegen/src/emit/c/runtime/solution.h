@@ -1,0 +1,22 @@
+/* One configuration that reaches a target. */
+typedef struct kin_solution {
+    /* Radians in (-pi, pi], metres of joints that slide. Limits are not applied. */
+    double q[KIN_JOINTS];
+    /* How far the forward kinematics of q is from the target, metres: the root of the squares
+     * of the distance and of the angle at the distance of the arm's size, as far as these
+     * count. */
+    double residual;
+    /* Which combination of the plan's roots this is, below KIN_BRANCHES. */
+    int branch;
+    /* Not 0 where the target is singular: q stands for a family of solutions, or for two that
+     * have met. */
+    int singular;
+} kin_solution;
+
+/* What a function returns that has found no solution, besides 0: the target is out of reach. */
+/* An entry of the target that counts is not finite. */
+#define KIN_NOT_FINITE (-1)
+/* The rotation of the target is none, to within the tolerance of solutions. */
+#define KIN_NOT_A_ROTATION (-2)
+/* There are solutions, and none within the limits. */
+#define KIN_BEYOND_LIMITS (-3)

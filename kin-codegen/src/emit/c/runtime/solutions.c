@@ -1,0 +1,36 @@
+/* How far the rotation of a target is from one, as far as it counts. */
+static double kin_rotation_error(const double target[12])
+{
+    double x[3], y[3], z[3], missing[6], square = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        x[i] = target[4 * i];
+        y[i] = target[4 * i + 1];
+        z[i] = target[4 * i + 2];
+    }
+    if (KIN_COUNTS_AXIS) {
+        return fabs(sqrt(z[0] * z[0] + z[1] * z[1] + z[2] * z[2]) - 1.0);
+    }
+    missing[0] = 0.5 * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0);
+    missing[1] = 0.5 * (y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0);
+    missing[2] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    for (int i = 0; i < 3; ++i) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        missing[3 + i] = z[i] - (x[a] * y[b] - x[b] * y[a]);
+    }
+    for (int i = 0; i < 6; ++i) {
+        square += missing[i] * missing[i];
+    }
+    return KIN_COUNTS_ROTATION && !KIN_PROJECTED ? sqrt(square) : 0.0;
+}
+
+/* Why a target has no solutions. */
+static int kin_why_none(const double target[12])
+{
+    for (int i = 0; i < 12; ++i) {
+        const int counts = i % 4 == 3 ? KIN_COUNTS_TRANSLATION : KIN_COUNTS_ROTATION;
+        if (counts && !(fabs(target[i]) <= 1.7976931348623157e308)) {
+            return KIN_NOT_FINITE;
+        }
+    }
+    return kin_rotation_error(target) * KIN_SIZE <= KIN_TOLERANCE ? 0 : KIN_NOT_A_ROTATION;
+}

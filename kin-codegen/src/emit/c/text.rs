@@ -1,0 +1,106 @@
+//! Text of C in which names of a robot file are data.
+
+use crate::spec::one_line;
+
+/// Lines of comments end here.
+const WIDTH: usize = 92;
+
+/// Text that neither ends its line nor its comment, nor has a trigraph.
+fn shown(text: &str) -> String {
+    let mut out = String::new();
+    let mut before = ' ';
+    for c in one_line(text).chars() {
+        if matches!((before, c), ('*', '/') | ('/', '*') | ('?', '?')) {
+            out.push(' ');
+        }
+        out.push(c);
+        before = c;
+    }
+    out
+}
+
+/// A comment of some paragraphs, each of which is broken between words.
+pub fn comment(indent: &str, paragraphs: &[String]) -> String {
+    let mut lines = Vec::new();
+    for paragraph in paragraphs {
+        lines.extend(broken(&shown(paragraph), WIDTH - indent.len() - 3));
+    }
+    block(indent, &lines)
+}
+
+/// The same, whose last line is not broken.
+pub fn header(paragraphs: &[String], last: &str) -> String {
+    let mut lines = Vec::new();
+    for paragraph in paragraphs {
+        lines.extend(broken(&shown(paragraph), WIDTH - 3));
+    }
+    lines.push(shown(last));
+    block("", &lines)
+}
+
+fn block(indent: &str, lines: &[String]) -> String {
+    let inside = lines.join(&format!("\n{indent} * "));
+    let inside = inside.replace(" \n", "\n");
+    match lines.len() {
+        0 => String::new(),
+        1 => format!("{indent}/* {inside} */\n"),
+        _ => format!("{indent}/* {inside}\n{indent} */\n"),
+    }
+}
+
+fn broken(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.len() - 1;
+        let line = &mut lines[last];
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
+/// A name as a string literal of its UTF-8 bytes. A NUL, which would end it, is written as
+/// Java's "modified UTF-8" does: C0 80.
+pub fn string(name: &str) -> String {
+    let mut out = String::from("\"");
+    for byte in name.bytes() {
+        match byte {
+            0 => out.push_str("\\300\\200"),
+            // A question mark could begin a trigraph.
+            b'"' | b'\\' | b'?' => {
+                out.push('\\');
+                out.push(char::from(byte));
+            }
+            b' '..=b'~' => out.push(char::from(byte)),
+            _ => out.push_str(&format!("\\{byte:03o}")),
+        }
+    }
+    out.push('"');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_do_not_end_their_comment() {
+        let text = comment("", &["a*/b/**/c??/d\ne".into()]);
+        assert_eq!(text, "/* a* /b/ ** /c? ?/d\\ne */\n");
+    }
+
+    #[test]
+    fn names_do_not_end_their_string() {
+        assert_eq!(string("tool0"), "\"tool0\"");
+        assert_eq!(
+            string("\"; system(\"\\??/\n0ä\0"),
+            r#""\"; system(\"\\\?\?/\0120\303\244\300\200""#
+        );
+    }
+}

@@ -1,0 +1,79 @@
+//! Robot file in, C out.
+
+use crate::compile::compile;
+use crate::compiled::Compiled;
+use crate::emit::c::{self, Files};
+use crate::emit::header;
+use crate::error::Error;
+use crate::options::Options;
+use crate::spec::{Diagnostic, Diagnostics, Source};
+
+/// The generated robot as C99.
+#[derive(Clone, Debug)]
+pub struct GeneratedC {
+    /// What its symbols begin with, and its files are called.
+    pub name: String,
+    /// The text of `<name>.h`.
+    pub header: String,
+    /// The text of `<name>.c`, which needs nothing but that header and <math.h>.
+    pub source: String,
+    /// What it was generated from.
+    pub robot: Compiled,
+    /// What the file has that is odd, and what of the robot is not written as C.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Compiles a robot file to C99 that compiles as C++ as well: forward kinematics, Jacobians, and
+/// the closed forms that are exact. Of an arm that needs more than these, the elimination of all
+/// joints but one or the refinement of solutions, the C has no inverse kinematics, and a warning
+/// says why. The option `name` is what all symbols begin with, by default the file's stem in
+/// lower case.
+///
+/// ```
+/// use kin_codegen::{Options, Source, generate_c};
+/// let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+/// let generated = generate_c(&Source::read("robots/ur5e.urdf", root)?, &Options::default())?;
+/// assert_eq!(generated.name, "ur5e");
+/// assert!(generated.header.contains("void ur5e_fk(const double q[UR5E_JOINTS], double pose[12]);"));
+/// # Ok::<(), kin_codegen::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// What is wrong with the file or the options, or why the arm has no closed form; a parallel
+/// mechanism is not written as C. With the option `strict`, what would be a warning.
+pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Error> {
+    let refused = |diagnostic| Diagnostics::one(&source.path, diagnostic);
+    let name = c::prefix(options, &source.path).map_err(refused)?;
+    if options.krate.is_some() {
+        let reason = "C does not depend on the crate `kinematics`";
+        let diagnostic = Diagnostic::whole(reason, "leave out the option `crate`");
+        return Err(refused(diagnostic).into());
+    }
+    let robot = compile(source, options)?;
+    let Some(arm) = robot.arm() else {
+        let reason = "a parallel mechanism is not written as C";
+        let remedy = "generate Rust, or C of its chains as arms, by `base` and `tip`";
+        return Err(refused(Diagnostic::whole(reason, remedy)).into());
+    };
+    let mut warnings = robot.warnings().to_vec();
+    warnings.extend(c::refused(arm));
+    if options.strict
+        && let Some(warnings) = Diagnostics::of(&source.path, warnings.clone())
+    {
+        return Err(warnings.into_errors().into());
+    }
+    let hash = header::fnv1a(source.text.as_bytes());
+    let told = header::of(&robot, &name, hash, options, Some(" --lang c"));
+    let Files {
+        header,
+        source: code,
+    } = c::arm(arm, &name, &told);
+    Ok(GeneratedC {
+        name,
+        header,
+        source: code,
+        warnings,
+        robot,
+    })
+}

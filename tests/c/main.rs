@@ -1,0 +1,233 @@
+//! Robots as C: what they compute is what Rust has, on every robot of this repository, as C
+//! and as C++.
+
+#[path = "../random.rs"]
+mod random;
+
+mod names;
+mod program;
+mod refused;
+mod robots;
+mod targets;
+
+use kinematics::{Pose, Robot, RobotSource, Target, Twist};
+use program::{Compiler, Program, generated};
+use robots::{Asked, all};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Of a few dozen operations, metres and radians.
+const ROUNDING: f64 = 1e-13;
+/// Where roots nearly meet, the last bit of a cube root is worth this.
+const MET: f64 = 1e-7;
+
+/// A robot in both languages, and what both are asked.
+struct Subject {
+    path: &'static str,
+    rust: Robot,
+    has_inverse: bool,
+    configurations: Vec<Vec<f64>>,
+    /// With seeds.
+    targets: Vec<(Pose, Vec<f64>)>,
+}
+
+fn loaded(asked: &Asked) -> Robot {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let source = RobotSource::read(asked.path, &root).unwrap();
+    Robot::load(&source, &asked.options).unwrap()
+}
+
+/// All robots, the program of them, and the input that asks it.
+fn subjects() -> (Vec<Subject>, Program, String) {
+    let mut program = Program::new("c");
+    let mut subjects = Vec::new();
+    let mut input = String::new();
+    for (number, asked) in all().into_iter().enumerate() {
+        let c = generated(asked.path, &format!("robot{number}"), &asked.options);
+        program.add(&c);
+        let rust = loaded(&asked);
+        let configurations = targets::configurations(rust.joints());
+        let has_inverse = c.source.contains("compute_lanes");
+        let targets = match has_inverse {
+            true => targets::targets(&rust, &configurations),
+            false => Vec::new(),
+        };
+        let _ = writeln!(input, "{}", configurations.len());
+        configurations.iter().for_each(|q| write(&mut input, q));
+        if has_inverse {
+            let _ = writeln!(input, "{}", targets.len());
+            for (pose, seed) in &targets {
+                write(&mut input, &rows(pose));
+                write(&mut input, seed);
+            }
+        }
+        subjects.push(Subject {
+            path: asked.path,
+            rust,
+            has_inverse,
+            configurations,
+            targets,
+        });
+    }
+    (subjects, program, input)
+}
+
+fn write(out: &mut String, numbers: &[f64]) {
+    for x in numbers {
+        let _ = write!(out, "{x:e} ");
+    }
+    out.push('\n');
+}
+
+/// A pose as C has it: three rows of four.
+fn rows(pose: &Pose) -> Vec<f64> {
+    let row = |i: usize| {
+        let [a, b, c] = pose.rotation[i];
+        [a, b, c, pose.translation[i]]
+    };
+    (0..3).flat_map(row).collect()
+}
+
+fn by_rows(columns: &[Twist]) -> Vec<f64> {
+    let columns: Vec<[f64; 6]> = columns.iter().map(|it| it.to_array()).collect();
+    (0..6)
+        .flat_map(|row| columns.iter().map(move |column| column[row]))
+        .collect()
+}
+
+/// What a program has written, number by number.
+struct Written<'a>(std::str::SplitAsciiWhitespace<'a>);
+
+impl Written<'_> {
+    fn number(&mut self) -> f64 {
+        self.0.next().unwrap().parse().unwrap()
+    }
+
+    fn integer(&mut self) -> i32 {
+        self.0.next().unwrap().parse().unwrap()
+    }
+
+    fn same(&mut self, expected: &[f64], off: f64, of: &dyn std::fmt::Debug) {
+        for (i, &x) in expected.iter().enumerate() {
+            let y = self.number();
+            let same = x == y || (x - y).abs() <= off * (1.0 + x.abs()) || x.is_nan() && y.is_nan();
+            assert!(same, "{of:?}, number {i}: {x} in Rust, {y} in C");
+        }
+    }
+}
+
+fn compare(subjects: &[Subject], written: &str) {
+    let mut written = Written(written.split_ascii_whitespace());
+    for subject in subjects {
+        for q in &subject.configurations {
+            forward(subject, q, &mut written);
+        }
+        for (pose, seed) in &subject.targets {
+            inverse(subject, pose, seed, &mut written);
+        }
+    }
+    assert!(written.0.next().is_none());
+}
+
+fn forward(subject: &Subject, q: &[f64], written: &mut Written) {
+    let (rust, of) = (&subject.rust, &(subject.path, q));
+    let spatial = by_rows(&rust.spatial_jacobian(q));
+    written.same(&rows(&rust.fk(q)), ROUNDING, of);
+    let links: Vec<f64> = rust.fk_links(q).iter().flat_map(rows).collect();
+    written.same(&links, ROUNDING, of);
+    written.same(&spatial, ROUNDING, of);
+    written.same(&by_rows(&rust.body_jacobian(q)), ROUNDING, of);
+    written.same(&by_rows(&rust.geometric_jacobian(q)), ROUNDING, of);
+    written.same(&rows(&rust.fk(q)), ROUNDING, of);
+    written.same(&spatial, ROUNDING, of);
+    let frames = rust.frame_names();
+    for name in &frames {
+        assert_eq!(written.integer(), 0);
+        let pose = rust.fk_frame(q, name).unwrap();
+        written.same(&rows(&pose), ROUNDING, &(of, name));
+    }
+    if !frames.is_empty() {
+        assert_eq!([written.integer(), written.integer()], [-1, -1]);
+    }
+    let limits = rust.limits();
+    let inside: Vec<_> = q
+        .iter()
+        .zip(limits)
+        .map(|(q, it)| it.nearest(*q, *q))
+        .collect();
+    let is_inside = inside.iter().all(Option::is_some);
+    assert_eq!(written.integer(), i32::from(is_inside), "{of:?}");
+    let moved: Vec<f64> = inside
+        .iter()
+        .zip(q)
+        .map(|(it, q)| it.unwrap_or(*q))
+        .collect();
+    written.same(&moved, ROUNDING, of);
+}
+
+fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) {
+    let (rust, of) = (&subject.rust, &(subject.path, pose, seed));
+    let parameters = rust.redundancy(pose, seed);
+    written.same(&parameters, ROUNDING, of);
+    let expected = rust.ik_at(pose, &parameters);
+    let found = written.integer();
+    assert_eq!(found.max(0) as usize, expected.len(), "{of:?}");
+    if found <= 0 && rust.target() == Target::Pose {
+        assert_eq!(found, why_none(pose), "{of:?}");
+    }
+    for solution in expected.iter() {
+        assert_eq!(written.integer() as u32, solution.branch, "{of:?}");
+        assert_eq!(written.integer() != 0, solution.singular, "{of:?}");
+        let off = if solution.singular { MET } else { 1e-9 };
+        written.same(&[solution.residual], ROUNDING, of);
+        written.same(solution.q, off, of);
+    }
+    if parameters.is_empty() {
+        let nearest = rust.ik_nearest(pose, seed);
+        let found = written.integer();
+        assert_eq!(found == 1, nearest.is_some(), "{of:?}");
+        if let Some(nearest) = nearest {
+            written.same(&nearest.q, MET, of);
+        } else {
+            // None at all, or none within limits.
+            assert_eq!(found == -3, !expected.is_empty(), "{of:?}");
+        }
+    }
+}
+
+/// The code of a target without solutions, all of whose entries count.
+fn why_none(pose: &Pose) -> i32 {
+    let finite = rows(pose).iter().all(|x| x.is_finite());
+    match pose.rotation_error() {
+        _ if !finite => -1,
+        1e-9.. => -2,
+        _ => 0,
+    }
+}
+
+#[test]
+fn every_robot_is_what_it_is_in_rust() {
+    let (subjects, program, input) = subjects();
+    let solved = subjects.iter().filter(|subject| subject.has_inverse);
+    assert!(solved.count() > 25);
+    // The one as it is, the other with what loops over lanes are for.
+    #[cfg(target_arch = "x86_64")]
+    let masks = std::arch::is_x86_feature_detected!("sse4.2").then_some("-msse4.2");
+    #[cfg(not(target_arch = "x86_64"))]
+    let masks: Option<&str> = None;
+    let masked: Vec<&str> = ["-O0"].into_iter().chain(masks).collect();
+    let both = [
+        (Compiler::C, "in_c", &["-O0"] as &[&str]),
+        (Compiler::Cpp, "in_cpp", &masked),
+    ];
+    std::thread::scope(|scope| {
+        for (compiler, name, flags) in both {
+            let (subjects, program, input) = (&subjects, &program, &input);
+            scope.spawn(move || {
+                if compiler.is_there() {
+                    compare(subjects, &program.build(compiler, flags, name).run(input));
+                }
+            });
+        }
+    });
+}

@@ -1,0 +1,104 @@
+//! What is not written as C is said, with a reason and a remedy.
+
+use crate::program::generated;
+use kin_codegen::{Error, GeneratedC, Options, Source, generate_c};
+use std::path::Path;
+
+fn told(c: &GeneratedC) -> String {
+    let warnings = c.warnings.iter();
+    let lines = warnings.map(|it| format!("{}\nhelp: {}", it.reason, it.remedy));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn error(robot: &str, options: &Options) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let source = Source::read(robot, &root).unwrap();
+    match generate_c(&source, options) {
+        Err(Error::Broken(diagnostics)) => diagnostics.to_string(),
+        Err(error) => panic!("{error}"),
+        Ok(_) => panic!("{robot} is written"),
+    }
+}
+
+/// Without inverse kinematics, and its header says why.
+fn is_forward_alone(c: &GeneratedC, why: &str) {
+    let GeneratedC { header, source, .. } = c;
+    assert!(header.contains("void arm_fk(") && source.contains("void arm_body_jacobian("));
+    assert!(!header.contains("arm_ik") && !source.contains("arm_ik"));
+    let comment = header.replace("\n * ", " ");
+    assert!(
+        comment.contains(&format!("no inverse kinematics in C: {why}")),
+        "{header}"
+    );
+}
+
+#[test]
+fn an_arm_without_a_closed_form() {
+    let c = generated("robots/xarm6.yaml", "arm", &Options::default());
+    is_forward_alone(&c, "the arm has no closed form");
+    assert_eq!(
+        told(&c),
+        "no inverse kinematics in C: the arm has no closed form, and the polynomial in one joint \
+         that solves it, univariate(q1,q2,q3,q4,q5,q6), is not written as C\nhelp: generate Rust, \
+         which has it; `--ik none` says that C without it is meant"
+    );
+}
+
+#[test]
+fn an_arm_off_its_design() {
+    let c = generated(
+        "tests/robots/noisy/calibrated.yaml",
+        "arm",
+        &Options::default(),
+    );
+    is_forward_alone(&c, "the closed form is that of an arm whose tip is up to");
+    assert!(told(&c).ends_with(
+        "and the refinement of its solutions is not written as C\nhelp: write the relations \
+         between the axes exactly, as `kin explain` has them, or generate Rust, which has it; \
+         `--ik none` says that C without it is meant"
+    ));
+}
+
+#[test]
+fn a_swivel_angle() {
+    let c = generated("robots/iiwa14.yaml", "arm", &Options::default());
+    is_forward_alone(&c, "the swivel angle");
+    assert_eq!(
+        told(&c),
+        "no inverse kinematics in C: the swivel angle as a parameter is not written as C\nhelp: \
+         name a joint with `--free`, or generate Rust, which has it; `--ik none` says that C \
+         without it is meant"
+    );
+}
+
+#[test]
+fn strict_makes_errors_of_it() {
+    let strict = Options {
+        strict: true,
+        ..Options::default()
+    };
+    let said = error("robots/xarm6.yaml", &strict);
+    assert!(
+        said.starts_with("robots/xarm6.yaml: no inverse kinematics in C: "),
+        "{said}"
+    );
+    assert_eq!(told(&generated("robots/ur5e.urdf", "arm", &strict)), "");
+}
+
+#[test]
+fn mechanisms_and_crates() {
+    assert_eq!(
+        error("robots/delta.yaml", &Options::default()),
+        "robots/delta.yaml: a parallel mechanism is not written as C\nhelp: generate Rust, or C of \
+         its chains as arms, by `base` and `tip`"
+    );
+    let named = Options {
+        krate: Some("::kinematics".into()),
+        ..Options::default()
+    };
+    assert_eq!(
+        error("robots/ur5e.urdf", &named),
+        "robots/ur5e.urdf: C does not depend on the crate `kinematics`\nhelp: leave out the option \
+         `crate`"
+    );
+}

@@ -1,0 +1,81 @@
+//! What robots are asked: random and structured.
+
+use crate::random::Random;
+use kinematics::{Pose, Robot};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Configurations: random ones, and those with joints at quarter turns, where many arms are
+/// singular; one joint that is far out, and one that is no number.
+pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
+    let mut random = Random::new(7);
+    let mut all: Vec<Vec<f64>> = (0..6)
+        .map(|_| (0..joints).map(|_| random.angle()).collect())
+        .collect();
+    all.push(vec![0.0; joints]);
+    all.push(vec![FRAC_PI_2; joints]);
+    all.push(vec![PI; joints]);
+    for _ in 0..12 {
+        let value = |random: &mut Random| match random.between(0.0, 1.0) {
+            ..0.7 => random.right_angle(),
+            _ => random.angle(),
+        };
+        all.push((0..joints).map(|_| value(&mut random)).collect());
+    }
+    let mut far = all[0].clone();
+    far[0] += 6.0 * PI;
+    all.push(far);
+    all
+}
+
+/// Targets, with configurations to seed from: poses of these configurations, and what is no
+/// pose or out of reach.
+pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64>)> {
+    let mut all: Vec<(Pose, Vec<f64>)> = configurations
+        .iter()
+        .map(|q| (robot.fk(q), q.clone()))
+        .collect();
+    let (pose, seed) = all[0].clone();
+    let off = configurations[1].clone();
+    let mut add = |pose: Pose| all.push((pose, off.clone()));
+    // Out of reach, and at 1e-7 of a metre from where it is reached.
+    add(Pose {
+        translation: pose.translation.map(|x| 50.0 * x + 3.0),
+        ..pose
+    });
+    add(Pose {
+        translation: pose.translation.map(|x| x + 1e-7),
+        ..pose
+    });
+    // No rotations: by far, by what single precision leaves, and a reflection.
+    add(Pose {
+        rotation: pose.rotation.map(|row| row.map(|x| 1.1 * x)),
+        ..pose
+    });
+    add(Pose {
+        rotation: pose.rotation.map(|row| row.map(|x| f64::from(x as f32))),
+        ..pose
+    });
+    add(Pose {
+        rotation: pose.rotation.map(|[x, y, z]| [x, y, -z]),
+        ..pose
+    });
+    add(Pose {
+        rotation: [[0.0; 3]; 3],
+        ..pose
+    });
+    // No numbers.
+    for x in [f64::NAN, f64::INFINITY, 1e300] {
+        let mut turned = pose;
+        turned.rotation[2][2] = x;
+        add(turned);
+        let mut shifted = pose;
+        shifted.translation[1] = x;
+        add(shifted);
+    }
+    let mut unknown = seed;
+    unknown[0] = f64::NAN;
+    if robot.parameters() == 0 {
+        all.push((pose, unknown));
+    }
+    all
+}
