@@ -5,7 +5,7 @@ use kinematics::{Pose, Robot};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Configurations: random ones, and those with joints at quarter turns, where many arms are
-/// singular; one joint that is far out, and one that is no number.
+/// singular, and next to that; one joint that is far out.
 pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(7);
     let mut all: Vec<Vec<f64>> = (0..6)
@@ -20,6 +20,13 @@ pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
             _ => random.angle(),
         };
         all.push((0..joints).map(|_| value(&mut random)).collect());
+    }
+    // Next to those, where rounding keeps some branches from their target.
+    for k in 0..30 {
+        let off = 10_f64.powi(-3 - k % 7);
+        let near = all[6 + k as usize % 15].iter();
+        let near = near.map(|q| q + random.between(-off, off)).collect();
+        all.push(near);
     }
     let mut far = all[0].clone();
     far[0] += 6.0 * PI;

@@ -14,6 +14,11 @@ const PREAMBLE: &str = "\
 #error \"compile without -ffast-math: rounding and what is not a number have a meaning here\"
 #endif
 
+#if defined(__GNUC__) && !defined(__cplusplus)
+/* No square root here sets errno, which would keep loops from becoming vector instructions. */
+extern double sqrt(double) __attribute__((__const__));
+#endif
+
 #if defined(__GNUC__)
 #define KIN_INLINE static inline __attribute__((always_inline))
 #else

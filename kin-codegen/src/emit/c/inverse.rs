@@ -21,6 +21,7 @@ pub fn functions(
         constants(solver),
         whole(model, solver),
         lanes::function(solver, inverse),
+        runtime::DISPATCH.to_owned(),
         branches(solver, inverse),
         runtime::SOLUTIONS.to_owned(),
         match target.is_projected() {

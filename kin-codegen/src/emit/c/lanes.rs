@@ -87,7 +87,7 @@ pub fn function(solver: &ClosedForm, inverse: &InverseGraph) -> String {
          double residual[{width}];\n    /* Positive where the branch does not exist or repeats \
          another. */\n    double invalid[{width}];\n    /* Positive where a root is double or an \
          angle is free. */\n    double singular[{width}];\n{free_angle}}} kin_lanes;\n\n\
-         static void kin_compute_lanes(\n    const double target[12], const double seed[KIN_SOLVED], \
+         KIN_INLINE void kin_lanes_of(\n    const double target[12], const double seed[KIN_SOLVED], \
          const double *given, double free_below,\n    kin_lanes *lanes)\n{{\n{}}}\n",
         indented(&body)
     )

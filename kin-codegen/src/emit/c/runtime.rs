@@ -14,6 +14,8 @@ const PIECES: [(&str, &str); 9] = [
     ("kin_roomiest_turn(", include_str!("runtime/free_angle.c")),
 ];
 
+/// The lanes, by the instructions at hand.
+pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
 /// From the lanes to solutions: why there are none.
 pub const SOLUTIONS: &str = include_str!("runtime/solutions.c");
 /// Branches that rounding keeps from their target.

@@ -2,7 +2,7 @@
  * makes loops over lanes vector instructions, which a condition keeps GCC from. */
 KIN_INLINE double kin_select(double a, double b, double x, double y)
 {
-#if defined(__GNUC__) && (defined(__SSE4_2__) || defined(__aarch64__))
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__))
     const unsigned long long mask = 0ULL - (unsigned long long)(a < b);
     unsigned long long bits, others;
     __builtin_memcpy(&bits, &x, sizeof bits);
