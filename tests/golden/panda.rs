@@ -1105,12 +1105,8 @@ mod __Panda {
             Panda::ik_at(self, pose, parameter)
         }
 
-        const EXACT_MARGINS: bool = true;
-        fn margins_at(
-            &self,
-            pose: &Pose,
-            parameter: f64,
-        ) -> ::core::option::Option<[f64; 16]> {
+        const ROOTS: usize = 2;
+        fn root_arguments(&self, pose: &Pose, parameter: f64) -> [[f64; 16]; 4] {
             const T: usize = 1;
             let targets = &[*pose];
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
@@ -1122,11 +1118,11 @@ mod __Panda {
             // 1. q4 by SP3, given q7 (what all branches share)
             let t1 = 0.088 * c7;
             let t2 = 0.088 * s7;
+            let mut argument1_ = [0.0; T];
             let mut t9_ = [0.0; T];
             let mut t11_ = [0.0; T];
             let mut t12_ = [0.0; T];
             let mut t17_ = [0.0; T];
-            let mut t18_ = [0.0; T];
             for t in 0..T {
                 // 1. q4 by SP3, given q7 (what all branches share)
                 let t3 = px[t] + (r12[t] * t2 - r11[t] * t1 - 0.107 * r13[t]);
@@ -1135,6 +1131,7 @@ mod __Panda {
                 let t6 = 0.5 * (t5 * t5 + (t3 * t3 + t4 * t4));
                 let t7 = 0.13046224999999997 - t6;
                 let t8 = 0.01645395867506249 - t7 * t7;
+                let argument1 = 1.049085042422014 * t8;
                 let t9 = math::sqrt(math::select(t8 < 1.645395867506249e-15, 0.0, t8));
                 let t10 = math::max(
                     -0.12827298497759568,
@@ -1149,36 +1146,35 @@ mod __Panda {
                     - s7 * (r12[t] * px[t] + r22[t] * py[t] - r32[t] * t13);
                 let t16 = t15 - 0.088;
                 let t17 = t14 * t14 + t16 * t16;
-                let t18 = -(1.049085042422014 * t8);
+                argument1_[t] = argument1;
                 t9_[t] = t9;
                 t11_[t] = t11;
                 t12_[t] = t12;
                 t17_[t] = t17;
-                t18_[t] = t18;
             }
             // 2 lanes, by the signs of the roots: e1 of step 1
             let e1 = [1.0, -1.0];
-            let mut margin_ = [[0.0; T]; 2];
+            let mut argument2_ = [[0.0; T]; 2];
             for k in 0..2 {
                 for t in 0..T {
                     // 1. q4 by SP3, given q7
-                    let t19 = e1[k] * t9_[t];
+                    let t18 = e1[k] * t9_[t];
                     // 2. q5 and q6 by SP2, given q4 and q7
-                    let t20 = 19.205104755667552 * (t11_[t] + 0.057749999999999996 * t19)
-                        + 5.013990956780295 * (t12_[t] - 0.11453774999999997 * t19);
-                    let t21 = t20 - 0.384;
-                    let margin = -math::max(
-                        t18_[t],
-                        -(1.0242485257114184 * (t17_[t] - t21 * t21)),
-                    );
-                    margin_[k][t] = margin;
+                    let t19 = 19.205104755667552 * (t11_[t] + 0.057749999999999996 * t18)
+                        + 5.013990956780295 * (t12_[t] - 0.11453774999999997 * t18);
+                    let t20 = t19 - 0.384;
+                    let argument2 = 1.0242485257114184 * (t17_[t] - t20 * t20);
+                    argument2_[k][t] = argument2;
                 }
             }
-            let mut margins = [0.0; 16];
-            for (k, branch) in margins[..8].iter_mut().enumerate() {
-                *branch = margin_[k % 2][0];
+            let mut arguments = [[f64::INFINITY; 16]; 4];
+            for (to, from) in arguments[0].iter_mut().zip([argument1_; 2]) {
+                *to = from[0];
             }
-            Some(margins)
+            for (to, from) in arguments[1].iter_mut().zip(argument2_) {
+                *to = from[0];
+            }
+            arguments
         }
     }
 }

@@ -176,6 +176,85 @@ fn short_lived_branches_without_a_plan_are_found() {
     }
 }
 
+/// Branches that come or go twice within a tenth of a radian of an end of another.
+#[test]
+fn branches_that_come_or_go_twice_next_to_an_end_are_found() {
+    let cases = [
+        (
+            [
+                1.7376908961661242,
+                0.4289988774383815,
+                -3.005153261921508,
+                0.5850349813397857,
+                -1.6234128120319118,
+                3.10056150254625,
+                1.0407981515632754,
+            ],
+            1.85,
+        ),
+        (
+            [
+                2.7684988376167095,
+                2.356683638229635,
+                1.0829518366628275,
+                2.5162889777447273,
+                0.1027535165237965,
+                -2.9338200935525176,
+                -0.01663453502974699,
+            ],
+            1.0815,
+        ),
+        (
+            [
+                -0.2978820348688358,
+                -1.684943726803471,
+                -1.0675481475512392,
+                1.5676961799133755,
+                -1.4541791632163328,
+                -2.9555568180911163,
+                -1.6804183273331887,
+            ],
+            -0.78,
+        ),
+        (
+            [
+                -0.12823310111450015,
+                1.5501095630233728,
+                0.897914748833883,
+                -0.5141578789963868,
+                2.556304459657193,
+                -2.9896587085053943,
+                1.5432222466673995,
+            ],
+            -3.095,
+        ),
+    ];
+    for (q, value) in cases {
+        let target = kinematics::Kinematics::fk(&crate::Panda, &q);
+        let intervals = crate::Panda.feasible(&target);
+        let solutions = crate::Panda.ik_at(&target, value).len();
+        let held = holding::<crate::Panda, 7>(&intervals, value);
+        assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+    }
+}
+
+/// Targets with a symmetry, whose roots meet where an interval has its middle.
+#[test]
+fn targets_with_right_angles_have_their_intervals() {
+    let robot = Subject::new(crate::Panda, "../robots/panda.yaml", Target::Pose);
+    for q in robot.structured() {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        // Not at values where joints are at right angles and solutions meet.
+        let values = values::<crate::Panda, 7>(61).map(|value| value + 0.0123);
+        for value in values.filter(|&v| !is_near_end(&intervals, v, 1e-4)) {
+            let solutions = robot.arm.ik_at(&target, value).len();
+            let held = holding::<crate::Panda, 7>(&intervals, value);
+            assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+        }
+    }
+}
+
 /// A joint that looks over its limit between two samples and comes back.
 #[test]
 fn a_limit_that_is_hardly_passed_cuts_an_interval() {

@@ -206,9 +206,11 @@ impl Graph {
         self.intern(Node::Sign(choice))
     }
 
-    /// Forgets the choices that an expression does not see.
-    pub fn keep_choices_of(&mut self, e: Expr) {
-        self.choices = self.levels()[e.index()];
+    /// Forgets the choices that expressions do not see.
+    pub fn keep_choices_of(&mut self, all: &[Expr]) {
+        let levels = self.levels();
+        let seen = all.iter().map(|e| levels[e.index()]);
+        self.choices = seen.max().unwrap_or(0);
     }
 
     /// How many choices there are; the branches are 2 to this power.

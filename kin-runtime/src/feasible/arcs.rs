@@ -41,10 +41,7 @@ struct Open {
 pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
 ) -> Vec<Arc> {
-    let values: Vec<f64> = match task.margin_samples() {
-        Some(samples) => samples.iter().map(|sample| sample.0).collect(),
-        None => task.values(),
-    };
+    let values = task.samples();
     let Some((&first, rest)) = values.split_first() else {
         return Vec::new();
     };
@@ -69,6 +66,19 @@ pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
 }
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
+    /// The values of the parameter to sample, ascending: evenly, and where a branch exists
+    /// between two of them alone, or not there alone.
+    fn samples(&self) -> Vec<f64> {
+        let Some(between) = self.values_between_ends() else {
+            return self.margin_samples().unwrap_or_else(|| self.values());
+        };
+        let mut values = self.values();
+        values.extend(between);
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    }
+
     /// The values of the parameter to begin with, ascending.
     pub fn values(&self) -> Vec<f64> {
         let [from, to] = self.range();

@@ -16,7 +16,7 @@ pub struct FeasibleInterval<const N: usize> {
     /// Whether the branch goes on from the upper end at the lower: it has no end.
     pub is_closed: bool,
     /// The configuration of the branch in the middle of the interval, by which it is told
-    /// from others.
+    /// from others; beside the middle, by hundredths of the interval, where it is singular there.
     pub middle: [f64; N],
 }
 

@@ -1,182 +1,139 @@
 //! Intervals by the roots of a plan alone: branches exist where all of them are real.
 
 use super::interval::FeasibleInterval;
-use super::suspects::Margins;
 use super::task::Task;
-use crate::RedundantKinematics;
+use crate::{RedundantKinematics, Solutions};
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
-/// Halvings and secants of a zero.
-const STEPS: usize = 60;
-/// Zeros are told to this, radians and metres.
-const EXACT: f64 = 1e-13;
-/// Samples are taken so far beside every zero: later roots depend on the square root of
-/// the one that vanishes, which is steep there. All but the first on the side on which
-/// more branches exist.
-const BESIDE: [f64; 7] = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 4e-2];
-/// More zeros than any arm has.
-const MOST: usize = 256;
-/// Margins below this vanish at the zero of another branch.
-const ZERO: f64 = 1e-11;
+/// Arguments that are negative by less than this are zero.
+const ZERO: f64 = 1e-12;
+/// Ends that are nearer to each other are one.
+const SAME: f64 = 1e-12;
+/// Where between two ends it is asked whether a branch exists: not in the middle, where targets
+/// with a symmetry have roots that meet.
+const AMID: f64 = 0.381_966;
+/// Where in an interval the configuration is that stands for it: in the middle, or near it where
+/// that is singular and the branch is not told from another.
+const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// The intervals of all branches; none where margins do not tell exactly.
+    /// The intervals of all branches; none where no plan tells them.
     pub fn intervals_of_lanes(&self) -> Option<Vec<FeasibleInterval<N>>> {
-        if !K::EXACT_MARGINS {
+        if K::ROOTS == 0 {
             return None;
         }
-        let mut samples = self.margin_samples()?;
         let turns = self.turns(Self::PARAMETER);
-        if turns {
-            let mut round = samples[0];
-            round.0 += TAU;
-            samples.push(round);
-        }
-        let known = self.zeros(&mut samples)?;
+        let ends = self.ends();
         let mut found = Vec::new();
-        for lane in 0..K::BRANCHES_AT {
-            let crossing = |pair: &[Margins]| {
-                let zero = self.zero(lane, pair[0], pair[1], &known)?;
-                Some((zero.0, exists(&pair[1], lane)))
-            };
-            let crossings: Option<Vec<(f64, bool)>> =
-                changes(&samples, lane).map(crossing).collect();
-            self.between(lane, &crossings?, &samples, turns, &mut found);
+        let mut middle = None;
+        // The sign of the last root changes nothing.
+        let lanes = 1 << (K::ROOTS - 1);
+        for signs in 0..lanes {
+            let own = ends.iter().filter(|end| end.is_of(signs));
+            let own = own.map(|end| self.round(end.value));
+            let parts = self.parts(own.collect(), turns, signs);
+            for lane in (signs..K::BRANCHES_AT).step_by(lanes) {
+                for &[from, to] in &parts {
+                    let is_closed = turns && to - from == TAU;
+                    found.extend(self.of_lane(lane, from, to, is_closed, &mut middle));
+                }
+            }
         }
         Some(found)
     }
 
-    /// Where branches begin and end. Two do so together: one of which a sample tells
-    /// nothing is told by samples on both sides of the end of the other.
-    fn zeros(&self, samples: &mut Vec<Margins>) -> Option<Vec<Margins>> {
-        let mut known: Vec<Margins> = Vec::new();
-        loop {
-            let before = known.len();
-            for lane in 0..K::BRANCHES_AT {
-                for pair in changes(samples, lane) {
-                    let zero = self.zero(lane, pair[0], pair[1], &known)?;
-                    if !known.contains(&zero) {
-                        known.push(zero);
-                    }
-                }
-            }
-            if known.len() == before || known.len() > MOST {
-                return Some(known);
-            }
-            for zero in &known[before..] {
-                let [low, high] = [-BESIDE[0], BESIDE[0]].map(|by| zero.0 + by);
-                let beside = [(low, self.margins(low)?), (high, self.margins(high)?)];
-                let count =
-                    |sample: &Margins| (0..K::BRANCHES_AT).filter(|&k| exists(sample, k)).count();
-                let sense = if count(&beside[0]) > count(&beside[1]) {
-                    -1.0
-                } else {
-                    1.0
-                };
-                samples.extend(beside);
-                for by in &BESIDE[1..] {
-                    let side = zero.0 + sense * by;
-                    samples.push((side, self.margins(side)?));
-                }
-            }
-            samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    /// Values of the parameter between which no branch begins or ends, one of each interval
+    /// between neighbouring ends.
+    pub fn values_between_ends(&self) -> Option<Vec<f64>> {
+        if K::ROOTS == 0 {
+            return None;
+        }
+        let ends = self.ends().into_iter().map(|end| self.round(end.value));
+        let mut ends: Vec<f64> = ends.collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|a, b| (*a - *b).abs() < SAME);
+        Some(
+            ends.windows(2)
+                .map(|pair| 0.5 * (pair[0] + pair[1]))
+                .collect(),
+        )
+    }
+
+    /// Within the first turn, if the parameter turns.
+    fn round(&self, value: f64) -> f64 {
+        match self.turns(Self::PARAMETER) {
+            true => crate::math::wrap(value),
+            false => value,
         }
     }
 
-    /// The intervals of a branch between the values at which it begins (`true`) and ends.
-    fn between(
-        &self,
-        lane: usize,
-        crossings: &[(f64, bool)],
-        samples: &[Margins],
-        turns: bool,
-        found: &mut Vec<FeasibleInterval<N>>,
-    ) {
-        let ends = samples.first().zip(samples.last());
-        let Some([first, last]) = ends.map(|(a, b)| [a.0, b.0]) else {
-            return;
+    /// Where the roots of these signs are all real, by the values at which they may begin or
+    /// cease to be.
+    fn parts(&self, mut ends: Vec<f64>, turns: bool, signs: usize) -> Vec<[f64; 2]> {
+        let exists = |value: f64| {
+            let arguments = self.robot.root_arguments(self.target, value);
+            arguments[..K::ROOTS]
+                .iter()
+                .all(|root| root[signs] >= -ZERO)
         };
-        let goes_on = exists(&samples[0], lane);
-        if crossings.is_empty() {
-            if goes_on {
-                found.extend(self.of_lane(lane, first, last, turns));
+        let [first, last] = self.range();
+        if !turns {
+            ends.extend([first, last]);
+        }
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|a, b| (*a - *b).abs() < SAME);
+        if turns {
+            let Some(&begin) = ends.first() else {
+                let whole = exists(first).then_some([first, last]);
+                return whole.into_iter().collect();
+            };
+            ends.push(begin + TAU);
+        }
+        let mut parts: Vec<[f64; 2]> = Vec::new();
+        for pair in ends.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            if !exists(from + AMID * (to - from)) {
+                continue;
             }
-            return;
-        }
-        let mut from = match (goes_on, turns) {
-            (false, _) => None,
-            (true, false) => Some(first),
-            // It began behind the samples, a turn earlier.
-            (true, true) => crossings.last().map(|(value, _)| value - TAU),
-        };
-        for &(value, begins) in crossings {
-            match (begins, from) {
-                (true, _) => from = Some(value),
-                (false, Some(from)) => found.extend(self.of_lane(lane, from, value, false)),
-                (false, None) => {}
+            match parts.last_mut() {
+                Some(part) if part[1] == from => part[1] = to,
+                _ => parts.push([from, to]),
             }
         }
-        if let (Some((from, true)), false) = (crossings.last(), turns) {
-            found.extend(self.of_lane(lane, *from, last, false));
+        // The last one goes on as the first.
+        let meets = |parts: &[[f64; 2]]| parts[parts.len() - 1][1] == parts[0][0] + TAU;
+        if turns && parts.len() > 1 && meets(&parts) {
+            let head = parts.remove(0);
+            let tail = parts.len() - 1;
+            parts[tail][1] = head[1] + TAU;
         }
+        parts
     }
 
-    /// The interval of a branch; none if rounding is all of it.
+    /// The interval of a branch; none if rounding is all of it. `middle` has what was solved
+    /// last, which other branches may share.
     fn of_lane(
         &self,
         lane: usize,
         from: f64,
         to: f64,
         is_closed: bool,
+        middle: &mut Option<(f64, Solutions<N>)>,
     ) -> Option<FeasibleInterval<N>> {
-        let middle = self.robot.ik_at(self.target, 0.5 * (from + to));
-        let middle = middle.iter().find(|found| found.branch as usize == lane)?;
+        let q = MIDDLES.iter().find_map(|share| {
+            let value = from + share * (to - from);
+            let known = middle.take().filter(|known| known.0 == value);
+            let known = known.unwrap_or_else(|| (value, self.robot.ik_at(self.target, value)));
+            let (_, solutions) = middle.insert(known);
+            let solution = solutions.iter().find(|found| found.branch as usize == lane);
+            solution.map(|solution| solution.q)
+        });
         Some(self.wound(FeasibleInterval {
             from,
             to,
             is_closed,
-            middle: middle.q,
+            middle: q?,
         }))
     }
-
-    /// Where the margin of a branch vanishes between two samples, by the method of false
-    /// position in the version of Illinois (M. Dowell and P. Jarratt, "A modified regula
-    /// falsi method", BIT 11, 1971). Branches that meet share it.
-    fn zero(&self, lane: usize, from: Margins, to: Margins, known: &[Margins]) -> Option<Margins> {
-        let shared =
-            |zero: &&Margins| (from.0..=to.0).contains(&zero.0) && zero.1[lane].abs() < ZERO;
-        if let Some(zero) = known.iter().find(shared) {
-            return Some(*zero);
-        }
-        let ([mut a, mut b], [mut u, mut v]) = ([from.0, to.0], [from.1[lane], to.1[lane]]);
-        let mut last = from;
-        for _ in 0..STEPS {
-            let c = (a * v - b * u) / (v - u);
-            let moved = (c - last.0).abs();
-            last = (c, self.margins(c)?);
-            let w = last.1[lane];
-            // The end behind which the zero is moves up; the other one counts half if it
-            // has stayed.
-            match (w < 0.0) == (v < 0.0) {
-                true => u *= 0.5,
-                false => (a, u) = (b, v),
-            }
-            (b, v) = (c, w);
-            if w == 0.0 || moved < EXACT || (b - a).abs() < EXACT {
-                break;
-            }
-        }
-        Some(last)
-    }
-}
-
-/// Neighbouring samples between which a branch begins or ends.
-fn changes(samples: &[Margins], lane: usize) -> impl Iterator<Item = &[Margins]> {
-    let pairs = samples.windows(2);
-    pairs.filter(move |pair| exists(&pair[0], lane) != exists(&pair[1], lane))
-}
-
-fn exists(sample: &Margins, lane: usize) -> bool {
-    sample.1[lane] >= 0.0
 }

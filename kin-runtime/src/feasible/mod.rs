@@ -2,7 +2,9 @@
 //! the best configuration among them.
 //!
 //! The configurations that reach a target are curves. Over the parameter they fall into
-//! arcs, which end where they turn back: where the other joints are singular. The arcs
+//! arcs, which end where they turn back: where the other joints are singular. Where branches
+//! come from square roots, those are the zeros of the roots' arguments, and all of them are found
+//! (`unfold`, `zeros`). Otherwise the arcs
 //! are followed from sample to sample of the parameter, each sample with all of its
 //! solutions; what is not carried over by tangents has to end in a fold with another one
 //! that is not, and is sampled more finely until it does.
@@ -16,6 +18,8 @@ mod limits;
 mod sample;
 mod suspects;
 mod task;
+mod unfold;
+mod zeros;
 
 pub use best::Criterion;
 pub use interval::FeasibleInterval;

@@ -1,9 +1,8 @@
 //! Branches that exist between two samples alone, or are gone there alone.
 //!
-//! The roots of a plan are real where their arguments are positive; the least of these,
-//! branch by branch, is a continuous function of the parameter, whose sign tells whether
-//! the branch exists. Where it has an extremum of the other sign between samples of one,
-//! one more sample is taken.
+//! Of arms whose plan tells no ends: margins are continuous functions of the parameter, whose
+//! sign tells whether branches exist. Where one has an extremum of the other sign between
+//! samples of one, one more sample is taken.
 
 use super::task::Task;
 use crate::RedundantKinematics;
@@ -19,23 +18,23 @@ const STALLS: usize = 5;
 const GAIN: f64 = 0.02;
 
 /// A value of the parameter, and the margins there.
-pub(super) type Margins = (f64, [f64; 16]);
+type Margins = (f64, [f64; 16]);
 
 /// By how much steeper than between samples a margin may be next to them.
 const STEEPER: f64 = 2.0;
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// The values of the parameter to sample, ascending, with the margins there; none of
-    /// an arm whose branches come from no plan.
-    pub fn margin_samples(&self) -> Option<Vec<Margins>> {
+    /// The values of the parameter to sample, ascending; none of an arm without margins.
+    pub fn margin_samples(&self) -> Option<Vec<f64>> {
         let at = |value: f64| Some((value, self.margins(value)?));
         let samples = self.values().into_iter().map(at);
-        let mut samples: Vec<Margins> = samples.collect::<Option<_>>()?;
+        let samples: Vec<Margins> = samples.collect::<Option<_>>()?;
         let found = self.suspects(&samples);
-        samples.extend(found.into_iter().filter_map(at));
-        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-        samples.dedup_by_key(|sample| sample.0);
-        Some(samples)
+        let mut values: Vec<f64> = samples.iter().map(|sample| sample.0).collect();
+        values.extend(found);
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        Some(values)
     }
 
     /// More values of the parameter to sample.
@@ -60,10 +59,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
                 let sign = if own[1] < 0.0 { 1.0 } else { -1.0 };
                 let towards = own.map(|x| sign * x);
                 // Branches that meet have one margin.
-                if same_sign
-                    && !seen.contains(&own)
-                    && may_cross(four.map(|s| s.0), towards, !K::EXACT_MARGINS)
-                {
+                if same_sign && !seen.contains(&own) && may_cross(four.map(|s| s.0), towards) {
                     found.extend(self.crossing(lane, sign, four[1].0, four[2].0));
                 }
                 seen.push(own);
@@ -108,18 +104,18 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         None
     }
 
-    pub fn margins(&self, value: f64) -> Option<[f64; 16]> {
+    fn margins(&self, value: f64) -> Option<[f64; 16]> {
         self.robot.margins_at(self.target, value)
     }
 }
 
 /// Whether a function that is negative at the two inner places may be positive between
 /// them: it is below the lines through the two samples on either side where it bends down,
-/// and these are taken steeper than they are. One that may have a kink, where two functions
-/// change places, is as steep inside.
-fn may_cross(at: [f64; 4], [a, b, c, d]: [f64; 4], kinks: bool) -> bool {
+/// and these are taken steeper than they are. Where it has a kink, because two functions change
+/// places, it is as steep inside.
+fn may_cross(at: [f64; 4], [a, b, c, d]: [f64; 4]) -> bool {
     let width = at[2] - at[1];
-    let inside = if kinks { (c - b) / width } else { 0.0 };
+    let inside = (c - b) / width;
     let slope = |rise: f64, run: f64, inside: f64| STEEPER * (rise / run).max(inside).max(0.0);
     let up = slope(b - a, at[1] - at[0], inside);
     let down = slope(c - d, at[3] - at[2], -inside);

@@ -1,12 +1,14 @@
 //! Inverse kinematics of arms with more joints than their targets have coordinates:
 //! methods that take the values of the joints that stay free, or the turn of the tool.
 
+use super::lanes::Lanes;
 use super::language::signed;
 use super::{Names, inverse, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::emit::headings::list;
 use crate::emit::lanes::TARGET;
 use crate::emit::text;
+use crate::expr::inverse::InverseGraph;
 use crate::geometry::{Carried, Swivel, numbers};
 use crate::model::Model;
 use crate::redundancy::Redundancy;
@@ -319,14 +321,11 @@ pub fn kinematics(
     n: &Literal,
 ) -> Option<TokenStream> {
     let name = &names.robot;
-    let margins = margins(solver, redundancy);
-    let exact = margins.as_ref();
-    let exact = exact.filter(|_| solver.is_exact() && solver.expressions().is_some());
-    let exact = exact.map(|_| {
-        quote!(
-            const EXACT_MARGINS: bool = true;
-        )
-    });
+    let arguments = root_arguments(solver, redundancy);
+    let margins = match arguments {
+        Some(_) => None,
+        None => margins(solver, redundancy),
+    };
     (redundancy.parameters() == 1).then(|| {
         quote! {
             impl RedundantKinematics<#n> for #name {
@@ -337,30 +336,81 @@ pub fn kinematics(
                 fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<#n> {
                     #name::ik_at(self, pose, parameter)
                 }
-                #exact
+                #arguments
                 #margins
             }
         }
     })
 }
 
-/// How far the branches are from having no root, if they come from a plan.
-fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
-    let turned = redundancy
-        .turn
-        .then(|| quote!(let pose = &pose.turned(parameter);));
-    let Inverse::Expressions(inverse) = &solver.inverse else {
-        return Some(margins_of_roots(solver, redundancy, turned.as_ref()));
-    };
-    let margin = inverse.of_margin()?;
-    let choices = margin.graph.choices();
+/// What the roots of an exact arm's plan are the roots of.
+fn root_arguments(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
+    let exact = solver.expressions().filter(|_| solver.is_exact());
+    let (graph, roots) = exact?.of_arguments()?;
+    let (prologue, lanes) = lanes_at_parameter(solver, redundancy, &graph);
+    let mut written = lanes.q.iter();
+    let copies = roots.iter().enumerate().filter_map(|(root, argument)| {
+        argument.as_ref()?;
+        let (root, lanes) = (usize_literal(root), written.next()?);
+        Some(quote! {
+            for (to, from) in arguments[#root].iter_mut().zip(#lanes) {
+                *to = from[0];
+            }
+        })
+    });
+    let count = usize_literal(roots.len());
+    let copies: Vec<TokenStream> = copies.collect();
+    Some(quote! {
+        const ROOTS: usize = #count;
+
+        fn root_arguments(&self, pose: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+            #prologue
+            let mut arguments = [[f64::INFINITY; 16]; 4];
+            #(#copies)*
+            arguments
+        }
+    })
+}
+
+/// The statements that compute the lanes of a graph at a parameter.
+fn lanes_at_parameter(
+    solver: &ClosedForm,
+    redundancy: &Redundancy,
+    graph: &InverseGraph,
+) -> (TokenStream, Lanes) {
+    let turned = turned(redundancy);
     let seed = std::iter::repeat_n(quote!(0.0), solver.given.variables());
     let given = (0..solver.given.parameters()).map(|_| quote!(parameter));
     let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
-    let (statements, lanes) = inverse::statements(solver, &margin, inputs);
+    let (statements, lanes) = inverse::statements(solver, graph, inputs);
     let own = TARGET + solver.given.variables();
     let reads = lanes.inputs[own..own + solver.given.parameters()].contains(&true);
     let unread = (!reads && !redundancy.turn).then(|| quote!(let _ = parameter;));
+    let prologue = quote! {
+        #turned
+        #unread
+        const T: usize = 1;
+        let targets = &[*pose];
+        #statements
+    };
+    (prologue, lanes)
+}
+
+/// The target with the turn of the tool, if that is a parameter.
+fn turned(redundancy: &Redundancy) -> Option<TokenStream> {
+    redundancy
+        .turn
+        .then(|| quote!(let pose = &pose.turned(parameter);))
+}
+
+/// How far the branches are from having no root, if they come from a plan.
+fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
+    let Inverse::Expressions(inverse) = &solver.inverse else {
+        return Some(margins_of_roots(solver, redundancy));
+    };
+    let margin = inverse.of_margin()?;
+    let choices = margin.graph.choices();
+    let (prologue, lanes) = lanes_at_parameter(solver, redundancy, &margin);
     let margin = &lanes.residual;
     let branches = usize_literal(solver.plan.branches());
     let width = usize_literal(1 << choices);
@@ -376,11 +426,7 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
         fn margins_at(
             &self, pose: &Pose, parameter: f64
         ) -> ::core::option::Option<[f64; 16]> {
-            #turned
-            #unread
-            const T: usize = 1;
-            let targets = &[*pose];
-            #statements
+            #prologue
             let mut margins = [0.0; 16];
             #each
             Some(margins)
@@ -389,11 +435,8 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
 }
 
 /// The same of a polynomial's roots.
-fn margins_of_roots(
-    solver: &ClosedForm,
-    redundancy: &Redundancy,
-    turned: Option<&TokenStream>,
-) -> TokenStream {
+fn margins_of_roots(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+    let turned = turned(redundancy);
     let given: Vec<TokenStream> = redundancy
         .joints
         .iter()

@@ -22,7 +22,7 @@ pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Expr, Graph, Operations, Tape};
+use super::{Choice, Expr, Graph, Operations, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -55,6 +55,9 @@ pub struct InverseGraph {
     /// by the unit of its equation, positive where the branch exists; none where no root can be out of
     /// domain. Not among the outputs.
     pub margin: Option<Expr>,
+    /// What the roots that may be out of domain are the roots of, by their choices and by the
+    /// units of their equations; none where some are roots of quartics. Not among the outputs.
+    pub arguments: Option<Vec<(Choice, Expr)>>,
     /// The angle that turns where it is free and the seed's value will not do.
     pub free_angle: Option<FreeAngle>,
     /// Which of the graph's nodes belong to what.
@@ -119,8 +122,32 @@ impl InverseGraph {
         of_margin.free_angle = None;
         of_margin.residual = of_margin.graph.named(margin, "margin");
         [of_margin.invalid, of_margin.singular] = [zero; 2];
-        of_margin.graph.keep_choices_of(margin);
+        of_margin.graph.keep_choices_of(&[margin]);
         Some(of_margin)
+    }
+
+    /// The same graph with the arguments of the roots in place of q, one for each choice that
+    /// they depend on; none for a root that is never out of domain.
+    pub fn of_arguments(&self) -> Option<(Self, Vec<Option<Expr>>)> {
+        let arguments = self.arguments.as_ref()?;
+        let last = arguments.iter().map(|(choice, _)| choice.0).max()?;
+        let mut of_arguments = self.clone();
+        let zero = of_arguments.graph.zero();
+        of_arguments.free_angle = None;
+        [
+            of_arguments.residual,
+            of_arguments.invalid,
+            of_arguments.singular,
+        ] = [zero; 3];
+        let mut own = |root: u8| {
+            let (_, argument) = arguments.iter().find(|(choice, _)| choice.0 == root)?;
+            let name = format!("argument{}", root + 1);
+            Some(of_arguments.graph.named(*argument, &name))
+        };
+        let all: Vec<Option<Expr>> = (0..=last).map(&mut own).collect();
+        of_arguments.q = all.iter().flatten().copied().collect();
+        of_arguments.graph.keep_choices_of(&of_arguments.q);
+        Some((of_arguments, all))
     }
 
     /// Everything that the emitted function returns.
@@ -207,6 +234,8 @@ struct Writer<'a> {
     singular: Expr,
     /// See [`InverseGraph::margin`].
     margin: Option<Expr>,
+    /// See [`InverseGraph::arguments`].
+    arguments: Option<Vec<(Choice, Expr)>>,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
     /// Vectors shorter than this, squared and relative to their scale, leave the
@@ -293,6 +322,7 @@ impl<'a> Writer<'a> {
             invalid: zero,
             singular: zero,
             margin: None,
+            arguments: Some(Vec::new()),
             watched: Vec::new(),
             free: zero,
             may_be_free: None,
@@ -445,6 +475,7 @@ impl<'a> Writer<'a> {
             invalid: self.g.named(self.invalid, "invalid"),
             singular: self.g.named(self.singular, "singular"),
             margin: self.margin,
+            arguments: self.arguments,
             free_angle,
             graph: self.g,
             tape: Tape::default(),

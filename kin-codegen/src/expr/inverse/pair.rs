@@ -114,6 +114,7 @@ impl Writer<'_> {
         let minus = self.g.constant(-1.0);
         let margin = self.g.select_less(some, state, one, minus);
         self.narrow(margin);
+        self.arguments = None;
         Trig { sin, cos }
     }
 

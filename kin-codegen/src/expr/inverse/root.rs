@@ -1,8 +1,8 @@
 //! Square roots and angles: what is out of domain, double, free, or rounding.
 
 use super::{Deviation, Level, MayBeFree, Writer};
-use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
+use crate::expr::{Expr, Node};
 use crate::plan::Atom;
 use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE};
 
@@ -117,6 +117,10 @@ impl Writer<'_> {
         if !discriminant.is_sum_of_squares() {
             let margin = self.scaled(unit.powi(-2), value);
             self.narrow(margin);
+            if let (Some(arguments), Node::Sign(choice)) = (&mut self.arguments, self.g.node(sign))
+            {
+                arguments.push((choice, margin));
+            }
         }
         if let Some(deviation) = self.deviation {
             return self.idealized_root(sign, value, amplitude, deviation, unit);

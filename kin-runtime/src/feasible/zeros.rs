@@ -1,0 +1,281 @@
+//! All zeros of an analytic function on an interval.
+//!
+//! The function is replaced by the polynomial through its values at Chebyshev points, on pieces
+//! so short that the polynomial is the function to nine digits, as its last coefficients tell
+//! (L. N. Trefethen, *Approximation Theory and Approximation Practice*, 2013, chapters 3, 4 and
+//! 18). Of that the second derivative is bounded by its coefficients, and so every part of a
+//! piece has, in the end, no zero or one.
+
+use crate::math;
+use alloc::vec::Vec;
+use core::f64::consts::PI;
+
+/// Chebyshev points of a piece.
+const POINTS: usize = 16;
+/// The last three coefficients of a polynomial that is the function, relative to its values.
+const RESOLVED: f64 = 1e-9;
+/// What rounding may leave of them.
+const NOISE: f64 = 1e-12;
+/// Halvings of a piece at most: at a kink.
+const HALVINGS: u32 = 18;
+/// Pieces that are halved at most: where the function is rounding.
+const HALVED: u32 = 256;
+/// Halvings of a part between two points at most; two zeros in what is left are looked for by
+/// the function itself.
+const PARTS: u32 = 8;
+/// Values below this are rounding.
+const ROUNDING: f64 = 1e-13;
+/// Zeros are told to this.
+const EXACT: f64 = 1e-15;
+/// Steps towards a zero.
+const STEPS: usize = 60;
+/// Golden-section steps towards an extremum.
+const EXTREMUM: usize = 30;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A place and the value there.
+type Sample = (f64, f64);
+
+/// cos(π i / (2 · POINTS)), of a whole turn.
+pub(super) struct Cosines([f64; 4 * POINTS]);
+
+impl Cosines {
+    pub fn new() -> Self {
+        let at = |i: usize| math::sin_cos(PI * i as f64 / (2 * POINTS) as f64).1;
+        Self(core::array::from_fn(at))
+    }
+
+    /// cos(k θⱼ) of the Chebyshev point j.
+    fn at(&self, k: usize, j: usize) -> f64 {
+        self.0[k * (2 * j + 1) % (4 * POINTS)]
+    }
+}
+
+/// The places between `from` and `to` at which a function changes its sign, ascending, looked
+/// for on so many pieces to begin with.
+pub(super) fn zeros(
+    cosines: &Cosines,
+    f: &dyn Fn(f64) -> f64,
+    from: f64,
+    to: f64,
+    pieces: usize,
+) -> Vec<f64> {
+    let mut search = Search {
+        cosines,
+        f,
+        found: Vec::new(),
+        halved: 0,
+    };
+    let end = |i: usize| from + (to - from) * i as f64 / pieces as f64;
+    let mut before = (from, f(from));
+    for i in 1..=pieces {
+        let next = (end(i), f(end(i)));
+        search.piece(before, next, HALVINGS);
+        before = next;
+    }
+    search.found
+}
+
+struct Search<'a> {
+    cosines: &'a Cosines,
+    f: &'a dyn Fn(f64) -> f64,
+    found: Vec<f64>,
+    /// How many pieces were halved.
+    halved: u32,
+}
+
+/// A polynomial by its Chebyshev coefficients.
+struct Polynomial {
+    coefficients: [f64; POINTS],
+    /// Of |d²/dθ²| of f(cos θ).
+    bend: f64,
+}
+
+impl Polynomial {
+    /// f(cos θ), by the recurrence of Clenshaw.
+    fn at(&self, theta: f64) -> f64 {
+        let x = math::sin_cos(theta).1;
+        let (mut a, mut b) = (0.0, 0.0);
+        for c in self.coefficients[1..].iter().rev() {
+            (a, b) = (c + 2.0 * x * a - b, a);
+        }
+        self.coefficients[0] + x * a - b
+    }
+}
+
+impl Search<'_> {
+    fn piece(&mut self, from: Sample, to: Sample, halvings: u32) {
+        let (middle, half) = (0.5 * (from.0 + to.0), 0.5 * (to.0 - from.0));
+        // From `from` to `to`: θ falls from π to 0.
+        let place = |theta: f64| middle + half * math::sin_cos(theta).1;
+        let theta = |j: usize| PI * (j as f64 + 0.5) / POINTS as f64;
+        let values: [f64; POINTS] =
+            core::array::from_fn(|j| (self.f)(middle + half * self.cosines.at(1, j)));
+        let largest = values.iter().fold(0.0, |a, x| math::max(a, x.abs()));
+        if largest < ROUNDING {
+            return;
+        }
+        let polynomial = self.polynomial(&values);
+        let tail = &polynomial.coefficients[POINTS - 3..];
+        let is_resolved = tail.iter().all(|c| c.abs() <= RESOLVED * largest + NOISE);
+        if !is_resolved && halvings > 0 && self.halved < HALVED {
+            self.halved += 1;
+            let middle = (middle, (self.f)(middle));
+            self.piece(from, middle, halvings - 1);
+            self.piece(middle, to, halvings - 1);
+            return;
+        }
+        let mut before = (PI, from.1);
+        for j in (0..POINTS).rev() {
+            let next = (theta(j), values[j]);
+            self.part(&polynomial, &place, before, next, PARTS);
+            before = next;
+        }
+        self.part(&polynomial, &place, before, (0.0, to.1), PARTS);
+    }
+
+    fn polynomial(&self, values: &[f64; POINTS]) -> Polynomial {
+        let mut bend = 0.0;
+        let coefficients = core::array::from_fn(|k| {
+            let sum: f64 = (0..POINTS).map(|j| values[j] * self.cosines.at(k, j)).sum();
+            let weight = if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
+            bend += (k * k) as f64 * (weight * sum).abs();
+            weight * sum
+        });
+        Polynomial { coefficients, bend }
+    }
+
+    /// The part of a piece between two values of θ, with the values there.
+    fn part(
+        &mut self,
+        polynomial: &Polynomial,
+        place: &dyn Fn(f64) -> f64,
+        from: Sample,
+        to: Sample,
+        halvings: u32,
+    ) {
+        let width = from.0 - to.0;
+        let bend = width * width * polynomial.bend;
+        let changes = (from.1 < 0.0) != (to.1 < 0.0);
+        let is_settled = match changes {
+            // By the slope of the chord, which the function has somewhere.
+            true => (from.1 - to.1).abs() > bend,
+            // By how far it may be from the chord.
+            false => math::max(-from.1.abs(), -to.1.abs()) < -0.125 * bend,
+        };
+        if !is_settled && halvings > 0 {
+            let middle = 0.5 * (from.0 + to.0);
+            let middle = (middle, polynomial.at(middle));
+            self.part(polynomial, place, from, middle, halvings - 1);
+            self.part(polynomial, place, middle, to, halvings - 1);
+        } else if changes || !is_settled {
+            self.look(place(from.0), place(to.0));
+        }
+    }
+
+    /// The zero between two places, or the two.
+    fn look(&mut self, from: f64, to: f64) {
+        let ends = [from, to].map(|t| (t, (self.f)(t)));
+        if (ends[0].1 < 0.0) != (ends[1].1 < 0.0) {
+            self.found.push(self.zero(ends[0], ends[1]));
+        } else if let Some(beyond) = self.beyond(ends) {
+            self.found.push(self.zero(ends[0], beyond));
+            self.found.push(self.zero(beyond, ends[1]));
+        }
+    }
+
+    /// Where the function, which has the same sign at both ends, has the other one.
+    fn beyond(&self, [from, to]: [Sample; 2]) -> Option<Sample> {
+        let sign = if from.1 < 0.0 { 1.0 } else { -1.0 };
+        let (mut low, mut high) = (from.0, to.0);
+        for _ in 0..EXTREMUM {
+            let width = GOLDEN * (high - low);
+            let [left, right] = [high - width, low + width].map(|t| (t, (self.f)(t)));
+            let [a, b] = [left, right].map(|sample| sign * sample.1);
+            if math::max(a, b) > ROUNDING {
+                return Some(if a > b { left } else { right });
+            }
+            match a > b {
+                true => high = right.0,
+                false => low = left.0,
+            }
+        }
+        None
+    }
+
+    /// The zero between two places of unlike signs, by the method of false position in the
+    /// version of Illinois (M. Dowell and P. Jarratt, "A modified regula falsi method", BIT 11,
+    /// 1971).
+    fn zero(&self, from: Sample, to: Sample) -> f64 {
+        let ((mut a, mut u), (mut b, mut v)) = (from, to);
+        for _ in 0..STEPS {
+            let c = (a * v - b * u) / (v - u);
+            let moved = (c - b).abs();
+            let w = (self.f)(c);
+            // The end behind which the zero is moves up; the other one counts half if it has
+            // stayed.
+            match (w < 0.0) == (v < 0.0) {
+                true => u *= 0.5,
+                false => (a, u) = (b, v),
+            }
+            (b, v) = (c, w);
+            if w == 0.0 || moved < EXACT || (b - a).abs() < EXACT {
+                break;
+            }
+        }
+        b
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
+        zeros(&Cosines::new(), f, -1.0, 2.0, 2)
+    }
+
+    #[track_caller]
+    fn assert_are(found: &[f64], expected: &[f64]) {
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
+        assert!(
+            found.len() == expected.len() && found.iter().zip(expected).all(near),
+            "{found:?} {expected:?}"
+        );
+    }
+
+    #[test]
+    fn zeros_of_waves_are_found() {
+        let expected: Vec<f64> = (-9..=20).map(|k| 0.1 * f64::from(k) - 1e-4 / PI).collect();
+        assert_are(&of(&|t| (10.0 * PI * t + 1e-3).sin()), &expected);
+        assert!(of(&|t| t.cos() + 1.001).is_empty());
+    }
+
+    /// A bump that looks out of zero for so short a way that no point is near it.
+    #[test]
+    fn two_zeros_that_are_near_each_other_are_found() {
+        for apart in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5] {
+            let (a, b) = (0.7123, 0.7123 + apart);
+            for sign in [1.0, -1.0] {
+                let f = |t: f64| sign * (t - a) * (t - b) * (1.5 + t.sin());
+                let found = of(&f);
+                assert_eq!(found.len(), 2, "{apart}");
+                assert!((found[0] - a).abs() < 1e-9 && (found[1] - b).abs() < 1e-9);
+            }
+        }
+    }
+
+    /// Poles next to the interval, and a corner.
+    #[test]
+    fn steep_places_are_resolved() {
+        let near = |t: f64| 1.0 / (1e-4 + (t - 0.3) * (t - 0.3)) - 5000.0;
+        assert_are(&of(&near), &[0.29, 0.31]);
+        assert_are(&of(&|t: f64| 0.01 - (t - 0.3).abs()), &[0.29, 0.31]);
+    }
+
+    #[test]
+    fn what_only_touches_zero_has_none() {
+        assert!(of(&|t| (t - 0.3) * (t - 0.3)).is_empty());
+        assert!(of(&|_| 0.0).is_empty());
+    }
+}
