@@ -7,6 +7,7 @@ use crate::mechanism;
 use crate::options::Options;
 use crate::refusal::{Reason, Refusal};
 use crate::spec::{Diagnostics, Source, Spec};
+use kin_runtime::__private::univariate::reproducibly;
 
 /// Reads a robot file and compiles it.
 ///
@@ -23,17 +24,7 @@ use crate::spec::{Diagnostics, Source, Spec};
 /// What is wrong with the file or the options, or why the robot has no closed
 /// form.
 pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
-    let (robot, reason) = match Spec::parse(source)? {
-        Spec::Arm(spec) => {
-            let (arm, refused) = arm::compile(&spec, options)?;
-            (Compiled::Arm(Box::new(arm)), refused.map(Reason::Arm))
-        }
-        Spec::Mechanism(spec) => {
-            let (mechanism, refused) = mechanism::compile(&spec, options)?;
-            let robot = Compiled::Mechanism(Box::new(mechanism));
-            (robot, refused.map(Reason::Chain))
-        }
-    };
+    let (robot, reason) = reproducibly(|| robot(&Spec::parse(source)?, options))?;
     if options.strict
         && let Some(warnings) = Diagnostics::of(&source.path, robot.warnings().to_vec())
     {
@@ -47,4 +38,19 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
             source: source.clone(),
         }))),
     }
+}
+
+/// A robot with all that was found, and why it has no closed form.
+fn robot(spec: &Spec, options: &Options) -> Result<(Compiled, Option<Reason>), Diagnostics> {
+    Ok(match spec {
+        Spec::Arm(spec) => {
+            let (arm, refused) = arm::compile(spec, options)?;
+            (Compiled::Arm(Box::new(arm)), refused.map(Reason::Arm))
+        }
+        Spec::Mechanism(spec) => {
+            let (mechanism, refused) = mechanism::compile(spec, options)?;
+            let robot = Compiled::Mechanism(Box::new(mechanism));
+            (robot, refused.map(Reason::Chain))
+        }
+    })
 }

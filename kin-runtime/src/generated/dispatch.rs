@@ -5,7 +5,8 @@
 //! [`dispatch`] has the same source compiled for AVX2 and AVX-512 beside that,
 //! and takes what there is. The results are the same to the last bit: each
 //! operation is rounded as IEEE 754 says, whatever the width, and the compiler
-//! never contracts a product and a sum to a fused operation.
+//! never contracts a product and a sum to a fused operation. Only where one is written, as
+//! for the polynomial in one joint, do the last digits differ.
 //!
 //! Nothing is dispatched where the program is compiled for AVX2 or more
 //! (`-C target-cpu=native`), on other architectures (NEON is part of aarch64),
@@ -22,6 +23,16 @@ pub trait Dispatched<I> {
     /// The same for vectors of two lanes, where less side by side may be faster.
     #[inline(always)]
     fn run_narrow(input: I) -> Self::Output {
+        Self::run(input)
+    }
+    /// The same where there are AVX2 and fused multiplication and addition.
+    #[inline(always)]
+    fn run_avx2(input: I) -> Self::Output {
+        Self::run(input)
+    }
+    /// The same with AVX-512 beside these.
+    #[inline(always)]
+    fn run_avx512(input: I) -> Self::Output {
         Self::run(input)
     }
 }
@@ -48,7 +59,17 @@ pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
     }
     #[cfg(target_feature = "avx2")]
     {
-        T::run(input)
+        if cfg!(not(target_feature = "fma")) {
+            T::run(input)
+        } else if cfg!(all(
+            target_feature = "avx512f",
+            target_feature = "avx512vl",
+            target_feature = "avx512dq"
+        )) {
+            T::run_avx512(input)
+        } else {
+            T::run_avx2(input)
+        }
     }
     #[cfg(not(any(target_feature = "avx2", all(feature = "std", target_arch = "x86_64"))))]
     {
@@ -85,9 +106,11 @@ mod x86_64 {
             if std::is_x86_feature_detected!("avx512f")
                 && std::is_x86_feature_detected!("avx512vl")
                 && std::is_x86_feature_detected!("avx512dq")
+                && std::is_x86_feature_detected!("fma")
             {
                 Self::Avx512
-            } else if std::is_x86_feature_detected!("avx2") {
+            } else if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
+            {
                 Self::Avx2
             } else {
                 Self::Sse2
@@ -125,13 +148,13 @@ mod x86_64 {
         }
     }
 
-    #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
     fn with_avx512<T: Dispatched<I>, I>(input: I) -> T::Output {
-        T::run(input)
+        T::run_avx512(input)
     }
 
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,fma")]
     fn with_avx2<T: Dispatched<I>, I>(input: I) -> T::Output {
-        T::run(input)
+        T::run_avx2(input)
     }
 }

@@ -1,8 +1,8 @@
 //! A trigonometric polynomial on arcs of the circle, in Bernstein's basis.
 
 use super::harmonics::{DEGREE, Harmonics};
-use super::turn::cosine_of_turn;
-use crate::generated::dispatch::{Dispatched, dispatch};
+use super::lanes::{InLanes, LANES, Lanes, in_lanes};
+use super::turn::{cosine_of_turn, sine_of_turn};
 use core::f64::consts::TAU;
 
 /// The circle in arcs.
@@ -14,6 +14,9 @@ pub(super) const COEFFICIENTS: usize = 2 * DEGREE + 1;
 /// Where the first arc has its middle, radians: no arc ends at an angle that
 /// robots are sent to.
 const FIRST: f64 = 0.0371;
+
+/// Its cosine and sine.
+const FIRST_TURN: [f64; 2] = [0.999_311_873_934_065_4, 0.037_091_489_783_865_11];
 
 /// The middle of an arc, radians.
 pub(super) fn middle(arc: usize) -> f64 {
@@ -81,76 +84,117 @@ impl<const N: usize> Basis<N> {
         out
     }
 
+    /// Of harmonics turned to the middle of each arc, the coefficients.
     #[inline(always)]
-    fn coefficients(&self, turned: &[[[f64; ARCS]; 2]; DEGREE + 1]) -> [[f64; ARCS]; COEFFICIENTS] {
-        let mut out = [[0.0; ARCS]; COEFFICIENTS];
+    fn coefficients<L: Lanes>(&self, turned: &[[L; 2]; DEGREE + 1]) -> [L; COEFFICIENTS] {
+        let mut out = [L::ZERO; COEFFICIENTS];
         for i in 0..N {
-            let (mut even, mut odd) = ([0.0; ARCS], [0.0; ARCS]);
+            let (mut even, mut odd) = (L::ZERO, L::ZERO);
             for k in 0..N {
-                let (a, b) = (self.cosines[i][k], self.sines[i][k]);
-                for arc in 0..ARCS {
-                    even[arc] += a * turned[k][0][arc];
-                    odd[arc] += b * turned[k][1][arc];
-                }
+                even = even.plus_scaled(turned[k][0], self.cosines[i][k]);
+                odd = odd.plus_scaled(turned[k][1], self.sines[i][k]);
             }
-            for arc in 0..ARCS {
-                out[i][arc] = even[arc] + odd[arc];
-                out[2 * (N - 1) - i][arc] = even[arc] - odd[arc];
-            }
+            out[i] = even + odd;
+            out[2 * (N - 1) - i] = even - odd;
         }
         out
     }
 }
 
-/// Coefficients on all arcs, and how many of each there are.
-pub(super) fn on_arcs(f: &Harmonics) -> OnArcs {
-    dispatch::<Turned, _>(f)
+/// Some neighbouring arcs, as lanes.
+#[derive(Clone, Copy)]
+pub(super) struct Arcs {
+    coefficients: [[f64; LANES]; COEFFICIENTS],
+    /// How many coefficients there are.
+    pub count: usize,
+    /// The least of them, without its sign.
+    pub least: [f64; LANES],
+    /// How often their sign changes.
+    pub changes: [f64; LANES],
+    /// Where it changes last, as a share of the arc.
+    pub share: [f64; LANES],
 }
 
-type OnArcs = ([[f64; ARCS]; COEFFICIENTS], usize);
+impl Arcs {
+    /// The coefficients on one of them.
+    pub fn of(&self, lane: usize) -> [f64; COEFFICIENTS] {
+        self.coefficients.map(|row| row[lane])
+    }
+}
 
-struct Turned;
+/// The polynomial on all arcs.
+pub(super) fn on_arcs(f: &Harmonics) -> [Arcs; ARCS / LANES] {
+    in_lanes::<OnArcs, _>(f)
+}
 
-impl Dispatched<&Harmonics> for Turned {
-    type Output = OnArcs;
+struct OnArcs;
+
+impl InLanes<&Harmonics> for OnArcs {
+    type Output = [Arcs; ARCS / LANES];
 
     #[inline(always)]
-    fn run(f: &Harmonics) -> OnArcs {
-        turned(f)
+    fn run<L: Lanes>(f: &Harmonics) -> Self::Output {
+        [on_half::<L>(f, 0), on_half::<L>(f, LANES)]
     }
 }
 
+/// On arcs from the first one given on.
 #[inline(always)]
-fn turned(f: &Harmonics) -> OnArcs {
-    const PARTS: [f64; ARCS] = {
-        let mut table = [0.0; ARCS];
-        let mut i = 0;
-        while i < ARCS {
-            table[i] = cosine_of_turn(i, ARCS);
-            i += 1;
-        }
-        table
-    };
-    let mut turned = [[[0.0; ARCS]; 2]; DEGREE + 1];
-    let (sine, cosine) = crate::math::sin_cos(FIRST);
-    let mut first = [1.0, 0.0];
+fn on_half<L: Lanes>(f: &Harmonics, arc: usize) -> Arcs {
+    let mut turned = [[L::ZERO; 2]; DEGREE + 1];
     for k in 0..=f.degree {
-        let [c, s] = first;
-        let (a, b) = (f.cosines[k], f.sines[k]);
-        let (a, b) = (a * c + b * s, b * c - a * s);
-        for arc in 0..ARCS {
-            let (c, s) = (
-                PARTS[k * arc % ARCS],
-                PARTS[(k * arc + 3 * ARCS / 4) % ARCS],
-            );
-            turned[k][0][arc] = a * c + b * s;
-            turned[k][1][arc] = b * c - a * s;
+        let (mut c, mut s) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            [c[lane], s[lane]] = MIDDLES[k][arc + lane];
         }
-        first = [c * cosine - s * sine, s * cosine + c * sine];
+        let (c, s, a, b) = (L::of(c), L::of(s), f.cosines[k], f.sines[k]);
+        turned[k] = [
+            c.scaled(a).plus_scaled(s, b),
+            c.scaled(b).plus_scaled(s, -a),
+        ];
     }
-    if f.degree <= 8 {
-        (LOW.coefficients(&turned), 17)
-    } else {
-        (HIGH.coefficients(&turned), COEFFICIENTS)
+    let (coefficients, count) = match f.degree <= 8 {
+        true => (LOW.coefficients(&turned), 17),
+        false => (HIGH.coefficients(&turned), COEFFICIENTS),
+    };
+    let (mut least, mut changes) = (coefficients[0].abs(), L::ZERO);
+    // At the last change: the coefficients before and behind, and the number of the first.
+    let (mut before, mut behind, mut at) = (L::ONE, L::ZERO, L::ZERO);
+    for i in 1..count {
+        let [a, b] = [coefficients[i - 1], coefficients[i]];
+        least = least.min(b.abs());
+        let product = a * b;
+        changes += product.where_less(L::ZERO, L::ONE, L::ZERO);
+        before = product.where_less(L::ZERO, a, before);
+        behind = product.where_less(L::ZERO, b, behind);
+        at = product.where_less(L::ZERO, L::splat((i - 1) as f64), at);
+    }
+    let share = at.plus(before, (before - behind).inverse());
+    Arcs {
+        coefficients: coefficients.map(L::numbers),
+        count,
+        least: least.numbers(),
+        changes: changes.numbers(),
+        share: share.scaled(1.0 / (count - 1) as f64).numbers(),
     }
 }
+
+/// Cosine and sine of k times the middle of each arc.
+static MIDDLES: [[[f64; 2]; ARCS]; DEGREE + 1] = {
+    // cos and sin of FIRST.
+    let (mut first, mut k) = ([1.0, 0.0], 0);
+    let mut out = [[[0.0; 2]; ARCS]; DEGREE + 1];
+    while k <= DEGREE {
+        let mut arc = 0;
+        while arc < ARCS {
+            let (c, s) = (cosine_of_turn(k * arc, ARCS), sine_of_turn(k * arc, ARCS));
+            let [x, y] = first;
+            out[k][arc] = [c * x - s * y, s * x + c * y];
+            arc += 1;
+        }
+        let ([x, y], [c, s]) = (first, FIRST_TURN);
+        first = [x * c - y * s, x * s + y * c];
+        k += 1;
+    }
+    out
+};

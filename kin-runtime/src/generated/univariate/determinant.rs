@@ -1,292 +1,274 @@
-//! Many matrices at once, as array lanes: their determinants, and what they
-//! nearly take to zero.
+//! Many matrices at once, in lanes: their determinants, and what they nearly take to
+//! zero.
 
 use super::elimination::SIZE;
-use crate::math;
-use core::ops::Range;
-
-/// Square matrices by row and column.
-pub(super) type Matrices<const L: usize> = [[[f64; L]; SIZE]; SIZE];
-
-/// Vectors by entry.
-pub(super) type Vectors<const L: usize> = [[f64; L]; SIZE];
+use super::lanes::{Lanes, dot};
+use super::matrix::{Compact, Matrices, Places, Vectors, WIDTH};
 
 /// What is divided by instead of 0.
-const LEAST_PIVOT: f64 = 1e-150;
+const LEAST_PIVOT: f64 = 1e-30;
+
+/// Pivots at a time, so that the matrices are seldom read and written.
+const BLOCK: usize = 4;
 
 /// M = L U, in the order in which rows and columns stand: that was chosen for
 /// the arm, and how far it can be trusted at a target is seen in what comes out.
 /// L has ones on its diagonal and takes the place below that of U.
-///
-/// The first four columns are of monomials that no shifted row has, the next four of
-/// those that no other row has: half of the work is on zeros, and left out. `shifted`
-/// tells the rows.
-#[inline(always)]
-pub(super) fn eliminate<const L: usize>(m: &mut Matrices<L>, shifted: u16) {
-    const LOW: u16 = 0xff;
-    for k in (0..4).step_by(2) {
-        pivots(m, k, k + 2..4, 0xf | !shifted & !LOW);
-    }
-    for k in (4..8).step_by(2) {
-        pivots(m, k, k + 2..8, LOW | shifted & !LOW);
-    }
-    for k in (8..SIZE).step_by(2) {
-        pivots(m, k, k + 2..8, u16::MAX);
-    }
+pub(super) struct Factors<L: Lanes> {
+    rows: Compact<L>,
+    inverses: Vectors<L>,
+    /// Bit i is set where row i is multiplied by the last joint's half tangent.
+    shifted: u16,
 }
 
-/// Two pivots at a time, so that the matrices are read and written half as often.
-/// They have entries in the columns given, and from the eighth on; bit i of `rows` is set
-/// where row i has some there too.
-#[inline(always)]
-fn pivots<const L: usize>(m: &mut Matrices<L>, k: usize, near: Range<usize>, rows: u16) {
-    let from = 8.max(k + 2);
-    let first = m[k];
-    let mut second = m[k + 1];
-    let mut inverses = [[0.0; L]; 2];
-    for lane in 0..L {
-        inverses[0][lane] = 1.0 / pivot(first[k][lane]);
-        second[k][lane] *= inverses[0][lane];
-        second[k + 1][lane] -= second[k][lane] * first[k + 1][lane];
-        inverses[1][lane] = 1.0 / pivot(second[k + 1][lane]);
+impl<L: Lanes> Factors<L> {
+    /// Of nothing yet.
+    pub const EMPTY: Self = Self {
+        rows: [[L::ZERO; WIDTH]; SIZE],
+        inverses: [L::ZERO; SIZE],
+        shifted: 0,
+    };
+
+    /// Of the matrices of an elimination.
+    #[inline(always)]
+    pub fn factor(&mut self, places: &Places, equations: &[[L; 9]; 6]) {
+        places.write(equations, &mut self.rows);
+        self.shifted = places.shifted;
+        const LOW: u16 = 0xff;
+        self.block::<0>(0, !self.shifted & !LOW);
+        self.block::<0>(BLOCK, self.shifted & !LOW);
+        self.block::<BLOCK>(2 * BLOCK, 0xf << (3 * BLOCK));
+        self.block::<{ 2 * BLOCK }>(3 * BLOCK, 0);
     }
-    for j in near.clone().chain(from..SIZE) {
-        for lane in 0..L {
-            second[j][lane] -= second[k][lane] * first[j][lane];
-        }
-    }
-    m[k + 1] = second;
-    for (i, row) in m.iter_mut().enumerate().skip(k + 2) {
-        if rows >> i & 1 == 0 {
-            continue;
-        }
-        let (mut a, mut b) = ([0.0; L], [0.0; L]);
-        for lane in 0..L {
-            a[lane] = row[k][lane] * inverses[0][lane];
-            b[lane] = (row[k + 1][lane] - a[lane] * first[k + 1][lane]) * inverses[1][lane];
-        }
-        (row[k], row[k + 1]) = (a, b);
-        for j in near.clone() {
-            for lane in 0..L {
-                row[j][lane] -= a[lane] * first[j][lane] + b[lane] * second[j][lane];
+
+    /// Pivots of four rows from the `first` on, in the columns from `COLUMN` on of those
+    /// that they have; bit i of `others` is set where row i has them too.
+    #[inline(always)]
+    fn block<const COLUMN: usize>(&mut self, first: usize, others: u16) {
+        let (above, below) = self.rows.split_at_mut(first + BLOCK);
+        let pivots = &mut above[first..];
+        for k in 0..BLOCK {
+            let (done, rest) = pivots.split_at_mut(k + 1);
+            let (row, column) = (&done[k], COLUMN + k);
+            let inverse = row[column].away_from_zero(LEAST_PIVOT).inverse();
+            self.inverses[first + k] = inverse;
+            for other in rest {
+                let share = other[column] * inverse;
+                other[column] = share;
+                for j in column + 1..WIDTH {
+                    other[j] = other[j].minus(share, row[j]);
+                }
             }
         }
-        for j in from..SIZE {
-            for lane in 0..L {
-                row[j][lane] -= a[lane] * first[j][lane] + b[lane] * second[j][lane];
+        for (i, row) in (first + BLOCK..).zip(below) {
+            if others >> i & 1 == 0 {
+                continue;
+            }
+            let mut shares = [L::ZERO; BLOCK];
+            for k in 0..BLOCK {
+                let mut share = row[COLUMN + k];
+                for l in 0..k {
+                    share = share.minus(shares[l], pivots[l][COLUMN + k]);
+                }
+                shares[k] = share * self.inverses[first + k];
+                row[COLUMN + k] = shares[k];
+            }
+            for j in COLUMN + BLOCK..WIDTH {
+                let mut entry = row[j];
+                for k in 0..BLOCK {
+                    entry = entry.minus(shares[k], pivots[k][j]);
+                }
+                row[j] = entry;
             }
         }
+    }
+
+    /// The column of pivot k in its row.
+    #[inline(always)]
+    fn column(k: usize) -> usize {
+        if k < 2 * BLOCK { k % BLOCK } else { k - BLOCK }
+    }
+
+    /// The product of the pivots.
+    #[inline(always)]
+    pub fn determinants(&self) -> L {
+        let mut product = L::ONE;
+        for (k, row) in self.rows.iter().enumerate() {
+            product *= row[Self::column(k)];
+        }
+        product
+    }
+
+    /// The vector that L U nearly takes to zero, of length 1: inverse iteration
+    /// (J. H. Wilkinson, The Algebraic Eigenvalue Problem, 1965, chapter 5).
+    #[inline(always)]
+    pub fn null_vectors(&self) -> Vectors<L> {
+        // L times a vector of ones is as good a start as any.
+        let x = unit(&self.back_substituted([L::ONE; SIZE]));
+        unit(&self.back_substituted(self.forward_substituted(x)))
+    }
+
+    /// L⁻¹ x.
+    #[inline(always)]
+    fn forward_substituted(&self, mut x: Vectors<L>) -> Vectors<L> {
+        for (i, row) in self.rows.iter().enumerate() {
+            let own = if i < 2 * BLOCK { i % BLOCK } else { BLOCK };
+            let first = match self.shifted >> i & 1 {
+                0 => 0,
+                _ => BLOCK,
+            };
+            let mut entry = x[i];
+            for k in 0..own {
+                entry = entry.minus(row[k], x[first + k]);
+            }
+            for k in 2 * BLOCK..i {
+                entry = entry.minus(row[k - BLOCK], x[k]);
+            }
+            x[i] = entry;
+        }
+        x
+    }
+
+    /// U⁻¹ x.
+    #[inline(always)]
+    fn back_substituted(&self, mut x: Vectors<L>) -> Vectors<L> {
+        for (i, row) in self.rows.iter().enumerate().rev() {
+            let mut entry = x[i];
+            for j in (i + 1).max(2 * BLOCK)..SIZE {
+                entry = entry.minus(row[j - BLOCK], x[j]);
+            }
+            if i < 2 * BLOCK {
+                for j in i % BLOCK + 1..BLOCK {
+                    entry = entry.minus(row[j], x[i / BLOCK * BLOCK + j]);
+                }
+            }
+            x[i] = entry * self.inverses[i];
+        }
+        x
     }
 }
 
 /// M = Q R by Householder's reflections, without Q: at twice the cost, and never
 /// worse than rounding. The determinant of Q is −1.
-#[inline(always)]
-pub(super) fn reflect<const L: usize>(m: &mut Matrices<L>) {
-    for k in 0..SIZE - 1 {
-        let mut square = [0.0; L];
-        for row in &m[k..] {
-            for lane in 0..L {
-                square[lane] += row[k][lane] * row[k][lane];
-            }
-        }
-        let mut image = [0.0; L];
-        let mut weight = [0.0; L];
-        for lane in 0..L {
-            let x = m[k][k][lane];
-            image[lane] = -math::sqrt(square[lane]).copysign(x);
-            // Without cancellation by the choice of sign.
-            weight[lane] = 1.0 / math::max(square[lane] - image[lane] * x, LEAST_PIVOT);
-            m[k][k][lane] = x - image[lane];
-        }
-        for j in k + 1..SIZE {
-            let mut along = [0.0; L];
+pub(super) struct Triangle<L: Lanes> {
+    rows: Matrices<L>,
+    inverses: Vectors<L>,
+}
+
+impl<L: Lanes> Triangle<L> {
+    #[inline(always)]
+    pub fn new(mut m: Matrices<L>) -> Self {
+        let mut inverses = [L::ZERO; SIZE];
+        for k in 0..SIZE {
+            let mut square = L::ZERO;
             for row in &m[k..] {
-                for lane in 0..L {
-                    along[lane] += row[k][lane] * row[j][lane];
+                square = square.plus(row[k], row[k]);
+            }
+            let x = m[k][k];
+            let root = square.sqrt();
+            let mut image = x.where_less(L::ZERO, root, -root);
+            if k + 1 == SIZE {
+                image = x;
+            } else {
+                // Without cancellation by the choice of sign.
+                let weight = square.minus(image, x).max(L::splat(LEAST_PIVOT)).inverse();
+                m[k][k] = x - image;
+                for j in k + 1..SIZE {
+                    let mut along = L::ZERO;
+                    for row in &m[k..] {
+                        along = along.plus(row[k], row[j]);
+                    }
+                    along *= weight;
+                    for row in &mut m[k..] {
+                        row[j] = row[j].minus(along, row[k]);
+                    }
                 }
             }
-            for lane in 0..L {
-                along[lane] *= weight[lane];
+            m[k][k] = image;
+            inverses[k] = image.away_from_zero(LEAST_PIVOT).inverse();
+        }
+        Self { rows: m, inverses }
+    }
+
+    /// The product of the diagonal.
+    #[inline(always)]
+    pub fn determinants(&self) -> L {
+        let mut product = L::ONE;
+        for (k, row) in self.rows.iter().enumerate() {
+            product *= row[k];
+        }
+        product
+    }
+
+    /// An orthonormal basis of what Q R nearly takes to zero: the least right singular
+    /// vectors, by subspace iteration on Rᵀ R.
+    #[inline(always)]
+    pub fn null_space<const N: usize>(&self) -> [Vectors<L>; N] {
+        let mut space = [[L::ZERO; SIZE]; N];
+        for (n, x) in space.iter_mut().enumerate() {
+            for (i, x) in x.iter_mut().enumerate() {
+                // Starts that no arm is square to.
+                *x = L::splat(START[(n + 1) * i % START.len()]);
             }
-            for row in &mut m[k..] {
-                for lane in 0..L {
-                    row[j][lane] -= along[lane] * row[k][lane];
+        }
+        for _ in 0..3 {
+            for n in 0..N {
+                let mut x = self.improved(&space[n]);
+                for before in &space[..n] {
+                    let along = dot(before, &x);
+                    for i in 0..SIZE {
+                        x[i] = x[i].minus(along, before[i]);
+                    }
                 }
+                space[n] = unit(&x);
             }
         }
-        m[k][k] = image;
-        m[k + 1..].iter_mut().for_each(|row| row[k] = [0.0; L]);
+        space
     }
-}
 
-/// The product of the diagonal.
-#[inline(always)]
-pub(super) fn product<const L: usize>(m: &Matrices<L>) -> [f64; L] {
-    let mut product = [1.0; L];
-    for (k, row) in m.iter().enumerate() {
-        for lane in 0..L {
-            product[lane] *= row[k][lane];
-        }
-    }
-    product
-}
-
-/// The vector that L U nearly takes to zero, of length 1: inverse iteration
-/// (J. H. Wilkinson, The Algebraic Eigenvalue Problem, 1965, chapter 5).
-#[inline(always)]
-pub(super) fn null_vector_of_factors<const L: usize>(m: &Matrices<L>) -> Vectors<L> {
-    // L times a vector of ones is as good a start as any.
-    let mut x = unit(&back_substituted(m, [[1.0; L]; SIZE]));
-    for i in 1..SIZE {
-        for j in 0..i {
-            for lane in 0..L {
-                x[i][lane] -= m[i][j][lane] * x[j][lane];
+    /// One step of inverse iteration on Rᵀ R.
+    #[inline(always)]
+    fn improved(&self, x: &Vectors<L>) -> Vectors<L> {
+        let mut x = *x;
+        for i in 0..SIZE {
+            let mut entry = x[i];
+            for j in 0..i {
+                entry = entry.minus(self.rows[j][i], x[j]);
             }
+            x[i] = entry * self.inverses[i];
         }
-    }
-    unit(&back_substituted(m, x))
-}
-
-/// The vector that Q R nearly takes to zero, of length 1: the least right
-/// singular vector, by inverse iteration on Rᵀ R.
-#[inline(always)]
-pub(super) fn null_vector_of_triangle<const L: usize>(m: &Matrices<L>) -> Vectors<L> {
-    let mut x = unit(&back_substituted(m, [[1.0; L]; SIZE]));
-    for _ in 0..2 {
-        x = improved(m, x);
-    }
-    x
-}
-
-/// An orthonormal basis of the plane that Q R nearly takes to zero: the two least right
-/// singular vectors, by subspace iteration.
-#[inline(always)]
-pub(super) fn null_plane_of_triangle<const L: usize>(m: &Matrices<L>) -> [Vectors<L>; 2] {
-    // Starts that no arm is square to.
-    let start = |of: usize| core::array::from_fn(|i| [math::sin_cos((1 + i * of) as f64).0; L]);
-    let mut plane = [start(1), start(2)];
-    for _ in 0..3 {
-        // No closure: it would be compiled for the narrowest instructions.
-        let [first, second] = [improved(m, plane[0]), improved(m, plane[1])];
-        let mut along = [0.0; L];
-        for (x, y) in first.iter().zip(&second) {
-            for lane in 0..L {
-                along[lane] += x[lane] * y[lane];
+        x = unit(&x);
+        for i in (0..SIZE).rev() {
+            let mut entry = x[i];
+            for j in i + 1..SIZE {
+                entry = entry.minus(self.rows[i][j], x[j]);
             }
+            x[i] = entry * self.inverses[i];
         }
-        let mut across = second;
-        for (x, y) in first.iter().zip(&mut across) {
-            for lane in 0..L {
-                y[lane] -= along[lane] * x[lane];
-            }
-        }
-        plane = [first, unit(&across)];
+        x
     }
-    plane
 }
 
-/// An orthonormal basis, by lane, of what Q R nearly takes to zero, if all lanes are
-/// one matrix: the least right singular vectors, by subspace iteration.
-pub(super) fn null_space_of_triangle<const L: usize>(m: &Matrices<L>) -> Vectors<L> {
-    let mut x = [[0.0; L]; SIZE];
-    for i in 0..SIZE {
-        for lane in 0..L {
-            // Starts that no arm is square to.
-            x[i][lane] = math::sin_cos((1 + i * (lane + 1)) as f64).0;
-        }
+/// Numbers of no pattern, more than a vector has entries: the fractional parts of
+/// multiples of the golden ratio, about 0.
+const START: [f64; 61] = {
+    let mut out = [0.0; 61];
+    let mut i = 0;
+    while i < out.len() {
+        let x = (i + 1) as f64 * 0.618_033_988_749_894_8;
+        out[i] = x - (x as u32) as f64 - 0.48;
+        i += 1;
     }
-    for _ in 0..3 {
-        x = improved(m, x);
-        for lane in 0..L {
-            for before in 0..lane {
-                let along: f64 = x.iter().map(|x| x[before] * x[lane]).sum();
-                x.iter_mut().for_each(|x| x[lane] -= along * x[before]);
-            }
-            let square: f64 = x.iter().map(|x| x[lane] * x[lane]).sum();
-            let share = 1.0 / math::max(math::sqrt(square), LEAST_PIVOT);
-            x.iter_mut().for_each(|x| x[lane] *= share);
-        }
-    }
-    x
-}
-
-/// One step of inverse iteration on Rᵀ R.
-#[inline(always)]
-fn improved<const L: usize>(m: &Matrices<L>, mut x: Vectors<L>) -> Vectors<L> {
-    for i in 0..SIZE {
-        for j in 0..i {
-            for lane in 0..L {
-                x[i][lane] -= m[j][i][lane] * x[j][lane];
-            }
-        }
-        for lane in 0..L {
-            x[i][lane] /= pivot(m[i][i][lane]);
-        }
-    }
-    unit(&back_substituted(m, unit(&x)))
-}
-
-/// U⁻¹ x.
-#[inline(always)]
-fn back_substituted<const L: usize>(m: &Matrices<L>, mut x: Vectors<L>) -> Vectors<L> {
-    for i in (0..SIZE).rev() {
-        for j in i + 1..SIZE {
-            for lane in 0..L {
-                x[i][lane] -= m[i][j][lane] * x[j][lane];
-            }
-        }
-        for lane in 0..L {
-            x[i][lane] /= pivot(m[i][i][lane]);
-        }
-    }
-    x
-}
-
-/// A pivot that can be divided by.
-#[inline(always)]
-fn pivot(x: f64) -> f64 {
-    math::max(x.abs(), LEAST_PIVOT).copysign(x)
-}
+    out
+};
 
 /// The vectors by their lengths.
 #[inline(always)]
-fn unit<const L: usize>(x: &Vectors<L>) -> Vectors<L> {
-    let mut largest = [LEAST_PIVOT; L];
-    for entry in x {
-        for lane in 0..L {
-            largest[lane] = math::max(largest[lane], entry[lane].abs());
-        }
-    }
-    let mut square = [0.0; L];
-    for entry in x {
-        for lane in 0..L {
-            let share = entry[lane] / largest[lane];
-            square[lane] += share * share;
-        }
-    }
+fn unit<L: Lanes>(x: &Vectors<L>) -> Vectors<L> {
+    let share = dot(x, x).sqrt().inverse();
     let mut out = *x;
-    for lane in 0..L {
-        largest[lane] = 1.0 / (largest[lane] * math::sqrt(square[lane]));
-    }
     for entry in &mut out {
-        for lane in 0..L {
-            entry[lane] *= largest[lane];
-        }
-    }
-    out
-}
-
-/// M x.
-#[inline(always)]
-pub(super) fn times<const L: usize>(m: &Matrices<L>, x: &Vectors<L>) -> Vectors<L> {
-    let mut out = [[0.0; L]; SIZE];
-    for (out, row) in out.iter_mut().zip(m) {
-        for (entry, x) in row.iter().zip(x) {
-            for lane in 0..L {
-                out[lane] += entry[lane] * x[lane];
-            }
-        }
+        *entry *= share;
     }
     out
 }

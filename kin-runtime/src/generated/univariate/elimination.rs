@@ -1,5 +1,6 @@
 //! What is left of the closed loop when one joint is kept.
 
+use super::lanes::{Lanes, Portable};
 use super::line::{ENTRIES, Lines, Z_AXIS, moved, turned_back};
 use crate::Pose;
 
@@ -42,20 +43,16 @@ pub struct Elimination {
 }
 
 impl Elimination {
-    /// Bit i is set where row i is multiplied by the last joint's half tangent.
-    pub(super) fn shifted(&self) -> u16 {
-        let rows = self.rows.iter().enumerate();
-        rows.fold(0, |bits, (i, row)| bits | u16::from(row[1] & 1) << i)
-    }
-
     /// The functionals at a value of the kept joint, radians, along the other
     /// side of the loop at a target: by functional, the coefficients of the
     /// monomials i + 4 j of the half tangents at 3 i + j. Lengths as in `frames`.
     pub fn coefficients(&self, frames: &[Pose; 7], target: &Pose, kept: f64) -> [[f64; 9]; 6] {
         let far_side = Loop::new(self, frames, target).far_side();
         let (sine, cosine) = crate::math::sin_cos(0.5 * kept);
-        let equations = Equations::new(self, &far_side).at(&[cosine], &[sine]);
-        equations.map(|row| row.map(|[x]| x))
+
+        let [cosine, sine] = [cosine, sine].map(Portable::splat);
+        let equations = Equations::new(self, &far_side).at(cosine, sine);
+        equations.map(|row| row.map(|x| x.numbers()[0]))
     }
 }
 
@@ -122,50 +119,26 @@ impl Equations {
         Self { functionals, half }
     }
 
-    /// The six equations at values of the kept joint, as array lanes of the
-    /// cosine and sine of its half.
+    /// The six equations at values of the kept joint, by the cosine and sine of its half.
     #[inline(always)]
-    fn at<const L: usize>(&self, cosine: &[f64; L], sine: &[f64; L]) -> [[[f64; L]; 9]; 6] {
-        let (mut whole, mut double) = ([0.0; L], [0.0; L]);
-        for k in 0..L {
-            whole[k] = (cosine[k] - sine[k]) * (cosine[k] + sine[k]);
-            double[k] = 2.0 * cosine[k] * sine[k];
-        }
-        let mut out = [[[0.0; L]; 9]; 6];
+    pub fn at<L: Lanes>(&self, cosine: L, sine: L) -> [[L; 9]; 6] {
+        let whole = (cosine * cosine).minus(sine, sine);
+        let double = (cosine + cosine) * sine;
+        let mut out = [[L::ZERO; 9]; 6];
         for (i, (out, [x, y, z])) in out.iter_mut().zip(&self.functionals).enumerate() {
-            let basis = match i < self.half {
-                true => [cosine, sine, &[0.0; L]],
-                false => [&[1.0; L], &whole, &double],
-            };
-            for j in 0..9 {
-                for k in 0..L {
-                    out[j][k] = x[j] * basis[0][k] + y[j] * basis[1][k] + z[j] * basis[2][k];
+            if i < self.half {
+                for j in 0..9 {
+                    out[j] = cosine.scaled(x[j]).plus_scaled(sine, y[j]);
+                }
+            } else {
+                for j in 0..9 {
+                    out[j] = L::splat(x[j])
+                        .plus_scaled(whole, y[j])
+                        .plus_scaled(double, z[j]);
                 }
             }
         }
         out
-    }
-
-    /// Writes the matrix at values of the kept joint into zeros, or another of the same
-    /// elimination that was not factored.
-    #[inline(always)]
-    pub fn write<const L: usize>(
-        &self,
-        elimination: &Elimination,
-        cosine: &[f64; L],
-        sine: &[f64; L],
-        matrix: &mut [[[f64; L]; SIZE]; SIZE],
-    ) {
-        let equations = self.at(cosine, sine);
-        for (row, &[equation, shift]) in matrix.iter_mut().zip(&elimination.rows) {
-            let (i0, j0) = (usize::from(shift & 1), usize::from(shift >> 1));
-            for i in 0..3 {
-                for j in 0..3 {
-                    let column = elimination.columns[(i + i0 + 4 * (j + j0)) & 15];
-                    row[usize::from(column & 15)] = equations[usize::from(equation) % 6][3 * i + j];
-                }
-            }
-        }
     }
 }
 

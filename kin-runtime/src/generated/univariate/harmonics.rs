@@ -21,24 +21,68 @@ pub(super) struct Harmonics {
 
 /// A turn in `MOST_SAMPLES · 3` parts: 24 and 32 samples are on it.
 const PARTS: usize = 96;
-const COSINES: [f64; PARTS] = {
-    let mut table = [0.0; PARTS];
-    let mut i = 0;
-    while i < PARTS {
-        table[i] = cosine_of_turn(i, PARTS);
-        i += 1;
-    }
-    table
-};
-
 /// How many samples a polynomial takes: enough that some harmonics have to
 /// vanish.
 pub(super) const fn samples(degree: usize) -> usize {
     if degree <= 8 { 24 } else { MOST_SAMPLES }
 }
 
+/// Harmonics that are looked at, and some zeros that make whole vectors.
+const ORDERS: usize = 24;
+
+/// Sines and cosines of k times the angle of a sample, by sample and k.
+struct Transform<const HALF: usize> {
+    cosines: [[f64; ORDERS]; HALF],
+    sines: [[f64; ORDERS]; HALF],
+}
+
+static FEW: Transform<13> = Transform::new();
+static MANY: Transform<17> = Transform::new();
+
+impl<const HALF: usize> Transform<HALF> {
+    const fn new() -> Self {
+        let mut out = Self {
+            cosines: [[0.0; ORDERS]; HALF],
+            sines: [[0.0; ORDERS]; HALF],
+        };
+        let samples = 2 * (HALF - 1);
+        let mut j = 0;
+        while j < HALF {
+            let mut k = 0;
+            while k < HALF {
+                out.cosines[j][k] = cosine_of_turn(j * k, samples);
+                out.sines[j][k] = sine_of_turn(j * k, samples);
+                k += 1;
+            }
+            j += 1;
+        }
+        out
+    }
+
+    /// Sums of the values times cosines and sines, by k.
+    #[inline(always)]
+    fn sums(&self, values: &[f64]) -> [[f64; ORDERS]; 2] {
+        let mut sums = [[0.0; ORDERS]; 2];
+        let n = values.len();
+        for j in 0..HALF {
+            // Values mirrored at 0 and half a turn: even and odd parts.
+            let (value, mirrored) = match j == 0 || 2 * j == n {
+                true => (values[j], 0.0),
+                false => (values[j], values[n - j]),
+            };
+            let (even, odd) = (value + mirrored, value - mirrored);
+            for k in 0..ORDERS {
+                sums[0][k] += even * self.cosines[j][k];
+                sums[1][k] += odd * self.sines[j][k];
+            }
+        }
+        sums
+    }
+}
+
 impl Harmonics {
     /// From values at 2πj/n; the largest harmonic becomes 1.
+    #[inline(always)]
     pub fn new(degree: usize, values: &[f64]) -> Self {
         let mut out = Self {
             degree,
@@ -46,26 +90,13 @@ impl Harmonics {
             sines: [0.0; DEGREE + 1],
             noise: 0.0,
         };
-        let n = values.len();
-        let step = PARTS / n;
-        let half = n / 2;
-        // Values mirrored at 0 and half a turn: even and odd parts.
-        let mut even = [0.0; MOST_SAMPLES / 2 + 1];
-        let mut odd = [0.0; MOST_SAMPLES / 2 + 1];
-        (even[0], even[half]) = (values[0], values[half]);
-        for j in 1..half {
-            even[j] = values[j] + values[n - j];
-            odd[j] = values[j] - values[n - j];
-        }
+        let [cosines, sines] = match values.len() < MOST_SAMPLES {
+            true => FEW.sums(values),
+            false => MANY.sums(values),
+        };
         let mut largest: f64 = 0.0;
         let mut vanishing = 0.0;
-        for k in 0..=half {
-            let (mut a, mut b) = (0.0, 0.0);
-            for j in 0..=half {
-                let angle = k * j * step % PARTS;
-                a += even[j] * COSINES[angle];
-                b += odd[j] * COSINES[(angle + 3 * PARTS / 4) % PARTS];
-            }
+        for (k, (a, b)) in cosines.into_iter().zip(sines).enumerate() {
             if k <= degree {
                 let share = if k == 0 { 1.0 } else { 2.0 };
                 (out.cosines[k], out.sines[k]) = (share * a, share * b);
@@ -75,8 +106,10 @@ impl Harmonics {
             }
         }
         let scale = 1.0 / largest;
-        out.cosines = out.cosines.map(|a| a * scale);
-        out.sines = out.sines.map(|b| b * scale);
+        for k in 0..=DEGREE {
+            out.cosines[k] *= scale;
+            out.sines[k] *= scale;
+        }
         out.noise = crate::math::sqrt(vanishing) * scale + f64::EPSILON;
         out
     }

@@ -19,9 +19,10 @@ mod determinant;
 mod elimination;
 mod found;
 mod harmonics;
+mod lanes;
 mod line;
 mod margins;
-mod pair;
+mod matrix;
 mod polish;
 mod polynomial;
 mod recover;
@@ -32,14 +33,14 @@ mod short;
 mod turn;
 
 pub use elimination::Elimination;
+#[cfg(feature = "std")]
+pub use lanes::reproducible::reproducibly;
 pub use line::{ENTRIES, Lines, Z_AXIS, moved, turned_back};
 
 use crate::{Pose, Solution, Solutions, Target};
+use lanes::LANES;
 use search::Search;
 use short::{lengthened, shortened, with};
-
-/// Configurations that are worked on at once.
-const LANES: usize = 8;
 
 /// An arm of revolute joints, and how it is solved: of six, or of fewer with joints behind
 /// the tip that stay at zero. Where what counts of a target leaves the turn about the

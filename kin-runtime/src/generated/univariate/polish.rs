@@ -1,12 +1,9 @@
 //! Newton's method on many configurations at once.
 
-use super::LANES;
-use crate::generated::dispatch::{Dispatched, dispatch};
-use crate::generated::lanes::sin_cos;
-use crate::{Pose, math};
+use super::lanes::{InLanes, LANES, Lanes, dot, in_lanes};
+use crate::Pose;
 
-type Lanes = [f64; LANES];
-type Vector = [Lanes; 3];
+type Rows<L> = [L; 6];
 
 /// Relative to the arm's size, a residual below this is rounding.
 const ROUNDING: f64 = 1e-14;
@@ -19,15 +16,18 @@ const GAIN: f64 = 0.6;
 /// No joint moves by more than this in one step, radians.
 const STRIDE: f64 = 0.3;
 
-const ZERO: Lanes = [0.0; LANES];
+/// Where the residual is below this, and the pivots are no less than `REGULAR` by the largest,
+/// the Jacobian of the step before is as good.
+const STEADY: f64 = 1e-10;
+const REGULAR: f64 = 1e-3;
 
 /// Where the configurations arrived.
 pub(super) struct Polished {
-    pub q: [Lanes; 6],
+    pub q: [[f64; LANES]; 6],
     /// How far the tip is from the target, in units of the arm's size.
-    pub residual: Lanes,
+    pub residual: [f64; LANES],
     /// The least pivot of the Jacobian by the largest.
-    pub independence: Lanes,
+    pub independence: [f64; LANES],
 }
 
 /// Moves the configurations towards the target until they are there, or for so many
@@ -36,60 +36,72 @@ pub(super) struct Polished {
 pub(super) fn polished(
     frames: &[Pose; 7],
     target: &Pose,
-    start: &[Lanes; 6],
+    start: &[[f64; LANES]; 6],
     steps: usize,
 ) -> Polished {
-    dispatch::<Newton, _>((frames, target, start, steps))
+    in_lanes::<Newton, _>((frames, target, start, steps))
 }
 
 struct Newton;
 
-type NewtonOf<'a> = (&'a [Pose; 7], &'a Pose, &'a [Lanes; 6], usize);
-
-impl Dispatched<NewtonOf<'_>> for Newton {
+impl InLanes<(&[Pose; 7], &Pose, &[[f64; LANES]; 6], usize)> for Newton {
     type Output = Polished;
 
     #[inline(always)]
-    fn run((frames, target, start, steps): NewtonOf) -> Polished {
-        newton(frames, target, start, steps)
+    fn run<L: Lanes>(
+        (frames, target, start, steps): (&[Pose; 7], &Pose, &[[f64; LANES]; 6], usize),
+    ) -> Polished {
+        newton::<L>(frames, target, start, steps)
     }
 }
 
 #[inline(always)]
-fn newton(frames: &[Pose; 7], target: &Pose, start: &[Lanes; 6], steps: usize) -> Polished {
-    let mut q = *start;
+fn newton<L: Lanes>(
+    frames: &[Pose; 7],
+    target: &Pose,
+    start: &[[f64; LANES]; 6],
+    steps: usize,
+) -> Polished {
+    let mut q = start.map(L::of);
     let mut step = 0;
     let mut before = [f64::INFINITY; LANES];
+    let mut system = linearized(frames, target, &q);
+    let mut jacobian = Factored::new(&system.columns);
     loop {
-        let mut system = linearized(frames, target, &q);
+        let residual = system.residual.numbers();
         let mut open = false;
         for k in 0..LANES {
-            let away = system.residual[k] > ROUNDING;
-            let nearer = system.residual[k] < GAIN * before[k];
+            let away = residual[k] > ROUNDING;
+            let nearer = residual[k] < GAIN * before[k];
             open |= away & (nearer | (step < PATIENCE));
         }
-        before = system.residual;
-        let triangle = solve(&mut system);
         if step == steps || !open {
-            let residual = system.residual;
-            let independence = independence(&triangle);
             return Polished {
-                q,
+                q: q.map(L::numbers),
                 residual,
-                independence,
+                independence: jacobian.independence().numbers(),
             };
         }
-        for k in 0..LANES {
-            let mut longest: f64 = STRIDE;
-            for i in 0..6 {
-                longest = math::max(longest, system.error[i][k].abs());
-            }
-            let share = math::select(system.residual[k] > ROUNDING, STRIDE / longest, 0.0);
-            for i in 0..6 {
-                q[i][k] += share * system.error[i][k];
-            }
+        before = residual;
+        let change = jacobian.solve(system.error);
+        let mut longest = L::splat(STRIDE);
+        for change in &change {
+            longest = longest.max(change.abs());
+        }
+        let share = L::splat(ROUNDING).where_less(
+            system.residual,
+            longest.inverse().scaled(STRIDE),
+            L::ZERO,
+        );
+        for (q, change) in q.iter_mut().zip(&change) {
+            *q = q.plus(share, *change);
         }
         step += 1;
+        system = linearized(frames, target, &q);
+        let steady = system.residual.numbers().iter().all(|&x| x < STEADY);
+        if !steady || !jacobian.is_regular() {
+            jacobian = Factored::new(&system.columns);
+        }
     }
 }
 
@@ -102,55 +114,58 @@ fn newton(frames: &[Pose; 7], target: &Pose, start: &[Lanes; 6], steps: usize) -
 /// order (M. Golubitsky and D. G. Schaeffer, Singularities and Groups in Bifurcation Theory
 /// I, 1985, chapter I). H(v, v) is a second difference.
 #[inline(never)]
-pub(super) fn split(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
-    dispatch::<Split, _>((frames, target, q))
+pub(super) fn split(
+    frames: &[Pose; 7],
+    target: &Pose,
+    q: &[[f64; LANES]; 6],
+) -> [[[f64; LANES]; 6]; 2] {
+    in_lanes::<Split, _>((frames, target, q))
 }
 
 struct Split;
 
-type SplitOf<'a> = (&'a [Pose; 7], &'a Pose, &'a [Lanes; 6]);
-
-impl Dispatched<SplitOf<'_>> for Split {
-    type Output = [[Lanes; 6]; 2];
+impl InLanes<(&[Pose; 7], &Pose, &[[f64; LANES]; 6])> for Split {
+    type Output = [[[f64; LANES]; 6]; 2];
 
     #[inline(always)]
-    fn run((frames, target, q): SplitOf) -> Self::Output {
-        apart(frames, target, q)
+    fn run<L: Lanes>((frames, target, q): (&[Pose; 7], &Pose, &[[f64; LANES]; 6])) -> Self::Output {
+        apart::<L>(frames, target, q)
     }
 }
 
 #[inline(always)]
-fn apart(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
-    let mut here = linearized(frames, target, q);
-    let mut bend = here;
-    let missing = here.error;
-    let v = weak(&solve(&mut here));
-    let ahead = linearized(frames, target, &moved(q, &v, BEND)).error;
-    let behind = linearized(frames, target, &moved(q, &v, -BEND)).error;
+fn apart<L: Lanes>(
+    frames: &[Pose; 7],
+    target: &Pose,
+    q: &[[f64; LANES]; 6],
+) -> [[[f64; LANES]; 6]; 2] {
+    let q = q.map(L::of);
+    let here = linearized(frames, target, &q);
+    let jacobian = Factored::new(&here.columns);
+    let v = jacobian.weak();
+    let ahead = linearized(frames, target, &moved(&q, &v, BEND)).error;
+    let behind = linearized(frames, target, &moved(&q, &v, -BEND)).error;
+    let mut bend = here.error;
     for i in 0..6 {
-        for k in 0..LANES {
-            bend.error[i][k] = (2.0 * missing[i][k] - ahead[i][k] - behind[i][k]) / (BEND * BEND);
-        }
+        bend[i] = (bend[i] + bend[i] - ahead[i] - behind[i]).scaled(1.0 / (BEND * BEND));
     }
-    solve(&mut bend);
-    let (step, bent) = (here.error, bend.error);
-    let mut out = [*q; 2];
-    for k in 0..LANES {
-        let (mut e, mut a) = (0.0, 0.0);
+    let (step, bent) = (jacobian.solve(here.error), jacobian.solve(bend));
+    let (e, a) = (dot(&v, &step), dot(&v, &bent));
+    let root = L::ONE.plus(a + a, e).max(L::ZERO).sqrt();
+    // α = (−1 ± root) / a, without cancellation.
+    let beyond = L::ONE + root;
+    let mut out = [[[0.0; LANES]; 6]; 2];
+    for (out, alpha) in out
+        .iter_mut()
+        .zip([(e + e) * beyond.inverse(), -beyond * a.inverse()])
+    {
+        let alpha = alpha.min(L::splat(FARTHEST)).max(L::splat(-FARTHEST));
+        let half_square = (alpha * alpha).scaled(0.5);
         for i in 0..6 {
-            e += v[i][k] * step[i][k];
-            a += v[i][k] * bent[i][k];
-        }
-        let root = math::sqrt(math::max(1.0 + 2.0 * a * e, 0.0));
-        // α = (−1 ± root) / a, without cancellation.
-        let alphas = [2.0 * e / (1.0 + root), -(1.0 + root) / a];
-        for (out, alpha) in out.iter_mut().zip(alphas) {
-            let alpha = alpha.clamp(-FARTHEST, FARTHEST);
-            for i in 0..6 {
-                let across = |x: f64, along: f64| x - along * v[i][k];
-                out[i][k] += alpha * v[i][k] + across(step[i][k], e)
-                    - 0.5 * alpha * alpha * across(bent[i][k], a);
-            }
+            let across = step[i].minus(e, v[i]);
+            let bent_across = bent[i].minus(a, v[i]);
+            let there = (q[i] + across).plus(alpha, v[i]);
+            out[i] = there.minus(half_square, bent_across).numbers();
         }
     }
     out
@@ -158,12 +173,10 @@ fn apart(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> [[Lanes; 6]; 2] {
 
 /// q + by v.
 #[inline(always)]
-fn moved(q: &[Lanes; 6], v: &[Lanes; 6], by: f64) -> [Lanes; 6] {
+fn moved<L: Lanes>(q: &Rows<L>, v: &Rows<L>, by: f64) -> Rows<L> {
     let mut out = *q;
     for (out, v) in out.iter_mut().zip(v) {
-        for k in 0..LANES {
-            out[k] += by * v[k];
-        }
+        *out = out.plus_scaled(*v, by);
     }
     out
 }
@@ -176,177 +189,190 @@ const FARTHEST: f64 = 0.5;
 
 /// What is missing and the geometric Jacobian that makes it, lengths in units of
 /// the arm's size.
-#[derive(Clone, Copy)]
-struct System {
-    columns: [[Lanes; 6]; 6],
-    error: [Lanes; 6],
-    residual: Lanes,
+struct System<L: Lanes> {
+    columns: [Rows<L>; 6],
+    error: Rows<L>,
+    residual: L,
 }
 
 #[inline(always)]
-fn linearized(frames: &[Pose; 7], target: &Pose, q: &[Lanes; 6]) -> System {
-    let splat = |x: f64| [x; LANES];
-    let mut r: [Vector; 3] = frames[0].rotation.map(|row| row.map(splat));
-    let mut p: Vector = frames[0].translation.map(splat);
-    let mut axes = [[[ZERO; 3]; 2]; 6];
+fn linearized<L: Lanes>(frames: &[Pose; 7], target: &Pose, q: &Rows<L>) -> System<L> {
+    let zero = L::ZERO;
+    let (mut r, mut p) = ([[zero; 3]; 3], [zero; 3]);
+    for row in 0..3 {
+        for j in 0..3 {
+            r[row][j] = L::splat(frames[0].rotation[row][j]);
+        }
+        p[row] = L::splat(frames[0].translation[row]);
+    }
+    let mut axes = [[[zero; 3]; 2]; 6];
     for i in 0..6 {
         axes[i] = [[r[0][2], r[1][2], r[2][2]], p];
-        let (s, c) = sin_cos(q[i]);
-        let Pose {
-            rotation: a,
-            translation: t,
-        } = &frames[i + 1];
+        let [s, c] = q[i].sin_cos();
+        let (a, t) = (&frames[i + 1].rotation, &frames[i + 1].translation);
         for row in 0..3 {
-            for k in 0..LANES {
-                let (x, y, z) = (r[row][0][k], r[row][1][k], r[row][2][k]);
-                let turned = [x * c[k] + y * s[k], y * c[k] - x * s[k], z];
-                for j in 0..3 {
-                    r[row][j][k] = turned[0] * a[0][j] + turned[1] * a[1][j] + turned[2] * a[2][j];
-                }
-                p[row][k] += turned[0] * t[0] + turned[1] * t[1] + turned[2] * t[2];
+            let [x, y, z] = r[row];
+            let (x, y) = ((x * c).plus(y, s), (y * c).minus(x, s));
+            for j in 0..3 {
+                r[row][j] = x
+                    .scaled(a[0][j])
+                    .plus_scaled(y, a[1][j])
+                    .plus_scaled(z, a[2][j]);
             }
+            p[row] = p[row]
+                .plus_scaled(x, t[0])
+                .plus_scaled(y, t[1])
+                .plus_scaled(z, t[2]);
         }
     }
-    let mut out = System {
-        columns: [[ZERO; 6]; 6],
-        error: [ZERO; 6],
-        residual: ZERO,
-    };
-    for (column, [z, o]) in out.columns.iter_mut().zip(&axes) {
+    let mut columns = [[zero; 6]; 6];
+    for (column, [z, o]) in columns.iter_mut().zip(&axes) {
+        let mut arm = [zero; 3];
+        for i in 0..3 {
+            arm[i] = (p[i] - o[i]).scaled(0.5);
+        }
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-            for k in 0..LANES {
-                let arm = |m: usize| 0.5 * (p[m][k] - o[m][k]);
-                column[i][k] = z[j][k] * arm(l) - z[l][k] * arm(j);
-                column[3 + i][k] = z[i][k];
-            }
+            column[i] = (z[j] * arm[l]).minus(z[l], arm[j]);
+            column[3 + i] = z[i];
         }
     }
     let wanted = &target.rotation;
+    let (mut error, mut square) = ([zero; 6], zero);
     for i in 0..3 {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        for k in 0..LANES {
-            out.error[i][k] = 0.5 * (target.translation[i] - p[i][k]);
-            let mut turn = 0.0;
-            for column in 0..3 {
-                turn += r[j][column][k] * wanted[l][column] - r[l][column][k] * wanted[j][column];
-            }
-            out.error[3 + i][k] = 0.5 * turn;
+        error[i] = (L::splat(target.translation[i]) - p[i]).scaled(0.5);
+        square = square.plus(error[i], error[i]);
+        for column in 0..3 {
+            error[3 + i] = error[3 + i]
+                .plus_scaled(r[j][column], 0.5 * wanted[l][column])
+                .plus_scaled(r[l][column], -0.5 * wanted[j][column]);
+            let apart = r[i][column] - L::splat(wanted[i][column]);
+            square = square.plus(apart, apart.scaled(0.5));
         }
     }
-    for k in 0..LANES {
-        let (mut square, mut apart) = (0.0, 0.0);
-        for i in 0..3 {
-            square += out.error[i][k] * out.error[i][k];
-            for j in 0..3 {
-                let d = r[i][j][k] - wanted[i][j];
-                apart += d * d;
-            }
-        }
-        out.residual[k] = math::sqrt(square + 0.5 * apart);
-    }
-    out
-}
-
-/// The step in place of what is missing, by Householder's reflections; gives R by
-/// column.
-#[inline(always)]
-fn solve(system: &mut System) -> [[Lanes; 6]; 6] {
-    let System { columns, error, .. } = system;
-    for j in 0..6 {
-        let (done, rest) = columns.split_at_mut(j + 1);
-        let column = &mut done[j];
-        let (mut weight, mut image) = (ZERO, ZERO);
-        for k in 0..LANES {
-            let mut square = 0.0;
-            for i in j..6 {
-                square += column[i][k] * column[i][k];
-            }
-            let x = column[j][k];
-            image[k] = -math::sqrt(square).copysign(x);
-            weight[k] = 1.0 / math::max(square - image[k] * x, f64::MIN_POSITIVE);
-            column[j][k] = x - image[k];
-        }
-        for other in rest.iter_mut().chain([&mut *error]) {
-            for k in 0..LANES {
-                let mut along = 0.0;
-                for i in j..6 {
-                    along += column[i][k] * other[i][k];
-                }
-                along *= weight[k];
-                for i in j..6 {
-                    other[i][k] -= along * column[i][k];
-                }
-            }
-        }
-        column[j] = image.map(guarded);
-    }
-    back_substitute(columns, error);
-    *columns
-}
-
-/// A pivot that can be divided by.
-#[inline(always)]
-fn guarded(x: f64) -> f64 {
-    math::max(x.abs(), 1e-12).copysign(x)
-}
-
-/// R⁻¹ x.
-#[inline(always)]
-fn back_substitute(triangle: &[[Lanes; 6]; 6], x: &mut [Lanes; 6]) {
-    for j in (0..6).rev() {
-        for k in 0..LANES {
-            x[j][k] /= triangle[j][j][k];
-            for i in 0..j {
-                x[i][k] -= triangle[j][i][k] * x[j][k];
-            }
-        }
+    System {
+        columns,
+        error,
+        residual: square.sqrt(),
     }
 }
 
-/// The least pivot by the largest.
-#[inline(always)]
-fn independence(triangle: &[[Lanes; 6]; 6]) -> Lanes {
-    let (mut least, mut largest) = ([f64::INFINITY; LANES], ZERO);
-    for (j, column) in triangle.iter().enumerate() {
-        for k in 0..LANES {
-            let pivot = column[j][k].abs();
-            least[k] = math::select(pivot < least[k], pivot, least[k]);
-            largest[k] = math::max(largest[k], pivot);
-        }
-    }
-    for k in 0..LANES {
-        least[k] /= largest[k];
-    }
-    least
+/// J = Q R by the modified method of Gram and Schmidt, without roots: the columns of Q are
+/// at right angles and have the lengths of the pivots; R has ones on its diagonal. What is
+/// solved with both in turn is as good as by reflections (Å. Björck, "Solving linear least
+/// squares problems by Gram-Schmidt orthogonalization", BIT 7, 1967).
+struct Factored<L: Lanes> {
+    orthogonal: [Rows<L>; 6],
+    /// By row.
+    above: [Rows<L>; 6],
+    squares: Rows<L>,
+    inverses: Rows<L>,
 }
 
-/// The motion of the joints that moves the tip least, of length 1: the least right
-/// singular vector, by inverse iteration on Rᵀ R.
-#[inline(always)]
-fn weak(triangle: &[[Lanes; 6]; 6]) -> [Lanes; 6] {
-    // A start that no arm is square to.
-    let mut x: [Lanes; 6] = core::array::from_fn(|i| [1.0 + 0.3 * i as f64; LANES]);
-    for _ in 0..2 {
+/// No square of a pivot is taken for less.
+const LEAST_SQUARE: f64 = 1e-24;
+
+impl<L: Lanes> Factored<L> {
+    #[inline(always)]
+    fn new(columns: &[Rows<L>; 6]) -> Self {
+        let mut q = *columns;
+        let mut above = [[L::ZERO; 6]; 6];
+        let mut squares = [L::ZERO; 6];
+        let mut inverses = squares;
         for j in 0..6 {
-            for k in 0..LANES {
-                for i in 0..j {
-                    x[j][k] -= triangle[j][i][k] * x[i][k];
+            let (done, rest) = q.split_at_mut(j + 1);
+            let column = &done[j];
+            squares[j] = dot(column, column).max(L::splat(LEAST_SQUARE));
+            inverses[j] = squares[j].inverse();
+            for (l, other) in (j + 1..6).zip(rest) {
+                let along = dot(column, other) * inverses[j];
+                above[j][l] = along;
+                for i in 0..6 {
+                    other[i] = other[i].minus(along, column[i]);
                 }
-                x[j][k] /= triangle[j][j][k];
             }
         }
-        back_substitute(triangle, &mut x);
-        for k in 0..LANES {
-            let mut square = 0.0;
-            for i in 0..6 {
-                square += x[i][k] * x[i][k];
-            }
-            let share = 1.0 / math::sqrt(square);
-            for i in 0..6 {
-                x[i][k] *= share;
-            }
+        Self {
+            orthogonal: q,
+            above,
+            squares,
+            inverses,
         }
     }
-    x
+
+    /// J⁻¹ e.
+    #[inline(always)]
+    fn solve(&self, mut e: Rows<L>) -> Rows<L> {
+        let mut x = [L::ZERO; 6];
+        for j in 0..6 {
+            let column = &self.orthogonal[j];
+            x[j] = dot(column, &e) * self.inverses[j];
+            for i in 0..6 {
+                e[i] = e[i].minus(x[j], column[i]);
+            }
+        }
+        self.back_substituted(x)
+    }
+
+    /// R⁻¹ x.
+    #[inline(always)]
+    fn back_substituted(&self, mut x: Rows<L>) -> Rows<L> {
+        for j in (0..6).rev() {
+            for l in j + 1..6 {
+                x[j] = x[j].minus(self.above[j][l], x[l]);
+            }
+        }
+        x
+    }
+
+    /// The squares of the least and the largest pivot.
+    #[inline(always)]
+    fn extremes(&self) -> [L; 2] {
+        let (mut least, mut largest) = (self.squares[0], self.squares[0]);
+        for square in &self.squares[1..] {
+            least = least.min(*square);
+            largest = largest.max(*square);
+        }
+        [least, largest]
+    }
+
+    /// The least pivot by the largest.
+    #[inline(always)]
+    fn independence(&self) -> L {
+        let [least, largest] = self.extremes();
+        (least * largest.inverse()).sqrt()
+    }
+
+    #[inline(always)]
+    fn is_regular(&self) -> bool {
+        let [least, largest] = self.extremes();
+        let enough = largest.scaled(REGULAR * REGULAR).numbers();
+        least.numbers().iter().zip(&enough).all(|(a, b)| a > b)
+    }
+
+    /// The motion of the joints that moves the tip least, of length 1: the least right
+    /// singular vector, by inverse iteration on JᵀJ.
+    #[inline(always)]
+    fn weak(&self) -> Rows<L> {
+        let mut x = [L::ZERO; 6];
+        for (i, x) in x.iter_mut().enumerate() {
+            // A start that no arm is square to.
+            *x = L::splat(1.0 + 0.3 * i as f64);
+        }
+        for _ in 0..2 {
+            for j in 0..6 {
+                for i in 0..j {
+                    x[j] = x[j].minus(self.above[i][j], x[i]);
+                }
+            }
+            for j in 0..6 {
+                x[j] *= self.inverses[j];
+            }
+            x = self.back_substituted(x);
+            let share = dot(&x, &x).sqrt().inverse();
+            x.iter_mut().for_each(|x| *x *= share);
+        }
+        x
+    }
 }

@@ -1,10 +1,10 @@
 //! The determinant as a polynomial in the joint that is kept.
 
-use super::LANES;
-use super::determinant::{eliminate, product, reflect};
-use super::elimination::{Elimination, Equations, SIZE};
+use super::determinant::{Factors, Triangle};
+use super::elimination::{Elimination, Equations};
 use super::harmonics::{HALF_ANGLES, Harmonics, MOST_SAMPLES, samples};
-use crate::generated::dispatch::{Dispatched, dispatch};
+use super::lanes::{InLanes, LANES, Lanes, in_lanes};
+use super::matrix::Places;
 
 /// Above this noise, relative to the largest harmonic, no pivot can be trusted that was
 /// not chosen for the target.
@@ -13,52 +13,42 @@ pub(super) const NOISY: f64 = 3e-13;
 /// Not a number where the target is none.
 #[inline(never)]
 pub(super) fn polynomial(elimination: &Elimination, equations: &Equations) -> Harmonics {
-    dispatch::<Sampled, _>((elimination, equations))
-}
-
-struct Sampled;
-
-impl Dispatched<(&Elimination, &Equations)> for Sampled {
-    type Output = Harmonics;
-
-    #[inline(always)]
-    fn run((elimination, equations): (&Elimination, &Equations)) -> Harmonics {
-        sampled(elimination, equations)
+    let f = in_lanes::<Sampled<false>, _>((elimination, equations));
+    match f.noise < NOISY {
+        true => f,
+        false => in_lanes::<Sampled<true>, _>((elimination, equations)),
     }
-}
-
-#[inline(always)]
-fn sampled(elimination: &Elimination, equations: &Equations) -> Harmonics {
-    let degree = usize::from(elimination.degree);
-    let mut values = [0.0; MOST_SAMPLES];
-    let values = &mut values[..samples(degree)];
-    sample::<false>(elimination, equations, values);
-    let f = Harmonics::new(degree, values);
-    if f.noise < NOISY {
-        return f;
-    }
-    sample::<true>(elimination, equations, values);
-    Harmonics::new(degree, values)
 }
 
 /// The determinants, by reflections or with the pivots that were chosen for the arm.
-#[inline(always)]
-fn sample<const REFLECTED: bool>(
-    elimination: &Elimination,
-    equations: &Equations,
-    values: &mut [f64],
-) {
-    let step = HALF_ANGLES.len() / values.len();
-    for (chunk, values) in values.chunks_mut(LANES).enumerate() {
-        let angle = |k: usize| HALF_ANGLES[step * (LANES * chunk + k)];
-        let cosine: [f64; LANES] = core::array::from_fn(|k| angle(k)[0]);
-        let sine: [f64; LANES] = core::array::from_fn(|k| angle(k)[1]);
-        let mut matrix = [[[0.0; LANES]; SIZE]; SIZE];
-        equations.write(elimination, &cosine, &sine, &mut matrix);
-        match REFLECTED {
-            true => reflect(&mut matrix),
-            false => eliminate(&mut matrix, elimination.shifted()),
+struct Sampled<const REFLECTED: bool>;
+
+impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFLECTED> {
+    type Output = Harmonics;
+
+    #[inline(always)]
+    fn run<L: Lanes>((elimination, equations): (&Elimination, &Equations)) -> Harmonics {
+        let degree = usize::from(elimination.degree);
+        let places = Places::new(elimination);
+        let mut factors = Factors::<L>::EMPTY;
+        let mut values = [0.0; MOST_SAMPLES];
+        let values = &mut values[..samples(degree)];
+        let step = HALF_ANGLES.len() / values.len();
+        for (chunk, values) in values.chunks_exact_mut(LANES).enumerate() {
+            let (mut cosine, mut sine) = ([0.0; LANES], [0.0; LANES]);
+            for k in 0..LANES {
+                [cosine[k], sine[k]] = HALF_ANGLES[step * (LANES * chunk + k)];
+            }
+            let equations = equations.at(L::of(cosine), L::of(sine));
+            let determinants = match REFLECTED {
+                true => Triangle::new(places.matrices(&equations)).determinants(),
+                false => {
+                    factors.factor(&places, &equations);
+                    factors.determinants()
+                }
+            };
+            values.copy_from_slice(&determinants.numbers());
         }
-        values.copy_from_slice(&product(&matrix)[..values.len()]);
+        Harmonics::new(degree, values)
     }
 }

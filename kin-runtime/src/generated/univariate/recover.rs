@@ -1,29 +1,22 @@
 //! The other joints from a value of the kept one.
 
-use super::LANES;
-use super::determinant::{
-    Matrices, Vectors, eliminate, null_plane_of_triangle, null_space_of_triangle,
-    null_vector_of_factors, null_vector_of_triangle, reflect, times,
-};
-use super::elimination::{Elimination, Equations, Loop, SIZE};
+use super::determinant::{Factors, Triangle};
+use super::elimination::{Elimination, Equations, Loop};
+use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
-use super::pair;
-use super::sharing::{self, SHARING};
-use crate::generated::dispatch::{Dispatched, dispatch};
-use crate::generated::lanes::{angle, sin_cos};
-use crate::math;
-
-type Lanes = [f64; LANES];
+use super::matrix::{Places, Vectors};
+use super::sharing::{SHARING, monomial_vectors};
 
 /// A null vector that misses zero by more than this was spoilt by a small pivot.
 const SPOILT: f64 = 1e-9;
 
-/// Configurations as array lanes, radians, by joint of the arm.
+/// Configurations in lanes, radians, by joint of the arm.
+#[derive(Clone, Copy)]
 pub(super) struct Starts {
-    pub q: [Lanes; 6],
+    pub q: [[f64; LANES]; 6],
     /// How far two cosines and sines are from being of an angle: what an
     /// extraneous root shows itself by.
-    pub inconsistency: Lanes,
+    pub inconsistency: [f64; LANES],
 }
 
 /// One elimination at one target.
@@ -37,35 +30,19 @@ pub(super) struct Recovery<'a> {
 impl Recovery<'_> {
     /// The joints that go with values of the kept one.
     #[inline(never)]
-    pub fn joints(&self, kept: &Lanes) -> Starts {
-        dispatch::<One, _>((self, kept))
+    pub fn joints(&self, kept: &[f64; LANES]) -> Starts {
+        in_lanes::<One, _>((self, kept))
     }
 
-    #[inline(always)]
-    fn one(&self, kept: &Lanes) -> Starts {
-        let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
-        let null = self.null_vectors(&cosine, &sine);
-        self.of_null_vectors(kept, &null)
+    /// Two configurations at each of some values of the kept joint, which share it or
+    /// have nearly met there: of what is nearly taken to zero, the vectors that are monomials.
+    pub fn pairs(&self, kept: &[f64; LANES]) -> [Starts; 2] {
+        in_lanes::<Several<2>, _>((self, kept))
     }
 
-    /// What several configurations each have in common that share a value of the kept
-    /// joint, or have nearly met there.
-    pub fn several<'r>(&'r self, kept: &'r Lanes) -> Several<'r> {
-        Several {
-            recovery: self,
-            kept,
-            triangle: dispatch::<Triangle, _>((self, kept)),
-        }
-    }
-
-    #[inline(always)]
-    fn triangle(&self, kept: &Lanes) -> Matrices<LANES> {
-        let (sine, cosine) = sin_cos(kept.map(|x| 0.5 * x));
-        let mut triangle = [[[0.0; LANES]; SIZE]; SIZE];
-        self.equations
-            .write(self.elimination, &cosine, &sine, &mut triangle);
-        reflect(&mut triangle);
-        triangle
+    /// The same of up to [`SHARING`].
+    pub fn sharing(&self, kept: &[f64; LANES]) -> [Starts; SHARING] {
+        in_lanes::<Several<SHARING>, _>((self, kept))
     }
 
     /// Where a monomial of the half tangents stands.
@@ -75,235 +52,159 @@ impl Recovery<'_> {
     }
 
     #[inline(always)]
-    fn of_null_vectors(&self, kept: &Lanes, null: &Vectors<LANES>) -> Starts {
-        let last = self.eliminated::<false>(null);
-        let before = self.eliminated::<true>(null);
-        self.rest(kept, &before, &last)
+    fn of_null_vectors<L: Lanes>(&self, kept: L, null: &Vectors<L>) -> Starts {
+        let last = self.eliminated::<L, false>(null);
+        let before = self.eliminated::<L, true>(null);
+        self.rest(kept, before, last)
     }
 
     /// The last joint, or the last but one: tan of its half is the share of two
     /// neighbouring powers, and sine and cosine are had without dividing.
     #[inline(always)]
-    fn eliminated<const BEFORE: bool>(&self, null: &Vectors<LANES>) -> Lanes {
-        let (mut y, mut x) = ([0.0; LANES], [0.0; LANES]);
+    fn eliminated<L: Lanes, const BEFORE: bool>(&self, null: &Vectors<L>) -> L {
+        let (mut y, mut x) = (L::ZERO, L::ZERO);
         for i in 0..3 {
             for j in 0..4 {
-                let [low, high] = [i, i + 1].map(|i| match BEFORE {
-                    true => &null[self.column(j, i)],
-                    false => &null[self.column(i, j)],
-                });
-                for k in 0..LANES {
-                    y[k] += 2.0 * low[k] * high[k];
-                    x[k] += (low[k] - high[k]) * (low[k] + high[k]);
-                }
+                let (low, high) = match BEFORE {
+                    true => (self.column(j, i), self.column(j, i + 1)),
+                    false => (self.column(i, j), self.column(i + 1, j)),
+                };
+                let (low, high) = (null[low], null[high]);
+                y = y.plus(low + low, high);
+                x = x.plus(low - high, low + high);
             }
         }
-        let mut angles = [0.0; LANES];
-        for k in 0..LANES {
-            angles[k] = angle(y[k], x[k]);
-        }
-        angles
+        L::angle(y, x)
     }
 
     #[inline(always)]
-    fn null_vectors(&self, cosine: &Lanes, sine: &Lanes) -> Vectors<LANES> {
-        let mut matrix = [[[0.0; LANES]; SIZE]; SIZE];
-        self.equations
-            .write(self.elimination, cosine, sine, &mut matrix);
-        let mut factors = matrix;
-        eliminate(&mut factors, self.elimination.shifted());
-        let null = null_vector_of_factors(&factors);
-        let miss = times(&matrix, &null);
-        let worst = miss
-            .iter()
-            .flatten()
-            .fold(0.0, |a, &b: &f64| math::max(a, b.abs()));
-        let is_number = null.iter().flatten().all(|x| x.is_finite());
-        if is_number && worst < SPOILT {
+    fn null_vectors<L: Lanes>(&self, places: &Places, equations: &[[L; 9]; 6]) -> Vectors<L> {
+        let mut factors = Factors::EMPTY;
+        factors.factor(places, equations);
+        let null = factors.null_vectors();
+        let mut miss = L::ZERO;
+        for entry in places.times(equations, &null) {
+            miss = miss.max(entry.abs());
+        }
+        // Not a number is not less.
+        if miss.numbers().iter().all(|&x| x < SPOILT) {
             return null;
         }
-        reflect(&mut matrix);
-        null_vector_of_triangle(&matrix)
+        let [null] = Triangle::new(places.matrices(equations)).null_space();
+        null
     }
 
     #[inline(always)]
-    fn rest(&self, kept: &Lanes, before: &Lanes, last: &Lanes) -> Starts {
-        let (sk, ck) = sin_cos(*kept);
-        let (sb, cb) = sin_cos(*before);
-        let (sl, cl) = sin_cos(*last);
-        let mut line = [[0.0; LANES]; ENTRIES];
+    fn rest<L: Lanes>(&self, kept: L, before: L, last: L) -> Starts {
+        let [sk, ck] = kept.sin_cos();
+        let [sb, cb] = before.sin_cos();
+        let [sl, cl] = last.sin_cos();
+        let mut line = [L::ZERO; ENTRIES];
         for (line, far) in line.iter_mut().zip(self.far_side) {
-            for k in 0..LANES {
-                let of = |i: usize| far[i] + far[i + 1] * cb[k] + far[i + 2] * sb[k];
-                line[k] = of(0) + of(3) * cl[k] + of(6) * sl[k];
+            let mut parts = [L::ZERO; 3];
+            for (part, far) in parts.iter_mut().zip(far.chunks_exact(3)) {
+                *part = L::splat(far[0])
+                    .plus_scaled(cb, far[1])
+                    .plus_scaled(sb, far[2]);
             }
+            *line = parts[0].plus(parts[1], cl).plus(parts[2], sl);
         }
         for v in [0, 3, 6, 9] {
-            for k in 0..LANES {
-                let (x, y) = (line[v][k], line[v + 1][k]);
-                line[v][k] = x * ck[k] + y * sk[k];
-                line[v + 1][k] = y * ck[k] - x * sk[k];
-            }
+            let (x, y) = (line[v], line[v + 1]);
+            line[v] = (x * ck).plus(y, sk);
+            line[v + 1] = (y * ck).minus(x, sk);
         }
-        let mut pair = [[0.0; LANES]; 4];
+        let mut pair = [L::ZERO; 4];
         for (out, functional) in pair.iter_mut().zip(&self.elimination.pair) {
             for (f, line) in functional.iter().zip(&line) {
-                for k in 0..LANES {
-                    out[k] += f * line[k];
-                }
+                *out = out.plus_scaled(*line, *f);
             }
         }
-        let mut inconsistency = [0.0; LANES];
-        let [mut second, mut third] = [[0.0; LANES]; 2];
-        for k in 0..LANES {
-            let [c2, s2, c3, s3] = pair.map(|x| x[k]);
-            let off = |c: f64, s: f64| (c * c + s * s - 1.0).abs();
-            inconsistency[k] = math::max(off(c2, s2), off(c3, s3));
-            (second[k], third[k]) = (angle(s2, c2), angle(s3, c3));
-        }
-        let angles = [*kept, second, third, [0.0; LANES], *before, *last];
-        let fourth = self.fourth(&angles);
-        let mut q = [[0.0; LANES]; 6];
+        let [c2, s2, c3, s3] = pair;
+        let second_off = (c2 * c2).plus(s2, s2) - L::ONE;
+        let third_off = (c3 * c3).plus(s3, s3) - L::ONE;
+        let (second, third) = (L::angle(s2, c2), L::angle(s3, c3));
+        let fourth = self.fourth([
+            [sk, ck],
+            second.sin_cos(),
+            third.sin_cos(),
+            [sb, cb],
+            [sl, cl],
+        ]);
         let sign = if self.elimination.backwards {
             -1.0
         } else {
             1.0
         };
-        for (i, joint) in self.elimination.joints.iter().enumerate() {
-            let angles = if i == 3 { &fourth } else { &angles[i] };
-            q[usize::from(*joint) % 6] = angles.map(|x| sign * x);
+        let mut q = [[0.0; LANES]; 6];
+        let angles = [kept, second, third, fourth, before, last];
+        for (joint, angle) in self.elimination.joints.iter().zip(angles) {
+            q[usize::from(*joint) % 6] = angle.scaled(sign).numbers();
         }
-        Starts { q, inconsistency }
+        Starts {
+            q,
+            inconsistency: second_off.abs().max(third_off.abs()).numbers(),
+        }
     }
 
     /// The joint whose axis was followed: where its x axis goes the other way
-    /// round.
+    /// round. Of the others, sine and cosine.
     #[inline(always)]
-    fn fourth(&self, angles: &[Lanes; 6]) -> Lanes {
-        let mut x = [[1.0; LANES], [0.0; LANES], [0.0; LANES]];
-        for i in [3, 4, 5, 0, 1, 2] {
+    fn fourth<L: Lanes>(&self, [kept, second, third, before, last]: [[L; 2]; 5]) -> L {
+        let mut x = [L::ONE, L::ZERO, L::ZERO];
+        for (i, [s, c]) in [(3, before), (4, last), (5, kept), (0, second), (1, third)] {
             x = rotated_back(&self.round.behind[i].rotation, &x);
-            if i != 2 {
-                x = turned_back(&x, &angles[(i + 1) % 6]);
-            }
+            (x[0], x[1]) = ((c * x[0]).plus(s, x[1]), (c * x[1]).minus(s, x[0]));
         }
-        let mut angles = [0.0; LANES];
-        for k in 0..LANES {
-            angles[k] = angle(x[1][k], x[0][k]);
-        }
-        angles
+        x = rotated_back(&self.round.behind[2].rotation, &x);
+        L::angle(x[1], x[0])
     }
 }
 
 struct One;
-struct Two;
-struct Triangle;
+struct Several<const N: usize>;
 
-impl Dispatched<(&Recovery<'_>, &Lanes)> for One {
+impl InLanes<(&Recovery<'_>, &[f64; LANES])> for One {
     type Output = Starts;
 
     #[inline(always)]
-    fn run((recovery, kept): (&Recovery, &Lanes)) -> Starts {
-        recovery.one(kept)
+    fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> Starts {
+        let kept = L::of(*kept);
+        let [sine, cosine] = kept.scaled(0.5).sin_cos();
+        let equations = recovery.equations.at(cosine, sine);
+        let places = Places::new(recovery.elimination);
+        let null = recovery.null_vectors(&places, &equations);
+        recovery.of_null_vectors(kept, &null)
     }
 }
 
-impl Dispatched<(&Recovery<'_>, &Lanes)> for Triangle {
-    type Output = Matrices<LANES>;
+impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES])> for Several<N> {
+    type Output = [Starts; N];
 
     #[inline(always)]
-    fn run((recovery, kept): (&Recovery, &Lanes)) -> Matrices<LANES> {
-        recovery.triangle(kept)
-    }
-}
-
-impl Dispatched<&Several<'_>> for Two {
-    type Output = [Starts; 2];
-
-    #[inline(always)]
-    fn run(several: &Several) -> [Starts; 2] {
-        several.two()
-    }
-}
-
-/// Several configurations at each of some values of the kept joint: of what is nearly taken
-/// to zero, the vectors that are monomials.
-pub(super) struct Several<'a> {
-    recovery: &'a Recovery<'a>,
-    kept: &'a Lanes,
-    /// Q R without Q.
-    triangle: Matrices<LANES>,
-}
-
-impl Several<'_> {
-    /// Two at every value.
-    pub fn pairs(&self) -> [Starts; 2] {
-        dispatch::<Two, _>(self)
-    }
-
-    #[inline(always)]
-    fn two(&self) -> [Starts; 2] {
-        let plane = null_plane_of_triangle(&self.triangle);
-        let weights = pair::monomial_vectors(&plane, |i, j| self.recovery.column(i, j));
-        [
-            self.in_plane(&plane, &weights[0]),
-            self.in_plane(&plane, &weights[1]),
-        ]
-    }
-
-    /// The configuration whose vector of monomials is so much of each of two vectors.
-    #[inline(always)]
-    fn in_plane(&self, plane: &[Vectors<LANES>; 2], [a, b]: &[Lanes; 2]) -> Starts {
-        let mut null = [[0.0; LANES]; SIZE];
-        for (out, (x, y)) in null.iter_mut().zip(plane[0].iter().zip(&plane[1])) {
-            for k in 0..LANES {
-                out[k] = a[k] * x[k] + b[k] * y[k];
-            }
+    fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> [Starts; N] {
+        let kept = L::of(*kept);
+        let [sine, cosine] = kept.scaled(0.5).sin_cos();
+        let equations = recovery.equations.at(cosine, sine);
+        let matrices = Places::new(recovery.elimination).matrices(&equations);
+        let space = Triangle::new(matrices).null_space::<N>();
+        let vectors = monomial_vectors(&space, &|i, j| recovery.column(i, j));
+        let mut out = [recovery.of_null_vectors(kept, &vectors[0]); N];
+        for (out, null) in out.iter_mut().zip(&vectors).skip(1) {
+            *out = recovery.of_null_vectors(kept, null);
         }
-        self.recovery.of_null_vectors(self.kept, &null)
-    }
-
-    /// Up to [`SHARING`] at the value in a lane, as the first lanes.
-    pub fn sharing(&self, lane: usize) -> Starts {
-        let mut triangle = [[[0.0; SHARING]; SIZE]; SIZE];
-        for (row, all) in triangle.iter_mut().zip(&self.triangle) {
-            for (entry, all) in row.iter_mut().zip(all) {
-                *entry = [all[lane]; SHARING];
-            }
-        }
-        let space = null_space_of_triangle(&triangle);
-        let monomials = |i: usize, j: usize| &space[self.recovery.column(i, j)];
-        let weights = sharing::monomial_vectors(&monomials);
-        let mut null = [[0.0; LANES]; SIZE];
-        for (out, space) in null.iter_mut().zip(&space) {
-            for k in 0..LANES {
-                let weights = &weights[k % SHARING];
-                out[k] = (0..SHARING).map(|i| space[i] * weights[i]).sum();
-            }
-        }
-        self.recovery
-            .of_null_vectors(&[self.kept[lane]; LANES], &null)
+        out
     }
 }
 
 #[inline(always)]
-fn rotated_back(r: &[[f64; 3]; 3], x: &[Lanes; 3]) -> [Lanes; 3] {
-    let mut out = [[0.0; LANES]; 3];
+fn rotated_back<L: Lanes>(r: &[[f64; 3]; 3], x: &[L; 3]) -> [L; 3] {
+    let mut out = [L::ZERO; 3];
     for (i, out) in out.iter_mut().enumerate() {
-        for k in 0..LANES {
-            out[k] = r[0][i] * x[0][k] + r[1][i] * x[1][k] + r[2][i] * x[2][k];
-        }
-    }
-    out
-}
-
-#[inline(always)]
-fn turned_back(x: &[Lanes; 3], angles: &Lanes) -> [Lanes; 3] {
-    let (s, c) = sin_cos(*angles);
-    let mut out = *x;
-    for k in 0..LANES {
-        out[0][k] = c[k] * x[0][k] + s[k] * x[1][k];
-        out[1][k] = c[k] * x[1][k] - s[k] * x[0][k];
+        *out = x[0]
+            .scaled(r[0][i])
+            .plus_scaled(x[1], r[1][i])
+            .plus_scaled(x[2], r[2][i]);
     }
     out
 }

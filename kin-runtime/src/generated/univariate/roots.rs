@@ -8,7 +8,7 @@
 //! two terms of Taylor's series tell all.
 
 use super::LANES;
-use super::bernstein::{ARCS, COEFFICIENTS, REACH, middle, on_arcs};
+use super::bernstein::{ARCS, Arcs, COEFFICIENTS, REACH, middle, on_arcs};
 use super::harmonics::Harmonics;
 use crate::generated::dispatch::{Dispatched, dispatch};
 use crate::math;
@@ -185,22 +185,20 @@ struct Interval {
 }
 
 impl Interval {
-    /// The two parts, by de Casteljau's algorithm; not quite halves, since roots
-    /// like to be in the middle.
-    fn halved(&self, n: usize) -> [Self; 2] {
+    /// Leaves the upper part, and gives the lower, by de Casteljau's algorithm; not quite
+    /// halves, since roots like to be in the middle.
+    fn halve(&mut self, n: usize, low: &mut Self) {
         const SHARE: f64 = 0.4871;
         let cut = self.t[0] + SHARE * (self.t[1] - self.t[0]);
-        let mut low = *self;
-        let mut high = *self;
-        (low.t[1], high.t[0]) = (cut, cut);
+        low.t = [self.t[0], cut];
+        self.t[0] = cut;
         for i in 0..n {
-            low.coefficients[i] = high.coefficients[0];
+            low.coefficients[i] = self.coefficients[0];
             for j in 0..n - 1 - i {
-                let (a, b) = (high.coefficients[j], high.coefficients[j + 1]);
-                high.coefficients[j] = a + SHARE * (b - a);
+                let (a, b) = (self.coefficients[j], self.coefficients[j + 1]);
+                self.coefficients[j] = a + SHARE * (b - a);
             }
         }
-        [low, high]
     }
 }
 
@@ -229,17 +227,10 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
             t: [0.0; 2],
         }; WAITING],
     };
-    let (coefficients, n) = on_arcs(f);
-    for arc in 0..ARCS {
-        let mut own = [0.0; COEFFICIENTS];
-        for i in 0..n {
-            own[i] = coefficients[i][arc];
+    for (first, arcs) in (0..ARCS).step_by(LANES).zip(on_arcs(f)) {
+        for lane in 0..LANES {
+            search.on_arc(middle(first + lane), &arcs, lane, &mut found);
         }
-        let whole = Interval {
-            coefficients: own,
-            t: [-REACH, REACH],
-        };
-        search.on_arc(middle(arc), whole, n, &mut found);
     }
     search.simple(&mut found);
     found
@@ -256,27 +247,32 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn on_arc(&mut self, middle: f64, whole: Interval, n: usize, found: &mut Roots) {
+    fn on_arc(&mut self, middle: f64, arcs: &Arcs, lane: usize, found: &mut Roots) {
+        let signed = arcs.least[lane] > self.noise;
+        if signed && arcs.changes[lane] == 0.0 {
+            return;
+        }
+        let n = arcs.count;
+        let whole = Interval {
+            coefficients: arcs.of(lane),
+            t: [-REACH, REACH],
+        };
+        if signed && arcs.changes[lane] == 1.0 {
+            self.bracket(middle, &whole, arcs.share[lane], found);
+            return;
+        }
         let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
         self.waiting[0] = whole;
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let interval = self.waiting[count];
+            let interval = &self.waiting[count];
             let [low, high] = interval.t;
             match signs(&interval.coefficients[..n], self.noise) {
                 Signs::None => {}
                 Signs::One(share) => {
-                    let rises = interval.coefficients[0] < 0.0;
-                    let guess = angle(low + share * (high - low));
-                    self.bracket(
-                        Bracket {
-                            ends: [angle(low), angle(high)],
-                            guess,
-                            rises,
-                        },
-                        found,
-                    );
+                    let interval = *interval;
+                    self.bracket(middle, &interval, share, found);
                 }
                 Signs::Two if 2.0 * (high - low) < NARROW => {
                     self.narrow([angle(low), angle(high)], found);
@@ -289,21 +285,28 @@ impl Search<'_> {
                 }
                 Signs::Two | Signs::Many => {
                     self.halvings += 1;
-                    self.waiting[count..count + 2].copy_from_slice(&interval.halved(n));
+                    let (first, second) = self.waiting[count..].split_at_mut(1);
+                    first[0].halve(n, &mut second[0]);
                     count += 2;
                 }
             }
         }
     }
 
-    fn bracket(&mut self, bracket: Bracket, found: &mut Roots) {
-        match self.brackets.get_mut(self.count) {
-            Some(place) => {
-                *place = bracket;
-                self.count += 1;
-            }
-            None => found.incomplete = true,
-        }
+    /// An interval with one root, at about a share of it.
+    fn bracket(&mut self, middle: f64, interval: &Interval, share: f64, found: &mut Roots) {
+        let Some(place) = self.brackets.get_mut(self.count) else {
+            found.incomplete = true;
+            return;
+        };
+        let [low, high] = interval.t;
+        let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
+        *place = Bracket {
+            ends: [angle(low), angle(high)],
+            guess: angle(low + share * (high - low)),
+            rises: interval.coefficients[0] < 0.0,
+        };
+        self.count += 1;
     }
 
     /// The roots on an interval on which f is a parabola.

@@ -6,7 +6,6 @@ use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, MOST, Roots, roots};
-use super::sharing::SHARING;
 use super::{LANES, Told, Univariate};
 use crate::linear::vector::norm;
 use crate::{Pose, Solution, Solutions, Target, math};
@@ -241,14 +240,14 @@ impl<'a> Search<'a> {
         for chunk in unclear.chunks() {
             let at = |k: usize| roots.angles[usize::from(chunk[k.min(chunk.len() - 1)])];
             let kept = core::array::from_fn(at);
-            let several = recovery.several(&kept);
-            for starts in several.pairs() {
+            for starts in recovery.pairs(&kept) {
                 (0..chunk.len()).for_each(|k| self.start_of(&starts, k));
             }
-            for (k, &candidate) in chunk.iter().enumerate() {
-                if roots.is_several(candidate.into()) {
-                    let starts = several.sharing(k);
-                    (0..SHARING).for_each(|k| self.start_of(&starts, k));
+            let shared = |k: &usize| roots.is_several(chunk[*k].into());
+            if (0..chunk.len()).any(|k| shared(&k)) {
+                let sharing = recovery.sharing(&kept);
+                for k in (0..chunk.len()).filter(shared) {
+                    sharing.iter().for_each(|starts| self.start_of(starts, k));
                 }
             }
         }

@@ -5,12 +5,14 @@
 //! elimination algorithm for the computation of all zeros of a system of multivariate
 //! polynomial equations", ISNM 86, 1988).
 
-use crate::math;
+use super::elimination::SIZE;
+use super::lanes::{Lanes, dot};
+use super::matrix::Vectors;
 
 /// How many solutions may share it.
 pub(super) const SHARING: usize = 4;
 
-type Square = [[f64; SHARING]; SHARING];
+type Square<L, const N: usize> = [[L; N]; N];
 
 /// Rounds of the QR algorithm. Those eigenvalues that are real and apart part by then
 /// as far as a start of Newton's method needs it.
@@ -21,47 +23,80 @@ const ROUNDS: usize = 40;
 const ABOVE: [f64; 4] = [0.31, 0.83, -0.57, 0.44];
 const BELOW: [f64; 4] = [0.92, -0.38, 0.29, 0.71];
 
-/// The weights of the space's vectors that make up vectors of monomials, by vector; of
-/// `entry(i, j)` the powers are i and j.
-pub(super) fn monomial_vectors<'a>(
-    entry: &impl Fn(usize, usize) -> &'a [f64; SHARING],
-) -> [[f64; SHARING]; SHARING] {
-    let (mut gram, mut image) = (Square::default(), Square::default());
+/// The vectors of monomials in a space; where two are complex, one of a pair their real
+/// part, of more something else. `column` tells the place of a monomial by its powers.
+#[inline(always)]
+pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
+    space: &[Vectors<L>; N],
+    column: &impl Fn(usize, usize) -> usize,
+) -> [Vectors<L>; N] {
+    let weights = match N {
+        2 => of_pair(multiplication(space, column)),
+        _ => eigenvectors(multiplication(space, column)),
+    };
+    let mut out = [[L::ZERO; SIZE]; N];
+    for (out, weights) in out.iter_mut().zip(&weights) {
+        for (x, weight) in space.iter().zip(weights) {
+            for (out, x) in out.iter_mut().zip(x) {
+                *out = out.plus(*x, *weight);
+            }
+        }
+    }
+    out
+}
+
+/// What multiplication by the ratio does to the space's vectors, in the sense of least
+/// squares.
+#[inline(always)]
+fn multiplication<L: Lanes, const N: usize>(
+    space: &[Vectors<L>; N],
+    column: &impl Fn(usize, usize) -> usize,
+) -> Square<L, N> {
+    let mut gram = [[L::ZERO; N]; N];
+    let mut image = gram;
     for i in 0..3 {
         for j in 0..3 {
             let corners = [
-                entry(i, j),
-                entry(i + 1, j),
-                entry(i, j + 1),
-                entry(i + 1, j + 1),
+                column(i, j),
+                column(i + 1, j),
+                column(i, j + 1),
+                column(i + 1, j + 1),
             ];
-            let of = |weights: &[f64; 4], k: usize| -> f64 {
-                (0..4).map(|c| weights[c] * corners[c][k]).sum()
-            };
-            for k in 0..SHARING {
-                let below = of(&BELOW, k);
-                for l in 0..SHARING {
-                    gram[k][l] += below * of(&BELOW, l);
-                    image[k][l] += below * of(&ABOVE, l);
+            let (mut below, mut above) = ([L::ZERO; N], [L::ZERO; N]);
+            for n in 0..N {
+                for c in 0..4 {
+                    let entry = space[n][corners[c]];
+                    below[n] = below[n].plus_scaled(entry, BELOW[c]);
+                    above[n] = above[n].plus_scaled(entry, ABOVE[c]);
+                }
+            }
+            for a in 0..N {
+                for b in 0..N {
+                    gram[a][b] = gram[a][b].plus(below[a], below[b]);
+                    image[a][b] = image[a][b].plus(below[a], above[b]);
                 }
             }
         }
     }
-    eigenvectors(solved(gram, image))
+    solved(gram, image)
 }
 
 /// G⁻¹ H for a positive definite G.
-fn solved(mut g: Square, mut h: Square) -> Square {
-    for k in 0..SHARING {
-        let pivot = 1.0 / math::max(g[k][k], 1e-30);
-        for i in (0..SHARING).filter(|&i| i != k) {
+#[inline(always)]
+fn solved<L: Lanes, const N: usize>(mut g: Square<L, N>, mut h: Square<L, N>) -> Square<L, N> {
+    for k in 0..N {
+        let pivot = g[k][k].max(L::splat(1e-30)).inverse();
+        for i in 0..N {
+            if i == k {
+                continue;
+            }
             let share = g[i][k] * pivot;
-            for j in 0..SHARING {
-                g[i][j] -= share * g[k][j];
-                h[i][j] -= share * h[k][j];
+            for j in 0..N {
+                g[i][j] = g[i][j].minus(share, g[k][j]);
+                h[i][j] = h[i][j].minus(share, h[k][j]);
             }
         }
-        for j in 0..SHARING {
+        for j in 0..N {
             g[k][j] *= pivot;
             h[k][j] *= pivot;
         }
@@ -69,45 +104,91 @@ fn solved(mut g: Square, mut h: Square) -> Square {
     h
 }
 
+/// Of two by two, from the quadratic.
+#[inline(always)]
+fn of_pair<L: Lanes, const N: usize>(t: Square<L, N>) -> Square<L, N> {
+    let [a, b, c, d] = [t[0][0], t[0][1], t[1][0], t[1][1]];
+    let half = (a - d).scaled(0.5);
+    let root = (half * half).plus(b, c).max(L::ZERO).sqrt();
+    let mut out = [[L::ZERO; N]; N];
+    for (out, root) in out.iter_mut().zip([root, -root]) {
+        // The one without cancellation, of the two rows that tell it.
+        let sign = root * half;
+        out[0] = sign.where_less(L::ZERO, b, root + half);
+        out[1] = sign.where_less(L::ZERO, root - half, c);
+    }
+    out
+}
+
 /// By the QR algorithm without shifts; where two eigenvalues are complex, two of the
 /// vectors are none.
-fn eigenvectors(mut t: Square) -> [[f64; SHARING]; SHARING] {
-    let mut basis: Square =
-        core::array::from_fn(|i| core::array::from_fn(|j| f64::from(u8::from(i == j))));
+#[inline(always)]
+fn eigenvectors<L: Lanes, const N: usize>(mut t: Square<L, N>) -> Square<L, N> {
+    let mut basis = [[L::ZERO; N]; N];
+    for (k, row) in basis.iter_mut().enumerate() {
+        row[k] = L::ONE;
+    }
     for _ in 0..ROUNDS {
         let (q, r) = orthogonal_and_triangular(&t);
         t = product(&r, &q);
         basis = product(&basis, &q);
     }
-    core::array::from_fn(|k| {
-        let mut weights = [0.0; SHARING];
-        weights[k] = 1.0;
+    let mut out = [[L::ZERO; N]; N];
+    for k in 0..N {
+        let mut weights = [L::ZERO; N];
+        weights[k] = L::ONE;
         for i in (0..k).rev() {
-            let above: f64 = (i + 1..=k).map(|j| t[i][j] * weights[j]).sum();
-            let apart = t[i][i] - t[k][k];
-            weights[i] = -above / math::max(apart.abs(), 1e-12).copysign(apart);
+            let mut above = L::ZERO;
+            for j in i + 1..=k {
+                above = above.plus(t[i][j], weights[j]);
+            }
+            let apart = (t[i][i] - t[k][k]).away_from_zero(1e-12);
+            weights[i] = -above * apart.inverse();
         }
-        core::array::from_fn(|i| (0..SHARING).map(|j| basis[i][j] * weights[j]).sum())
-    })
+        for (out, row) in out[k].iter_mut().zip(&basis) {
+            *out = dot(row, &weights);
+        }
+    }
+    out
 }
 
 /// By Gram and Schmidt.
-fn orthogonal_and_triangular(t: &Square) -> (Square, Square) {
-    let (mut q, mut r) = (*t, Square::default());
-    for j in 0..SHARING {
+#[inline(always)]
+fn orthogonal_and_triangular<L: Lanes, const N: usize>(
+    t: &Square<L, N>,
+) -> (Square<L, N>, Square<L, N>) {
+    let (mut q, mut r) = (*t, [[L::ZERO; N]; N]);
+    for j in 0..N {
         for k in 0..j {
-            r[k][j] = (0..SHARING).map(|i| q[i][k] * q[i][j]).sum();
-            (0..SHARING).for_each(|i| q[i][j] -= r[k][j] * q[i][k]);
+            for row in &q {
+                r[k][j] = r[k][j].plus(row[k], row[j]);
+            }
+            for row in &mut q {
+                row[j] = row[j].minus(r[k][j], row[k]);
+            }
         }
-        let square: f64 = (0..SHARING).map(|i| q[i][j] * q[i][j]).sum();
-        r[j][j] = math::max(math::sqrt(square), 1e-150);
-        (0..SHARING).for_each(|i| q[i][j] /= r[j][j]);
+        let mut square = L::ZERO;
+        for row in &q {
+            square = square.plus(row[j], row[j]);
+        }
+        r[j][j] = square.sqrt().max(L::splat(1e-150));
+        let share = r[j][j].inverse();
+        for row in &mut q {
+            row[j] *= share;
+        }
     }
     (q, r)
 }
 
-fn product(a: &Square, b: &Square) -> Square {
-    core::array::from_fn(|i| {
-        core::array::from_fn(|j| (0..SHARING).map(|k| a[i][k] * b[k][j]).sum())
-    })
+#[inline(always)]
+fn product<L: Lanes, const N: usize>(a: &Square<L, N>, b: &Square<L, N>) -> Square<L, N> {
+    let mut out = [[L::ZERO; N]; N];
+    for (out, row) in out.iter_mut().zip(a) {
+        for (entry, b) in row.iter().zip(b) {
+            for j in 0..N {
+                out[j] = out[j].plus(*entry, b[j]);
+            }
+        }
+    }
+    out
 }

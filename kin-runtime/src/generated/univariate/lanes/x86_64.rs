@@ -1,0 +1,256 @@
+//! Vectors of SSE2, AVX2 and AVX-512; the last two with fused multiplications and
+//! additions.
+//!
+//! All `unsafe` is of one kind: the wider types are used where
+//! [`dispatch`](crate::generated::dispatch) has seen that the processor has the
+//! instructions.
+
+use super::{LANES, Lanes};
+use core::arch::x86_64::*;
+use core::mem::transmute;
+use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
+
+/// The numbers as some vectors of one width, and what is done with each.
+macro_rules! vectors {
+    (
+        $(#[$doc:meta])*
+        $name:ident: [$vector:ty; $count:literal],
+        set $set:ident,
+        add $add:ident,
+        sub $sub:ident,
+        mul $mul:ident,
+        div $div:ident,
+        sqrt $sqrt:ident,
+        max $max:ident,
+        and $and:ident,
+        and_not $and_not:ident,
+        or $or:ident,
+        xor $xor:ident,
+        plus |$sum:ident, $a:ident, $b:ident| $plus:expr,
+        minus $minus:expr,
+        less |$x:ident, $y:ident, $yes:ident, $no:ident| $select:expr,
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub(in super::super) struct $name([$vector; $count]);
+
+        impl Lanes for $name {
+            // SAFETY: vectors are arrays of numbers.
+            const ZERO: Self = Self(unsafe {
+                transmute::<[f64; LANES], [$vector; $count]>([0.0; LANES])
+            });
+            // SAFETY: as above.
+            const ONE: Self = Self(unsafe {
+                transmute::<[f64; LANES], [$vector; $count]>([1.0; LANES])
+            });
+
+            #[inline(always)]
+            fn of(numbers: [f64; LANES]) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { transmute::<[f64; LANES], [$vector; $count]>(numbers) })
+            }
+            #[inline(always)]
+            fn numbers(self) -> [f64; LANES] {
+                // SAFETY: as above.
+                unsafe { transmute::<[$vector; $count], [f64; LANES]>(self.0) }
+            }
+            #[inline(always)]
+            fn splat(x: f64) -> Self {
+                // SAFETY: see the head of this file.
+                Self([unsafe { $set(x) }; $count])
+            }
+            #[inline(always)]
+            fn plus(mut self, a: Self, b: Self) -> Self {
+                for k in 0..$count {
+                    let ($sum, $a, $b) = (self.0[k], a.0[k], b.0[k]);
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $plus };
+                }
+                self
+            }
+            #[inline(always)]
+            fn minus(mut self, a: Self, b: Self) -> Self {
+                for k in 0..$count {
+                    let ($sum, $a, $b) = (self.0[k], a.0[k], b.0[k]);
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $minus };
+                }
+                self
+            }
+            #[inline(always)]
+            fn inverse(mut self) -> Self {
+                for x in &mut self.0 {
+                    // SAFETY: see the head of this file.
+                    *x = unsafe { $div($set(1.0), *x) };
+                }
+                self
+            }
+            #[inline(always)]
+            fn sqrt(mut self) -> Self {
+                for x in &mut self.0 {
+                    // SAFETY: see the head of this file.
+                    *x = unsafe { $sqrt(*x) };
+                }
+                self
+            }
+            #[inline(always)]
+            fn abs(mut self) -> Self {
+                for x in &mut self.0 {
+                    // SAFETY: see the head of this file.
+                    *x = unsafe { $and_not($set(-0.0), *x) };
+                }
+                self
+            }
+            #[inline(always)]
+            fn max(mut self, other: Self) -> Self {
+                for k in 0..$count {
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $max(self.0[k], other.0[k]) };
+                }
+                self
+            }
+            #[inline(always)]
+            fn where_less(mut self, other: Self, yes: Self, no: Self) -> Self {
+                for k in 0..$count {
+                    let ($x, $y, $yes, $no) = (self.0[k], other.0[k], yes.0[k], no.0[k]);
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $select };
+                }
+                self
+            }
+            #[inline(always)]
+            fn away_from_zero(self, least: f64) -> Self {
+                let mut away = self.abs().max(Self::splat(least));
+                for k in 0..$count {
+                    // SAFETY: see the head of this file.
+                    away.0[k] = unsafe { $or(away.0[k], $and($set(-0.0), self.0[k])) };
+                }
+                away
+            }
+        }
+
+        impl Neg for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(mut self) -> Self {
+                for x in &mut self.0 {
+                    // SAFETY: see the head of this file.
+                    *x = unsafe { $xor($set(-0.0), *x) };
+                }
+                self
+            }
+        }
+
+        impl Add for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn add(mut self, other: Self) -> Self {
+                for k in 0..$count {
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $add(self.0[k], other.0[k]) };
+                }
+                self
+            }
+        }
+
+        impl Sub for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(mut self, other: Self) -> Self {
+                for k in 0..$count {
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $sub(self.0[k], other.0[k]) };
+                }
+                self
+            }
+        }
+
+        impl Mul for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(mut self, other: Self) -> Self {
+                for k in 0..$count {
+                    // SAFETY: see the head of this file.
+                    self.0[k] = unsafe { $mul(self.0[k], other.0[k]) };
+                }
+                self
+            }
+        }
+
+        impl AddAssign for $name {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl MulAssign for $name {
+            #[inline(always)]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+    };
+}
+
+vectors! {
+    /// Two numbers in each of four vectors: what every x86-64 processor has.
+    Sse2: [__m128d; 4],
+    set _mm_set1_pd,
+    add _mm_add_pd,
+    sub _mm_sub_pd,
+    mul _mm_mul_pd,
+    div _mm_div_pd,
+    sqrt _mm_sqrt_pd,
+    max _mm_max_pd,
+    and _mm_and_pd,
+    and_not _mm_andnot_pd,
+    or _mm_or_pd,
+    xor _mm_xor_pd,
+    plus |sum, a, b| _mm_add_pd(sum, _mm_mul_pd(a, b)),
+    minus _mm_sub_pd(sum, _mm_mul_pd(a, b)),
+    less |x, y, yes, no| {
+        let mask = _mm_cmplt_pd(x, y);
+        _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no))
+    },
+}
+
+vectors! {
+    /// Four numbers in each of two vectors.
+    Avx2: [__m256d; 2],
+    set _mm256_set1_pd,
+    add _mm256_add_pd,
+    sub _mm256_sub_pd,
+    mul _mm256_mul_pd,
+    div _mm256_div_pd,
+    sqrt _mm256_sqrt_pd,
+    max _mm256_max_pd,
+    and _mm256_and_pd,
+    and_not _mm256_andnot_pd,
+    or _mm256_or_pd,
+    xor _mm256_xor_pd,
+    plus |sum, a, b| _mm256_fmadd_pd(a, b, sum),
+    minus _mm256_fnmadd_pd(a, b, sum),
+    less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
+}
+
+vectors! {
+    /// All numbers in one vector.
+    Avx512: [__m512d; 1],
+    set _mm512_set1_pd,
+    add _mm512_add_pd,
+    sub _mm512_sub_pd,
+    mul _mm512_mul_pd,
+    div _mm512_div_pd,
+    sqrt _mm512_sqrt_pd,
+    max _mm512_max_pd,
+    and _mm512_and_pd,
+    and_not _mm512_andnot_pd,
+    or _mm512_or_pd,
+    xor _mm512_xor_pd,
+    plus |sum, a, b| _mm512_fmadd_pd(a, b, sum),
+    minus _mm512_fnmadd_pd(a, b, sum),
+    less |x, y, yes, no| {
+        _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, y), no, yes)
+    },
+}
