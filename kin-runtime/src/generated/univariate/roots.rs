@@ -12,7 +12,6 @@ use super::bernstein::{ARCS, Arcs, COEFFICIENTS, REACH, middle, on_arcs};
 use super::harmonics::Harmonics;
 use crate::generated::dispatch::{Dispatched, dispatch};
 use crate::math;
-use core::f64::consts::TAU;
 
 /// Candidates at most: more than a polynomial of the highest degree has roots.
 pub(super) const MOST: usize = 32;
@@ -62,21 +61,6 @@ pub(super) struct Roots {
 }
 
 impl Roots {
-    /// None of a polynomial, but candidates at equal distances, each of which may be two.
-    pub fn all_round() -> Self {
-        let mut angles = [0.0; MOST];
-        for (i, angle) in angles[..LANES].iter_mut().enumerate() {
-            *angle = TAU / LANES as f64 * i as f64;
-        }
-        Self {
-            angles,
-            count: LANES,
-            double: (1 << LANES) - 1,
-            several: 0,
-            incomplete: true,
-        }
-    }
-
     /// Whether a candidate is two.
     pub fn is_double(&self, i: usize) -> bool {
         self.double >> i & 1 == 1

@@ -27,6 +27,11 @@ const ASKED: usize = 3;
 /// Noise of which nothing stands out.
 const DROWNED: f64 = 1e-3;
 
+/// How far the target beside one with a family of solutions is: by angle, radians, and
+/// in units of half the arm's size.
+const BESIDE: f64 = 1e-4;
+const BESIDE_BY: [f64; 3] = [3e-5, -5e-5, 8e-5];
+
 /// Steps of Newton's method at most; twice as many where it converges slowly.
 const STEPS: usize = 6;
 
@@ -57,6 +62,8 @@ pub(super) struct Search<'a> {
     stuck: Waiting,
     /// Below this independence another solution may be near.
     meeting: f64,
+    /// Whether another target is the one that is meant.
+    is_beside: bool,
     /// Of so many regular solutions the neighbours were looked for.
     looked_at: usize,
     /// The same of singular ones.
@@ -79,6 +86,7 @@ impl<'a> Search<'a> {
             starts: Waiting::default(),
             stuck: Waiting::default(),
             meeting: MEETING,
+            is_beside: false,
             looked_at: 0,
             looked_at_singular: 0,
         }
@@ -172,11 +180,11 @@ impl<'a> Search<'a> {
         if !f.noise.is_finite() {
             return told;
         }
-        // Of a family of solutions the polynomial is nothing, and its members are all round.
-        let roots = match f.noise < DROWNED {
-            true => roots(&f),
-            false => Roots::all_round(),
-        };
+        if f.noise >= DROWNED {
+            self.ask_beside(elimination);
+            return told;
+        }
+        let roots = roots(&f);
         let recovery = Recovery {
             elimination,
             round: &round,
@@ -194,6 +202,28 @@ impl<'a> Search<'a> {
             && unclear.all(|candidate| self.resolves(elimination, &roots, candidate))
             && self.found.all_again();
         told
+    }
+
+    /// Where a family of solutions makes a polynomial of zeros, that of a target beside this
+    /// one is none, and the regular solutions there are beside those here.
+    #[cold]
+    fn ask_beside(&mut self, elimination: &Elimination) {
+        if self.is_beside {
+            return;
+        }
+        let turn = Pose::from_axis_angle([0.36, 0.48, 0.8], BESIDE, BESIDE_BY);
+        let mut beside = Self {
+            target: self.target * turn,
+            found: Found::new(self.arm.size, 0.0),
+            is_beside: true,
+            ..Self::new(self.arm, &Pose::IDENTITY)
+        };
+        beside.ask(elimination);
+        for solution in beside.found.regular.iter().chain(&beside.found.singular) {
+            self.start(&solution.q.map(|q| [q; LANES]), 0);
+        }
+        self.arrive();
+        self.meet();
     }
 
     /// Adds the solution at every root, if it has one; those that may have more.
