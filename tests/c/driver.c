@@ -48,6 +48,7 @@ static void run_kin_robot(void)
             double parameters[KIN_PARAMETERS];
             kin_redundancy(pose, q, parameters);
             write_numbers(parameters, KIN_PARAMETERS);
+            read_numbers(parameters, KIN_PARAMETERS);
             found = kin_ik_at(pose, parameters, solutions);
         }
 #else

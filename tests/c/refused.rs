@@ -60,18 +60,6 @@ fn an_arm_off_its_design() {
 }
 
 #[test]
-fn a_swivel_angle() {
-    let c = generated("robots/iiwa14.yaml", "arm", &Options::default());
-    is_forward_alone(&c, "the swivel angle");
-    assert_eq!(
-        told(&c),
-        "no inverse kinematics in C: the swivel angle as a parameter is not written as C\nhelp: \
-         name a joint with `--free`, or generate Rust, which has it; `--ik none` says that C \
-         without it is meant"
-    );
-}
-
-#[test]
 fn strict_makes_errors_of_it() {
     let strict = Options {
         strict: true,

@@ -26,6 +26,7 @@ const BY_DEFAULT: &[&str] = &[
     "robots/ur5e.urdf",
     "robots/xarm6.yaml",
     "tests/robots/noisy/truncated_pi.yaml",
+    "tests/robots/redundant/gantry_iiwa.yaml",
     "tests/robots/redundant/rail.yaml",
     "tests/robots/table/concurrent_345.yaml",
     "tests/robots/table/parallel_123.yaml",
@@ -46,6 +47,7 @@ const BY_DEFAULT: &[&str] = &[
 /// For what of a target counts.
 const AIMED: &[(&str, Target)] = &[
     ("robots/planar_3r.yaml", Target::Planar),
+    ("robots/iiwa14.yaml", Target::PositionAxis),
     ("robots/scara.yaml", Target::PositionYaw),
     ("robots/ur5e.urdf", Target::PositionAxis),
     ("tests/robots/targets/antenna.yaml", Target::Direction),

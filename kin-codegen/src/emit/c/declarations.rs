@@ -165,5 +165,10 @@ fn parameters(model: &Model, redundancy: &Redundancy) -> String {
         "the turn of the tool about the tip's z axis from where the target has it, radians"
             .to_owned()
     });
-    format!("Parameters: {}.", list(joints.chain(turn)))
+    let swivel = redundancy.swivel.map(|_| {
+        "the swivel angle: how far the elbow is turned about the line from the shoulder to the \
+         wrist, from where axis 1 points, radians"
+            .to_owned()
+    });
+    format!("Parameters: {}.", list(joints.chain(swivel).chain(turn)))
 }

@@ -7,6 +7,7 @@ use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::redundancy::Redundancy;
+use kin_runtime::Swivel;
 use std::fmt::Write as _;
 
 /// The definitions that solve for joint values.
@@ -16,7 +17,19 @@ pub fn functions(
     inverse: &InverseGraph,
     redundancy: Option<&Redundancy>,
 ) -> String {
-    let target = solver.plan.target;
+    let swivel = redundancy.and_then(|redundancy| redundancy.swivel);
+    let correction = match swivel {
+        Some(swivel) => [
+            points(&swivel.at_run_time(model)),
+            runtime::SWIVEL.to_owned(),
+            runtime::AT_SWIVEL.to_owned(),
+            runtime::CORRECTION.to_owned(),
+            runtime::SWIVELLED.to_owned(),
+        ]
+        .join("\n"),
+        None if solver.plan.target.is_projected() => String::new(),
+        None => [runtime::SEEN, runtime::CORRECTION, runtime::CORRECTED].join("\n"),
+    };
     let parts = [
         constants(solver),
         whole(model, solver),
@@ -24,11 +37,8 @@ pub fn functions(
         runtime::DISPATCH.to_owned(),
         branches(solver, inverse),
         runtime::SOLUTIONS.to_owned(),
-        match target.is_projected() {
-            true => String::new(),
-            false => runtime::CORRECTION.to_owned(),
-        },
-        solve(solver),
+        correction,
+        solve(solver, swivel.is_some()),
         entry(redundancy, solver),
     ];
     let parts = parts.into_iter().filter(|part| !part.is_empty());
@@ -60,6 +70,30 @@ fn constants(solver: &ClosedForm) -> String {
     );
     for (name, value) in all {
         let _ = writeln!(out, "#define KIN_{name} {value}");
+    }
+    out
+}
+
+/// The points by which a swivel angle is told.
+fn points(swivel: &Swivel) -> String {
+    let vectors = [
+        ("shoulder", swivel.shoulder),
+        ("elbow", swivel.elbow),
+        ("wrist", swivel.wrist),
+        ("reference", swivel.reference),
+    ];
+    let mut out = format!(
+        "/* The shoulder and the reference direction in base coordinates; the elbow in those of \
+         the link\n * that carries it, and the wrist in those of the tip. */\n\
+         #define KIN_ELBOW_LINK {}\n",
+        swivel.link
+    );
+    for (name, vector) in vectors {
+        let [x, y, z] = vector.map(signed);
+        let _ = writeln!(
+            out,
+            "static const double kin_{name}[3] = {{{x}, {y}, {z}}};"
+        );
     }
     out
 }
@@ -137,8 +171,8 @@ fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> String {
 }
 
 /// The branches that reach their target.
-fn solve(solver: &ClosedForm) -> String {
-    let corrected = match solver.plan.target.is_projected() {
+fn solve(solver: &ClosedForm, swivel: bool) -> String {
+    let corrected = match solver.plan.target.is_projected() || swivel {
         true => "",
         false => {
             "    if (nearly) {\n        count = kin_add_corrected(&lanes, target, given, \
@@ -146,6 +180,11 @@ fn solve(solver: &ClosedForm) -> String {
         }
     };
     let (mark, marked) = match corrected {
+        "" if swivel => (
+            "",
+            " else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * KIN_SIZE) {\n            \
+             count = kin_add_corrected(&lanes, k, target, given[0], solutions, count);\n        }",
+        ),
         "" => ("", ""),
         _ => (
             "    int nearly = 0;\n",
@@ -188,7 +227,8 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
             runtime::NEAREST
         );
     };
-    let count = redundancy.joints.len();
+    // The turn of the tool comes last.
+    let count = redundancy.parameters() - usize::from(redundancy.turn);
     let turned = match redundancy.turn {
         true => format!(
             "    double sine, cosine, turned[12];\n    \
@@ -201,6 +241,16 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
         false => String::new(),
     };
     let target = if redundancy.turn { "turned" } else { "pose" };
+    let of_swivel = match redundancy.swivel {
+        Some(_) => {
+            "    double links[12 * KIN_JOINTS], tip[12], elbow[3], wrist[3];\n    \
+             kin_fk_links(q, links);\n    kin_fk(q, tip);\n    \
+             kin_point(links + 12 * KIN_ELBOW_LINK, kin_elbow, elbow);\n    \
+             kin_point(tip, kin_wrist, wrist);\n    \
+             parameters[0] = kin_swivel(elbow, wrist, 0);\n"
+        }
+        None => "",
+    };
     let joints = redundancy.joints.iter().enumerate();
     let told: String = joints
         .map(|(i, joint)| format!("    parameters[{i}] = q[{joint}];\n"))
@@ -221,6 +271,6 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
          static const double seed[KIN_SOLVED] = {{{zeros}}};\n{turned}    \
          return kin_solve({target}, seed, parameters, solutions);\n}}\n\n\
          void kin_redundancy(\n    const double pose[12], const double q[KIN_JOINTS], \
-         double parameters[KIN_PARAMETERS])\n{{\n{of_turn}{told}}}\n"
+         double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{told}}}\n"
     )
 }

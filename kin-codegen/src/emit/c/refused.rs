@@ -7,8 +7,6 @@ use crate::spec::Diagnostic;
 /// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
 pub fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
     let form = compiled.form()?;
-    let redundancy = compiled.redundancy.as_ref();
-    let swivel = redundancy.is_some_and(|redundancy| redundancy.swivel.is_some());
     let in_rust = "generate Rust, which has it; `--ik none` says that C without it is meant";
     let (reason, remedy) = match (&form.inverse, &form.refinement) {
         (Inverse::Univariate(_), _) => (
@@ -34,10 +32,6 @@ pub fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
              that finds the solutions there is not written as C"
                 .to_owned(),
             in_rust.to_owned(),
-        ),
-        _ if swivel => (
-            "the swivel angle as a parameter is not written as C".to_owned(),
-            format!("name a joint with `--free`, or {in_rust}"),
         ),
         _ => return None,
     };

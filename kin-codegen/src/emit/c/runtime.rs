@@ -18,8 +18,19 @@ const PIECES: [(&str, &str); 9] = [
 pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
 /// From the lanes to solutions: why there are none.
 pub const SOLUTIONS: &str = include_str!("runtime/solutions.c");
-/// Branches that rounding keeps from their target.
+/// One branch that rounding keeps from its target, corrected; it calls what [`SEEN`] or
+/// [`AT_SWIVEL`] defines.
 pub const CORRECTION: &str = include_str!("runtime/correction.c");
+/// The joints that are solved for, as a target sees them.
+pub const SEEN: &str = include_str!("runtime/seen.c");
+/// All such branches, behind both of these.
+pub const CORRECTED: &str = include_str!("runtime/corrected.c");
+/// The swivel angle.
+pub const SWIVEL: &str = include_str!("runtime/swivel.c");
+/// The joints at a swivel angle, as a target sees them.
+pub const AT_SWIVEL: &str = include_str!("runtime/at_swivel.c");
+/// A branch at a swivel angle that rounding keeps from its target, behind these.
+pub const SWIVELLED: &str = include_str!("runtime/swivelled.c");
 /// Values inside the limits.
 pub const LIMITS: &str = include_str!("runtime/limits.c");
 /// The solution that moves the joints least.

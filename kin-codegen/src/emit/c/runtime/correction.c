@@ -1,41 +1,51 @@
 /* A configuration as the target sees it: what is missing, and how the joints make it;
  * lengths in units of the arm's size, zero where the target does not count. */
 typedef struct kin_linearization {
-    double q[KIN_SOLVED];
+    double q[KIN_CORRECTED];
     double residual;
     double error[6];
-    double rows[6][KIN_SOLVED];
+    double rows[6][KIN_CORRECTED];
 } kin_linearization;
 
-static void kin_linearize(const double target[12], const double *given, kin_linearization *here)
+/* How far a pose is from a target, as far as the target counts, metres. */
+static double kin_distance(const double pose[12], const double target[12])
 {
-    double q[KIN_JOINTS], pose[12], jacobian[6 * KIN_JOINTS];
     double shift = 0.0, turn = 0.0;
-    kin_whole(here->q, given, q);
-    kin_fk_jacobian(q, pose, jacobian);
+    for (int i = 0; i < 12; ++i) {
+        const double off = pose[i] - target[i];
+        if (i % 4 == 3) {
+            shift += off * off;
+        } else if (i % 4 == 2 || !KIN_COUNTS_AXIS) {
+            turn += (KIN_COUNTS_AXIS ? 1.0 : 0.5) * off * off;
+        }
+    }
+    shift = KIN_COUNTS_TRANSLATION ? shift : 0.0;
+    return sqrt(shift + (KIN_COUNTS_ROTATION ? KIN_SIZE * KIN_SIZE * turn : 0.0));
+}
+
+/* Fills in all but the configuration. */
+static void kin_linearize(const double target[12], const kin_given *given, kin_linearization *here)
+{
+    double pose[12], jacobian[6][KIN_CORRECTED];
+    kin_seen(here->q, given, pose, jacobian);
     for (int i = 0; i < 3; ++i) {
         const double off = pose[4 * i + 3] - target[4 * i + 3];
-        shift += off * off;
         here->error[i] = KIN_COUNTS_TRANSLATION ? -off / KIN_SIZE : 0.0;
         here->error[3 + i] = 0.0;
     }
     for (int j = KIN_COUNTS_AXIS ? 2 : 0; KIN_COUNTS_ROTATION && j < 3; ++j) {
-        double column = 0.0;
         for (int i = 0; i < 3; ++i) {
             const int a = (i + 1) % 3, b = (i + 2) % 3;
-            const double off = pose[4 * i + j] - target[4 * i + j];
-            column += off * off;
             here->error[3 + i] += (KIN_COUNTS_AXIS ? 1.0 : 0.5)
                 * (pose[4 * a + j] * target[4 * b + j] - pose[4 * b + j] * target[4 * a + j]);
         }
-        turn += (KIN_COUNTS_AXIS ? 1.0 : 0.5) * column;
     }
-    here->residual = sqrt((KIN_COUNTS_TRANSLATION ? shift : 0.0) + KIN_SIZE * KIN_SIZE * turn);
-    for (int k = 0; k < KIN_SOLVED; ++k) {
+    here->residual = kin_distance(pose, target);
+    for (int k = 0; k < KIN_CORRECTED; ++k) {
         double v[3], w[3], along = 0.0;
         for (int i = 0; i < 3; ++i) {
-            v[i] = jacobian[i * KIN_JOINTS + kin_solved[k]];
-            w[i] = jacobian[(3 + i) * KIN_JOINTS + kin_solved[k]];
+            v[i] = jacobian[i][k];
+            w[i] = jacobian[3 + i][k];
             along += w[i] * pose[4 * i + 2];
         }
         for (int i = 0; i < 3; ++i) {
@@ -50,9 +60,9 @@ static void kin_linearize(const double target[12], const double *given, kin_line
 
 /* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
  * diagonal. */
-static void kin_factor(double rows[6][KIN_SOLVED], double damping, double lower[KIN_SOLVED][KIN_SOLVED])
+static void kin_factor(double rows[6][KIN_CORRECTED], double damping, double lower[KIN_CORRECTED][KIN_CORRECTED])
 {
-    for (int i = 0; i < KIN_SOLVED; ++i) {
+    for (int i = 0; i < KIN_CORRECTED; ++i) {
         for (int j = 0; j <= i; ++j) {
             lower[i][j] = i == j ? damping : 0.0;
             for (int row = 0; row < 6; ++row) {
@@ -60,7 +70,7 @@ static void kin_factor(double rows[6][KIN_SOLVED], double damping, double lower[
             }
         }
     }
-    for (int i = 0; i < KIN_SOLVED; ++i) {
+    for (int i = 0; i < KIN_CORRECTED; ++i) {
         for (int j = 0; j < i; ++j) {
             for (int k = 0; k < j; ++k) {
                 lower[i][j] -= lower[i][k] * lower[j][k];
@@ -85,16 +95,16 @@ static double kin_norm(const double error[6])
 /* Levenberg's method from a configuration that nearly reaches the target, damped by the
  * square of what is missing (Yamashita and Fukushima, Computing Supplement 15, 2001), for at
  * most twelve evaluations. Whether the Jacobian loses rank where it has arrived. */
-static int kin_correct(const double target[12], const double *given, kin_linearization *here)
+static int kin_correct(const double target[12], const kin_given *given, kin_linearization *here)
 {
-    double lower[KIN_SOLVED][KIN_SOLVED], weight = 1.0, miss, least, most;
+    double lower[KIN_CORRECTED][KIN_CORRECTED], weight = 1.0, miss, least, most;
     kin_linearize(target, given, here);
     miss = kin_norm(here->error);
     for (int step = 0; step < 12 && here->residual >= 1e-14 * KIN_SIZE && weight <= 1e12; ++step) {
         kin_linearization there;
-        double x[KIN_SOLVED], next;
+        double x[KIN_CORRECTED], next;
         kin_factor(here->rows, weight * miss * miss, lower);
-        for (int i = 0; i < KIN_SOLVED; ++i) {
+        for (int i = 0; i < KIN_CORRECTED; ++i) {
             x[i] = 0.0;
             for (int row = 0; row < 6; ++row) {
                 x[i] += here->rows[row][i] * here->error[row];
@@ -104,8 +114,8 @@ static int kin_correct(const double target[12], const double *given, kin_lineari
             }
             x[i] *= lower[i][i];
         }
-        for (int i = KIN_SOLVED - 1; i >= 0; --i) {
-            for (int k = i + 1; k < KIN_SOLVED; ++k) {
+        for (int i = KIN_CORRECTED - 1; i >= 0; --i) {
+            for (int k = i + 1; k < KIN_CORRECTED; ++k) {
                 x[i] -= lower[k][i] * x[k];
             }
             x[i] *= lower[i][i];
@@ -123,7 +133,7 @@ static int kin_correct(const double target[12], const double *given, kin_lineari
     }
     kin_factor(here->rows, 0.0, lower);
     least = most = lower[0][0];
-    for (int i = 1; i < KIN_SOLVED; ++i) {
+    for (int i = 1; i < KIN_CORRECTED; ++i) {
         most = lower[i][i] > most ? lower[i][i] : most;
         least = lower[i][i] < least ? lower[i][i] : least;
     }
@@ -152,37 +162,6 @@ static int kin_insert(const kin_solution *found, kin_solution *solutions, int co
     if (count < KIN_MAX_SOLUTIONS) {
         solutions[count] = *found;
         ++count;
-    }
-    return count;
-}
-
-/* Adds the branches that rounding keeps from their target, corrected. */
-static int kin_add_corrected(
-    const kin_lanes *lanes, const double target[12], const double *given,
-    kin_solution *solutions, int count)
-{
-    if (!(kin_rotation_error(target) * KIN_SIZE <= KIN_TOLERANCE)) {
-        return count;
-    }
-    for (int k = 0; k < KIN_BRANCHES; ++k) {
-        const double residual = lanes->residual[k];
-        if (lanes->invalid[k] <= 0.0 && residual > KIN_TOLERANCE && residual <= 1e-5 * KIN_SIZE) {
-            kin_linearization here;
-            kin_solution found;
-            for (int i = 0; i < KIN_SOLVED; ++i) {
-                here.q[i] = lanes->q[i][k];
-            }
-            found.singular = kin_correct(target, given, &here) || lanes->singular[k] > 0.0;
-            for (int i = 0; i < KIN_SOLVED; ++i) {
-                here.q[i] = kin_turns[kin_solved[i]] ? kin_wrap(here.q[i]) : here.q[i];
-            }
-            kin_whole(here.q, given, found.q);
-            found.residual = here.residual;
-            found.branch = k;
-            if (found.residual <= KIN_TOLERANCE) {
-                count = kin_insert(&found, solutions, count);
-            }
-        }
     }
     return count;
 }

@@ -1,0 +1,43 @@
+/* Adds a branch that rounding keeps from its target, corrected. */
+static int kin_add_corrected(
+    const kin_lanes *lanes, int k, const double target[12], double angle, kin_solution *solutions,
+    int count)
+{
+    kin_linearization here;
+    kin_solution found;
+    kin_given given;
+    double q[KIN_JOINTS], slopes[KIN_JOINTS], pose[12];
+    if (!(kin_rotation_error(target) * KIN_SIZE <= KIN_TOLERANCE)) {
+        return count;
+    }
+    for (int i = 0; i < KIN_JOINTS; ++i) {
+        q[i] = lanes->q[i][k];
+    }
+    given.angle = angle;
+    kin_point(target, kin_wrist, given.wrist);
+    kin_slopes(q, &given, slopes);
+    given.joint = fabs(slopes[1]) > fabs(slopes[0]);
+    given.value = q[given.joint];
+    for (int i = 0; i < KIN_CORRECTED; ++i) {
+        here.q[i] = q[i + (i >= given.joint)];
+    }
+    found.branch = k;
+    found.singular = kin_correct(target, &given, &here) || lanes->singular[k] > 0.0;
+    if (!(here.residual <= KIN_TOLERANCE)) {
+        return count;
+    }
+    for (int i = 0; i < KIN_CORRECTED; ++i) {
+        here.q[i] = kin_wrap(here.q[i]);
+    }
+    kin_told(here.q, &given, found.q);
+    for (int i = 0; i < KIN_JOINTS; ++i) {
+        found.q[i] = kin_wrap(found.q[i]);
+    }
+    /* Where the angle hardly tells its joint, nothing was solved. */
+    if (!(fabs(kin_slopes(found.q, &given, slopes)) <= 1e-9)) {
+        return count;
+    }
+    kin_fk(found.q, pose);
+    found.residual = kin_distance(pose, target);
+    return found.residual <= KIN_TOLERANCE ? kin_insert(&found, solutions, count) : count;
+}
