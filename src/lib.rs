@@ -26,11 +26,11 @@ pub use kin_runtime::__private;
 #[cfg(feature = "rayon")]
 pub use kin_runtime::Multithreaded;
 pub use kin_runtime::{
-    Basis, Body, Ellipsoid, Follow, Following, Frame, FullTurns, Hessian, Jacobian, JointLimit,
-    Kinematics, Manipulability, Nearest, NoSolution, ParallelKinematics, Parameter, PathStep, Pose,
-    Posture, Postures, RANK_TOLERANCE, RedundantKinematics, Singularities, Singularity, Solution,
-    Solutions, Swivel, Target, Twist, WithBase, WithTool, Wrench, centering_gradient, null_space,
-    subproblems,
+    Along, Basis, Body, Ellipsoid, Follow, Following, Frame, FullTurns, Hessian,
+    HighlyRedundantKinematics, Jacobian, JointLimit, Kinematics, Manipulability, Nearest,
+    NoSolution, ParallelKinematics, Parameter, PathStep, Pose, Posture, Postures, RANK_TOLERANCE,
+    RedundantKinematics, Singularities, Singularity, Solution, Solutions, Swivel, Target, Twist,
+    WithBase, WithTool, Wrench, centering_gradient, null_space, subproblems,
 };
 #[cfg(feature = "std")]
 pub use kin_runtime::{

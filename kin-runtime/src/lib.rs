@@ -60,8 +60,8 @@ pub use path::{BranchEnd, NoPath, Path, ik_path, least_motion};
 #[cfg(feature = "rayon")]
 pub use robot::Multithreaded;
 pub use robot::{
-    Body, Follow, Following, Frame, Kinematics, NoSolution, Parameter, PathStep,
-    RedundantKinematics, WithBase, WithTool,
+    Along, Body, Follow, Following, Frame, HighlyRedundantKinematics, Kinematics, NoSolution,
+    Parameter, PathStep, RedundantKinematics, WithBase, WithTool,
 };
 #[cfg(feature = "alloc")]
 pub use self_motion::{

@@ -1,7 +1,9 @@
 //! Two parameters: eight joints for whole poses, and seven where the tool may turn.
 
 use crate::random::Random;
-use kinematics::{Parameter, kinematics};
+use kinematics::{
+    Criterion, Follow, HighlyRedundantKinematics, Parameter, Pose, RedundantKinematics, kinematics,
+};
 use std::f64::consts::PI;
 
 kinematics!(
@@ -76,4 +78,64 @@ fn the_last_joint_and_the_turn_of_the_tool() {
             assert!((target.turn_to(&found) - given[1] - 0.3).sin().abs() < 1e-9);
         }
     }
+}
+
+/// Along one parameter with the other held: intervals against values evenly over a turn, the
+/// best configuration, one step of a path.
+fn along_one<K: RedundantKinematics<N>, const N: usize>(arm: &K, q: &[f64; N], target: &Pose) {
+    let own = arm.parameter_of(target, q);
+    let close = |x: &[f64; N]| apart(x, q) < 1e-6;
+    assert!(
+        arm.ik_at(target, own)
+            .iter()
+            .any(|solution| close(&solution.q))
+    );
+    let intervals = arm.feasible(target);
+    let [lower, upper] = match K::PARAMETER {
+        Parameter::Joint(joint) if !K::LIMITS[joint].is_revolute() => {
+            [K::LIMITS[joint].lower(), K::LIMITS[joint].upper()]
+        }
+        _ => [-PI, PI],
+    };
+    for i in 0..100 {
+        let value = lower + (upper - lower) * (f64::from(i) + 0.37) / 100.0;
+        let ends = intervals
+            .iter()
+            .flat_map(|interval| [interval.from, interval.to]);
+        if ends
+            .map(|end| (end - value) / (2.0 * PI))
+            .any(|d| (d - d.round()).abs() < 1e-6)
+        {
+            continue;
+        }
+        let held = intervals.iter().filter(|interval| interval.contains(value));
+        let solutions = arm.ik_at(target, value).len();
+        assert_eq!(held.count(), solutions, "{value} of {q:?}: {intervals:#?}");
+    }
+    let best = arm.ik_best(target, &Criterion::Nearest(*q)).unwrap();
+    let ways = (0..N).map(|i| (best[i] - q[i]).powi(2)).sum::<f64>();
+    assert!(ways.sqrt() < 1e-6, "{best:?} is not {q:?}");
+    let step = arm
+        .ik_follow(target, q, &Follow::new(&K::LIMITS, 1e-3))
+        .unwrap();
+    assert!(!step.jumps && apart(&step.solution.q, q) < 0.1);
+    assert_eq!(arm.ik_sweep(target, 5).count(), 5);
+    let nearest = arm.ik_nearest_at(target, own, q).unwrap();
+    assert!(close(&nearest.q));
+}
+
+#[test]
+fn with_the_others_held_one_parameter_has_its_intervals() {
+    let q = [0.4, 0.3, 0.9, -0.4, 1.2, 0.5, -0.8, 0.6];
+    let target = GantryIiwa.fk(&q);
+    let given = GantryIiwa.redundancy(&q);
+    // What is held in the place of the one that moves is not read.
+    along_one(&GantryIiwa.along::<0>([9.9, given[1]]), &q, &target);
+    along_one(&GantryIiwa.along::<1>([given[0], 9.9]), &q, &target);
+
+    let q = [0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6];
+    let target = PandaTool.fk(&q).turned(-0.7);
+    let given = PandaTool.redundancy(&target, &q);
+    along_one(&PandaTool.along::<0>([9.9, given[1]]), &q, &target);
+    along_one(&PandaTool.along::<1>([given[0], 9.9]), &q, &target);
 }

@@ -45,6 +45,19 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         N + beside
     };
 
+    /// The coordinates that rest: those that there are not, and joints that are held.
+    const RESTING: ([usize; WIDTH], usize) = {
+        let (mut resting, mut count, mut i) = ([0; WIDTH], 0, 0);
+        while i < WIDTH {
+            if i >= Self::COORDINATES || K::HELD >> i & 1 == 1 {
+                resting[count] = i;
+                count += 1;
+            }
+            i += 1;
+        }
+        (resting, count)
+    };
+
     /// What counts: with a turn of the tool, a target is a whole pose.
     const COUNTS: Target = match K::PARAMETER {
         Parameter::Joint(_) | Parameter::Swivel(_) => K::TARGET,
@@ -110,16 +123,15 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         (rows, missing)
     }
 
-    /// Of the equations and one more, which are independent; what is behind the
-    /// coordinates rests.
+    /// Of the equations and one more, which are independent, and what rests.
     fn span(&self, rows: &[Point; EQUATIONS], more: Option<&Point>) -> Span<WIDTH> {
-        let behind = WIDTH - Self::COORDINATES;
+        let (resting, rest) = Self::RESTING;
         let row = |i: usize| match i {
             0..EQUATIONS => rows[i],
-            _ if i < EQUATIONS + behind => unit(Self::COORDINATES + i - EQUATIONS),
+            _ if i < EQUATIONS + rest => unit(resting[i - EQUATIONS]),
             _ => *more.unwrap_or(&[0.0; WIDTH]),
         };
-        let count = EQUATIONS + behind + usize::from(more.is_some());
+        let count = EQUATIONS + rest + usize::from(more.is_some());
         Span::of(count, row, RANK_TOLERANCE)
     }
 
@@ -141,7 +153,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// it does not get there.
     pub fn meet(&self, normal: &Point, through: &Point, guess: Point) -> Option<Point> {
         let size = norm(self.target.translation).max(1.0);
-        let behind = WIDTH - Self::COORDINATES;
+        let (_, rest) = Self::RESTING;
         let mut x = guess;
         for _ in 0..NEWTON_STEPS {
             let (rows, missing) = self.equations(&x);
@@ -154,7 +166,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             let span = self.span(&rows, Some(normal));
             let change = span.least_norm(|i| match i {
                 0..EQUATIONS => missing[i],
-                _ if i < EQUATIONS + behind => 0.0,
+                _ if i < EQUATIONS + rest => 0.0,
                 _ => off,
             });
             x = core::array::from_fn(|i| x[i] + change[i]);

@@ -10,6 +10,7 @@ mod multithreaded;
 mod no_solution;
 mod placement;
 mod redundant;
+mod several;
 
 pub use follow::{Follow, PathStep};
 pub use frame::{Body, Following, Frame};
@@ -20,3 +21,4 @@ pub use multithreaded::Multithreaded;
 pub use no_solution::NoSolution;
 pub use placement::{WithBase, WithTool};
 pub use redundant::{Parameter, RedundantKinematics};
+pub use several::{Along, HighlyRedundantKinematics};

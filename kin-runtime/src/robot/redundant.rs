@@ -39,6 +39,11 @@ pub enum Parameter {
 /// spare"); they are those of [`Kinematics`]: [`manipulability`](Kinematics::manipulability),
 /// [`internal_motions`](Kinematics::internal_motions),
 /// [`null_space_projection`](Kinematics::null_space_projection).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no single parameter",
+    note = "of an arm with several parameters, `along` of `HighlyRedundantKinematics` holds all \
+            but one"
+)]
 pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// What the parameter is.
     const PARAMETER: Parameter;
@@ -48,6 +53,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// How many roots of its plan a branch takes, as far as one of them may cease to be real;
     /// 0 where branches come from no plan that has only square roots.
     const ROOTS: usize = 0;
+
+    /// The joints that are held at a value as well, as bits: those of an arm with several
+    /// parameters ([`Along`](crate::Along)).
+    const HELD: u32 = 0;
 
     /// All configurations with this parameter that put the tip at the target, as far as
     /// the target counts: every isolated one once, and none if the target is out of

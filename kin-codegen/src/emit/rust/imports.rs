@@ -5,10 +5,11 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What generated code can name and users can, too.
-const PUBLIC: [&str; 19] = [
+const PUBLIC: [&str; 20] = [
     "Following",
     "Frame",
     "Hessian",
+    "HighlyRedundantKinematics",
     "Jacobian",
     "JointLimit",
     "Kinematics",

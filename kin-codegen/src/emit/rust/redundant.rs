@@ -18,16 +18,8 @@ use quote::{format_ident, quote};
 
 /// The methods that solve for joint values, and the constants that tell what they take.
 pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
-    let (count, n) = (
-        redundancy.parameters(),
-        usize_literal(model.variables.len()),
-    );
-    let one = count == 1;
-    let size = usize_literal(count);
-    let (argument, value) = match one {
-        true => (quote!(parameter: f64), quote!(f64)),
-        false => (quote!(parameters: &[f64; #size]), quote!([f64; #size])),
-    };
+    let n = usize_literal(model.variables.len());
+    let (argument, value) = argument(redundancy);
     let constants = constants(model, solver, redundancy);
     let solve = solve(model, solver, redundancy);
     let private = match &solver.inverse {
@@ -137,21 +129,32 @@ fn constants(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> Tok
     }
 }
 
-/// The body of `ik_at`.
-fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
-    let parameter = |i: usize| match redundancy.parameters() {
+/// The parameters of `ik_at` as an argument, and their type.
+fn argument(redundancy: &Redundancy) -> (TokenStream, TokenStream) {
+    let size = usize_literal(redundancy.parameters());
+    match redundancy.parameters() {
+        1 => (quote!(parameter: f64), quote!(f64)),
+        _ => (quote!(parameters: &[f64; #size]), quote!([f64; #size])),
+    }
+}
+
+/// A parameter by its place.
+fn parameter(redundancy: &Redundancy, i: usize) -> TokenStream {
+    match redundancy.parameters() {
         1 => quote!(parameter),
         _ => {
             let i = usize_literal(i);
             quote!(parameters[#i])
         }
-    };
+    }
+}
+
+/// The body of `ik_at`.
+fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+    let parameter = |i: usize| parameter(redundancy, i);
     let k = redundancy.joints.len();
     let seen = solver.given.parameters();
-    let turned = redundancy.turn.then(|| {
-        let turn = parameter(seen);
-        quote!(let pose = &pose.turned(#turn);)
-    });
+    let turned = turned(redundancy);
     let given: Vec<TokenStream> = (0..k).map(parameter).collect();
     let joints = redundancy.joints.iter().map(|&joint| usize_literal(joint));
     let slides = |variable: &usize| !model.turns(*variable);
@@ -313,34 +316,47 @@ fn told(redundancy: &Redundancy, n: &Literal, value: &TokenStream) -> TokenStrea
     }
 }
 
-/// The trait, where there is one parameter.
+/// The trait of arms with one parameter, or with several.
 pub fn kinematics(
     solver: &ClosedForm,
     redundancy: &Redundancy,
     names: &Names,
     n: &Literal,
-) -> Option<TokenStream> {
+) -> TokenStream {
     let name = &names.robot;
     let arguments = root_arguments(solver, redundancy);
+    if redundancy.parameters() > 1 {
+        let count = usize_literal(redundancy.parameters());
+        return quote! {
+            impl HighlyRedundantKinematics<#n, #count> for #name {
+                const PARAMETERS: [Parameter; #count] = Self::PARAMETERS;
+                const BRANCHES_AT: usize = Self::BRANCHES_AT;
+
+                #[inline]
+                fn ik_at(&self, pose: &Pose, parameters: &[f64; #count]) -> Solutions<#n> {
+                    #name::ik_at(self, pose, parameters)
+                }
+                #arguments
+            }
+        };
+    }
     let margins = match arguments {
         Some(_) => None,
         None => margins(solver, redundancy),
     };
-    (redundancy.parameters() == 1).then(|| {
-        quote! {
-            impl RedundantKinematics<#n> for #name {
-                const PARAMETER: Parameter = Self::PARAMETERS[0];
-                const BRANCHES_AT: usize = Self::BRANCHES_AT;
+    quote! {
+        impl RedundantKinematics<#n> for #name {
+            const PARAMETER: Parameter = Self::PARAMETERS[0];
+            const BRANCHES_AT: usize = Self::BRANCHES_AT;
 
-                #[inline]
-                fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<#n> {
-                    #name::ik_at(self, pose, parameter)
-                }
-                #arguments
-                #margins
+            #[inline]
+            fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<#n> {
+                #name::ik_at(self, pose, parameter)
             }
+            #arguments
+            #margins
         }
-    })
+    }
 }
 
 /// What the roots of an exact arm's plan are the roots of.
@@ -360,10 +376,11 @@ fn root_arguments(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenS
     });
     let count = usize_literal(roots.len());
     let copies: Vec<TokenStream> = copies.collect();
+    let (takes, _) = argument(redundancy);
     Some(quote! {
         const ROOTS: usize = #count;
 
-        fn root_arguments(&self, pose: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+        fn root_arguments(&self, pose: &Pose, #takes) -> [[f64; 16]; 4] {
             #prologue
             let mut arguments = [[f64::INFINITY; 16]; 4];
             #(#copies)*
@@ -380,12 +397,15 @@ fn lanes_at_parameter(
 ) -> (TokenStream, Lanes) {
     let turned = turned(redundancy);
     let seed = std::iter::repeat_n(quote!(0.0), solver.given.variables());
-    let given = (0..solver.given.parameters()).map(|_| quote!(parameter));
+    let given = (0..solver.given.parameters()).map(|i| parameter(redundancy, i));
     let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
     let (statements, lanes) = inverse::statements(solver, graph, inputs);
     let own = TARGET + solver.given.variables();
     let reads = lanes.inputs[own..own + solver.given.parameters()].contains(&true);
-    let unread = (!reads && !redundancy.turn).then(|| quote!(let _ = parameter;));
+    let unread = (!reads && !redundancy.turn).then(|| match redundancy.parameters() {
+        1 => quote!(let _ = parameter;),
+        _ => quote!(let _ = parameters;),
+    });
     let prologue = quote! {
         #turned
         #unread
@@ -398,9 +418,10 @@ fn lanes_at_parameter(
 
 /// The target with the turn of the tool, if that is a parameter.
 fn turned(redundancy: &Redundancy) -> Option<TokenStream> {
-    redundancy
-        .turn
-        .then(|| quote!(let pose = &pose.turned(parameter);))
+    redundancy.turn.then(|| {
+        let turn = parameter(redundancy, redundancy.parameters() - 1);
+        quote!(let pose = &pose.turned(#turn);)
+    })
 }
 
 /// How far the branches are from having no root, if they come from a plan.

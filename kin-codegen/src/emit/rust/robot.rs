@@ -38,7 +38,7 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let derivatives = derivatives.map(|dot| self::derivatives(compiled, dot, &n));
     let kinematics = kinematics(compiled, names, &n);
     let redundant = redundancy.zip(compiled.form());
-    let redundant = redundant.and_then(|(it, form)| redundant::kinematics(form, it, names, &n));
+    let redundant = redundant.map(|(it, form)| redundant::kinematics(form, it, names, &n));
     let generated_by = generated_by(runtime);
     let items = quote! {
         #[allow(

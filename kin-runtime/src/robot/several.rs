@@ -1,0 +1,180 @@
+//! Arms with several joints more than their targets have coordinates.
+
+#[cfg(feature = "alloc")]
+use crate::{
+    Criterion, FeasibleInterval,
+    feasible::{best, feasible, feasible_within},
+};
+use crate::{
+    Frame, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solutions,
+    Target,
+};
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+/// The inverse kinematics of an arm with several joints more than its targets have coordinates:
+/// eight for whole poses, or seven where the tool may turn. P numbers beside the target, the
+/// parameters, leave isolated solutions.
+///
+/// With all parameters but one held, it is an arm with one joint too many:
+/// [`along`](HighlyRedundantKinematics::along).
+pub trait HighlyRedundantKinematics<const N: usize, const P: usize>: Kinematics<N> {
+    /// What the parameters are.
+    const PARAMETERS: [Parameter; P];
+    /// How many branches [`HighlyRedundantKinematics::ik_at`] looks at.
+    const BRANCHES_AT: usize;
+    /// As [`RedundantKinematics::ROOTS`].
+    const ROOTS: usize = 0;
+
+    /// All configurations with these parameters that put the tip at the target, as far as the
+    /// target counts: every isolated one once, and none if the target is out of reach.
+    fn ik_at(&self, target: &Pose, parameters: &[f64; P]) -> Solutions<N>;
+
+    /// As [`RedundantKinematics::root_arguments`].
+    fn root_arguments(&self, target: &Pose, parameters: &[f64; P]) -> [[f64; 16]; 4] {
+        let _ = (target, parameters);
+        [[f64::INFINITY; 16]; 4]
+    }
+
+    /// The arm along its parameter I, counted from 0, with the others held at these values: for
+    /// intervals, sweeps, paths and the best configuration along that parameter. Entry I is not
+    /// read.
+    ///
+    /// ```no_run
+    /// use kin_runtime::{HighlyRedundantKinematics, Pose, RedundantKinematics};
+    /// fn most_room<const N: usize>(arm: &impl HighlyRedundantKinematics<N, 2>, pose: &Pose) -> f64 {
+    ///     let lengths = (0..10).map(|rail| {
+    ///         let intervals = arm.along::<1>([0.1 * f64::from(rail), 0.0]).feasible(pose);
+    ///         intervals.iter().map(|interval| interval.to - interval.from).sum()
+    ///     });
+    ///     lengths.fold(0.0, f64::max)
+    /// }
+    /// ```
+    fn along<const I: usize>(&self, held: [f64; P]) -> Along<'_, Self, P, I> {
+        Along { robot: self, held }
+    }
+}
+
+/// A robot all of whose parameters but one are held; see [`HighlyRedundantKinematics::along`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along<'a, K: ?Sized, const P: usize, const I: usize> {
+    /// The robot.
+    pub robot: &'a K,
+    /// Its parameters, of which number I is not read; radians and metres.
+    pub held: [f64; P],
+}
+
+/// Which of some parameters is the turn of the tool, if it is not number `moving`.
+const fn held_turn<const P: usize>(parameters: &[Parameter; P], moving: usize) -> Option<usize> {
+    let mut i = 0;
+    while i < P {
+        if i != moving && matches!(parameters[i], Parameter::Turn) {
+            return Some(i);
+        }
+        i += 1;
+    }
+    None
+}
+
+/// The joints among some parameters but number `moving`, as bits.
+const fn held_joints<const P: usize>(parameters: &[Parameter; P], moving: usize) -> u32 {
+    let (mut held, mut i) = (0, 0);
+    while i < P {
+        if let (Parameter::Joint(joint), true) = (parameters[i], i != moving) {
+            held |= 1 << joint;
+        }
+        i += 1;
+    }
+    held
+}
+
+impl<K: ?Sized, const P: usize, const I: usize> Along<'_, K, P, I> {
+    fn with(&self, parameter: f64) -> [f64; P] {
+        let mut parameters = self.held;
+        parameters[I] = parameter;
+        parameters
+    }
+
+    /// The target, turned as far as the tool is held, and the robot whose tool is not.
+    #[cfg(feature = "alloc")]
+    fn turned<const N: usize>(&self, target: &Pose) -> (Pose, Self)
+    where
+        K: HighlyRedundantKinematics<N, P>,
+    {
+        let mut held = self.held;
+        let target = match held_turn(&K::PARAMETERS, I) {
+            Some(turn) => target.turned(core::mem::take(&mut held[turn])),
+            None => *target,
+        };
+        (target, Along { held, ..*self })
+    }
+}
+
+impl<K, const N: usize, const P: usize, const I: usize> Kinematics<N> for Along<'_, K, P, I>
+where
+    K: HighlyRedundantKinematics<N, P> + ?Sized,
+{
+    const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
+    const LIMITS: [JointLimit; N] = K::LIMITS;
+    const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
+    const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
+    const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
+    const FRAMES: &'static [Frame] = K::FRAMES;
+    const BASE: &'static str = K::BASE;
+    const TIP: &'static str = K::TIP;
+    /// Whole poses where the turn of the tool is held.
+    const TARGET: Target = match held_turn(&K::PARAMETERS, I) {
+        Some(_) => Target::Pose,
+        None => K::TARGET,
+    };
+    const BRANCHES: usize = K::BRANCHES;
+
+    fn fk(&self, q: &[f64; N]) -> Pose {
+        self.robot.fk(q)
+    }
+
+    fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
+        self.robot.fk_links(q)
+    }
+
+    fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
+        self.robot.fk_jacobian(q)
+    }
+}
+
+impl<K, const N: usize, const P: usize, const I: usize> RedundantKinematics<N>
+    for Along<'_, K, P, I>
+where
+    K: HighlyRedundantKinematics<N, P> + ?Sized,
+{
+    const PARAMETER: Parameter = K::PARAMETERS[I];
+    const BRANCHES_AT: usize = K::BRANCHES_AT;
+    const ROOTS: usize = K::ROOTS;
+    const HELD: u32 = held_joints(&K::PARAMETERS, I);
+
+    fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
+        self.robot.ik_at(target, &self.with(parameter))
+    }
+
+    fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+        self.robot.root_arguments(target, &self.with(parameter))
+    }
+
+    #[cfg(feature = "alloc")]
+    fn feasible(&self, target: &Pose) -> Vec<FeasibleInterval<N>> {
+        let (target, arm) = self.turned(target);
+        feasible(&arm, &target)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn feasible_within(&self, target: &Pose, limits: &[JointLimit; N]) -> Vec<FeasibleInterval<N>> {
+        let (target, arm) = self.turned(target);
+        feasible_within(&arm, &target, limits)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn ik_best(&self, target: &Pose, criterion: &Criterion<N>) -> Option<[f64; N]> {
+        let (target, arm) = self.turned(target);
+        best(&arm, &target, &Self::LIMITS, criterion)
+    }
+}
