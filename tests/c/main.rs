@@ -4,12 +4,14 @@
 #[path = "../random.rs"]
 mod random;
 
+mod moveit;
 mod names;
 mod program;
 mod refused;
 mod robots;
 mod targets;
 
+use kin_codegen::GeneratedC;
 use kinematics::__private::math;
 use kinematics::{Pose, Robot, RobotSource, Target, Twist};
 use program::{Compiler, Program, generated};
@@ -38,15 +40,29 @@ fn loaded(asked: &Asked) -> Robot {
     Robot::load(&source, &asked.options).unwrap()
 }
 
+/// All robots in both languages, on two cores.
+fn compiled() -> Vec<(Asked, GeneratedC, Robot)> {
+    let both = |(number, asked): (usize, Asked)| {
+        let c = generated(asked.path, &format!("robot{number}"), &asked.options);
+        let rust = loaded(&asked);
+        (asked, c, rust)
+    };
+    let mut all: Vec<_> = all().into_iter().enumerate().collect();
+    let rest = all.split_off(all.len() / 2);
+    std::thread::scope(|scope| {
+        let rest = scope.spawn(move || rest.into_iter().map(both).collect::<Vec<_>>());
+        let first: Vec<_> = all.into_iter().map(both).collect();
+        first.into_iter().chain(rest.join().unwrap()).collect()
+    })
+}
+
 /// All robots, the program of them, and the input that asks it.
 fn subjects() -> (Vec<Subject>, Program, String) {
     let mut program = Program::new("c");
     let mut subjects = Vec::new();
     let mut input = String::new();
-    for (number, asked) in all().into_iter().enumerate() {
-        let c = generated(asked.path, &format!("robot{number}"), &asked.options);
+    for (asked, c, rust) in compiled() {
         program.add(&c);
-        let rust = loaded(&asked);
         let configurations = targets::configurations(rust.joints());
         let has_inverse = c.source.contains("compute_lanes");
         let targets = match has_inverse {

@@ -90,6 +90,14 @@ impl Program {
         }
     }
 
+    /// Of one robot and a text with a `main` of its own.
+    pub fn with_main(name: &str, robot: &GeneratedC, main: &str) -> Self {
+        let mut program = Program::new(name);
+        program.add_with(robot, main);
+        program.calls.clear();
+        program
+    }
+
     /// Adds a robot, and asks it for what is in the input.
     pub fn add(&mut self, robot: &GeneratedC) {
         self.add_with(robot, include_str!("driver.c"));
@@ -122,10 +130,13 @@ impl Program {
     /// Compiles and links it; with more flags.
     pub fn build(&self, compiler: Compiler, flags: &[&str], name: &str) -> Built {
         let main = self.folder.join(format!("{name}.txt"));
-        let text = format!(
-            "{}int main(void)\n{{\n{}    return 0;\n}}\n",
-            self.text, self.calls
-        );
+        let text = match self.calls.is_empty() {
+            true => self.text.clone(),
+            false => format!(
+                "{}int main(void)\n{{\n{}    return 0;\n}}\n",
+                self.text, self.calls
+            ),
+        };
         fs::write(&main, text).unwrap();
         let program = self.folder.join(name);
         let output = compiler

@@ -24,9 +24,6 @@ const BY_DEFAULT: &[&str] = &[
     "robots/tx60.yaml",
     "robots/ur10e.yaml",
     "robots/ur5e.urdf",
-    "robots/xarm6.yaml",
-    "tests/robots/noisy/truncated_pi.yaml",
-    "tests/robots/redundant/gantry_iiwa.yaml",
     "tests/robots/redundant/rail.yaml",
     "tests/robots/table/concurrent_345.yaml",
     "tests/robots/table/parallel_123.yaml",
@@ -41,7 +38,6 @@ const BY_DEFAULT: &[&str] = &[
     "tests/robots/targets/gimbal.yaml",
     "tests/robots/targets/palletizer.yaml",
     "tests/robots/targets/polar.yaml",
-    "tests/robots/targets/skew_tool.yaml",
 ];
 
 /// For what of a target counts.
@@ -57,7 +53,11 @@ const AIMED: &[(&str, Target)] = &[
 ];
 
 /// Without inverse kinematics; one has joints that follow others, with frames on their links.
-const FORWARD_ALONE: &[&str] = &["robots/sawyer.yaml", "tests/frames/cell.urdf"];
+const FORWARD_ALONE: &[&str] = &[
+    "robots/sawyer.yaml",
+    "robots/xarm6.yaml",
+    "tests/frames/cell.urdf",
+];
 
 /// All of them.
 pub fn all() -> Vec<Asked> {
