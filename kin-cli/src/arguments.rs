@@ -40,7 +40,7 @@ pub struct Generate {
     #[command(flatten)]
     pub options: RobotOptions,
     /// The language: Rust, or C99 that is C++ as well, a header and a file that need
-    /// nothing but <math.h>
+    /// nothing but math.h
     #[arg(long, value_enum, default_value_t)]
     pub lang: Language,
     /// The name of the type, or what all names in C begin with [default: the file's

@@ -15,7 +15,7 @@ pub struct GeneratedC {
     pub name: String,
     /// The text of `<name>.h`.
     pub header: String,
-    /// The text of `<name>.c`, which needs nothing but that header and <math.h>.
+    /// The text of `<name>.c`, which needs nothing but that header and `math.h`.
     pub source: String,
     /// What it was generated from.
     pub robot: Compiled,

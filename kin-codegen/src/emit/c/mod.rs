@@ -1,4 +1,4 @@
-//! C99: a header and one file for a robot, which need nothing but <math.h>.
+//! C99: a header and one file for a robot, which need nothing but `math.h`.
 
 mod declarations;
 mod definitions;
