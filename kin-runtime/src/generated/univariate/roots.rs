@@ -4,8 +4,8 @@
 //! an interval and has its parity (G. E. Collins and A. G. Akritas, SYMSAC
 //! 1976; J. M. Lane and R. F. Riesenfeld, BIT 21, 1981): no change of sign means
 //! none, one means one. Halving does the rest, with a bound on its steps;
-//! intervals on which the signs are those of rounding end at a width at which
-//! two terms of Taylor's series tell all.
+//! where there may be two on an interval with one extremum, the sign at that
+//! tells; intervals on which the signs are those of rounding end at a width.
 
 use super::LANES;
 use super::bernstein::{ARCS, Arcs, COEFFICIENTS, REACH, middle, on_arcs};
@@ -26,7 +26,7 @@ const WAITING: usize = 16;
 /// In multiples of the noise, what a coefficient may be without having a sign.
 const UNSIGNED: f64 = 256.0;
 
-/// Below this an interval, in radians, is told by Taylor's series.
+/// Below this an interval, radians, on which there may be several roots is one candidate.
 const NARROW: f64 = 4e-4;
 
 /// Clusters that are nearer to each other are one, radians.
@@ -39,6 +39,9 @@ const CLOSE: f64 = 1e-12;
 /// Where f″ is above this, relative to the largest harmonic, two roots are no more than
 /// two: of three or more, it would be what rounding leaves.
 const CURVED: f64 = 1e-4;
+
+/// Extrema are found to this, as a share of a radian: values there to its square.
+const EXTREMUM: f64 = 1e-7;
 
 /// Roots are found to this, radians: Newton's method on the arm does the rest.
 const ROOT: f64 = 1e-9;
@@ -169,6 +172,15 @@ struct Interval {
 }
 
 impl Interval {
+    /// At a share of it.
+    fn at(&self, share: f64) -> f64 {
+        self.t[0] + share * (self.t[1] - self.t[0])
+    }
+
+    fn rises(&self) -> bool {
+        self.coefficients[0] < 0.0
+    }
+
     /// Leaves the upper part, and gives the lower, by de Casteljau's algorithm; not quite
     /// halves, since roots like to be in the middle.
     fn halve(&mut self, n: usize, low: &mut Self) {
@@ -242,7 +254,8 @@ impl Search<'_> {
             t: [-REACH, REACH],
         };
         if signed && arcs.changes[lane] == 1.0 {
-            self.bracket(middle, &whole, arcs.share[lane], found);
+            let guess = whole.at(arcs.share[lane]);
+            self.bracket(middle, whole.t, guess, whole.rises(), found);
             return;
         }
         let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
@@ -255,13 +268,11 @@ impl Search<'_> {
             match signs(&interval.coefficients[..n], self.noise) {
                 Signs::None => {}
                 Signs::One(share) => {
-                    let interval = *interval;
-                    self.bracket(middle, &interval, share, found);
+                    let (guess, rises) = (interval.at(share), interval.rises());
+                    self.bracket(middle, [low, high], guess, rises, found);
                 }
-                Signs::Two if 2.0 * (high - low) < NARROW => {
-                    self.narrow([angle(low), angle(high)], found);
-                }
-                Signs::Many if 2.0 * (high - low) < NARROW => {
+                Signs::Two if self.extremum(middle, count, n, found) => {}
+                Signs::Two | Signs::Many if 2.0 * (high - low) < NARROW => {
                     found.push_cluster(angle(0.5 * (low + high)));
                 }
                 Signs::Two | Signs::Many if self.halvings == HALVINGS || count + 2 > WAITING => {
@@ -277,66 +288,86 @@ impl Search<'_> {
         }
     }
 
-    /// An interval with one root, at about a share of it.
-    fn bracket(&mut self, middle: f64, interval: &Interval, share: f64, found: &mut Roots) {
+    /// An interval with one root, and where it may be.
+    fn bracket(&mut self, middle: f64, t: [f64; 2], guess: f64, rises: bool, found: &mut Roots) {
         let Some(place) = self.brackets.get_mut(self.count) else {
             found.incomplete = true;
             return;
         };
-        let [low, high] = interval.t;
         let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
         *place = Bracket {
-            ends: [angle(low), angle(high)],
-            guess: angle(low + share * (high - low)),
-            rises: interval.coefficients[0] < 0.0,
+            ends: t.map(angle),
+            guess: angle(guess),
+            rises,
         };
         self.count += 1;
     }
 
-    /// The roots on an interval on which f is a parabola.
-    fn narrow(&mut self, [low, high]: [f64; 2], found: &mut Roots) {
-        let width = high - low;
-        let mut at = 0.5 * (low + high);
-        let mut values = [0.0; 3];
-        for _ in 0..6 {
-            values = self.f.derivatives(at);
-            let step = values[1] / values[2];
-            if step.is_nan() || (at - step - 0.5 * (low + high)).abs() > 1.5 * width {
-                break;
-            }
-            at -= step;
-            if step.abs() < 1e-12 {
-                break;
-            }
+    /// The roots on an interval that waits, with two or none, if g = (1 + t²)ᵈ f has one
+    /// extremum there: the sign at that tells which. False if it may have more.
+    fn extremum(&mut self, middle: f64, waiting: usize, n: usize, found: &mut Roots) -> bool {
+        let interval = &self.waiting[waiting];
+        let mut rise = [0.0; COEFFICIENTS];
+        for i in 0..n - 1 {
+            rise[i] = interval.coefficients[i + 1] - interval.coefficients[i];
         }
-        values = if (at - 0.5 * (low + high)).abs() <= 1.5 * width {
-            self.f.derivatives(at)
-        } else {
-            values
+        let Signs::One(share) = signs(&rise[..n - 1], self.noise) else {
+            return false;
         };
-        let square = -2.0 * values[0] / values[2];
-        let blur = CLOSE + 4.0 * self.noise / values[2].abs();
-        let flat = (values[1] / values[2]).abs() < width;
-        if flat && square > blur {
-            let apart = math::sqrt(square);
-            found.push(at - apart);
-            found.push(at + apart);
-        } else if flat && square > -blur || square.is_nan() {
-            match values[2].abs() > CURVED {
+        let [low, high] = interval.t;
+        let (opens, at_ends) = (rise[0] < 0.0, interval.coefficients[0]);
+        let (t, [f, curvature]) = self.steady(middle, interval.t, interval.at(share), n, opens);
+        let blur = 2.0 * self.noise + 0.5 * CLOSE * curvature.abs();
+        if f.abs() <= blur || f.is_nan() {
+            let at = middle + 2.0 * math::atan2(t, 1.0);
+            match curvature.abs() > CURVED {
                 true => found.push_double(at),
                 false => found.push_cluster(at),
             }
-        } else {
-            let [a, b] = [low, high].map(|at| self.f.derivatives(at)[0]);
-            if a * b <= 0.0 || a.abs().min(b.abs()) <= self.noise {
-                let guess = if a == b {
-                    low
-                } else {
-                    low + width * (a / (a - b)).clamp(0.0, 1.0)
-                };
-                found.push(guess);
+        } else if f * at_ends < 0.0 {
+            // Where a parabola has them.
+            let apart = 0.5 * math::sqrt((2.0 * f / curvature).abs());
+            self.bracket(middle, [low, t], math::max(t - apart, low), !opens, found);
+            let guess = -math::max(-(t + apart), -high);
+            self.bracket(middle, [t, high], guess, opens, found);
+        }
+        true
+    }
+
+    /// Where g has its only extremum between two ends, with f and f″ there: Newton's method
+    /// on g′, halving where it leaves the bracket. `opens` tells the sign of g″.
+    fn steady(
+        &self,
+        middle: f64,
+        [mut from, mut to]: [f64; 2],
+        mut t: f64,
+        n: usize,
+        opens: bool,
+    ) -> (f64, [f64; 2]) {
+        let degree = (n / 2) as f64;
+        let mut at = [0.0; 2];
+        for _ in 0..STEPS {
+            let [f, slope, curvature] = self.f.derivatives(middle + 2.0 * math::atan2(t, 1.0));
+            at = [f, curvature];
+            // But for powers of 1 + t².
+            let g = slope + degree * t * f;
+            let change = (curvature + degree * t * slope) * 2.0 / (1.0 + t * t) + degree * f;
+            match (g < 0.0) == opens {
+                true => from = t,
+                false => to = t,
+            }
+            let newton = t - g / change;
+            let next = match newton > from && newton < to {
+                true => newton,
+                false => 0.5 * (from + to),
+            };
+            let moved = (next - t).abs();
+            t = next;
+            if moved < EXTREMUM {
+                break;
             }
         }
+        (t, at)
     }
 
     /// Newton's method on all brackets at once, halving where it leaves them.
@@ -374,5 +405,58 @@ impl Search<'_> {
                 found.push(x);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generated::univariate::harmonics::samples;
+    use core::f64::consts::TAU;
+
+    /// Of degree 8, with these roots and none elsewhere.
+    fn with_roots<const N: usize>(roots: [f64; N]) -> Harmonics {
+        let count = samples(8);
+        let mut values = [0.0; 24];
+        for (i, value) in values.iter_mut().enumerate() {
+            let at = TAU * i as f64 / count as f64;
+            let product: f64 = roots.iter().map(|r| (0.5 * (at - r)).sin()).product();
+            let others = (0..(16 - N) / 2).map(|k| 1.4 + (at - k as f64).cos());
+            *value = product * others.product::<f64>();
+        }
+        Harmonics::new(8, &values)
+    }
+
+    /// How often candidates stand for a root.
+    fn found(all: &Roots, root: f64) -> usize {
+        let within = |i: usize| if all.is_several(i) { NARROW } else { 1e-5 };
+        let near = (0..all.count).filter(|&i| math::wrap(all.angles[i] - root).abs() < within(i));
+        near.map(|i| 1 + usize::from(all.is_double(i))).sum()
+    }
+
+    #[test]
+    fn of_three_roots_next_to_each_other_none_is_lost() {
+        // The middle of the interval that has the first two is where f bends the other way.
+        for apart in [1e-5, 1.5e-5, 1e-4, 1e-3] {
+            for shift in 0..200 {
+                let first = 1.604_168 + 1e-5 * f64::from(shift);
+                let all = [first, first + apart, first + 4e-4 + apart, 2.149, 4.3, 5.29];
+                let told = roots(&with_roots(all));
+                for root in all {
+                    assert!(found(&told, root) > 0, "{root} of {all:?}: {told:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn two_roots_that_have_met_are_one_candidate_and_two_that_missed_are_none() {
+        let mut both = with_roots([1.1, 1.1, 2.0, 4.0]);
+        let told = roots(&both);
+        assert_eq!((told.count, found(&told, 1.1)), (3, 2), "{told:?}");
+        let [_, _, curvature] = both.derivatives(1.1);
+        both.cosines[0] += 1e-9 * curvature.signum();
+        let told = roots(&both);
+        assert_eq!((told.count, found(&told, 1.1)), (2, 0), "{told:?}");
     }
 }
