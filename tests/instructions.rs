@@ -115,11 +115,11 @@ fn solutions<K: Kinematics<6>>(robot: &K) -> Vec<Solutions<6>> {
     let mut random = Random::new(13);
     let mut target = |k: usize| {
         let mut q: [f64; 6] = std::array::from_fn(|_| random.angle());
-        if k % 4 == 0 {
+        if k.is_multiple_of(4) {
             q[k % 6] = random.right_angle();
         }
         let mut target = robot.fk(&q);
-        if k % 10 == 0 {
+        if k.is_multiple_of(10) {
             target.translation[k % 3] += 0.6;
         }
         target
