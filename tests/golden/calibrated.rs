@@ -11,6 +11,12 @@
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    reason = "constants are written with the digits that they have"
+)]
 mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -85,12 +91,6 @@ mod __Calibrated {
     /// - Step 4: the sign of the root that gives q3.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Calibrated;
-    #[allow(
-        clippy::all,
-        clippy::pedantic,
-        clippy::nursery,
-        reason = "constants are written with the digits that they have"
-    )]
     impl Calibrated {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -1110,7 +1110,6 @@ mod __Calibrated {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<Pose, 6, 6> for Calibrated {
         #[inline(always)]
         fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
@@ -1193,7 +1192,6 @@ mod __Calibrated {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<(Pose, Jacobian<6>), 6, 6> for Calibrated {
         #[inline(always)]
         fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
@@ -1319,7 +1317,6 @@ mod __Calibrated {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 0> for Calibrated {
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

@@ -12,6 +12,12 @@
 // Made again, beside the robot file, by: kin generate delta.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    reason = "constants are written with the digits that they have"
+)]
 mod __Delta {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::three_spheres;
@@ -79,7 +85,10 @@ mod __Delta {
 
         /// The chain `arm1`.
         pub struct Leg1;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Leg1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -182,7 +191,10 @@ mod __Delta {
 
         /// The chain `arm1` up to the point where its last axes meet.
         pub struct Head1;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Head1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -314,7 +326,6 @@ mod __Delta {
             }
         }
 
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<3, 4, 0> for Head1 {
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -491,7 +502,10 @@ mod __Delta {
 
         /// What of the chain `arm1` turns about that point.
         pub struct Tail1;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Tail1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -620,7 +634,6 @@ mod __Delta {
             }
         }
 
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<2, 1, 0> for Tail1 {
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -698,7 +711,10 @@ mod __Delta {
 
         /// The chain `arm2`.
         pub struct Leg2;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Leg2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -844,7 +860,10 @@ mod __Delta {
 
         /// The chain `arm2` up to the point where its last axes meet.
         pub struct Head2;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Head2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1007,7 +1026,6 @@ mod __Delta {
             }
         }
 
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<3, 4, 0> for Head2 {
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -1191,7 +1209,10 @@ mod __Delta {
 
         /// What of the chain `arm2` turns about that point.
         pub struct Tail2;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Tail2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1339,7 +1360,6 @@ mod __Delta {
             }
         }
 
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<2, 2, 0> for Tail2 {
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -1488,7 +1508,10 @@ mod __Delta {
 
         /// The chain `arm3`.
         pub struct Leg3;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Leg3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1633,7 +1656,10 @@ mod __Delta {
 
         /// The chain `arm3` up to the point where its last axes meet.
         pub struct Head3;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Head3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1796,7 +1822,6 @@ mod __Delta {
             }
         }
 
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<3, 4, 0> for Head3 {
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -1981,7 +2006,10 @@ mod __Delta {
 
         /// What of the chain `arm3` turns about that point.
         pub struct Tail3;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Tail3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2129,7 +2157,6 @@ mod __Delta {
             }
         }
 
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<2, 2, 0> for Tail3 {
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -2272,7 +2299,10 @@ mod __Delta {
 
         /// Where the actuated joints put an end of a rod.
         pub struct Rod1;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Rod1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2303,7 +2333,10 @@ mod __Delta {
 
         /// Where the actuated joints put an end of a rod.
         pub struct Rod2;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Rod2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2363,7 +2396,10 @@ mod __Delta {
 
         /// Where the actuated joints put an end of a rod.
         pub struct Rod3;
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(
+            dead_code,
+            reason = "a mechanism does not ask its chains for all that an arm can do"
+        )]
         impl Rod3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2422,7 +2458,6 @@ mod __Delta {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
     impl ParallelKinematics<15, 3, 3> for Delta {
         const JOINT_NAMES: [&'static str; 15] = [
             "motor1",

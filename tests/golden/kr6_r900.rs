@@ -11,6 +11,12 @@
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    reason = "constants are written with the digits that they have"
+)]
 mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -80,12 +86,6 @@ mod __Kr6R900 {
     /// - Wrist not flipped: q5 is between 0° and 180°.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Kr6R900;
-    #[allow(
-        clippy::all,
-        clippy::pedantic,
-        clippy::nursery,
-        reason = "constants are written with the digits that they have"
-    )]
     impl Kr6R900 {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -650,7 +650,6 @@ mod __Kr6R900 {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<Pose, 6, 6> for Kr6R900 {
         #[inline(always)]
         fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
@@ -692,7 +691,6 @@ mod __Kr6R900 {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<(Pose, Jacobian<6>), 6, 6> for Kr6R900 {
         #[inline(always)]
         fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
@@ -777,7 +775,6 @@ mod __Kr6R900 {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 0> for Kr6R900 {
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

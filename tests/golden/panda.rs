@@ -11,6 +11,12 @@
 // Made again, beside the robot file, by: kin generate panda.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    reason = "constants are written with the digits that they have"
+)]
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -85,12 +91,6 @@ mod __Panda {
     /// - Step 3: the sign of the root that gives q1 and q2.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Panda;
-    #[allow(
-        clippy::all,
-        clippy::pedantic,
-        clippy::nursery,
-        reason = "constants are written with the digits that they have"
-    )]
     impl Panda {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -555,7 +555,6 @@ mod __Panda {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<Pose, 7, 7> for Panda {
         #[inline(always)]
         fn at(q: &[f64; 7], sin_cos: impl SinCos<7>) -> Pose {
@@ -607,7 +606,6 @@ mod __Panda {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<(Pose, Jacobian<7>), 7, 7> for Panda {
         #[inline(always)]
         fn at(q: &[f64; 7], sin_cos: impl SinCos<7>) -> (Pose, Jacobian<7>) {
@@ -712,7 +710,6 @@ mod __Panda {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 1> for Panda {
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

@@ -10,6 +10,12 @@
 // Made again, beside the robot file, by: kin generate scara.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    reason = "constants are written with the digits that they have"
+)]
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -68,12 +74,6 @@ mod __Scara {
     /// - Elbow left or right: the side of the line from axis 1 to axis 3 on which axis 2 is, seen from above.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Scara;
-    #[allow(
-        clippy::all,
-        clippy::pedantic,
-        clippy::nursery,
-        reason = "constants are written with the digits that they have"
-    )]
     impl Scara {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -375,7 +375,6 @@ mod __Scara {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<Pose, 4, 3> for Scara {
         #[inline(always)]
         fn at(q: &[f64; 4], sin_cos: impl SinCos<3>) -> Pose {
@@ -390,7 +389,6 @@ mod __Scara {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<(Pose, Jacobian<4>), 4, 3> for Scara {
         #[inline(always)]
         fn at(q: &[f64; 4], sin_cos: impl SinCos<3>) -> (Pose, Jacobian<4>) {
@@ -421,7 +419,6 @@ mod __Scara {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<4, 2, 0> for Scara {
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

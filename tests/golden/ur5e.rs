@@ -11,6 +11,12 @@
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    reason = "constants are written with the digits that they have"
+)]
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
@@ -81,12 +87,6 @@ mod __Ur5e {
     /// - Wrist not flipped: q5 is between 0° and 180°.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Ur5e;
-    #[allow(
-        clippy::all,
-        clippy::pedantic,
-        clippy::nursery,
-        reason = "constants are written with the digits that they have"
-    )]
     impl Ur5e {
         /// The joints' names in the robot file, in the order of `q`: from base
         /// to tip.
@@ -614,7 +614,6 @@ mod __Ur5e {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<Pose, 6, 6> for Ur5e {
         #[inline(always)]
         fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
@@ -648,7 +647,6 @@ mod __Ur5e {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Forward<(Pose, Jacobian<6>), 6, 6> for Ur5e {
         #[inline(always)]
         fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
@@ -728,7 +726,6 @@ mod __Ur5e {
         }
     }
 
-    #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
     impl Inverse<6, 8, 0> for Ur5e {
         const FREE: ::core::option::Option<usize> = ::core::option::Option::Some(3);
         #[inline(always)]

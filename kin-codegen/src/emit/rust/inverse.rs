@@ -132,7 +132,6 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
     let [level, no_root] = &lanes.free_angle;
     Some(quote! {
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         impl Inverse<#n, #width, #locked> for #robot {
             const FREE: ::core::option::Option<usize> = #free;
 

@@ -31,8 +31,6 @@ pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
     let (inverse, forward) = (own(ik.is_some()), own(fk.is_some()));
     let generated_by = generated_by(runtime);
     let items = quote! {
-        // Constants are written with the digits that they have.
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl ParallelKinematics<#n, #m, #k> for #name {
             #constants
             #chains
@@ -207,9 +205,7 @@ fn arm(name: &Ident, what: &str, compiled: &CompiledArm) -> TokenStream {
         #[doc = #what]
         pub struct #name;
 
-        // Constants are written with the digits that they have, and a mechanism
-        // does not ask all of its chains for all that an arm can do.
-        #[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(dead_code, reason = "a mechanism does not ask its chains for all that an arm can do")]
         impl #name {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.

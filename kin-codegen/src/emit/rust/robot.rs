@@ -41,10 +41,6 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let redundant = redundant.map(|(it, form)| redundant::kinematics(form, it, names, &n));
     let generated_by = generated_by(runtime);
     let items = quote! {
-        #[allow(
-            clippy::all, clippy::pedantic, clippy::nursery,
-            reason = "constants are written with the digits that they have"
-        )]
         impl #name {
             #constants
             #methods
@@ -83,6 +79,10 @@ pub(super) fn in_module(name: &Ident, items: &TokenStream) -> TokenStream {
     let module = format_ident!("__{name}");
     quote! {
         #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
+        #[allow(
+            clippy::all, clippy::pedantic, clippy::nursery,
+            reason = "constants are written with the digits that they have"
+        )]
         mod #module { #items }
         #[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
         pub use #module::#name;
@@ -303,9 +303,7 @@ fn straight(compiled: &CompiledArm, name: &Ident) -> TokenStream {
         quote!((#pose, #jacobian))
     });
     quote! {
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         #fk
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, reason = "as above")]
         #fk_jacobian
     }
 }
