@@ -29,6 +29,9 @@ const UNSIGNED: f64 = 256.0;
 /// Below this an interval, radians, on which there may be several roots is one candidate.
 const NARROW: f64 = 4e-4;
 
+/// Where all is noise, candidates are this far apart at most, radians.
+const BLIND: f64 = 0.05;
+
 /// Clusters that are nearer to each other are one, radians.
 pub(super) const CLUSTER: f64 = 5e-3;
 
@@ -177,6 +180,11 @@ impl Interval {
         self.t[0] + share * (self.t[1] - self.t[0])
     }
 
+    /// Whether all that is known of the polynomial here is noise.
+    fn is_unsigned(&self, n: usize, noise: f64) -> bool {
+        self.coefficients[..n].iter().all(|x| x.abs() <= noise)
+    }
+
     fn rises(&self) -> bool {
         self.coefficients[0] < 0.0
     }
@@ -263,7 +271,7 @@ impl Search<'_> {
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let interval = &self.waiting[count];
+            let interval = self.waiting[count];
             let [low, high] = interval.t;
             match signs(&interval.coefficients[..n], self.noise) {
                 Signs::None => {}
@@ -275,8 +283,16 @@ impl Search<'_> {
                 Signs::Two | Signs::Many if 2.0 * (high - low) < NARROW => {
                     found.push_cluster(angle(0.5 * (low + high)));
                 }
+                Signs::Many if interval.is_unsigned(n, self.noise) => {
+                    let parts = math::ceil(2.0 * (high - low) / BLIND);
+                    for part in 0..parts as usize {
+                        let share = (part as f64 + 0.5) / parts;
+                        found.push_cluster(angle(interval.at(share)));
+                    }
+                }
                 Signs::Two | Signs::Many if self.halvings == HALVINGS || count + 2 > WAITING => {
                     found.push_cluster(angle(0.5 * (low + high)));
+                    found.incomplete = true;
                 }
                 Signs::Two | Signs::Many => {
                     self.halvings += 1;

@@ -27,7 +27,7 @@ const ASKED: usize = 3;
 /// Noise of which nothing stands out.
 const DROWNED: f64 = 1e-3;
 
-/// How far the target beside one with a family of solutions is: by angle, radians, and
+/// How far the targets beside one with a family of solutions are: by angle, radians, and
 /// in units of half the arm's size.
 const BESIDE: f64 = 1e-4;
 const BESIDE_BY: [f64; 3] = [3e-5, -5e-5, 8e-5];
@@ -195,6 +195,9 @@ impl<'a> Search<'a> {
         self.found.again = 0;
         let unclear = self.one_each(&recovery, &roots);
         self.several_each(&recovery, &roots, &unclear);
+        if roots.incomplete {
+            self.ask_beside(elimination);
+        }
         self.meet();
         let mut unclear = unclear.all();
         told.certain = !roots.incomplete
@@ -204,23 +207,26 @@ impl<'a> Search<'a> {
         told
     }
 
-    /// Where a family of solutions makes a polynomial of zeros, that of a target beside this
-    /// one is none, and the regular solutions there are beside those here.
+    /// Where a family of solutions makes a polynomial of zeros, those of targets beside this
+    /// one are none, and the regular solutions there are beside those here.
     #[cold]
     fn ask_beside(&mut self, elimination: &Elimination) {
         if self.is_beside {
             return;
         }
-        let turn = Pose::from_axis_angle([0.36, 0.48, 0.8], BESIDE, BESIDE_BY);
-        let mut beside = Self {
-            target: self.target * turn,
-            found: Found::new(self.arm.size, 0.0),
-            is_beside: true,
-            ..Self::new(self.arm, &Pose::IDENTITY)
-        };
-        beside.ask(elimination);
-        for solution in beside.found.regular.iter().chain(&beside.found.singular) {
-            self.start(&solution.q.map(|q| [q; LANES]), 0);
+        let there = Pose::from_axis_angle([0.36, 0.48, 0.8], BESIDE, BESIDE_BY);
+        // Where solutions have met, one of the two is out of reach.
+        for motion in [there, there.inverse()] {
+            let mut beside = Self {
+                target: self.target * motion,
+                found: Found::new(self.arm.size, 0.0),
+                is_beside: true,
+                ..Self::new(self.arm, &Pose::IDENTITY)
+            };
+            beside.ask(elimination);
+            for solution in beside.found.regular.iter().chain(&beside.found.singular) {
+                self.start(&solution.q.map(|q| [q; LANES]), 0);
+            }
         }
         self.arrive();
         self.meet();
