@@ -1,33 +1,33 @@
 //! What comes out the same on every machine.
 
 #[cfg(feature = "std")]
-use core::sync::atomic::{AtomicUsize, Ordering};
+use core::cell::Cell;
 
-/// How many ask for it.
 #[cfg(feature = "std")]
-static WANTED: AtomicUsize = AtomicUsize::new(0);
+std::thread_local! {
+    static WANTED: Cell<bool> = const { Cell::new(false) };
+}
 
-/// Works without fused multiplications and additions, whatever the processor has: what a
-/// compiler chooses must not depend on its machine. Meanwhile other threads do so too.
+/// Works without fused multiplications and additions in this thread, whatever the processor
+/// has: what a compiler chooses must not depend on its machine.
 #[cfg(feature = "std")]
 pub fn reproducibly<R>(work: impl FnOnce() -> R) -> R {
-    struct Asking;
-    impl Drop for Asking {
+    struct Before(bool);
+    impl Drop for Before {
         fn drop(&mut self) {
-            WANTED.fetch_sub(1, Ordering::Relaxed);
+            WANTED.set(self.0);
         }
     }
-    WANTED.fetch_add(1, Ordering::Relaxed);
-    let _asking = Asking;
+    let _before = Before(WANTED.replace(true));
     work()
 }
 
-/// Whether somebody asks for it.
+/// Whether this thread works so.
 #[inline(always)]
 pub(in super::super) fn wanted() -> bool {
     #[cfg(feature = "std")]
     {
-        WANTED.load(Ordering::Relaxed) > 0
+        WANTED.get()
     }
     #[cfg(not(feature = "std"))]
     {
