@@ -14,9 +14,9 @@ pub(super) use portable::Portable;
 /// Configurations, or values of a joint, that are worked on at once.
 pub(super) const LANES: usize = 8;
 
-/// One number in each lane, as vectors of one instruction set: what is written with array
-/// lanes elsewhere becomes vectors of two here, where as many are alive at a time as a
-/// matrix has entries.
+/// One number in each lane, as vectors of one instruction set. Loops over arrays, which
+/// elsewhere become such vectors, do not here: of a matrix of lanes the compiler pairs
+/// neighbouring entries instead.
 ///
 /// Operations are rounded as IEEE 754 says; sums of products once, where the instructions
 /// have that.

@@ -1,8 +1,10 @@
+//! Lanes without instructions of their own.
+
 use super::{LANES, Lanes};
 use crate::math;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
 
-/// Loops, which the compiler turns into vectors of two where it may.
+/// Loops, which the compiler makes vectors of where it can.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(in super::super) struct Portable([f64; LANES]);
