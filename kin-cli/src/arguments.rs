@@ -32,15 +32,15 @@ pub enum Command {
 }
 
 /// Write a robot's forward kinematics, Jacobians and closed-form inverse
-/// kinematics as Rust or C
+/// kinematics as Rust, C or JavaScript
 #[derive(Debug, Args)]
 pub struct Generate {
     /// The robot file, URDF or YAML
     pub file: String,
     #[command(flatten)]
     pub options: RobotOptions,
-    /// The language: Rust, or C99 that is C++ as well, a header and a file that need
-    /// nothing but math.h
+    /// The language: Rust, C99 that is C++ as well, a header and a file that need
+    /// nothing but math.h, or a module of JavaScript that needs nothing
     #[arg(long, value_enum, default_value_t)]
     pub lang: Language,
     /// The name of the type, or what all names in C begin with [default: the file's
@@ -66,6 +66,7 @@ pub enum Language {
     #[default]
     Rust,
     C,
+    Js,
 }
 
 /// Tell what is known of a robot: chain, axes, plan step by step, costs

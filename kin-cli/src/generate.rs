@@ -3,7 +3,7 @@
 use crate::arguments::{Generate, Language, read};
 use crate::{Done, Exit};
 use kin_codegen::spec::{Diagnostic, one_line};
-use kin_codegen::{Diagnostics, Error, Options, Source, generate, generate_c};
+use kin_codegen::{Diagnostics, Error, Options, Source, generate, generate_c, generate_js};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -26,6 +26,7 @@ pub fn run(arguments: &Generate) -> Done {
     };
     let generated = match arguments.lang {
         Language::Rust => rust(&source, &options, arguments.output.as_ref()),
+        Language::Js => js(&source, &options, arguments.output.as_ref()),
         Language::C => c(&source, &options, arguments.output.as_ref()),
     };
     let Output { files, warnings } = match generated {
@@ -54,6 +55,14 @@ fn rust(source: &Source, options: &Options, file: Option<&PathBuf>) -> Result<Ou
     Ok(Output {
         files: vec![(file.cloned(), generated.code())],
         warnings: generated.robot.warnings().to_vec(),
+    })
+}
+
+fn js(source: &Source, options: &Options, file: Option<&PathBuf>) -> Result<Output, Error> {
+    let generated = generate_js(source, options)?;
+    Ok(Output {
+        files: vec![(file.cloned(), generated.source)],
+        warnings: generated.warnings,
     })
 }
 

@@ -72,6 +72,28 @@ fn c_is_written_as_two_files() {
 }
 
 #[test]
+fn javascript_is_written_as_a_module() {
+    let file = temporary("scara.js");
+    let command = ["generate", "--lang", "js", "robots/scara.yaml"];
+    let shown = kin(&command);
+    let command = [&command[..], &["-o", file.to_str().unwrap()]].concat();
+    assert_eq!(kin(&command).status.code(), Some(0));
+    let code = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(stdout(&shown), code);
+    assert!(
+        code.contains("by: kin generate scara.yaml --lang js\n"),
+        "{code}"
+    );
+    assert_eq!(
+        kin(&[&command[..], &["--check"]].concat()).status.code(),
+        Some(0)
+    );
+    let named = kin(&[&command[..], &["--name", "Arm"]].concat());
+    assert_eq!(named.status.code(), Some(1));
+    assert!(stderr(&named).contains("the option `name` has no meaning in JavaScript"));
+}
+
+#[test]
 fn what_is_not_written_as_c_is_a_warning() {
     let folder = temporary("c_warned");
     std::fs::create_dir_all(&folder).unwrap();

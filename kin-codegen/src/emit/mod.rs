@@ -3,11 +3,14 @@
 //! rest.
 
 pub mod c;
+mod curly;
 pub(crate) mod header;
 mod headings;
+pub(crate) mod js;
 mod lanes;
 mod language;
 mod postures;
+mod refused;
 pub mod rust;
 mod straight;
 mod text;

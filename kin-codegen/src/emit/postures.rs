@@ -79,7 +79,8 @@ impl Postures {
 }
 
 impl Posture {
-    fn word(&self, branch: u32) -> &str {
+    /// What a branch is called.
+    pub fn word(&self, branch: u32) -> &str {
         let bit = |bit: &u8| (branch >> bit & 1) as usize;
         let index = match self.words.len() {
             2 => self.bits.iter().map(bit).sum::<usize>() % 2,

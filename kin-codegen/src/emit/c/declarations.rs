@@ -38,7 +38,7 @@ extern const double kin_effort_limits[KIN_JOINTS];
 /// All of it, behind the comment at the top.
 pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
     let model = &compiled.model;
-    let about = text::comment("", &about(compiled));
+    let about = text::comment(&about(compiled));
     let mut sizes = format!("#define KIN_JOINTS {}\n", model.variables.len());
     let mut parts = vec![CONSTANTS.to_owned(), FORWARD.to_owned()];
     if !model.frames.is_empty() {

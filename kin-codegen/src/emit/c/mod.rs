@@ -8,16 +8,16 @@ mod inverse;
 mod lanes;
 mod language;
 mod name;
-mod refused;
 mod runtime;
 mod text;
 
 pub(crate) use name::prefix;
-pub(crate) use refused::refused;
 
 use super::header::Header;
+use super::refused;
 use crate::arm::CompiledArm;
 use crate::closed_form::ClosedForm;
+use crate::spec::Diagnostic;
 
 /// The two files.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,6 +35,11 @@ pub(crate) fn arm(compiled: &CompiledArm, prefix: &str, told: &Header) -> Files 
         header: format!("{told}\n{}", declarations::all(compiled, prefix)),
         source: format!("{told}\n{}", definitions::all(compiled, prefix)),
     }
+}
+
+/// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
+pub(crate) fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
+    refused::refused(compiled, "C")
 }
 
 /// The closed form, where it is written as C.

@@ -1,9 +1,7 @@
 //! Text of C in which names of a robot file are data.
 
+use crate::emit::curly;
 use crate::spec::one_line;
-
-/// Lines of comments end here.
-const WIDTH: usize = 92;
 
 /// Text that neither ends its line nor its comment, nor has a trigraph.
 fn shown(text: &str) -> String {
@@ -20,49 +18,13 @@ fn shown(text: &str) -> String {
 }
 
 /// A comment of some paragraphs, each of which is broken between words.
-pub fn comment(indent: &str, paragraphs: &[String]) -> String {
-    let mut lines = Vec::new();
-    for paragraph in paragraphs {
-        lines.extend(broken(&shown(paragraph), WIDTH - indent.len() - 3));
-    }
-    block(indent, &lines)
+pub fn comment(paragraphs: &[String]) -> String {
+    curly::comment_of(paragraphs, shown)
 }
 
 /// The same, whose last line is not broken.
 pub fn header(paragraphs: &[String], last: &str) -> String {
-    let mut lines = Vec::new();
-    for paragraph in paragraphs {
-        lines.extend(broken(&shown(paragraph), WIDTH - 3));
-    }
-    lines.push(shown(last));
-    block("", &lines)
-}
-
-fn block(indent: &str, lines: &[String]) -> String {
-    let inside = lines.join(&format!("\n{indent} * "));
-    let inside = inside.replace(" \n", "\n");
-    match lines.len() {
-        0 => String::new(),
-        1 => format!("{indent}/* {inside} */\n"),
-        _ => format!("{indent}/* {inside}\n{indent} */\n"),
-    }
-}
-
-fn broken(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let last = lines.len() - 1;
-        let line = &mut lines[last];
-        if line.is_empty() {
-            line.push_str(word);
-        } else if line.chars().count() + 1 + word.chars().count() <= width {
-            line.push(' ');
-            line.push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines
+    curly::header_of(paragraphs, last, shown)
 }
 
 /// A name as a string literal of its UTF-8 bytes. A NUL, which would end it, is written as
@@ -91,7 +53,7 @@ mod tests {
 
     #[test]
     fn names_do_not_end_their_comment() {
-        let text = comment("", &["a*/b/**/c??/d\ne".into()]);
+        let text = comment(&["a*/b/**/c??/d\ne".into()]);
         assert_eq!(text, "/* a* /b/ ** /c? ?/d\\ne */\n");
     }
 

@@ -1,9 +1,11 @@
-//! Robots as C: what they compute is what Rust has, on every robot of this repository, as C
-//! and as C++.
+//! Robots in other languages: what they compute is what Rust has, on every robot of this
+//! repository, as C, as C++ and as JavaScript.
 
 #[path = "../random.rs"]
 mod random;
 
+mod js;
+mod mechanisms;
 mod moveit;
 mod names;
 mod program;
@@ -11,7 +13,8 @@ mod refused;
 mod robots;
 mod targets;
 
-use kin_codegen::GeneratedC;
+use js::JsRobot;
+use kin_codegen::{GeneratedC, GeneratedJs};
 use kinematics::__private::math;
 use kinematics::{Pose, Robot, RobotSource, Target, Twist};
 use program::{Compiler, Program, generated};
@@ -24,28 +27,33 @@ const ROUNDING: f64 = 1e-13;
 /// Where roots nearly meet, the last bit of a cube root is worth this.
 const MET: f64 = 1e-7;
 
-/// A robot in both languages, and what both are asked.
+/// A robot in all languages, and what all are asked.
 struct Subject {
     path: &'static str,
     rust: Robot,
+    /// The source of its module.
+    js: String,
+    /// What it is asked, as text.
+    input: String,
     has_inverse: bool,
     configurations: Vec<Vec<f64>>,
     /// With seeds.
     targets: Vec<(Pose, Vec<f64>)>,
 }
 
-fn loaded(asked: &Asked) -> Robot {
+fn read(path: &str) -> RobotSource {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let source = RobotSource::read(asked.path, &root).unwrap();
-    Robot::load(&source, &asked.options).unwrap()
+    RobotSource::read(path, &root).unwrap()
 }
 
-/// All robots in both languages, on two cores.
-fn compiled() -> Vec<(Asked, GeneratedC, Robot)> {
+/// All robots in all languages, on two cores.
+fn compiled() -> Vec<(Asked, GeneratedC, String, Robot)> {
     let both = |(number, asked): (usize, Asked)| {
+        let source = read(asked.path);
         let c = generated(asked.path, &format!("robot{number}"), &asked.options);
-        let rust = loaded(&asked);
-        (asked, c, rust)
+        let js = GeneratedJs::of(c.robot.clone(), &source, &asked.options).source;
+        let rust = Robot::load(&source, &asked.options).unwrap();
+        (asked, c, js, rust)
     };
     let mut all: Vec<_> = all().into_iter().enumerate().collect();
     let rest = all.split_off(all.len() / 2);
@@ -56,12 +64,12 @@ fn compiled() -> Vec<(Asked, GeneratedC, Robot)> {
     })
 }
 
-/// All robots, the program of them, and the input that asks it.
-fn subjects() -> (Vec<Subject>, Program, String) {
+/// All robots, and the program in C of them.
+fn subjects() -> (Vec<Subject>, Program) {
     let mut program = Program::new("c");
     let mut subjects = Vec::new();
-    let mut input = String::new();
-    for (asked, c, rust) in compiled() {
+    for (asked, c, js, rust) in compiled() {
+        let mut input = String::new();
         program.add(&c);
         let configurations = targets::configurations(rust.joints());
         let has_inverse = c.source.contains("compute_lanes");
@@ -82,12 +90,14 @@ fn subjects() -> (Vec<Subject>, Program, String) {
         subjects.push(Subject {
             path: asked.path,
             rust,
+            js,
+            input,
             has_inverse,
             configurations,
             targets,
         });
     }
-    (subjects, program, input)
+    (subjects, program)
 }
 
 fn write(out: &mut String, numbers: &[f64]) {
@@ -129,21 +139,34 @@ impl Written<'_> {
         for (i, &x) in expected.iter().enumerate() {
             let y = self.number();
             let same = x == y || (x - y).abs() <= off * (1.0 + x.abs()) || x.is_nan() && y.is_nan();
-            assert!(same, "{of:?}, number {i}: {x} in Rust, {y} in C");
+            assert!(same, "{of:?}, number {i}: {x} in Rust, {y} here");
         }
     }
 }
 
+/// Compares what C has written of all robots.
 fn compare(subjects: &[Subject], written: &str) {
     let mut written = Written(written.split_ascii_whitespace());
     for subject in subjects {
-        for q in &subject.configurations {
-            forward(subject, q, &mut written);
-        }
-        for (pose, seed) in &subject.targets {
-            inverse(subject, pose, seed, &mut written);
-        }
+        compare_one(subject, &mut written);
     }
+    assert!(written.0.next().is_none());
+}
+
+fn compare_one(subject: &Subject, written: &mut Written) {
+    for q in &subject.configurations {
+        forward(subject, q, written);
+    }
+    for (pose, seed) in &subject.targets {
+        inverse(subject, pose, seed, written);
+    }
+}
+
+/// Runs a robot's JavaScript, and compares.
+fn compare_js(subject: &Subject) {
+    let written = JsRobot::new(&subject.js).ask(&subject.input);
+    let mut written = Written(written.split_ascii_whitespace());
+    compare_one(subject, &mut written);
     assert!(written.0.next().is_none());
 }
 
@@ -243,7 +266,8 @@ fn why_none(pose: &Pose) -> i32 {
 
 #[test]
 fn every_robot_is_what_it_is_in_rust() {
-    let (subjects, program, input) = subjects();
+    let (subjects, program) = subjects();
+    let input: String = subjects.iter().map(|it| it.input.as_str()).collect();
     let solved = subjects.iter().filter(|subject| subject.has_inverse);
     assert!(solved.count() > 25);
     std::thread::scope(|scope| {
@@ -257,6 +281,7 @@ fn every_robot_is_what_it_is_in_rust() {
             if Compiler::Cpp.is_there() {
                 program.build(Compiler::Cpp, &["-fsyntax-only"], "in_cpp");
             }
+            subjects.iter().for_each(compare_js);
         });
     });
 }

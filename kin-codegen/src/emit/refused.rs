@@ -1,26 +1,28 @@
-//! Inverse kinematics that is not written as C: it calls what of the runtime is large.
+//! Inverse kinematics that is written as Rust alone: it calls what of the runtime is large.
 
 use crate::arm::CompiledArm;
 use crate::closed_form::{Inverse, Refinement};
 use crate::spec::Diagnostic;
 
-/// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
-pub fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
+/// Why the inverse kinematics of an arm is left out of another language, if it has any and it is.
+pub fn refused(compiled: &CompiledArm, language: &str) -> Option<Diagnostic> {
     let form = compiled.form()?;
-    let in_rust = "generate Rust, which has it; `--ik none` says that C without it is meant";
+    let in_rust = format!(
+        "generate Rust, which has it; `--ik none` says that {language} without it is meant"
+    );
     let (reason, remedy) = match (&form.inverse, &form.refinement) {
         (Inverse::Univariate(_), _) => (
             format!(
                 "the arm has no closed form, and the polynomial in one joint that solves it, {}, \
-                 is not written as C",
+                 is not written as {language}",
                 form.plan
             ),
-            in_rust.to_owned(),
+            in_rust,
         ),
         _ if !form.is_exact() => (
             format!(
                 "the closed form is that of an arm whose tip is up to {:.1e} m from that of the \
-                 file, and the refinement of its solutions is not written as C",
+                 file, and the refinement of its solutions is not written as {language}",
                 form.tip_shift
             ),
             format!(
@@ -28,13 +30,14 @@ pub fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
             ),
         ),
         (_, Refinement::Univariate(_)) => (
-            "a step of the closed form degenerates where the arm does not, and the elimination \
-             that finds the solutions there is not written as C"
-                .to_owned(),
-            in_rust.to_owned(),
+            format!(
+                "a step of the closed form degenerates where the arm does not, and the \
+                 elimination that finds the solutions there is not written as {language}"
+            ),
+            in_rust,
         ),
         _ => return None,
     };
-    let reason = format!("no inverse kinematics in C: {reason}");
+    let reason = format!("no inverse kinematics in {language}: {reason}");
     Some(Diagnostic::whole(reason, remedy).warning())
 }

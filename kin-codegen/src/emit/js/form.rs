@@ -1,0 +1,139 @@
+//! The closed form of an arm.
+
+use super::language::{JavaScript, array, numbers, object, signed};
+use super::text::string;
+use crate::arm::CompiledArm;
+use crate::closed_form::ClosedForm;
+use crate::emit::curly::indented;
+use crate::emit::curly::lanes::body;
+use crate::emit::postures::Postures;
+use crate::expr::inverse::InverseGraph;
+use crate::plan::Target;
+use kin_runtime::Swivel;
+
+/// The object that says how the arm is solved.
+pub fn form(compiled: &CompiledArm, solver: &ClosedForm, inverse: &InverseGraph) -> String {
+    let model = &compiled.model;
+    let redundancy = compiled.redundancy.as_ref();
+    let accept = solver.acceptance();
+    let locked: Vec<usize> = (solver.given.locked.iter())
+        .map(|&joint| model.joints[joint].variable)
+        .collect();
+    let solved = (0..model.variables.len()).filter(|i| !locked.contains(i));
+    let places = |places: Vec<usize>| array(places.iter().map(usize::to_string));
+    let swivel = redundancy.and_then(|it| it.swivel);
+    let free_angle = inverse.free_angle.map(|free| free.coordinate.to_string());
+    let none = || "null".to_owned();
+    let mut fields = vec![
+        ("plan", string(&solver.plan.to_string())),
+        ("target", string(compiled.target().phrase())),
+        ("branches", solver.plan.branches().to_string()),
+        ("postures", postures(solver)),
+        ("parameters", parameters(compiled)),
+        ("solved", places(solved.collect())),
+        ("locked", places(locked)),
+        (
+            "turns_tool",
+            redundancy.is_some_and(|it| it.turn).to_string(),
+        ),
+        (
+            "swivel",
+            swivel.map_or_else(none, |it| points(&it.at_run_time(model))),
+        ),
+        ("size", signed(accept.size)),
+        ("tolerance", signed(accept.tolerance)),
+        ("free_angle", free_angle.unwrap_or_else(none)),
+    ];
+    fields.extend(counts(solver.plan.target));
+    fields.push(("lanes", lanes(solver, inverse)));
+    object(&fields)
+}
+
+/// The function that computes all branches: lane k is the branch whose i-th choice is + where bit
+/// i of k is clear.
+fn lanes(solver: &ClosedForm, inverse: &InverseGraph) -> String {
+    let found = body::<JavaScript>(solver, inverse);
+    let width = found.width;
+    let array = format!("new Float64Array({width})");
+    let free_angle = match found.has_free_angle {
+        true => format!(", level: {array}, no_root: {array}"),
+        false => String::new(),
+    };
+    let room = format!(
+        "const lanes = {{\n    q: Array.from({{ length: {} }}, () => {array}),\n    \
+         residual: {array}, invalid: {array}, singular: {array}{free_angle},\n}};\n",
+        solver.given.variables()
+    );
+    let body = indented(&format!("{room}{}return lanes;\n", found.statements));
+    format!("(target, seed, given, free_below) => {{\n{body}}}")
+}
+
+/// What every branch is called, and what the words mean.
+fn postures(solver: &ClosedForm) -> String {
+    let Some(postures) = Postures::of(solver) else {
+        return "[]".into();
+    };
+    let column = |column: &crate::emit::postures::Posture| {
+        let words = (0..solver.plan.branches() as u32).map(|branch| string(column.word(branch)));
+        object(&[
+            ("name", string(&column.name)),
+            ("words", array(words)),
+            ("meaning", string(column.meaning.trim())),
+        ])
+    };
+    array(postures.columns.iter().map(column))
+}
+
+/// What is given beside a target: names, whether they are angles, and where they can be.
+fn parameters(compiled: &CompiledArm) -> String {
+    let Some(redundancy) = &compiled.redundancy else {
+        return "[]".into();
+    };
+    let model = &compiled.model;
+    let parameter = |name: &str, turns: bool, joint: Option<usize>| {
+        let joint = joint.map_or("null".into(), |joint| joint.to_string());
+        object(&[
+            ("name", string(name)),
+            ("turns", turns.to_string()),
+            ("joint", joint),
+        ])
+    };
+    let joints = redundancy.joints.iter().map(|&joint| {
+        let variable = model.joints[joint].variable;
+        parameter(
+            &model.joints[joint].name,
+            model.turns(variable),
+            Some(variable),
+        )
+    });
+    let swivel = redundancy
+        .swivel
+        .map(|_| parameter("swivel angle", true, None));
+    let turn = redundancy
+        .turn
+        .then(|| parameter("turn of the tool", true, None));
+    array(joints.chain(swivel).chain(turn))
+}
+
+/// The points by which a swivel angle is told: shoulder and reference direction in base
+/// coordinates, the elbow in those of the link that carries it, the wrist in those of the tip.
+fn points(swivel: &Swivel) -> String {
+    object(&[
+        ("link", swivel.link.to_string()),
+        ("shoulder", numbers(swivel.shoulder)),
+        ("elbow", numbers(swivel.elbow)),
+        ("wrist", numbers(swivel.wrist)),
+        ("reference", numbers(swivel.reference)),
+    ])
+}
+
+/// What of a target counts.
+fn counts(target: Target) -> [(&'static str, String); 4] {
+    let translation = !matches!(target, Target::Direction | Target::Orientation);
+    [
+        ("counts_translation", translation.to_string()),
+        ("counts_rotation", (target != Target::Position).to_string()),
+        ("counts_axis", target.fixes_axis().to_string()),
+        ("projected", target.is_projected().to_string()),
+    ]
+}

@@ -1,0 +1,67 @@
+//! A parallel mechanism: its chains as arms, and which of their joints are driven.
+
+use super::arm::{arm, rows};
+use super::language::{array, numbers, object, signed};
+use super::text::string;
+use crate::emit::refused::refused;
+use crate::mechanism::{Aim, CompiledMechanism, LegForm};
+use crate::spec::Diagnostic;
+
+/// The expression that is a mechanism.
+pub fn mechanism(compiled: &CompiledMechanism) -> String {
+    let mechanism = &compiled.mechanism;
+    let actuated = mechanism.actuated();
+    let why = why_not(compiled);
+    let aim = match compiled.inverse.as_ref().map(|inverse| inverse.aim) {
+        Some(Aim::Pose) if why.is_none() => "\"pose\"".into(),
+        Some(Aim::Translation) if why.is_none() => "\"translation\"".into(),
+        Some(Aim::Lead(lead)) if why.is_none() => lead.to_string(),
+        _ => "null".into(),
+    };
+    let fields = [
+        ("name", string(&mechanism.name)),
+        ("file", string(&compiled.file)),
+        ("base", string(&mechanism.base)),
+        ("platform", string(&mechanism.platform)),
+        ("home", numbers(rows(&mechanism.home()))),
+        ("length", signed(mechanism.generic().length())),
+        ("mobility", compiled.freedom.mobility.to_string()),
+        ("freedom", compiled.freedom.platform.to_string()),
+        ("actuated", array(actuated.iter().map(usize::to_string))),
+        ("aim", aim),
+        (
+            "refused",
+            why.map_or_else(|| "null".into(), |it| string(&it.reason)),
+        ),
+        (
+            "chains",
+            array((0..compiled.legs.len()).map(|i| chain(compiled, i))),
+        ),
+    ];
+    format!("$mechanism({})", object(&fields))
+}
+
+fn chain(compiled: &CompiledMechanism, i: usize) -> String {
+    let mut fields = vec![
+        ("name", string(&compiled.mechanism.legs[i].name)),
+        ("arm", arm(&compiled.legs[i])),
+    ];
+    let form = compiled.inverse.as_ref().map(|inverse| &inverse.legs[i]);
+    if let Some(LegForm::Split(split)) = form {
+        fields.push(("head", arm(&split.head)));
+        fields.push(("tail", arm(&split.tail)));
+        fields.push(("point", numbers(split.point)));
+    }
+    object(&fields)
+}
+
+/// Why inverse kinematics is left out, if a chain's is.
+pub fn why_not(compiled: &CompiledMechanism) -> Option<Diagnostic> {
+    let legs = compiled.inverse.iter().flat_map(|inverse| &inverse.legs);
+    let arms = legs.flat_map(|leg| match leg {
+        LegForm::Whole(whole) => vec![&**whole],
+        LegForm::Split(split) => vec![&split.head, &split.tail],
+    });
+    let mut reasons = arms.filter_map(|arm| refused(arm, "JavaScript"));
+    reasons.next()
+}

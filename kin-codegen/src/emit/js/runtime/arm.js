@@ -1,0 +1,91 @@
+/* The product of two poses. */
+const $product = (a, b) => {
+    const out = new Float64Array(12);
+    for (let i = 0; i < 12; i += 4) {
+        for (let j = 0; j < 4; ++j) {
+            out[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j]
+                + (j === 3 ? a[i + 3] : 0.0);
+        }
+    }
+    return out;
+};
+
+/* A target with the tool turned about the tip's z axis. */
+const $turned = (pose, angle) => {
+    const { sine, cosine } = $sin_cos(angle);
+    const out = Float64Array.from(pose);
+    for (let i = 0; i < 12; i += 4) {
+        out[i] = pose[i] * cosine + pose[i + 1] * sine;
+        out[i + 1] = pose[i + 1] * cosine - pose[i] * sine;
+    }
+    return out;
+};
+
+/* How far the tool is turned about the tip's z axis from where a target has it. */
+const $turn_of = (reached, pose) => {
+    let sine = 0.0;
+    let cosine = 0.0;
+    for (let i = 0; i < 12; i += 4) {
+        sine += pose[i + 1] * reached[i] - pose[i] * reached[i + 1];
+        cosine += pose[i] * reached[i] + pose[i + 1] * reached[i + 1];
+    }
+    return $atan2(sine, cosine);
+};
+
+/* An arm with the functions that its own ones and its closed form make. */
+const $arm = (arm) => {
+    const { form } = arm;
+    arm.link_poses = (q) => {
+        const poses = arm.poses(q);
+        return arm.moves.map((_, i) => poses.subarray(12 * i, 12 * i + 12));
+    };
+    arm.fk_links = (q) => {
+        const poses = arm.link_poses(q);
+        return arm.joints.map(({ link }) => poses[link]);
+    };
+    arm.fk_frame = (q, frame) => {
+        const { carrier, pose } = arm.frames[frame];
+        return carrier === null ? Float64Array.from(pose) : $product(arm.link_poses(q)[carrier], pose);
+    };
+    arm.inside = (joint, value) => $inside(arm, joint, value);
+    /* The same configuration within limits, moved by full turns where that helps; null if it is
+     * not within. */
+    arm.within_limits = (q) => {
+        const inside = arm.joints.map((_, i) => arm.inside(i, q[i]));
+        return inside.includes(null) ? null : inside;
+    };
+    /* One configuration that nearly reaches a target, by Levenberg's method from another one;
+     * it may arrive elsewhere than it was sent. */
+    arm.approach = (target, q, evaluations) => {
+        const all = arm.joints.map((_, i) => i);
+        const aim = form ?? arm.aim;
+        const linearize = (x) => $linearize(aim, target, (y) => $seen(arm, y, all), x);
+        const found = $correct(linearize, aim.size, q, evaluations);
+        return { q: found.q, residual: found.residual };
+    };
+    if (form) {
+        const zeros = form.solved.map(() => 0.0);
+        arm.ik_at = (pose, parameters, seed = zeros) => {
+            const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
+            const target = form.turns_tool ? $turned(pose, turn) : pose;
+            return $solve(arm, target, seed, parameters);
+        };
+        arm.redundancy = (pose, q) => {
+            const parameters = form.locked.map((joint) => q[joint]);
+            if (form.swivel) {
+                parameters.push($swivel_of(arm, q));
+            }
+            if (form.turns_tool) {
+                parameters.push($turn_of(arm.fk(q), pose));
+            }
+            return parameters;
+        };
+        arm.why_none = (pose) => $why_none(form, pose);
+    }
+    if (form && form.parameters.length === 0) {
+        arm.ik = (pose) => arm.ik_at(pose, []);
+        arm.ik_seeded = (pose, seed) => arm.ik_at(pose, [], seed);
+        arm.ik_nearest = (pose, seed) => $nearest(arm, arm.ik_at(pose, [], seed), seed);
+    }
+    return Object.freeze(arm);
+};

@@ -1,0 +1,115 @@
+// Reads configurations and targets of one robot and writes all that its functions have for
+// them, as driver.c does.
+
+const reader = (input) => {
+    const words = input.split(/\s+/).filter((word) => word !== "");
+    let next = 0;
+    const number = () => {
+        const word = words[next++];
+        // As Rust writes them.
+        return { inf: Infinity, "-inf": -Infinity }[word] ?? Number(word);
+    };
+    const numbers = (count) => Array.from({ length: count }, number);
+    return { number, numbers };
+};
+
+const reasons = { "not finite": -1, "not a rotation": -2, "out of reach": 0 };
+
+function forward(robot, q, write) {
+    write(robot.fk(q));
+    robot.fk_links(q).forEach((pose) => write(pose));
+    write(robot.spatial_jacobian(q));
+    write(robot.body_jacobian(q));
+    write(robot.geometric_jacobian(q));
+    const { pose, jacobian } = robot.fk_jacobian(q);
+    write(pose);
+    write(jacobian);
+    robot.frames.forEach((_, frame) => {
+        write([0]);
+        write(robot.fk_frame(q, frame));
+    });
+    if (robot.frames.length > 0) {
+        write([-1, -1]);
+    }
+    const inside = robot.within_limits(q);
+    write([inside ? 1 : 0]);
+    write(inside ?? robot.joints.map((_, i) => robot.inside(i, q[i]) ?? q[i]));
+}
+
+function inverse(robot, { numbers }, write) {
+    const { parameters } = robot.form;
+    const pose = numbers(12);
+    const seed = numbers(robot.joints.length);
+    write(robot.redundancy(pose, seed));
+    const solutions = robot.ik_at(pose, numbers(parameters.length));
+    write([solutions.length > 0 ? solutions.length : reasons[robot.why_none(pose)]]);
+    for (const { q, residual, branch, singular } of solutions) {
+        write([branch, singular ? 1 : 0, residual]);
+        write(q);
+    }
+    if (parameters.length === 0) {
+        const nearest = robot.ik_nearest(pose, seed);
+        const none = solutions.length > 0 ? -3 : reasons[robot.why_none(pose)];
+        write([nearest ? 1 : none]);
+        if (nearest) {
+            write(nearest.q);
+        }
+    }
+}
+
+export function all_of(robot, input) {
+    const read = reader(input);
+    const out = [];
+    const write = (numbers) => out.push(Array.from(numbers).join(" "));
+    for (let count = read.number(); count > 0; --count) {
+        forward(robot, read.numbers(robot.joints.length), write);
+    }
+    if (robot.form) {
+        for (let count = read.number(); count > 0; --count) {
+            inverse(robot, read, write);
+        }
+    }
+    return out.join("\n");
+}
+
+export function name_of(robot) {
+    const names = [robot.name, robot.base, robot.joints[0].name];
+    return names.every((name) => name === names[0]) ? names[0] : names.join(" is not ");
+}
+
+// Of a mechanism: targets, and for each the poses and all solutions of all chains.
+export function placed_of(mechanism, input) {
+    const read = reader(input);
+    const out = [];
+    const write = (numbers) => out.push(Array.from(numbers).join(" "));
+    for (let count = read.number(); count > 0; --count) {
+        const placed = mechanism.ik(read.numbers(12));
+        write([placed.length]);
+        for (const { pose, solutions } of placed) {
+            write(pose);
+            for (const found of solutions) {
+                write([found.length]);
+                found.forEach(write);
+            }
+        }
+    }
+    return out.join("\n");
+}
+
+// Of a mechanism: closed configurations, each with its driven joints moved; how far the loops
+// were from closed, and what they are closed to.
+export function closed_of(mechanism, input) {
+    const read = reader(input);
+    const out = [];
+    const write = (numbers) => out.push(Array.from(numbers).join(" "));
+    const joints = mechanism.chains.reduce((sum, { arm }) => sum + arm.joints.length, 0);
+    for (let count = read.number(); count > 0; --count) {
+        const q = read.numbers(joints);
+        write([mechanism.gap(q)]);
+        mechanism.actuated.forEach((joint, i) => (q[joint] += 0.01 * (i % 3) - 0.01));
+        const { q: closed, residual } = mechanism.close(q, mechanism.actuated, 40);
+        write([residual]);
+        write(closed);
+    }
+    return out.join("\n");
+}
