@@ -1,5 +1,7 @@
 //! The command line.
 
+use crate::batch::Share;
+use crate::table::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use kin_codegen::{Diagnostics, Ik, Options, Source, Target};
 use std::path::{Path, PathBuf};
@@ -29,6 +31,8 @@ pub enum Command {
     Explain(Explain),
     Check(Check),
     Workspace(Workspace),
+    Fk(Fk),
+    Ik(InverseOfMany),
 }
 
 /// Write a robot's forward kinematics, Jacobians and closed-form inverse
@@ -141,6 +145,80 @@ pub struct Workspace {
     /// The folder that the files are written to
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
+}
+
+/// Compute the poses of many joint values: tables in, tables out
+#[derive(Debug, Args)]
+pub struct Fk {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    /// A table with a column for each joint, by its name; or a folder of such tables
+    pub input: PathBuf,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    #[command(flatten)]
+    pub many: Many,
+    /// Write poses as the rows of homogeneous matrices, m00 to m23, in place of positions and
+    /// quaternions
+    #[arg(long)]
+    pub matrix: bool,
+}
+
+/// Compute all solutions to many poses: tables in, tables out
+#[derive(Debug, Args)]
+pub struct InverseOfMany {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    /// A table of poses, metres: columns x, y, z and qx, qy, qz, qw, or m00 to m23, or r00 to r22
+    /// in place of the quaternion; or a folder of such tables
+    pub input: PathBuf,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    #[command(flatten)]
+    pub many: Many,
+    /// What is given beside all poses, where the arm has more joints than these have
+    /// coordinates; radians and metres [default: a column for each, by its name]
+    #[arg(
+        long,
+        value_name = "VALUE,..",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub at: Vec<f64>,
+    /// Write only solutions within the joints' limits
+    #[arg(long)]
+    pub within_limits: bool,
+    /// Write a row for a pose without a solution too: branch -1, all else not a number or false
+    #[arg(long)]
+    pub keep_empty: bool,
+}
+
+/// What all commands for many rows are told.
+#[derive(Debug, Args)]
+pub struct Many {
+    /// The table to write, or the folder. It has its name once it is whole; what was
+    /// interrupted is gone on with by the same command
+    #[arg(short, long, value_name = "PATH")]
+    pub output: PathBuf,
+    /// How tables are written [default: as the name of the output says, in a folder as the
+    /// input]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+    /// Of a folder, take every Nth table from the Kth on: one of N machines
+    #[arg(long, value_name = "K/N", default_value = "1/1", value_parser = share)]
+    pub share: Share,
+    /// Rows that are taken at once, and answered by one row group
+    #[arg(long, value_name = "ROWS", default_value_t = 32768, value_parser = 1..=1_000_000)]
+    pub batch: i64,
+}
+
+fn share(text: &str) -> Result<Share, String> {
+    let parts = text.split_once('/');
+    let parts = parts.and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
+    match parts {
+        Some((number, of)) if 1 <= number && number <= of => Ok(Share { number, of }),
+        _ => Err("two numbers, for example 3/16".into()),
+    }
 }
 
 fn at_least_one(text: &str) -> Result<usize, String> {

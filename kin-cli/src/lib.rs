@@ -2,17 +2,20 @@
 //!
 //! What a person asks of a robot file, and a build does not need: [`explain`]
 //! tells all that was found, [`check`] and [`sweep`] hold the closed form
-//! against independent solvers. [`run`] takes a command line and gives back
+//! against independent solvers, [`batch`] computes the rows of tables. [`run`] takes a command line and gives back
 //! what to print, so that commands can be tested without processes.
 
 mod arguments;
 mod bar;
+pub mod batch;
 pub mod check;
 mod exit;
 pub mod explain;
 mod generate;
 mod json;
+mod many;
 pub mod sweep;
+pub mod table;
 mod workspace;
 
 pub use exit::Exit;
@@ -68,5 +71,7 @@ pub fn run<A: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = A>) ->
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Workspace(arguments) => workspace::run(&arguments),
+        Command::Fk(arguments) => many::forward(&arguments),
+        Command::Ik(arguments) => many::inverse(&arguments),
     }
 }

@@ -37,6 +37,19 @@ impl Robot {
             .map_or(0, Redundancy::parameters)
     }
 
+    /// What these numbers are: the names of joints, `swivel` for the swivel angle, `turn` for the
+    /// turn of the tool about the tip's z axis; in the order in which they are given.
+    pub fn parameter_names(&self) -> Vec<&str> {
+        let Some(redundancy) = &self.arm.redundancy else {
+            return Vec::new();
+        };
+        let names = self.joint_names();
+        let joints = redundancy.joints.iter().map(|&joint| names[joint]);
+        let swivel = redundancy.swivel.is_some().then_some("swivel");
+        let turn = redundancy.turn.then_some("turn");
+        joints.chain(swivel).chain(turn).collect()
+    }
+
     /// All solutions for a pose of the tip in the base frame, as far as it counts. Limits are not
     /// applied. Empty for a robot with [parameters](Robot::parameters), or loaded without
     /// inverse kinematics.

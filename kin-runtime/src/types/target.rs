@@ -246,11 +246,13 @@ impl Target {
         Jacobian::from_columns(columns.map(|column| self.counting(pose, &column)))
     }
 
-    const fn has_translation(self) -> bool {
+    /// Whether its position counts, or some of it.
+    pub const fn has_translation(self) -> bool {
         !matches!(self, Target::Direction | Target::Orientation)
     }
 
-    const fn has_rotation(self) -> bool {
+    /// Whether its orientation counts, or some of it.
+    pub const fn has_rotation(self) -> bool {
         !matches!(self, Target::Position)
     }
 }

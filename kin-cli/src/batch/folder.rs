@@ -1,0 +1,123 @@
+//! A file, or all tables of a folder.
+
+use crate::table::{Fault, Format};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A table to be read and one to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// What is read.
+    pub input: PathBuf,
+    /// What is written.
+    pub output: PathBuf,
+    /// How it is written.
+    pub format: Format,
+}
+
+/// One of several machines that share the files of a folder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Share {
+    /// Which, from 1.
+    pub number: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+impl Share {
+    /// All of it.
+    pub const WHOLE: Share = Share { number: 1, of: 1 };
+}
+
+/// What belongs to an output: itself for a file; for a folder the same names with the ending of
+/// the format, of every file of the share, by name.
+///
+/// Folders in folders are kept; names that begin with `.` or `_` are passed over, as Spark,
+/// DuckDB and others do, and so is what is no table.
+///
+/// # Errors
+///
+/// A folder cannot be read or made, has no table, or two that would have the same output; or the
+/// format of the output is not known.
+pub fn pairs(
+    input: &Path,
+    output: &Path,
+    format: Option<Format>,
+    share: Share,
+) -> Result<Vec<Pair>, Fault> {
+    if !input.is_dir() {
+        let format = match format {
+            Some(format) => format,
+            None => Format::of(output)?,
+        };
+        if is_same(input, output) {
+            return Err(Fault::whole(output, "is the input", "name another file"));
+        }
+        return Ok(vec![Pair {
+            input: input.into(),
+            output: output.into(),
+            format,
+        }]);
+    }
+    if output.starts_with(input) || is_same(input, output) {
+        let reason = "is the folder of the input, or in it";
+        return Err(Fault::whole(output, reason, "name another folder"));
+    }
+    let mut tables = Vec::new();
+    walk(input, Path::new(""), &mut tables)?;
+    tables.sort();
+    if tables.is_empty() {
+        let endings = Format::ALL.map(Format::extension).join(", ");
+        let reason = format!("the folder has no table: no file that ends with {endings}");
+        return Err(Fault::whole(input, reason, "name the folder that has them"));
+    }
+    let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+    let mut pairs = Vec::new();
+    for (number, (table, own)) in tables.iter().enumerate() {
+        let format = format.unwrap_or(*own);
+        let output = output.join(table).with_extension(format.extension());
+        if let Some(other) = taken.insert(output.clone(), table) {
+            let reason = format!("`{}` would have the same output", other.display());
+            let remedy = "give one of them another name";
+            return Err(Fault::whole(&input.join(table), reason, remedy));
+        }
+        if number % share.of == share.number - 1 {
+            pairs.push(Pair {
+                input: input.join(table),
+                output,
+                format,
+            });
+        }
+    }
+    for pair in &pairs {
+        let folder = pair.output.parent().unwrap_or(output);
+        fs::create_dir_all(folder).map_err(|error| Fault::unwritable(folder, &error))?;
+    }
+    Ok(pairs)
+}
+
+fn is_same(one: &Path, other: &Path) -> bool {
+    let [one, other] = [one, other].map(fs::canonicalize);
+    matches!((one, other), (Ok(one), Ok(other)) if one == other)
+}
+
+/// The tables below a folder, by their paths in it.
+fn walk(root: &Path, below: &Path, tables: &mut Vec<(PathBuf, Format)>) -> Result<(), Fault> {
+    let folder = root.join(below);
+    let unreadable = |error| Fault::unreadable(&folder, &error);
+    for entry in fs::read_dir(&folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        let name = entry.file_name();
+        if name.to_string_lossy().starts_with(['.', '_']) {
+            continue;
+        }
+        let path = below.join(&name);
+        if entry.path().is_dir() {
+            walk(root, &path, tables)?;
+        } else if let Ok(format) = Format::of(&path) {
+            tables.push((path, format));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,130 @@
+//! Literals of Python, as the heads of NPY files are written in.
+
+/// A value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Literal {
+    Text(String),
+    Number(u64),
+    Truth(bool),
+    /// A tuple or a list.
+    Sequence(Vec<Literal>),
+    Dictionary(Vec<(Literal, Literal)>),
+}
+
+/// Values in values are few: names, lists of columns, shapes of their entries.
+const DEEPEST: usize = 8;
+
+impl Literal {
+    /// Reads a literal with nothing but space behind it.
+    pub(super) fn read(text: &str) -> Option<Self> {
+        let mut rest = text;
+        let value = value(&mut rest, DEEPEST)?;
+        rest.trim().is_empty().then_some(value)
+    }
+
+    /// The value of a key.
+    pub(super) fn get(&self, key: &str) -> Option<&Literal> {
+        let Literal::Dictionary(entries) = self else {
+            return None;
+        };
+        let is = |found: &Literal| matches!(found, Literal::Text(text) if text == key);
+        let entry = entries.iter().find(|(found, _)| is(found));
+        entry.map(|(_, value)| value)
+    }
+}
+
+fn value(rest: &mut &str, deep: usize) -> Option<Literal> {
+    let deep = deep.checked_sub(1)?;
+    *rest = rest.trim_start();
+    let first = rest.chars().next()?;
+    match first {
+        '\'' | '"' => {
+            let (text, behind) = rest[1..].split_once(first)?;
+            *rest = behind;
+            // No name of a column needs one, and NumPy writes none for letters.
+            (!text.contains('\\')).then(|| Literal::Text(text.into()))
+        }
+        '(' => sequence(rest, ')', deep),
+        '[' => sequence(rest, ']', deep),
+        '{' => {
+            let entry = |rest: &mut &str| {
+                let key = value(rest, deep)?;
+                take(rest, ':')?;
+                Some((key, value(rest, deep)?))
+            };
+            list(rest, '}', entry).map(Literal::Dictionary)
+        }
+        _ => {
+            let is_in = |c: char| c.is_ascii_alphanumeric();
+            let end = rest.find(|c| !is_in(c)).unwrap_or(rest.len());
+            let (word, behind) = rest.split_at(end);
+            *rest = behind;
+            match word {
+                "True" => Some(Literal::Truth(true)),
+                "False" => Some(Literal::Truth(false)),
+                // Python 2 wrote a letter behind long integers.
+                _ => word.trim_end_matches('L').parse().ok().map(Literal::Number),
+            }
+        }
+    }
+}
+
+fn sequence(rest: &mut &str, close: char, deep: usize) -> Option<Literal> {
+    list(rest, close, |rest| value(rest, deep)).map(Literal::Sequence)
+}
+
+/// What stands between a bracket and its counterpart, separated by commas.
+fn list<T>(
+    rest: &mut &str,
+    close: char,
+    mut entry: impl FnMut(&mut &str) -> Option<T>,
+) -> Option<Vec<T>> {
+    *rest = &rest[1..];
+    let mut entries = Vec::new();
+    loop {
+        if take(rest, close).is_some() {
+            return Some(entries);
+        }
+        entries.push(entry(rest)?);
+        if take(rest, ',').is_none() {
+            take(rest, close)?;
+            return Some(entries);
+        }
+    }
+}
+
+/// Passes over a character, and what space is before it.
+fn take(rest: &mut &str, expected: char) -> Option<()> {
+    *rest = rest.trim_start().strip_prefix(expected)?;
+    Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_head_of_an_array_is_read() {
+        let head = "{'descr': [('a', '<f8'), (\"b\", '|b1')], 'fortran_order': False, \
+                    'shape': (3,), }   \n";
+        let read = Literal::read(head).unwrap();
+        assert_eq!(read.get("fortran_order"), Some(&Literal::Truth(false)));
+        let shape = Literal::Sequence(vec![Literal::Number(3)]);
+        assert_eq!(read.get("shape"), Some(&shape));
+        let Some(Literal::Sequence(fields)) = read.get("descr") else {
+            panic!("{read:?}");
+        };
+        let text = |text: &str| Literal::Text(text.into());
+        assert_eq!(fields[1], Literal::Sequence(vec![text("b"), text("|b1")]));
+    }
+
+    #[test]
+    fn what_is_no_literal_is_none() {
+        let deep = "(".repeat(100_000);
+        for text in [
+            "", "{", "{'a' 1}", "(1 2)", "'a", "1 2", "-1", "'\\x'", "é", &deep,
+        ] {
+            assert_eq!(Literal::read(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! The forms that poses have in tables.
+
+use super::*;
+use kinematics::{Pose, RobotOptions};
+
+/// Twenty poses of the UR5e in a folder, and its solutions to them as text.
+fn poses(name: &str) -> (PathBuf, Vec<Pose>, Vec<String>) {
+    let folder = folder(name);
+    let robot = load("ur5e.urdf", RobotOptions::default());
+    let rows = joints(&robot, 20, &folder.join("joints.csv"));
+    let poses: Vec<Pose> = rows.iter().map(|q| robot.fk(q)).collect();
+    let file = |name: &str| folder.join(name);
+    succeeds(kin(
+        "fk",
+        "ur5e.urdf",
+        &file("joints.csv"),
+        &file("poses.csv"),
+        &[],
+    ));
+    succeeds(kin(
+        "ik",
+        "ur5e.urdf",
+        &file("poses.csv"),
+        &file("solutions.csv"),
+        &[],
+    ));
+    let solutions = csv(&file("solutions.csv"));
+    (folder, poses, solutions)
+}
+
+/// Whether a file of the folder has the same solutions, to so many metres and radians.
+fn same(folder: &Path, input: &str, solutions: &[String], by: f64) {
+    let output = folder.join("again.csv");
+    let done = succeeds(kin("ik", "ur5e.urdf", &folder.join(input), &output, &[]));
+    assert_eq!(done.stderr, "", "{input}");
+    let again = csv(&output);
+    assert_eq!(again.len(), solutions.len(), "{input}");
+    for (a, b) in again[1..].iter().zip(&solutions[1..]) {
+        let numbers = |row: &str| -> Vec<f64> {
+            row.split(',')
+                .take(8)
+                .map(|field| field.parse().unwrap())
+                .collect()
+        };
+        let near = numbers(a)
+            .into_iter()
+            .zip(numbers(b))
+            .all(|(a, b)| (a - b).abs() <= by);
+        assert!(near, "{input}: {a}, {b}");
+    }
+}
+
+#[test]
+fn names_of_other_programs_are_taken() {
+    let (folder, poses, solutions) = poses("names");
+    let quaternion = |pose: &Pose| -> Vec<f64> {
+        let ([x, y, z], [qx, qy, qz, qw]) = (pose.translation, pose.quaternion());
+        // In another order, and with a column that is none of a pose.
+        vec![0.5, qw, qx, qy, qz, z, y, x]
+    };
+    let rows: Vec<Vec<f64>> = poses.iter().map(quaternion).collect();
+    for [q, p] in [
+        ["q", ""],
+        ["q", "t"],
+        ["q", "p"],
+        ["orientation.", "position."],
+    ] {
+        for prefix in ["", "pose."] {
+            let mut names = vec!["stamp".to_owned()];
+            names.extend(["w", "x", "y", "z"].map(|it| format!("{prefix}{q}{it}")));
+            names.extend(["z", "y", "x"].map(|it| format!("{prefix}{p}{it}")));
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            write(&folder.join("named.csv"), &names, &rows);
+            same(&folder, "named.csv", &solutions, 0.0);
+        }
+    }
+}
+
+#[test]
+fn matrices_are_taken_row_by_row_and_from_few_digits() {
+    let (folder, poses, solutions) = poses("matrices");
+    let name = |i: usize| format!("m{}{}", i / 4, i % 4);
+    let names: Vec<String> = (0..16).map(name).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let rows = |digits: f64| -> Vec<Vec<f64>> {
+        let matrix = |pose: &Pose| pose.to_matrix().as_flattened().to_vec();
+        let rounded = |row: Vec<f64>| row.iter().map(|x| (x * digits).round() / digits).collect();
+        poses.iter().map(matrix).map(rounded).collect()
+    };
+    write(&folder.join("matrices.csv"), &names, &rows(1e15));
+    same(&folder, "matrices.csv", &solutions, 1e-9);
+    write(&folder.join("rounded.csv"), &names, &rows(1e9));
+    same(&folder, "rounded.csv", &solutions, 1e-4);
+    let twelve: Vec<Vec<f64>> = rows(1e15).iter().map(|row| row[..12].to_vec()).collect();
+    write(&folder.join("twelve.csv"), &names[..12], &twelve);
+    same(&folder, "twelve.csv", &solutions, 1e-9);
+    // Column by column they are no poses, and none is made of them.
+    let mut turned = rows(1e15);
+    for row in &mut turned {
+        *row = (0..16).map(|i| row[i % 4 * 4 + i / 4]).collect();
+    }
+    write(&folder.join("turned.csv"), &names, &turned);
+    let output = folder.join("none.csv");
+    let done = kin("ik", "ur5e.urdf", &folder.join("turned.csv"), &output, &[]);
+    assert!(
+        done.stderr
+            .contains("it may be transposed; it and 19 others have no answer"),
+        "{}",
+        done.stderr
+    );
+    assert_eq!(csv(&output).len(), 1);
+}
+
+#[test]
+fn an_array_of_matrices_is_taken_as_numpy_saves_it() {
+    let (folder, poses, solutions) = poses("arrays");
+    let entries = |pose: &Pose| pose.to_matrix().as_flattened().to_vec();
+    for (shape, keep) in [("(20, 4, 4)", 16), ("(20, 3, 4)", 12), ("(20, 16)", 16)] {
+        let mut bytes = kin_cli::table::npy_head("'<f8'", shape, 0);
+        for pose in &poses {
+            bytes.extend(entries(pose)[..keep].iter().flat_map(|x| x.to_le_bytes()));
+        }
+        fs::write(folder.join("array.npy"), &bytes).unwrap();
+        same(&folder, "array.npy", &solutions, 1e-9);
+    }
+    let mut bytes = kin_cli::table::npy_head("'<f4'", "(20, 4, 4)", 0);
+    for pose in &poses {
+        bytes.extend(entries(pose).iter().flat_map(|x| (*x as f32).to_le_bytes()));
+    }
+    fs::write(folder.join("single.npy"), &bytes).unwrap();
+    same(&folder, "single.npy", &solutions, 1e-2);
+}
+
+#[test]
+fn text_is_taken_with_a_mark_quotes_and_other_separators() {
+    let (folder, _, solutions) = poses("text");
+    let text = fs::read_to_string(folder.join("poses.csv")).unwrap();
+    let quoted = |line: &str| format!("\"{}\"", line.replace(',', "\",\""));
+    let all_quoted: Vec<String> = text.lines().map(quoted).collect();
+    for (name, text) in [
+        ("mark", format!("\u{feff}{text}")),
+        ("breaks", text.replace('\n', "\r\n")),
+        ("blank", text.replace('\n', "\n\n")),
+        ("quotes", all_quoted.join("\r\n")),
+        ("spaces", text.replace(',', " , ")),
+        ("semicolons", text.replace(',', ";")),
+        ("tabs", text.replace(',', "\t")),
+        ("end", text.trim_end().to_owned()),
+    ] {
+        let name = format!("{name}.csv");
+        fs::write(folder.join(&name), text).unwrap();
+        same(&folder, &name, &solutions, 0.0);
+    }
+}
+
+/// Only what counts of a target is needed, and read.
+#[test]
+fn positions_alone_are_targets_of_arms_that_reach_positions() {
+    let folder = folder("positions");
+    let file = folder.join("arm.yaml");
+    let text = "
+robot: arm
+units: {angle: rad, length: m}
+screws:
+  - {name: waist, axis: [0, 0, 1], point: [0, 0, 0.5]}
+  - {name: shoulder, axis: [0, 1, 0], point: [0.1, 0, 0.5]}
+  - {name: elbow, axis: [0, 1, 0], point: [0.5, 0, 0.5]}
+home: {xyz: [0.8, 0, 0.5]}
+";
+    fs::write(&file, text).unwrap();
+    let file = file.to_str().unwrap();
+    let robot = load(file, RobotOptions::default());
+    assert_eq!(robot.target(), kinematics::Target::Position);
+    let rows = joints(&robot, 20, &folder.join("joints.csv"));
+    let position = |q: &Vec<f64>| robot.fk(q).translation.to_vec();
+    let positions: Vec<Vec<f64>> = rows.iter().map(position).collect();
+    write(&folder.join("positions.csv"), &["x", "y", "z"], &positions);
+    let output = folder.join("solutions.csv");
+    succeeds(kin("ik", file, &folder.join("positions.csv"), &output, &[]));
+    let joints: Vec<usize> = (0..robot.joints() + 2).collect();
+    let columns = read(&output, &joints).unwrap();
+    assert!(columns[0].len() >= 20);
+    for row in 0..columns[0].len() {
+        let q: Vec<f64> = columns[2..].iter().map(|column| column[row]).collect();
+        let reached = robot.chain().fk(&q).translation;
+        let wanted = &positions[columns[0][row] as usize];
+        assert!(
+            reached
+                .iter()
+                .zip(wanted)
+                .all(|(a, b)| (a - b).abs() < 1e-9)
+        );
+    }
+}
