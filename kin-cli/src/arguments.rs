@@ -33,6 +33,7 @@ pub enum Command {
     Workspace(Workspace),
     Fk(Fk),
     Ik(InverseOfMany),
+    View(View),
 }
 
 /// Write a robot's forward kinematics, Jacobians and closed-form inverse
@@ -123,6 +124,18 @@ pub struct Check {
     /// As JSON, for programs
     #[arg(long)]
     pub json: bool,
+}
+
+/// Write a page that shows a robot and moves it: one file for a browser, without a network
+#[derive(Debug, Args)]
+pub struct View {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    /// Where to write the page
+    #[arg(short, long, value_name = "HTML")]
+    pub output: PathBuf,
 }
 
 /// Map the workspace of an arm or a parallel mechanism with a closed form:

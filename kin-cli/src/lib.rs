@@ -1,4 +1,4 @@
-//! `kin`: explain, generate, check and map the kinematics of a robot file.
+//! `kin`: explain, generate, check, map and show the kinematics of a robot file.
 //!
 //! What a person asks of a robot file, and a build does not need: [`explain`]
 //! tells all that was found, [`check`] and [`sweep`] hold the closed form
@@ -16,6 +16,7 @@ mod json;
 mod many;
 pub mod sweep;
 pub mod table;
+pub mod view;
 mod workspace;
 
 pub use exit::Exit;
@@ -73,5 +74,6 @@ pub fn run<A: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = A>) ->
         Command::Workspace(arguments) => workspace::run(&arguments),
         Command::Fk(arguments) => many::forward(&arguments),
         Command::Ik(arguments) => many::inverse(&arguments),
+        Command::View(arguments) => view::run(&arguments),
     }
 }

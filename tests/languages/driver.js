@@ -113,3 +113,8 @@ export function closed_of(mechanism, input) {
     }
     return out.join("\n");
 }
+
+// What stands in place of a robot is asked.
+export function ask_of(asked) {
+    return asked.ask().join(" ");
+}

@@ -47,7 +47,7 @@ impl JsRobot {
 }
 
 /// Names of robots, joints and links.
-const NAMES: [&str; 10] = [
+pub const NAMES: [&str; 10] = [
     "</script><script>alert(1)</script>",
     "<!-- <script>",
     "]]>",
@@ -60,7 +60,7 @@ const NAMES: [&str; 10] = [
     "\\",
 ];
 
-fn robot(name: &str) -> String {
+pub fn named(name: &str) -> Source {
     let escape = |c: char| match c {
         ' '..='~' if !matches!(c, '"' | '\\') => c.to_string(),
         _ => format!("\\U{:08x}", u32::from(c)),
@@ -72,22 +72,28 @@ fn robot(name: &str) -> String {
          - {{name: elbow, axis: [0, 0, 1], point: [0.5, 0, 0]}}\nhome: {{xyz: [0.9, 0, 0]}}\n"
     );
     let path = format!("{name}.yaml");
-    let generated = generate_js(&Source { path, text }, &Options::default());
+    Source { path, text }
+}
+
+fn robot(name: &str) -> String {
+    let generated = generate_js(&named(name), &Options::default());
     generated.unwrap_or_else(|e| panic!("{e}")).source
+}
+
+/// Whether nothing in a script begins markup of the page around it, nor turns its text.
+pub fn is_no_markup(script: &str) -> bool {
+    let next = script
+        .match_indices('<')
+        .map(|(at, _)| script[at + 1..].chars().next());
+    let steers = ['\u{2028}', '\u{2029}', '\u{202e}'];
+    !script.contains(steers) && next.into_iter().all(|c| matches!(c, Some(' ' | '=')))
 }
 
 #[test]
 fn names_are_data() {
     for name in NAMES {
         let source = robot(name);
-        let markup = source
-            .match_indices('<')
-            .map(|(at, _)| source[at + 1..].chars().next());
-        assert!(
-            markup.clone().all(|next| matches!(next, Some(' ' | '='))),
-            "{name:?}: a page could read markup"
-        );
-        assert!(!source.contains(['\u{2028}', '\u{2029}', '\u{202e}']));
+        assert!(is_no_markup(&source), "{name:?}: a page could read markup");
         assert_eq!(JsRobot::new(&source).call("name_of", ""), name);
     }
 }

@@ -8,6 +8,7 @@ mod js;
 mod mechanisms;
 mod moveit;
 mod names;
+mod pages;
 mod program;
 mod refused;
 mod robots;

@@ -1,0 +1,100 @@
+//! What the pages of `kin view` compute, without a browser: `tests/pages` has those for one.
+
+use crate::js::{JsRobot, NAMES, is_no_markup, named};
+use crate::read;
+use kin_cli::view::page;
+use kin_codegen::Options;
+
+/// Where the scripts that need a page begin.
+const PAGE: &str = "// The page: what is shown";
+
+/// The script of a robot's page.
+fn script(page: &str) -> &str {
+    let (_, script) = page.split_once("<script type=\"module\">").unwrap();
+    script.split_once("</script>").unwrap().0
+}
+
+/// What stands in its place moves the target and the joints of a robot, and says how far its tip
+/// is from the target, how far from the end of what is drawn, and how many branches there are.
+const ASKED: &str = "
+globalThis.matchMedia = () => ({ matches: false });
+const subject = Array.isArray(robot.chains) ? new MechanismView(robot, view) : new ArmView(robot, view);
+const tip = () => origin(Array.isArray(robot.chains) ? robot.fk(subject.whole) : robot.fk(subject.q));
+const apart = (a, b) => Math.hypot(...add(a, b, -1));
+export default { ask() {
+    const first = tip();
+    const { joints } = subject;
+    subject.setJoint(0, subject.q[0] + (joints[0].turns ? 0.1 : 0.01 * view.size));
+    const moved = apart(tip(), first);
+    const target = subject.target.slice();
+    // Inwards, where arms have room.
+    [3, 7, 11].forEach((i) => (target[i] *= 0.99));
+    subject.setTarget(target);
+    const off = apart(tip(), origin(target));
+    const drawn = apart(subject.points().at(-1), tip());
+    const branches = subject.branches();
+    const here = branches === null ? 1 : branches.filter(({ current }) => current).length;
+    const measures = subject.measures().every(({ value }) => Number.isFinite(value));
+    return [moved, off, drawn, branches ? branches.length : 0, here, measures ? 1 : 0, subject.reached ? 1 : 0];
+} };
+";
+
+#[test]
+fn arms_and_mechanisms_follow_their_target() {
+    // With how many branches are shown at least.
+    let robots = [
+        ("robots/ur5e.urdf", 2.0),
+        ("robots/scara.yaml", 2.0),
+        ("robots/panda.yaml", 2.0),
+        ("robots/iiwa14.yaml", 2.0),
+        ("robots/xarm6.yaml", 0.0),
+        ("tests/robots/noisy/calibrated.yaml", 0.0),
+        ("robots/delta.yaml", 0.0),
+        ("robots/stewart.yaml", 0.0),
+    ];
+    for (path, least) in robots {
+        let (page, _) = page(&read(path), &Options::default()).unwrap();
+        let (before, after) = script(&page).split_once(PAGE).unwrap();
+        assert!(after.contains("requestAnimationFrame"));
+        let before = before.replace("export default robot;", "");
+        let said = JsRobot::new(&format!("{before}{ASKED}")).call("ask_of", "");
+        let numbers: Vec<f64> = said.split(' ').map(|x| x.parse().unwrap()).collect();
+        let [moved, off, drawn, branches, here, measures, reached] = numbers[..] else {
+            panic!("{said}")
+        };
+        assert!(moved > 1e-3, "{path}: a joint moved the tip by {moved} m");
+        assert!(off < 1e-6, "{path}: the tip is {off} m from its target");
+        assert!(drawn < 1e-9, "{path}: drawn {drawn} m from its tip");
+        assert!(branches >= least && here == 1.0, "{path}: {said}");
+        assert!(measures == 1.0 && reached == 1.0, "{path}: {said}");
+    }
+}
+
+#[test]
+fn names_stay_in_their_place() {
+    for name in NAMES {
+        let (page, _) = page(&named(name), &Options::default()).unwrap();
+        assert_eq!(page.matches("<script").count(), 1, "{name:?}");
+        assert_eq!(page.matches("</script").count(), 1, "{name:?}");
+        let robots_own = script(&page).split_once(PAGE).unwrap().0;
+        let (robots_own, _) = robots_own
+            .split_once("// Poses are twelve numbers")
+            .unwrap();
+        assert!(is_no_markup(robots_own), "{name:?}");
+        assert!(
+            !page.split("<script").next().unwrap().contains(name),
+            "{name:?}"
+        );
+    }
+}
+
+#[test]
+fn nothing_is_fetched() {
+    let (page, _) = page(&read("robots/ur5e.urdf"), &Options::default()).unwrap();
+    assert!(page.contains("default-src 'none'"));
+    for way in [
+        "http:", "https:", "//cdn", "src=", "href=", "@import", "url(", "fetch(", "import(",
+    ] {
+        assert!(!page.contains(way), "{way}");
+    }
+}
