@@ -30,7 +30,7 @@ pub use kin_runtime::{
     HighlyRedundantKinematics, Jacobian, JointLimit, Kinematics, Manipulability, Nearest,
     NoSolution, ParallelKinematics, Parameter, PathStep, Pose, Posture, Postures, RANK_TOLERANCE,
     RedundantKinematics, Singularities, Singularity, Solution, Solutions, Swivel, Target, Twist,
-    WithBase, WithTool, Wrench, centering_gradient, null_space, subproblems,
+    WithBase, WithTool, Wrench, centering_gradient, null_space, single, subproblems,
 };
 #[cfg(feature = "std")]
 pub use kin_runtime::{

@@ -3,7 +3,7 @@
 use crate::batch::Share;
 use crate::table::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use kin_codegen::{Diagnostics, Ik, Options, Source, Target};
+use kin_codegen::{Diagnostics, Ik, Options, Scalar, Source, Target};
 use std::path::{Path, PathBuf};
 
 /// The kinematics of a robot file, compiled and verified.
@@ -268,6 +268,9 @@ pub struct RobotOptions {
     /// [default: the swivel angle, or those that give the cheapest closed form]
     #[arg(long, value_name = "JOINT")]
     pub free: Vec<String>,
+    /// The type of numbers in generated code: f64 or f32
+    #[arg(long, default_value_t)]
+    pub scalar: Scalar,
     /// Warnings about the file are errors
     #[arg(long)]
     pub strict: bool,
@@ -283,6 +286,7 @@ impl RobotOptions {
             ik: if self.no_ik { Ik::None } else { self.ik },
             target: self.target,
             free: self.free.clone(),
+            scalar: self.scalar,
             strict: self.strict,
             krate: None,
         }

@@ -12,8 +12,9 @@ use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
 use crate::redundancy::{self, Redundancy, solve_redundant};
+use crate::scalar::Scalar;
 use crate::singularity::Singular;
-use crate::solver::{Certified, NoClosedForm, solve};
+use crate::solver::{Certified, Lack, NoClosedForm, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
 
 /// A serial arm, compiled but not yet written as Rust.
@@ -114,7 +115,8 @@ pub(crate) fn compile(
     spec: &ArmSpec,
     options: &Options,
 ) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
-    let model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
+    let mut model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
+    model.scalar = options.scalar;
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let linkage = Linkage::new(&model);
     let free = redundancy::named(spec, &model, target, &options.free)?;
@@ -127,6 +129,9 @@ pub(crate) fn compile(
     let is_redundant = model.joints.len() > target.coordinates();
     let solved = match options.ik {
         Ik::None => Ok(None),
+        Ik::ClosedForm if is_redundant && options.scalar == Scalar::F32 => {
+            Err(NoClosedForm::OnlyInDouble(Lack::Parameter))
+        }
         Ik::ClosedForm if is_redundant => solve_redundant(&model, &linkage, target, &free)
             .map(|(found, redundancy)| Some((found, Some(redundancy)))),
         Ik::ClosedForm => solve(&model, &linkage, target).map(|found| Some((found, None))),

@@ -19,6 +19,7 @@
 
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
+use crate::scalar::Scalar;
 use crate::spec::Source;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -77,6 +78,12 @@ impl Config {
     /// angle, or the joints that give the cheapest closed form. See [`Options::free`].
     pub fn free(mut self, joint: impl Into<String>) -> Self {
         self.options.free.push(joint.into());
+        self
+    }
+
+    /// The type of numbers in generated code; by default `f64`.
+    pub fn scalar(mut self, scalar: Scalar) -> Self {
+        self.options.scalar = scalar;
         self
     }
 

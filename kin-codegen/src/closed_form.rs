@@ -6,24 +6,18 @@ use crate::expr::inverse::{FreeAngle, InverseGraph};
 use crate::geometry::{Carried, Idealized, Linkage};
 use crate::model::JointKind;
 use crate::plan::Plan;
+use crate::scalar::{Scalar, Tolerances};
+use crate::single;
 use crate::univariate;
 use kin_runtime::__private::Acceptance;
-use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE, SAMPLES, roomiest_turn};
 use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
 use kin_runtime::{Pose, Solution, Solutions};
-
-/// Solutions reach the target to this, relative to the arm's size.
-pub const TOLERANCE: f64 = 1e-9;
 
 /// In square roots of the relative shift of the tip, how near to a singular
 /// configuration the branches of the idealized arm do not tell those of the arm
 /// as given: two roots that are nearer may have met on one of the two arms and
 /// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
-
-/// An idealized arm whose tip moved less than this, relative to its size, is
-/// the given one to rounding.
-pub(crate) const UNMOVED: f64 = 1e-12;
 
 /// Below this conditioning an elimination may not tell two solutions apart.
 const DROWNED: f64 = 1e-4;
@@ -55,6 +49,8 @@ pub struct ClosedForm {
     pub tip_shift: f64,
     /// From the branches to solutions of the arm as given.
     pub refinement: Refinement,
+    /// Forward kinematics of the arm as given, where it is computed in single precision.
+    pub single: Option<single::Forward>,
 }
 
 /// From the branches of the plan to the solutions of the arm as given.
@@ -95,9 +91,14 @@ impl BranchSolution {
 }
 
 impl ClosedForm {
+    /// What the digits of the scalar allow.
+    fn tolerances(&self) -> Tolerances {
+        self.linkage.scalar.tolerances()
+    }
+
     /// Whether the arm as given has the relations exactly.
     pub fn is_exact(&self) -> bool {
-        self.tip_shift < UNMOVED * self.linkage.size
+        self.tip_shift < self.tolerances().unmoved * self.linkage.size
     }
 
     /// The elimination of all joints but one, if the arm is solved by that or has it beside
@@ -232,8 +233,9 @@ impl ClosedForm {
             parameters,
             seed,
             branches: self.plan.branches() as u32,
+            scalar: self.linkage.scalar,
         };
-        let values = at.evaluate(FREE_BELOW);
+        let values = at.evaluate(self.tolerances().free_below);
         let exists = |branch: u32| {
             let turned = inverse.free_angle.and_then(|free| {
                 let no_root = values.at(NO_ROOT, branch) > 0.0;
@@ -260,6 +262,9 @@ impl ClosedForm {
         let accept = self.acceptance();
         let fk_jacobian = |q: &[f64; N]| self.given.fk_jacobian(q, parameters);
         let problem = Problem::new(fk_jacobian, target, self.plan.target, &accept);
+        if let Some(forward) = &self.single {
+            return forward.corrected(target, self.plan.target, starts, &accept);
+        }
         match self.refinement {
             Refinement::Branches(steps) => refine_branches(&problem, starts, &accept, steps),
             _ => correct_branches(&problem, starts, &accept),
@@ -290,7 +295,7 @@ impl ClosedForm {
     /// may.
     pub fn near_singular(&self) -> f64 {
         match self.refinement {
-            _ if self.is_exact() => 0.0,
+            _ if self.is_exact() => self.tolerances().near_singular,
             Refinement::None => 0.0,
             Refinement::Branches(_) => self.untold(),
             Refinement::Univariate(_) => DROWNED,
@@ -315,7 +320,7 @@ impl ClosedForm {
         let size = self.linkage.size;
         Acceptance {
             size,
-            tolerance: TOLERANCE * size,
+            tolerance: self.tolerances().solved * size,
             near_singular: self.untold(),
             prismatic: sliding.fold(0, |mask, i| mask | 1 << i),
         }
@@ -334,6 +339,7 @@ struct Question<'a> {
     /// What free angles keep.
     seed: &'a [f64],
     branches: u32,
+    scalar: Scalar,
 }
 
 /// Lanes that are computed at once: most plans have so many branches.
@@ -367,9 +373,10 @@ impl Values<'_> {
 impl<'a> Question<'a> {
     /// The values with the free angle of a branch turned.
     fn turned(&self, branch: u32, free: FreeAngle) -> Values<'a> {
-        let turned = |turn: f64| self.evaluate_with(NEARLY_FREE, Some((free.coordinate, turn)));
+        let nearly_free = self.scalar.tolerances().nearly_free;
+        let turned = |turn: f64| self.evaluate_with(nearly_free, Some((free.coordinate, turn)));
         let level = |turn| turned(turn).at(LEVEL, branch);
-        turned(roomiest_turn(SAMPLES.map(level)))
+        turned(self.scalar.roomiest_turn(level))
     }
 
     /// The values with angles free below a threshold.

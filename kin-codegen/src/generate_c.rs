@@ -6,6 +6,7 @@ use crate::emit::c::{self, Files};
 use crate::emit::header;
 use crate::error::Error;
 use crate::options::Options;
+use crate::scalar::Scalar;
 use crate::spec::{Diagnostic, Diagnostics, Source};
 
 /// The generated robot as C99.
@@ -48,6 +49,12 @@ pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Erro
     if options.krate.is_some() {
         let reason = "C does not depend on the crate `kinematics`";
         let diagnostic = Diagnostic::whole(reason, "leave out the option `crate`");
+        return Err(refused(diagnostic).into());
+    }
+    if options.scalar != Scalar::default() {
+        let reason = "C is written in double precision alone";
+        let diagnostic =
+            Diagnostic::whole(reason, "leave out the option `scalar`, or generate Rust");
         return Err(refused(diagnostic).into());
     }
     let robot = compile(source, options)?;

@@ -55,6 +55,8 @@ pub mod plan;
 pub mod random;
 #[doc(hidden)]
 pub mod redundancy;
+mod scalar;
+mod single;
 #[doc(hidden)]
 pub mod singularity;
 #[doc(hidden)]
@@ -73,6 +75,7 @@ pub use generate_js::{GeneratedJs, generate_js};
 pub use options::{Ik, Options, Unknown, target};
 pub use plan::Target;
 pub use refusal::{Reason, Refusal};
+pub use scalar::Scalar;
 pub use spec::{Diagnostics, Source};
 
 #[cfg(doctest)]

@@ -9,6 +9,7 @@ mod locked;
 mod mimic;
 mod tip;
 
+use crate::scalar::Scalar;
 use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Rating};
 use crate::vector::norm;
 use kin_runtime::{Chain, Pose, Twist};
@@ -38,6 +39,8 @@ pub struct Model {
     pub frames: Vec<Frame>,
     /// What the file has that is odd, and changes nothing that is here.
     pub warnings: Vec<Diagnostic>,
+    /// What it is computed in.
+    pub scalar: Scalar,
 }
 
 /// A moving joint.
@@ -243,6 +246,7 @@ fn build(
         home,
         frames: Vec::new(),
         warnings: Vec::new(),
+        scalar: Scalar::default(),
     };
     model.frames = frames::fixed(spec, &chain, &model.leaders());
     Some(model)

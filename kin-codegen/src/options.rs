@@ -1,6 +1,7 @@
 //! What a user may ask of the compiler; the same through every interface.
 
 use crate::plan::Target;
+use crate::scalar::Scalar;
 use crate::spec::{did_you_mean, list_names};
 use std::fmt;
 use std::str::FromStr;
@@ -33,6 +34,8 @@ pub struct Options {
     /// with a spherical shoulder and a spherical wrist; by default that angle where there is
     /// one, otherwise the joints that give the cheapest closed form.
     pub free: Vec<String>,
+    /// The type of numbers in generated code.
+    pub scalar: Scalar,
     /// Whether warnings about the file are errors.
     pub strict: bool,
     /// The path of the crate `kinematics` in generated code, the option `crate`:
@@ -73,6 +76,7 @@ impl fmt::Display for Options {
             [joint] => Some(format!("{joint:?}")),
             joints => Some(format!("{joints:?}")),
         };
+        let scalar = (self.scalar != Scalar::default()).then(|| self.scalar.to_string());
         let settings = [
             ("name", self.name.clone()),
             ("base", quoted(&self.base)),
@@ -80,6 +84,7 @@ impl fmt::Display for Options {
             ("ik", ik),
             ("target", target),
             ("free", free),
+            ("scalar", scalar),
             ("strict", self.strict.then(|| "true".to_owned())),
             ("crate", self.krate.clone()),
         ];
@@ -113,6 +118,18 @@ impl FromStr for Ik {
             "closed_form" => Ok(Ik::ClosedForm),
             "none" => Ok(Ik::None),
             _ => Err(Unknown::new("inverse kinematics", word, &Ik::WORDS)),
+        }
+    }
+}
+
+impl FromStr for Scalar {
+    type Err = Unknown;
+
+    fn from_str(word: &str) -> Result<Self, Unknown> {
+        match word {
+            "f64" => Ok(Scalar::F64),
+            "f32" => Ok(Scalar::F32),
+            _ => Err(Unknown::new("scalar", word, &Scalar::WORDS)),
         }
     }
 }
@@ -220,12 +237,13 @@ mod tests {
             ik: Ik::None,
             target: Some(Target::Position),
             free: vec!["rail".into(), "elbow".into()],
+            scalar: Scalar::F32,
             strict: true,
             krate: Some("::robotics".into()),
         };
         assert_eq!(
             all.to_string(),
-            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, free = ["rail", "elbow"], strict = true, crate = ::robotics"#
+            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, free = ["rail", "elbow"], scalar = f32, strict = true, crate = ::robotics"#
         );
     }
 
@@ -233,6 +251,9 @@ mod tests {
     fn words_come_back_from_their_display() {
         for word in Ik::WORDS {
             assert_eq!(word.parse::<Ik>().unwrap().to_string(), word);
+        }
+        for word in Scalar::WORDS {
+            assert_eq!(word.parse::<Scalar>().unwrap().to_string(), word);
         }
         for word in Target::WORDS {
             assert_eq!(target(word).unwrap().word(), word);

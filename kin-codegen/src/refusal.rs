@@ -5,7 +5,7 @@ use crate::geometry::structure;
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::Model;
 use crate::plan::Target;
-use crate::solver::NoClosedForm;
+use crate::solver::{Lack, NoClosedForm};
 use crate::spec::{Diagnostic, Source, list_names, one_line};
 use std::fmt;
 
@@ -41,6 +41,10 @@ impl Refusal {
             Reason::Arm(NoClosedForm::Redundant(_)) => {
                 "there are too many sets of joints to choose from: name those that stay free, one \
                  for each coordinate too many, with `free`"
+            }
+            Reason::Arm(NoClosedForm::OnlyInDouble(_)) => {
+                "leave out `scalar = f32`; with it, `ik = none` generates forward kinematics and \
+                 Jacobians alone"
             }
             Reason::Arm(NoClosedForm::Free { .. }) => {
                 "let a joint at an end of the chain stay free, or leave out `free`; `ik = none` \
@@ -102,6 +106,7 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
             let joints: Vec<&str> = joints.iter().map(String::as_str).collect();
             format!("with {} free, {}", list_names(&joints), why(model, reason))
         }
+        NoClosedForm::OnlyInDouble(lack) => only_in_double(*lack).to_owned(),
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
         NoClosedForm::Singular { rank, coaxial } => {
             let coaxial = coaxial.as_ref().map_or_else(String::new, |[a, b]| {
@@ -126,6 +131,24 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
         ),
         NoClosedForm::Uncertified { plan, failure } => {
             format!("the best plan, {plan}, failed its verification: {failure}")
+        }
+    }
+}
+
+/// What the arm asks for that `f32` has not.
+fn only_in_double(lack: Lack) -> &'static str {
+    match lack {
+        Lack::Refinement => {
+            "its axes are off exact relations by more than the digits of f32 leave, and branches \
+             are refined onto such an arm in f64 alone"
+        }
+        Lack::Polynomial => {
+            "the subproblems do not solve it, and the polynomial that does is for f64 alone: its \
+             coefficients take more digits than f32 has"
+        }
+        Lack::Quartic => "its plan asks for the roots of a quartic, which are there in f64 alone",
+        Lack::Parameter => {
+            "it has joints to spare, and what is given beside a target is for f64 alone"
         }
     }
 }

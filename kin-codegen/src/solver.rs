@@ -2,13 +2,15 @@
 //! tolerance, and the plans for them certified, until one stands.
 
 use crate::certificate::{Certificate, Failure, NearSingular, Trials, certify};
-use crate::closed_form::{ClosedForm, Inverse, Refinement, UNMOVED};
-use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
 use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, Swivel, axes, idealize, rank, relate, size,
 };
 use crate::model::Model;
 use crate::plan::{Atom, Plan, Plans, Step, Subproblem, Target};
+use crate::scalar::Scalar;
+use crate::single;
 use crate::univariate::{self, Kept};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
@@ -53,9 +55,24 @@ pub struct Certified {
     pub certificate: Certificate,
 }
 
+/// What single precision lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lack {
+    /// Refinement onto an arm that is off the one that is solved.
+    Refinement,
+    /// The elimination of all joints but one.
+    Polynomial,
+    /// The roots of quartics.
+    Quartic,
+    /// Numbers that are given beside a target.
+    Parameter,
+}
+
 /// Why an arm has none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoClosedForm {
+    /// What it is solved by is there in double precision alone.
+    OnlyInDouble(Lack),
     /// Joints that mimic others couple the chain.
     Mimic,
     /// The joints are never independent: the chain is singular in every
@@ -152,7 +169,9 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
 fn completed(trials: &Trials, best: Certified) -> Certified {
     let form = &best.form;
     let is_whole = form.plan.target == Target::Pose && trials.linkage().locked.is_empty();
-    let asks = |form: &ClosedForm| form.is_exact() && form.refinement == Refinement::None;
+    let asks = |form: &ClosedForm| {
+        form.is_exact() && form.refinement == Refinement::None && form.single.is_none()
+    };
     let arm = (is_whole && asks(form)).then(|| univariate::Arm::new(trials.linkage()));
     let Some(arm) = arm.flatten() else {
         return best;
@@ -192,6 +211,12 @@ fn last_resort(
     refusal: NoClosedForm,
 ) -> Result<Certified, NoClosedForm> {
     let linkage = trials.linkage();
+    if linkage.scalar == Scalar::F32 {
+        return Err(match refusal {
+            NoClosedForm::NoPlan(_) => NoClosedForm::OnlyInDouble(Lack::Polynomial),
+            other => other,
+        });
+    }
     let arm = match target {
         Target::Pose => univariate::Arm::between(trials.model(), linkage),
         Target::PositionAxis if linkage.locked.is_empty() => {
@@ -225,6 +250,7 @@ fn last_resort(
         inverse: Inverse::Univariate(Box::new(arm)),
         tip_shift: 0.0,
         refinement: Refinement::None,
+        single: None,
     };
     match certify(trials, &form, usize::MAX) {
         Ok(certificate) => Ok(Certified { form, certificate }),
@@ -269,7 +295,7 @@ fn solve_idealized(
     }
     let linkage = linkage.with_swivel(swivel.flatten());
     let tip_shift = tip_shift(trials.model(), &idealized.model);
-    let exact = tip_shift < UNMOVED * linkage.size;
+    let exact = tip_shift < linkage.scalar.tolerances().unmoved * linkage.size;
     let locked = &linkage.locked;
     if !exact && rank_without(&idealized.model, locked) < linkage.variables().min(6) {
         // Of the ideal arm, the others are singular throughout.
@@ -282,6 +308,11 @@ fn solve_idealized(
         true => 0.0,
         false => tip_shift / linkage.size,
     };
+    let single = (linkage.scalar == Scalar::F32)
+        .then(|| single::Forward::new(trials.linkage(), trials.model().variables.len()));
+    if single.is_some() && !exact {
+        return Err(NoClosedForm::OnlyInDouble(Lack::Refinement));
+    }
     let form = |plan: &Plan, free: FreeAngles| ClosedForm {
         idealized: idealized.clone(),
         linkage: linkage.clone(),
@@ -298,6 +329,7 @@ fn solve_idealized(
             true => Refinement::None,
             false => Refinement::Branches(REFINEMENT),
         },
+        single: single.clone(),
     };
     let mut plans = Plans::new(&linkage, target);
     // The search estimates what a plan costs; of those that it comes by first, the
@@ -352,6 +384,11 @@ fn solve_idealized(
         for mut form in std::iter::once(seeded).chain(turned.map(|free| form(&plan, free))) {
             if let Some(arm) = &beside {
                 form.refinement = Refinement::Univariate(Box::new(arm.clone()));
+            }
+            let quartic = |inverse: &InverseGraph| inverse.arguments.is_none();
+            if form.single.is_some() && form.expressions().is_some_and(quartic) {
+                refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
+                break;
             }
             let losses = best
                 .as_ref()

@@ -1,8 +1,9 @@
 //! Arms that are off their design by noise of all sizes: nothing is lost next to where
 //! the design is singular, and solving them takes a bounded number of steps.
 
+use kin_codegen::Scalar;
 use kin_codegen::certificate::recovered;
-use kin_codegen::closed_form::{ClosedForm, Refinement, TOLERANCE};
+use kin_codegen::closed_form::{ClosedForm, Refinement};
 use kin_codegen::geometry::{Linkage, conditioning, size};
 use kin_codegen::model::Model;
 use kin_codegen::plan::Target;
@@ -79,7 +80,10 @@ fn nothing_is_lost(path: &str) {
             assert_eq!(numbers.len(), solutions.len(), "{noise:e} {q:?}");
             for solution in &solutions {
                 let miss = Target::Pose.distance(&chain.fk(&solution.q), &target, length);
-                assert!(miss < TOLERANCE * length, "{noise:e} {q:?}: {solution:?}");
+                assert!(
+                    miss < Scalar::F64.tolerances().solved * length,
+                    "{noise:e} {q:?}: {solution:?}"
+                );
             }
             let conditioning = conditioning(&chain, &q, length, Target::Pose);
             let back = recovered(&model, &q, &solutions, conditioning);

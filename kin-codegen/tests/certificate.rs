@@ -61,6 +61,7 @@ impl Arm {
             idealized,
             tip_shift: 0.0,
             refinement: Refinement::None,
+            single: None,
         }
     }
 }

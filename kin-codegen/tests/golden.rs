@@ -1,19 +1,19 @@
-//! The generated code of five robots as it stands in `tests/golden`, so that
+//! The generated code of some robots as it stands in `tests/golden`, so that
 //! every change shows what it does to the code.
 //!
 //! `BLESS=1 cargo test --package kin-codegen --test golden` writes the files
 //! anew.
 
-use kin_codegen::{Options, Source, generate};
+use kin_codegen::{Options, Scalar, Source, generate};
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn generated(robot: &str) -> String {
+fn generated(robot: &str, options: &Options) -> String {
     let source = Source::read(robot, &root()).unwrap();
-    generate(&source, &Options::default()).unwrap().code()
+    generate(&source, options).unwrap().code()
 }
 
 /// The first line in which two texts differ, from 1, with what each has there.
@@ -25,8 +25,12 @@ fn first_difference<'t>(a: &'t str, b: &'t str) -> (usize, &'t str, &'t str) {
 }
 
 fn check(robot: &str, golden: &str) {
+    check_with(robot, &Options::default(), golden);
+}
+
+fn check_with(robot: &str, options: &Options, golden: &str) {
     let file = root().join("tests/golden").join(golden);
-    let code = generated(robot);
+    let code = generated(robot, options);
     if std::env::var_os("BLESS").is_some() {
         std::fs::write(&file, &code).unwrap();
     }
@@ -64,6 +68,20 @@ fn a_calibrated_arm() {
 #[test]
 fn seven_joints_of_which_one_is_given() {
     check("robots/panda.yaml", "panda.rs");
+}
+
+#[test]
+fn single_precision_without_a_token_of_double() {
+    let options = Options {
+        scalar: Scalar::F32,
+        ..Options::default()
+    };
+    check_with("robots/scara.yaml", &options, "scara_f32.rs");
+    let code = generated("robots/ur5e.urdf", &options);
+    let code = code
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"));
+    assert!(code.into_iter().all(|line| !line.contains("f64")));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What stands between the parentheses of `kinematics!`.
 
-use kin_codegen::{Ik, Options, Target, Unknown, target};
+use kin_codegen::{Ik, Options, Scalar, Target, Unknown, target};
 use proc_macro2::Span;
 use quote::ToTokens;
 use std::fmt::Display;
@@ -9,8 +9,8 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, LitBool, LitStr, Path, Result, Token, bracketed, token};
 
 /// The options, as they are written.
-const OPTIONS: [&str; 9] = [
-    "name", "base", "tip", "ik", "target", "free", "strict", "crate", "debug",
+const OPTIONS: [&str; 10] = [
+    "name", "base", "tip", "ik", "target", "free", "scalar", "strict", "crate", "debug",
 ];
 
 /// `"arm.urdf", name = Arm, base = "base_link", ..`
@@ -70,6 +70,7 @@ impl Arguments {
             "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
             "target" => options.target = Some(value.word(&Target::WORDS, target)?),
             "free" => options.free = value.joints()?,
+            "scalar" => options.scalar = value.word(&Scalar::WORDS, str::parse)?,
             "strict" => options.strict = value.switch()?,
             "crate" => {
                 let (path, dollar_crate) = value.path()?;

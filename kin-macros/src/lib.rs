@@ -53,6 +53,8 @@ use proc_macro::TokenStream;
 ///   of others it is the joint that leaves the others the
 ///   cheapest closed form, which the type's documentation tells; with
 ///   `target = position_axis` the turn of the tool comes before any joint.
+/// - **`scalar = f32`**: numbers of single precision, for processors without a unit for
+///   more; the types are those of `kinematics::single`. By default `f64`.
 /// - **`strict = true`**: what is odd in the file and changes nothing of the
 ///   robot is an error too. By default the type's documentation lists it.
 /// - **`crate = ::robotics`**: the path under which the code finds the crate

@@ -37,6 +37,7 @@ mod robot;
 mod scalar;
 #[cfg(feature = "alloc")]
 mod self_motion;
+pub mod single;
 pub mod subproblems;
 mod types;
 #[cfg(feature = "alloc")]
@@ -63,6 +64,7 @@ pub use robot::{
     Along, Body, Follow, Following, Frame, HighlyRedundantKinematics, Kinematics, NoSolution,
     Parameter, PathStep, RedundantKinematics, WithBase, WithTool,
 };
+pub use scalar::Real;
 #[cfg(feature = "alloc")]
 pub use self_motion::{
     SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, self_motion, self_motions,
@@ -94,6 +96,7 @@ pub mod __private {
     pub use crate::parallel::three_spheres;
     pub use crate::scalar::math;
     pub use crate::scalar::quartic::{self, trig_roots};
+    pub use crate::scalar::tolerance;
     pub use crate::{generated_by, implement_kinematics, inherent_parallel_methods};
 }
 

@@ -5,8 +5,8 @@
 //! sequence is found by dynamic programming (R. Bellman, *Dynamic Programming*,
 //! 1957) over all branches and all full turns inside the limits.
 
-use crate::types::travel::{TOLERANCE, wound};
-use crate::{Kinematics, Nearest, NoSolution, Pose, Solution, math};
+use crate::types::travel::wound;
+use crate::{JointLimit, Kinematics, Nearest, NoSolution, Pose, Solution, math};
 use alloc::vec::Vec;
 
 /// Solutions for all targets of a path; see [`ik_path`].
@@ -198,7 +198,7 @@ fn distance<const N: usize>(
     let mut square = 0.0;
     for i in 0..N {
         let by = wound(q[i], from[i], turns[i]) - from[i];
-        if by.abs() > nearest.step[i] + TOLERANCE {
+        if by.abs() > nearest.step[i] + JointLimit::TOLERANCE {
             return f64::INFINITY;
         }
         square += (nearest.weights[i] * by) * (nearest.weights[i] * by);

@@ -4,7 +4,7 @@ use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::forward::Outputs;
 use kin_codegen::expr::{Expr, Graph, Tape};
 use kin_codegen::spec::{Diagnostic, Diagnostics};
-use kin_codegen::{Error, Options, Source, compile};
+use kin_codegen::{Error, Options, Scalar, Source, compile};
 use kin_runtime::{Chain, JointLimit};
 use std::path::Path;
 use std::str::FromStr;
@@ -80,6 +80,11 @@ impl Robot {
     /// What is wrong with the file or the options, or why the robot has no closed form. A
     /// mechanism of several chains is none of these robots.
     pub fn load(source: &Source, options: &Options) -> Result<Self, Error> {
+        if options.scalar != Scalar::default() {
+            let reason = "a robot that is read at run time computes in f64 alone";
+            let remedy = "leave out `scalar = f32`, or generate its code";
+            return Err(Diagnostics::one(&source.path, Diagnostic::whole(reason, remedy)).into());
+        }
         let compiled = compile(source, options)?;
         let Some(arm) = compiled.arm() else {
             let reason = "the file has a mechanism of several chains, which is no arm";

@@ -3,7 +3,7 @@
 use super::Settings;
 use super::draw::Ranges;
 use kin_codegen::certificate::{Failure, SINGULAR, recovered};
-use kin_codegen::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
+use kin_codegen::closed_form::{BranchSolution, ClosedForm};
 use kin_codegen::geometry::size;
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};
@@ -54,7 +54,7 @@ impl<'a> Case<'a> {
     }
 
     pub(super) fn run(&self, q: Vec<f64>) -> Outcome {
-        let target = self.chain.fk(&q);
+        let target = self.form.linkage.scalar.target(self.chain.fk(&q));
         let start = Instant::now();
         let (parameters, _) = self.form.split(&q);
         let mut solutions = self.form.solutions_at(&target, &parameters);
@@ -114,7 +114,7 @@ impl<'a> Case<'a> {
     }
 
     pub(super) fn is_sound(&self, residual: f64) -> bool {
-        residual <= TOLERANCE * self.size
+        residual <= self.form.acceptance().tolerance
     }
 
     /// Whether a configuration is among the solutions, to what its conditioning

@@ -10,7 +10,7 @@
 mod alignment;
 mod parameters;
 
-use crate::closed_form::{BranchSolution, ClosedForm, TOLERANCE};
+use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::{self, Linkage};
 use crate::model::{Model, configurations};
 use crate::plan::Target;
@@ -266,7 +266,7 @@ impl Held {
             None => parameters.clone(),
         };
         let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {
-            pose: chain.fk(&q),
+            pose: linkage.scalar.target(chain.fk(&q)),
             conditioning: linkage.conditioning(&chain, &q, target),
             parameters: of(&q),
             q,
@@ -341,6 +341,7 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
     }
     for held in &trials.held {
         for target in held.elsewhere(trials.target) {
+            let target = trials.linkage.scalar.target(target);
             certificate.sound(&Run { trials, held, form }, &target, &held.parameters)?;
         }
     }
@@ -370,7 +371,7 @@ impl Certificate {
             let found = held.chain.fk(&solution.q);
             let distance = trials.target.distance(&found, target, size);
             self.worst_residual = self.worst_residual.max(distance);
-            if distance.is_nan() || distance > TOLERANCE * size {
+            if distance.is_nan() || distance > trials.linkage.scalar.tolerances().solved * size {
                 let q = solution.q.clone();
                 return Err(Failure::Unsound { q, distance });
             }
@@ -434,7 +435,10 @@ impl Certificate {
             Err(Failure::Lost(_)) if trial.aligned && self.lost < losses => self.lost += 1,
             Err(other) => return Err(other),
             // A double root that is none of the arm has half of its digits.
-            Ok(()) if *conditioning > REGULAR && is_among(model, q, &flagged, 1e-6) => {
+            Ok(())
+                if *conditioning > REGULAR
+                    && is_among(model, q, &flagged, 10.0 * model.scalar.tolerances().same) =>
+            {
                 if self.lost == losses {
                     return Err(Failure::Lost(q.clone()));
                 }
@@ -458,12 +462,13 @@ pub fn recovered(
     solutions: &[BranchSolution],
     conditioning: f64,
 ) -> Result<(), Failure> {
-    let tolerance = (1e-11 / conditioning.powi(2)).clamp(1e-7, 1e-2);
+    let to = model.scalar.tolerances();
+    let tolerance = (to.recovered / conditioning.powi(2)).clamp(to.same, to.different);
     if !is_among(model, q, solutions, tolerance) {
         return Err(Failure::Lost(q.to_vec()));
     }
     for (i, a) in solutions.iter().enumerate() {
-        if is_among(model, &a.q, &solutions[..i], 1e-7) {
+        if is_among(model, &a.q, &solutions[..i], to.same) {
             return Err(Failure::Doubled(q.to_vec()));
         }
     }

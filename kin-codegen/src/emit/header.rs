@@ -5,6 +5,7 @@ use crate::arm::CompiledArm;
 use crate::compiled::Compiled;
 use crate::mechanism::CompiledMechanism;
 use crate::options::{Ik, Options};
+use crate::scalar::Scalar;
 use std::fmt::Write as _;
 
 /// Of a robot file: from what and how it was compiled.
@@ -68,17 +69,20 @@ impl Provenance<'_> {
             ik,
             target,
             free,
+            scalar,
             strict,
             krate,
         } = self.asked;
         let ik = (*ik != Ik::default()).then(|| ik.to_string());
         let target = target.map(|target| target.word().to_owned());
+        let scalar = (*scalar != Scalar::default()).then(|| scalar.to_string());
         let given = [
             ("name", name.clone()),
             ("base", base.clone()),
             ("tip", tip.clone()),
             ("ik", ik),
             ("target", target),
+            ("scalar", scalar),
             ("crate", krate.clone()),
         ];
         let mut command = format!("kin generate {}", quoted(self.path));
@@ -144,6 +148,7 @@ pub fn of(
         ik: asked.ik,
         target,
         free: free.unwrap_or_default(),
+        scalar: asked.scalar,
         strict: asked.strict,
         krate: asked.krate.clone(),
     };

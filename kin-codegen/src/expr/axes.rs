@@ -190,6 +190,7 @@ fn part(linkage: &Linkage, base: Pose, joints: std::ops::Range<usize>) -> Linkag
         links: linkage.links[joints.clone()].to_vec(),
         runs: runs.filter(|run| !run.joints.is_empty()).collect(),
         size: linkage.size,
+        scalar: linkage.scalar,
         has_free_turn: false,
         locked: Vec::new(),
         swivel: None,

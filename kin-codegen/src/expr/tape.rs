@@ -8,8 +8,10 @@
 //! expression, and so are the results.
 
 use super::{Expr, Graph, Lane, Node, RootField};
+use crate::scalar::Scalar;
 use kin_runtime::__private::quartic::{TrigRoot, trig_roots};
 use kin_runtime::__private::{Dispatched, dispatch, lanes, math};
+use kin_runtime::single::__private::math as single;
 use std::collections::HashMap;
 
 /// Where a value stands.
@@ -57,6 +59,7 @@ pub struct Tape {
     roots: Vec<Roots>,
     outputs: Vec<Place>,
     places: usize,
+    scalar: Scalar,
 }
 
 /// The values of some lanes.
@@ -79,6 +82,12 @@ impl Tape {
         Writer::new(graph, outputs).write(outputs)
     }
 
+    /// The same, computed in a scalar. Single precision is had by rounding every operation of
+    /// double precision, which gives the same: that has more than twice the digits.
+    pub fn of(self, scalar: Scalar) -> Self {
+        Self { scalar, ..self }
+    }
+
     /// How many outputs there are.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
@@ -87,7 +96,11 @@ impl Tape {
     /// Computes `L` lanes from `first` on: bit i of a lane's number tells that choice i is −1.
     pub fn run<const L: usize>(&self, inputs: &[f64], first: Lane) -> Lanes<'_, L> {
         let mut values = vec![[0.0; L]; self.places];
-        dispatch::<Running<L>, _>((self, inputs, first, &mut values[..]));
+        let input = (self, inputs, first, &mut values[..]);
+        match self.scalar {
+            Scalar::F64 => dispatch::<Running<L, false>, _>(input),
+            Scalar::F32 => Running::<L, true>::run(input),
+        }
         Lanes { tape: self, values }
     }
 }
@@ -96,18 +109,20 @@ impl Tape {
 const ANGLES: usize = 8;
 
 /// What is compiled for several instruction sets.
-struct Running<const L: usize>;
+struct Running<const L: usize, const SINGLE: bool>;
 
-impl<const L: usize> Dispatched<(&Tape, &[f64], Lane, &mut [[f64; L]])> for Running<L> {
+impl<const L: usize, const SINGLE: bool> Dispatched<(&Tape, &[f64], Lane, &mut [[f64; L]])>
+    for Running<L, SINGLE>
+{
     type Output = ();
 
     #[inline(always)]
     fn run((tape, inputs, first, values): (&Tape, &[f64], Lane, &mut [[f64; L]])) {
         for &(place, x) in &tape.constants {
-            values[usize::from(place)] = [x; L];
+            values[usize::from(place)] = [tape.scalar.rounded(x); L];
         }
         for &(place, input) in &tape.inputs {
-            values[usize::from(place)] = [inputs[usize::from(input)]; L];
+            values[usize::from(place)] = [tape.scalar.rounded(inputs[usize::from(input)]); L];
         }
         for &(place, choice) in &tape.signs {
             let sign = |k: usize| 1.0 - 2.0 * f64::from(((first + k as u32) >> choice) & 1);
@@ -118,21 +133,38 @@ impl<const L: usize> Dispatched<(&Tape, &[f64], Lane, &mut [[f64; L]])> for Runn
             for (x, (_, input)) in inputs_of.iter_mut().zip(angles) {
                 *x = inputs[*input as usize];
             }
-            let (sines, cosines) = lanes::sin_cos(inputs_of);
+            let (sines, cosines) = match SINGLE {
+                true => in_single(inputs_of),
+                false => lanes::sin_cos(inputs_of),
+            };
             for (k, ([sin, cos], _)) in angles.iter().enumerate() {
                 values[*sin as usize] = [sines[k]; L];
                 values[*cos as usize] = [cosines[k]; L];
             }
         }
         for instruction in &tape.instructions {
-            tape.step(*instruction, values);
+            tape.step::<L, SINGLE>(*instruction, values);
         }
     }
 }
 
+fn one_in_single(angle: f64) -> (f64, f64) {
+    let (sine, cosine) = single::sin_cos(angle as f32);
+    (sine.into(), cosine.into())
+}
+
+fn in_single<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    let both = angles.map(one_in_single);
+    (both.map(|(sine, _)| sine), both.map(|(_, cosine)| cosine))
+}
+
 impl Tape {
     #[inline(always)]
-    fn step<const L: usize>(&self, instruction: Instruction, values: &mut [[f64; L]]) {
+    fn step<const L: usize, const SINGLE: bool>(
+        &self,
+        instruction: Instruction,
+        values: &mut [[f64; L]],
+    ) {
         let at = |place: Place| place as usize;
         // Plain loops: macros run this in builds without optimizations, where closures are calls.
         macro_rules! lane_by_lane {
@@ -141,7 +173,8 @@ impl Tape {
                 let out = &mut values[at($to)];
                 let mut $k = 0;
                 while $k < L {
-                    out[$k] = $value;
+                    let value: f64 = $value;
+                    out[$k] = if SINGLE { f64::from(value as f32) } else { value };
                     $k += 1;
                 }
             }};
@@ -153,19 +186,32 @@ impl Tape {
             Instruction::Div(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] / b[k]),
             Instruction::Max(to, [a, b]) => lane_by_lane!(to, [a, b], k => math::max(a[k], b[k])),
             Instruction::Atan2(to, [y, x]) => {
-                lane_by_lane!(to, [y, x], k => lanes::angle(y[k], x[k]));
+                lane_by_lane!(to, [y, x], k => match SINGLE {
+                    true => single::angle(y[k] as f32, x[k] as f32).into(),
+                    false => lanes::angle(y[k], x[k]),
+                });
             }
             Instruction::OneAtan2(to, [y, x]) => {
-                values[at(to)] = [math::atan2(values[at(y)][0], values[at(x)][0]); L];
+                let [y, x] = [y, x].map(|place| values[at(place)][0]);
+                values[at(to)] = [match SINGLE {
+                    true => single::atan2(y as f32, x as f32).into(),
+                    false => math::atan2(y, x),
+                }; L];
             }
             Instruction::Neg(to, a) => lane_by_lane!(to, [a], k => -a[k]),
             Instruction::Sqrt(to, a) => lane_by_lane!(to, [a], k => a[k].sqrt()),
-            Instruction::Wrap(to, a) => lane_by_lane!(to, [a], k => math::wrap(a[k])),
+            Instruction::Wrap(to, a) => lane_by_lane!(to, [a], k => match SINGLE {
+                true => single::wrap(a[k] as f32).into(),
+                false => math::wrap(a[k]),
+            }),
             Instruction::SinCos([sin, cos], a) => {
                 let a = values[at(a)];
                 let mut both = [[0.0; L]; 2];
                 for k in 0..L {
-                    (both[0][k], both[1][k]) = math::sin_cos(a[k]);
+                    (both[0][k], both[1][k]) = match SINGLE {
+                        true => one_in_single(a[k]),
+                        false => math::sin_cos(a[k]),
+                    };
                 }
                 [values[at(sin)], values[at(cos)]] = both;
             }

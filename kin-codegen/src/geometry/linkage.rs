@@ -16,6 +16,7 @@
 
 use super::{Line, Swivel, Vec3, along, conditioning, cross, dot, norm, size, sub, unit};
 use crate::model::{Joint, JointKind, Model};
+use crate::scalar::Scalar;
 use kin_runtime::{Chain, Jacobian, Pose, Target, Twist};
 use std::ops::Range;
 
@@ -40,6 +41,8 @@ pub struct Linkage {
     pub runs: Vec<Run>,
     /// The arm's size, metres.
     pub size: f64,
+    /// What it is computed in.
+    pub scalar: Scalar,
     /// Whether the last joint is none of the arm's, but the turn about the
     /// tip's z axis that a target leaves free.
     pub has_free_turn: bool,
@@ -162,6 +165,7 @@ impl Linkage {
             links,
             runs,
             size,
+            scalar: model.scalar,
             has_free_turn: false,
             locked: Vec::new(),
             swivel: None,

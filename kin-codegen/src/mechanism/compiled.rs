@@ -7,6 +7,7 @@ use super::inverse::{Aim, Inverse, LegForm, UnsolvedChain, forward_alone};
 use super::model::{Leg, Mechanism};
 use crate::arm::CompiledArm;
 use crate::options::{Ik, Options, file_name};
+use crate::scalar::Scalar;
 use crate::spec::{Diagnostic, Diagnostics, MechanismSpec};
 use kin_runtime::Pose;
 
@@ -93,6 +94,15 @@ pub(crate) fn compile(
 ) -> Result<(CompiledMechanism, Option<UnsolvedChain>), Diagnostics> {
     if options.target.is_some() {
         return Err(meaningless(spec, "target"));
+    }
+    if options.scalar != Scalar::default() {
+        let reason = "a parallel mechanism is computed in f64 alone";
+        let remedy =
+            "leave out `scalar = f32`, or generate its chains as arms, by `base` and `tip`";
+        return Err(Diagnostics::one(
+            &spec.source.path,
+            Diagnostic::whole(reason, remedy),
+        ));
     }
     if !options.free.is_empty() {
         return Err(meaningless(spec, "free"));

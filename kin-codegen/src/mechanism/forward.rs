@@ -7,6 +7,7 @@ use crate::arm::CompiledArm;
 use crate::geometry::{Vec3, norm, sub};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
+use crate::scalar::Scalar;
 use kin_runtime::__private::{math, three_spheres};
 use kin_runtime::Pose;
 
@@ -148,6 +149,7 @@ fn chain_of(mechanism: &Mechanism, passed: &[Passed], home: Pose) -> Model {
         home,
         frames: Vec::new(),
         warnings: Vec::new(),
+        scalar: Scalar::default(),
     }
 }
 

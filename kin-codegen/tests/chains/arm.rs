@@ -218,6 +218,7 @@ fn model(joints: Vec<Joint>, home: Pose) -> Model {
         home,
         frames: Vec::new(),
         warnings: Vec::new(),
+        scalar: kin_codegen::Scalar::F64,
     }
 }
 

@@ -1,8 +1,9 @@
 //! How well an arm moves its tip: measures, ellipsoids and gradients.
 
-use crate::linear::singular_values::SingularValues;
-use crate::linear::vector::dot;
-use crate::{Hessian, Jacobian};
+use super::super::linear::singular_values::SingularValues;
+use super::super::linear::vector::dot;
+use super::super::scalar::Real;
+use super::super::{Hessian, Jacobian};
 
 /// How far an arm is from a singularity: the three measures of MLS section
 /// 3.4.4. All are 0 at a singularity and there alone.
@@ -14,27 +15,27 @@ use crate::{Hessian, Jacobian};
 pub struct Manipulability {
     /// σ_min: the least speed of the tip at unit joint rates, over all
     /// directions that the arm has.
-    pub sigma_min: f64,
+    pub sigma_min: Real,
     /// σ_min / σ_max, from 0 to 1; 1 where the arm is isotropic.
-    pub inverse_condition: f64,
+    pub inverse_condition: Real,
     /// The product of the singular values: |det J| if J is square,
     /// √det(J Jᵀ) for more joints (T. Yoshikawa, 1985) and √det(Jᵀ J) for
     /// fewer. The volume of the velocity ellipsoid, up to a constant.
-    pub volume: f64,
+    pub volume: Real,
 }
 
 /// An ellipsoid about the origin, the longest axis first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid<const D: usize> {
     /// Orthonormal directions of the principal axes.
-    pub axes: [[f64; D]; D],
+    pub axes: [[Real; D]; D],
     /// Half the length of each; 0 where the ellipsoid is flat, ∞ where it has
     /// no bound.
-    pub lengths: [f64; D],
+    pub lengths: [Real; D],
 }
 
 /// The measures of some rows.
-fn measures<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Manipulability {
+fn measures<const R: usize, const N: usize>(rows: &[[Real; N]; R]) -> Manipulability {
     let values = SingularValues::new(rows).values;
     let values = &values[..SingularValues::<R, N>::COUNT];
     let (most, least) = match values {
@@ -51,19 +52,19 @@ fn measures<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Manipulabil
 
 /// d Π σ = Σᵢ (Π_{j≠i} σⱼ) uᵢᵀ dJ vᵢ, which stays finite where a σ is 0.
 fn gradient<const R: usize, const N: usize>(
-    rows: &[[f64; N]; R],
-    derivatives: impl Fn(usize) -> [[f64; N]; R],
-) -> [f64; N] {
+    rows: &[[Real; N]; R],
+    derivatives: impl Fn(usize) -> [[Real; N]; R],
+) -> [Real; N] {
     let found = SingularValues::new(rows);
     let count = SingularValues::<R, N>::COUNT;
-    let others = |i: usize| -> f64 {
+    let others = |i: usize| -> Real {
         let others = (0..count).filter(|&j| j != i);
         others.map(|j| found.values[j]).product()
     };
-    let weighted: [[f64; R]; R] = core::array::from_fn(|i| {
+    let weighted: [[Real; R]; R] = core::array::from_fn(|i| {
         found.left[i].map(|x| if i < count { x * others(i) } else { 0.0 })
     });
-    let right: [[f64; N]; R] = core::array::from_fn(|i| found.right(i));
+    let right: [[Real; N]; R] = core::array::from_fn(|i| found.right(i));
     core::array::from_fn(|k| {
         let slice = derivatives(k);
         let term = |i: usize| dot(weighted[i], slice.map(|row| dot(row, right[i])));
@@ -71,7 +72,7 @@ fn gradient<const R: usize, const N: usize>(
     })
 }
 
-fn velocity_ellipsoid<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Ellipsoid<R> {
+fn velocity_ellipsoid<const R: usize, const N: usize>(rows: &[[Real; N]; R]) -> Ellipsoid<R> {
     let found = SingularValues::new(rows);
     Ellipsoid {
         axes: found.left,
@@ -79,7 +80,7 @@ fn velocity_ellipsoid<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> E
     }
 }
 
-fn force_ellipsoid<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Ellipsoid<R> {
+fn force_ellipsoid<const R: usize, const N: usize>(rows: &[[Real; N]; R]) -> Ellipsoid<R> {
     let Ellipsoid { mut axes, lengths } = velocity_ellipsoid(rows);
     axes.reverse();
     let mut lengths = lengths.map(|length| 1.0 / length);
@@ -91,14 +92,14 @@ fn force_ellipsoid<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Elli
 impl<const N: usize> Jacobian<N> {
     /// The rows of the linear velocity.
     #[inline]
-    pub fn translational(&self) -> [[f64; N]; 3] {
+    pub fn translational(&self) -> [[Real; N]; 3] {
         let [x, y, z, ..] = self.rows;
         [x, y, z]
     }
 
     /// The rows of the angular velocity.
     #[inline]
-    pub fn rotational(&self) -> [[f64; N]; 3] {
+    pub fn rotational(&self) -> [[Real; N]; 3] {
         let [.., x, y, z] = self.rows;
         [x, y, z]
     }
@@ -106,7 +107,7 @@ impl<const N: usize> Jacobian<N> {
     /// The same Jacobian with `length`, metres, as the unit of length: the arm's
     /// reach, or that of a tool, makes translations and rotations comparable.
     #[inline]
-    pub fn in_lengths_of(&self, length: f64) -> Self {
+    pub fn in_lengths_of(&self, length: Real) -> Self {
         let mut rows = self.rows;
         rows[..3].iter_mut().flatten().for_each(|x| *x /= length);
         Jacobian { rows }
@@ -117,7 +118,7 @@ impl<const N: usize> Jacobian<N> {
     ///
     /// Those of the body and of the geometric Jacobian are the same; those of
     /// the spatial one depend on where the base is.
-    pub fn singular_values(&self) -> [f64; 6] {
+    pub fn singular_values(&self) -> [Real; 6] {
         SingularValues::new(&self.rows).values
     }
 
@@ -146,19 +147,19 @@ impl<const N: usize> Jacobian<N> {
     /// How the volume of all six rows changes with every joint, of
     /// [`Jacobian::manipulability`]; `hessian` is that of this Jacobian. At a
     /// singularity the volume has a kink and its least value; then this is 0.
-    pub fn manipulability_gradient(&self, hessian: &Hessian<N>) -> [f64; N] {
+    pub fn manipulability_gradient(&self, hessian: &Hessian<N>) -> [Real; N] {
         gradient(&self.rows, |k| hessian.derivatives[k].rows)
     }
 
     /// As [`Jacobian::manipulability_gradient`], of the linear velocity.
-    pub fn translational_manipulability_gradient(&self, hessian: &Hessian<N>) -> [f64; N] {
+    pub fn translational_manipulability_gradient(&self, hessian: &Hessian<N>) -> [Real; N] {
         gradient(&self.translational(), |k| {
             hessian.derivatives[k].translational()
         })
     }
 
     /// As [`Jacobian::manipulability_gradient`], of the angular velocity.
-    pub fn rotational_manipulability_gradient(&self, hessian: &Hessian<N>) -> [f64; N] {
+    pub fn rotational_manipulability_gradient(&self, hessian: &Hessian<N>) -> [Real; N] {
         gradient(&self.rotational(), |k| hessian.derivatives[k].rotational())
     }
 

@@ -1,8 +1,9 @@
 //! Motions of the joints that leave the tip where it is.
 
-use crate::linear::span::Span;
-use crate::linear::vector::dot;
-use crate::{Basis, Jacobian, JointLimit, RANK_TOLERANCE};
+use super::super::linear::span::Span;
+use super::super::linear::vector::dot;
+use super::super::scalar::Real;
+use super::super::{Basis, Jacobian, JointLimit, RANK_TOLERANCE};
 
 /// An orthonormal basis of the vectors x with A x = 0, for some rows of a
 /// Jacobian: [`Jacobian::translational`] for a task that leaves the tip's
@@ -17,7 +18,7 @@ use crate::{Basis, Jacobian, JointLimit, RANK_TOLERANCE};
 /// let basis = kin_runtime::null_space(&[[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]);
 /// assert_eq!(basis[..], [[0.0, 0.0, 1.0]]);
 /// ```
-pub fn null_space<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Basis<[f64; N], N> {
+pub fn null_space<const R: usize, const N: usize>(rows: &[[Real; N]; R]) -> Basis<[Real; N], N> {
     let space = Span::of(R, |i| rows[i], RANK_TOLERANCE);
     let mut vectors = [[0.0; N]; N];
     vectors
@@ -35,14 +36,14 @@ impl<const N: usize> Jacobian<N> {
     /// The internal motions J q̇ = 0 (MLS section 3.4.5): an orthonormal basis
     /// of the joint rates that leave the tip at rest, rad/s and m/s. See
     /// [`null_space`], also for the sign of the one of a seven-joint arm.
-    pub fn internal_motions(&self) -> Basis<[f64; N], N> {
+    pub fn internal_motions(&self) -> Basis<[Real; N], N> {
         null_space(&self.rows)
     }
 
     /// The internal motion nearest to some joint rates: a secondary task, such
     /// as to stay away from limits or from singularities, that does not disturb
     /// the tip.
-    pub fn null_space_projection(&self, rates: &[f64; N]) -> [f64; N] {
+    pub fn null_space_projection(&self, rates: &[Real; N]) -> [Real; N] {
         let mut projected = [0.0; N];
         for motion in &self.internal_motions() {
             let along = dot(*motion, *rates);
@@ -63,7 +64,7 @@ impl<const N: usize> Jacobian<N> {
 /// let limits = [JointLimit::Revolute { lower: -1.0, upper: 3.0 }, JointLimit::Continuous];
 /// assert_eq!(centering_gradient(&limits, &[2.0, 9.0]), [0.0625, 0.0]);
 /// ```
-pub fn centering_gradient<const N: usize>(limits: &[JointLimit; N], q: &[f64; N]) -> [f64; N] {
+pub fn centering_gradient<const N: usize>(limits: &[JointLimit; N], q: &[Real; N]) -> [Real; N] {
     core::array::from_fn(|i| {
         let (lower, upper) = (limits[i].lower(), limits[i].upper());
         let travel = upper - lower;

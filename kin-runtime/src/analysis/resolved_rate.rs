@@ -1,8 +1,9 @@
 //! Resolved-rate control: joint rates for a velocity of the tip.
 
-use crate::linear::singular_values::SingularValues;
-use crate::linear::vector::dot;
-use crate::{Jacobian, RANK_TOLERANCE, Twist};
+use super::super::linear::singular_values::SingularValues;
+use super::super::linear::vector::dot;
+use super::super::scalar::Real;
+use super::super::{Jacobian, RANK_TOLERANCE, Twist};
 
 impl<const N: usize> Jacobian<N> {
     /// J⁺ V: the joint rates that give the tip a velocity, in the coordinates
@@ -10,7 +11,7 @@ impl<const N: usize> Jacobian<N> {
     /// and radians count alike. Directions lost to a singularity, see
     /// [`RANK_TOLERANCE`], are left out; close to one, rates grow without
     /// bound, which [`Jacobian::damped_rates`] avoids.
-    pub fn least_squares_rates(&self, velocity: &Twist) -> [f64; N] {
+    pub fn least_squares_rates(&self, velocity: &Twist) -> [Real; N] {
         let found = SingularValues::new(&self.rows);
         let least = RANK_TOLERANCE * found.values[0];
         found.rates(
@@ -30,7 +31,7 @@ impl<const N: usize> Jacobian<N> {
     /// assert_eq!(jacobian.least_squares_rates(&(slide * 0.3)), [0.3]);
     /// assert!((jacobian.damped_rates(&(slide * 0.3), 0.1)[0] - 0.3 / 1.01).abs() < 1e-15);
     /// ```
-    pub fn damped_rates(&self, velocity: &Twist, damping: f64) -> [f64; N] {
+    pub fn damped_rates(&self, velocity: &Twist, damping: Real) -> [Real; N] {
         let found = SingularValues::new(&self.rows);
         found.rates(velocity, |value| {
             value / (value * value + damping * damping)
@@ -40,7 +41,7 @@ impl<const N: usize> Jacobian<N> {
 
 impl<const N: usize> SingularValues<6, N> {
     /// Σ vᵢ gain(σᵢ) uᵢ · V over what is not 0.
-    fn rates(&self, velocity: &Twist, gain: impl Fn(f64) -> f64) -> [f64; N] {
+    fn rates(&self, velocity: &Twist, gain: impl Fn(Real) -> Real) -> [Real; N] {
         let mut rates = [0.0; N];
         for (i, &value) in self
             .values

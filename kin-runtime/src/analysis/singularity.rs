@@ -1,6 +1,7 @@
 //! Singularities, and the determinant that tells them all.
 
-use crate::Jacobian;
+use super::super::Jacobian;
+use super::super::scalar::Real;
 
 /// A singularity of an arm, and how far from it a configuration is. Generated robots with a square Jacobian return an array of these from
 /// `singularities(&q)`: the factors of its determinant, by name.
@@ -21,13 +22,13 @@ pub struct Singularity {
     /// 0 where the arm is at this singularity; the sign changes across it.
     /// The sine of the angle to it where one joint decides, otherwise a length
     /// in metres, or as the documentation of the robot's method says.
-    pub value: f64,
+    pub value: Real,
 }
 
 impl Singularity {
     /// Those of an arm, by name.
     #[inline]
-    pub fn by_name<const N: usize>(names: [&'static str; N], values: [f64; N]) -> [Self; N] {
+    pub fn by_name<const N: usize>(names: [&'static str; N], values: [Real; N]) -> [Self; N] {
         core::array::from_fn(|i| Singularity {
             name: names[i],
             value: values[i],
@@ -101,7 +102,7 @@ impl Jacobian<6> {
     /// let columns = [unit(1), unit(0), unit(2), unit(3), unit(4), unit(5) * 2.0];
     /// assert_eq!(Jacobian::from_columns(columns).determinant(), -2.0);
     /// ```
-    pub fn determinant(&self) -> f64 {
+    pub fn determinant(&self) -> Real {
         let mut rows = self.rows;
         let mut determinant = 1.0;
         for step in 0..6 {

@@ -1,12 +1,13 @@
 //! What a singular arm bears without effort.
 
-use crate::linear::singular_values::SingularValues;
-use crate::{Basis, Jacobian, Wrench};
+use super::super::linear::singular_values::SingularValues;
+use super::super::scalar::{Real, tolerance};
+use super::super::{Basis, Jacobian, Wrench};
 
 /// Singular values of a Jacobian below this part of the largest count as 0, in
 /// metres and radians. Joint values that solve inverse kinematics are this
 /// accurate.
-pub const RANK_TOLERANCE: f64 = 1e-9;
+pub const RANK_TOLERANCE: Real = tolerance::RANK;
 
 impl<const N: usize> Jacobian<N> {
     /// The dimension of the space of velocities that the joints can give the

@@ -1,16 +1,18 @@
 //! What makes a branch of a closed form a solution.
 
+use super::super::scalar::Real;
+
 /// What makes a branch a solution.
 #[derive(Clone, Copy, Debug)]
 pub struct Acceptance {
     /// The arm's size, metres: angles count as lengths at this distance.
-    pub size: f64,
+    pub size: Real,
     /// Solutions may miss the target by this, metres.
-    pub tolerance: f64,
+    pub tolerance: Real,
     /// The near-singular threshold: where the Jacobian's least pivot by its
     /// largest is below this, the branches of the idealized arm do not tell
     /// those of the arm as given; 0 if that is the ideal one.
-    pub near_singular: f64,
+    pub near_singular: Real,
     /// Bit i is set where joint i is prismatic.
     pub prismatic: u32,
 }

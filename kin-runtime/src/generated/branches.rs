@@ -1,24 +1,24 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
+use super::super::scalar::Real;
+use super::super::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 use super::acceptance::Acceptance;
 use super::dispatch::{Dispatched, dispatch};
 use super::refinement::{AtSwivel, NEARLY, Problem, correct_branches, refine_branches};
-use super::univariate::Univariate;
-use crate::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
 /// choice is + where bit i of k is clear.
 #[derive(Clone, Copy, Debug)]
 pub struct Branches<const N: usize, const L: usize> {
     /// By joint, in (−π, π] radians or metres.
-    pub q: [[f64; L]; N],
+    pub q: [[Real; L]; N],
     /// The distance of each branch from the target, metres. Where a root is out
     /// of domain the branch does as well as it can.
-    pub residual: [f64; L],
+    pub residual: [Real; L],
     /// Positive where the branch does not exist or repeats another.
-    pub invalid: [f64; L],
+    pub invalid: [Real; L],
     /// Positive where a root is double or an angle is free.
-    pub singular: [f64; L],
+    pub singular: [Real; L],
 }
 
 /// The choice of the branch that moves least.
@@ -72,7 +72,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         let mut motions = [0.0; L];
         for k in 0..L {
             let mut motion = 0.0;
-            let mut excess = f64::NEG_INFINITY;
+            let mut excess = Real::NEG_INFINITY;
             for i in 0..N {
                 let (cost, beyond) = joints.cost(i, self.q[i][k]);
                 motion += cost;
@@ -80,7 +80,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             }
             let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
             let allowed = reaches & (excess <= JointLimit::TOLERANCE);
-            motions[k] = math::select(allowed, motion, f64::INFINITY);
+            motions[k] = math::select(allowed, motion, Real::INFINITY);
         }
         let mut best = 0;
         let mut least = motions[0];
@@ -88,7 +88,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             best = if motions[k] < least { k } else { best };
             least = math::select(motions[k] < least, motions[k], least);
         }
-        if least == f64::INFINITY {
+        if least == Real::INFINITY {
             return None;
         }
         let mut solution = self.lane(best);
@@ -102,7 +102,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     #[inline(always)]
     pub fn corrected_nearest(
         &self,
-        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         counts: Target,
         accept: &Acceptance,
@@ -125,7 +125,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     #[inline(always)]
     pub fn corrected(
         &self,
-        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         counts: Target,
         accept: &Acceptance,
@@ -158,7 +158,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     #[inline(never)]
     fn correct(
         &self,
-        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         counts: Target,
         accept: &Acceptance,
@@ -180,7 +180,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     #[inline]
     pub fn closest_by(
         &self,
-        fk: impl Fn(&[f64; N]) -> Pose,
+        fk: impl Fn(&[Real; N]) -> Pose,
         target: &Pose,
         counts: Target,
         accept: &Acceptance,
@@ -189,9 +189,9 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     }
 
     #[inline(always)]
-    fn least(&self, residual: impl Fn(&Solution<N>) -> f64) -> Option<Solution<N>> {
+    fn least(&self, residual: impl Fn(&Solution<N>) -> Real) -> Option<Solution<N>> {
         let mut best = None;
-        let mut least = f64::INFINITY;
+        let mut least = Real::INFINITY;
         for k in 0..L {
             let lane = self.lane(k);
             let residual = residual(&lane);
@@ -208,7 +208,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     #[inline]
     pub fn refined(
         &self,
-        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
+        fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         counts: Target,
         steps: usize,
@@ -219,46 +219,16 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     }
 }
 
-impl<const N: usize, const L: usize> Branches<N, L> {
-    /// The branches of an idealized arm, refined to the solutions of the arm as given; see
-    /// [`Univariate::refined`].
-    #[inline]
-    pub fn refined_onto(
-        &self,
-        arm: &Univariate,
-        target: &Pose,
-        accept: &Acceptance,
-    ) -> Solutions<N> {
-        arm.refined(target, self.existing(), L, accept.near_singular)
-    }
-
-    /// As [`Self::corrected`], and where a step degenerates, [`Univariate::refined`].
-    #[inline(always)]
-    pub fn completed(
-        &self,
-        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
-        arm: &Univariate,
-        target: &Pose,
-        accept: &Acceptance,
-    ) -> Solutions<N> {
-        let mut degenerates = false;
-        for k in 0..L {
-            degenerates |= (self.invalid[k] <= 0.0) & (self.singular[k] > 0.0);
-        }
-        match degenerates {
-            true => self.refined_onto(arm, target, accept),
-            false => self.corrected(fk_jacobian, target, Target::Pose, accept),
-        }
-    }
-}
-
 impl<const L: usize> Branches<7, L> {
     /// The branches at an angle of a swivel. Of an arm that was idealized they are refined in so
     /// many steps; of an exact one, where rounding keeps one from its target.
     #[inline]
     pub fn at_swivel(
         &self,
-        arm: &AtSwivel<impl Fn(&[f64; 7]) -> [Pose; 7], impl Fn(&[f64; 7]) -> (Pose, Jacobian<7>)>,
+        arm: &AtSwivel<
+            impl Fn(&[Real; 7]) -> [Pose; 7],
+            impl Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
+        >,
         target: &Pose,
         steps: Option<usize>,
         accept: &Acceptance,

@@ -9,18 +9,19 @@
 //! values at three angles tell. They take three more runs of the plan, which
 //! regular targets do not pay.
 
+use super::super::math;
+use super::super::scalar::Real;
+use super::super::scalar::consts::{FRAC_PI_2, PI};
+pub use super::super::scalar::tolerance::{FREE_BELOW, NEARLY_FREE};
 use super::branches::Branches;
-use crate::math;
-use crate::subproblems::subproblem4;
-use core::f64::consts::{FRAC_PI_2, PI};
 
 /// What the next root says of a free angle, as array lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeAngle<const L: usize> {
     /// d of the root's equation a cos θ + b sin θ = d.
-    pub level: [f64; L],
+    pub level: [Real; L],
     /// Positive where the angle is free and its value leaves no real root.
-    pub no_root: [f64; L],
+    pub no_root: [Real; L],
 }
 
 impl<const L: usize> FreeAngle<L> {
@@ -31,16 +32,9 @@ impl<const L: usize> FreeAngle<L> {
     }
 }
 
-/// A vector whose square is below this, relative to its scale, tells no angle.
-pub const FREE_BELOW: f64 = 1e-24;
-
-/// A vector whose square is below this moves the tip by half of what a solution
-/// may miss: the angle that it tells may be given up for any other.
-pub const NEARLY_FREE: f64 = 2.5e-19;
-
 /// The turns of the seed's angle, radians, at which [`roomiest_turn`] wants the
 /// level.
-pub const SAMPLES: [f64; 3] = [0.0, FRAC_PI_2, PI];
+pub const SAMPLES: [Real; 3] = [0.0, FRAC_PI_2, PI];
 
 /// The turn of a free angle, radians, that leaves the next root the most room.
 /// `levels` are its d at [`SAMPLES`].
@@ -50,11 +44,14 @@ pub const SAMPLES: [f64; 3] = [0.0, FRAC_PI_2, PI];
 /// let level = |turn: f64| 0.3 - 0.5 * turn.cos() + 0.4 * turn.sin();
 /// assert!(level(roomiest_turn(SAMPLES.map(level))).abs() < 1e-15);
 /// ```
-pub fn roomiest_turn([here, quarter, half]: [f64; 3]) -> f64 {
+pub fn roomiest_turn([here, quarter, half]: [Real; 3]) -> Real {
     let mean = 0.5 * (here + half);
-    let swing = [0.5 * (here - half), quarter - mean, 0.0];
-    let zero = subproblem4(swing, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], -mean);
-    zero.values().first().copied().unwrap_or(0.0)
+    let [x, y] = [0.5 * (here - half), quarter - mean];
+    // mean + x cos φ + y sin φ = 0 by the tangent of half of φ less the phase, or what comes
+    // nearest to it.
+    let amplitude = math::sqrt(x * x + y * y);
+    let [near, far] = [amplitude + mean, amplitude - mean].map(|end| math::sqrt(end.max(0.0)));
+    math::wrap(math::atan2(y, x) - 2.0 * math::atan2(near, far))
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {
@@ -66,11 +63,11 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     pub fn with_free_angle(
         mut self,
         free: &FreeAngle<L>,
-        seed: &[f64; N],
+        seed: &[Real; N],
         joint: usize,
-        run: impl Fn(&[f64; N], f64) -> (Self, FreeAngle<L>),
+        run: impl Fn(&[Real; N], Real) -> (Self, FreeAngle<L>),
     ) -> Self {
-        let turned = |turn: f64| {
+        let turned = |turn: Real| {
             let mut seed = *seed;
             seed[joint] += turn;
             run(&seed, NEARLY_FREE)

@@ -1,9 +1,10 @@
 //! Closed forms in lanes, of one target or of several.
 
+use super::super::Pose;
+use super::super::scalar::Real;
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
 use super::free_angle::{FREE_BELOW, FreeAngle};
-use crate::Pose;
 use core::marker::PhantomData;
 
 /// A closed form with L branches for N joints, of which P more are given.
@@ -17,9 +18,9 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize> {
     /// that are given; all in radians and metres. To be `#[inline(always)]`.
     fn lanes<const T: usize>(
         targets: &[Pose; T],
-        seed: &[f64; N],
-        locked: &[f64; P],
-        free: f64,
+        seed: &[Real; N],
+        locked: &[Real; P],
+        free: Real,
     ) -> Lanes<N, L, T>;
 }
 
@@ -27,17 +28,17 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize> {
 #[derive(Clone, Copy)]
 pub struct Lanes<const N: usize, const L: usize, const T: usize> {
     /// By joint, in (−π, π] radians or metres.
-    pub q: [[[f64; T]; L]; N],
+    pub q: [[[Real; T]; L]; N],
     /// The distance of each branch from its target, metres.
-    pub residual: [[f64; T]; L],
+    pub residual: [[Real; T]; L],
     /// Positive where the branch does not exist or repeats another.
-    pub invalid: [[f64; T]; L],
+    pub invalid: [[Real; T]; L],
     /// Positive where a root is double or an angle is free.
-    pub singular: [[f64; T]; L],
+    pub singular: [[Real; T]; L],
     /// d of the equation a cos θ + b sin θ = d of the root behind a free angle.
-    pub level: [[f64; T]; L],
+    pub level: [[Real; T]; L],
     /// Positive where the angle is free and its value leaves no real root.
-    pub no_root: [[f64; T]; L],
+    pub no_root: [[Real; T]; L],
 }
 
 impl<const N: usize, const L: usize> Lanes<N, L, 1> {
@@ -61,7 +62,7 @@ impl<const N: usize, const L: usize> Lanes<N, L, 1> {
 }
 
 #[inline(always)]
-fn alone<const L: usize>(lanes: [[f64; 1]; L]) -> [f64; L] {
+fn alone<const L: usize>(lanes: [[Real; 1]; L]) -> [Real; L] {
     lanes.map(|[one]| one)
 }
 
@@ -69,7 +70,7 @@ fn alone<const L: usize>(lanes: [[f64; 1]; L]) -> [f64; L] {
 struct Single<R, const P: usize>(PhantomData<R>);
 
 impl<R, const N: usize, const L: usize, const P: usize>
-    Dispatched<(&Pose, &[f64; N], &[f64; P], PhantomData<[(); L]>)> for Single<R, P>
+    Dispatched<(&Pose, &[Real; N], &[Real; P], PhantomData<[(); L]>)> for Single<R, P>
 where
     R: Inverse<N, L, P>,
 {
@@ -77,7 +78,7 @@ where
 
     #[inline(always)]
     fn run(
-        (pose, seed, locked, _): (&Pose, &[f64; N], &[f64; P], PhantomData<[(); L]>),
+        (pose, seed, locked, _): (&Pose, &[Real; N], &[Real; P], PhantomData<[(); L]>),
     ) -> Self::Output {
         R::lanes(&[*pose], seed, locked, FREE_BELOW).branches()
     }
@@ -87,7 +88,7 @@ where
 struct Seeded<R, const P: usize>(PhantomData<R>);
 
 impl<R, const N: usize, const L: usize, const P: usize>
-    Dispatched<(&Pose, &[f64; N], &[f64; P], f64, PhantomData<[(); L]>)> for Seeded<R, P>
+    Dispatched<(&Pose, &[Real; N], &[Real; P], Real, PhantomData<[(); L]>)> for Seeded<R, P>
 where
     R: Inverse<N, L, P>,
 {
@@ -95,7 +96,7 @@ where
 
     #[inline(always)]
     fn run(
-        (pose, seed, locked, free, _): (&Pose, &[f64; N], &[f64; P], f64, PhantomData<[(); L]>),
+        (pose, seed, locked, free, _): (&Pose, &[Real; N], &[Real; P], Real, PhantomData<[(); L]>),
     ) -> Self::Output {
         let lanes = R::lanes(&[*pose], seed, locked, free);
         (lanes.branches(), lanes.free_angle())
@@ -105,14 +106,14 @@ where
 impl<const N: usize, const L: usize> Branches<N, L> {
     /// Those of a closed form for one target, with angles that are free at `seed`.
     #[inline]
-    pub fn of<R, const P: usize>(pose: &Pose, seed: &[f64; N], locked: &[f64; P]) -> Self
+    pub fn of<R, const P: usize>(pose: &Pose, seed: &[Real; N], locked: &[Real; P]) -> Self
     where
         R: Inverse<N, L, P>,
     {
         let Some(coordinate) = R::FREE else {
             return dispatch::<Single<R, P>, _>((pose, seed, locked, PhantomData));
         };
-        let seeded = |seed: &[f64; N], free: f64| {
+        let seeded = |seed: &[Real; N], free: Real| {
             dispatch::<Seeded<R, P>, _>((pose, seed, locked, free, PhantomData))
         };
         let (branches, free_angle) = seeded(seed, FREE_BELOW);

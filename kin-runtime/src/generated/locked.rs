@@ -1,10 +1,11 @@
 //! Answers of an arm some of whose joints are given with the target: what was solved is
 //! the arm of the others, and what is returned are values of all joints.
 
+use super::super::scalar::Real;
+use super::super::{Jacobian, Pose, Solution, Solutions, Target, math};
 use super::acceptance::Acceptance;
 use super::branches::Branches;
 use super::refinement::{Problem, correct_branches, refine_branches};
-use crate::{Jacobian, Pose, Solution, Solutions, Target, math};
 
 /// Joints that are given, with their values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,7 +13,7 @@ pub struct Locked<const K: usize> {
     /// Their places among all joints, ascending.
     joints: [usize; K],
     /// Radians in (−π, π], and metres.
-    values: [f64; K],
+    values: [Real; K],
     /// Bit i is set where joint i of all joints is prismatic.
     prismatic: u32,
 }
@@ -21,7 +22,7 @@ impl<const K: usize> Locked<K> {
     /// From their places, ascending, their values, radians and metres, and the
     /// prismatic ones among all joints.
     #[inline(always)]
-    pub fn new(joints: [usize; K], values: [f64; K], prismatic: u32) -> Self {
+    pub fn new(joints: [usize; K], values: [Real; K], prismatic: u32) -> Self {
         let wrapped = |k: usize| {
             let slides = prismatic >> joints[k] & 1 == 1;
             math::select(slides, values[k], math::wrap(values[k]))
@@ -35,7 +36,7 @@ impl<const K: usize> Locked<K> {
 
     /// The value of joint i of all joints, if it is given, or which of the others it is.
     #[inline(always)]
-    fn place(&self, i: usize) -> Result<f64, usize> {
+    fn place(&self, i: usize) -> Result<Real, usize> {
         let mut before = 0;
         for (joint, value) in self.joints.iter().zip(self.values) {
             if *joint == i {
@@ -48,13 +49,13 @@ impl<const K: usize> Locked<K> {
 
     /// The values of all M joints, from those of the N others.
     #[inline(always)]
-    pub fn whole<const N: usize, const M: usize>(&self, q: &[f64; N]) -> [f64; M] {
+    pub fn whole<const N: usize, const M: usize>(&self, q: &[Real; N]) -> [Real; M] {
         core::array::from_fn(|i| self.place(i).unwrap_or_else(|other| q[other]))
     }
 
     /// The values of the N others among all M joints.
     #[inline(always)]
-    pub fn others<const N: usize, const M: usize>(&self, q: &[f64; M]) -> [f64; N] {
+    pub fn others<const N: usize, const M: usize>(&self, q: &[Real; M]) -> [Real; N] {
         let mut others = [0.0; N];
         for (i, value) in q.iter().enumerate() {
             if let Err(other) = self.place(i) {
@@ -113,7 +114,7 @@ impl<const K: usize> Locked<K> {
     pub fn corrected<const N: usize, const M: usize, const L: usize>(
         &self,
         branches: &Branches<N, L>,
-        fk_jacobian: impl Fn(&[f64; M]) -> (Pose, Jacobian<M>),
+        fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>),
         target: &Pose,
         counts: Target,
         accept: &Acceptance,
@@ -129,7 +130,7 @@ impl<const K: usize> Locked<K> {
     fn correct<const N: usize, const M: usize, const L: usize>(
         &self,
         branches: &Branches<N, L>,
-        fk_jacobian: impl Fn(&[f64; M]) -> (Pose, Jacobian<M>),
+        fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>),
         target: &Pose,
         counts: Target,
         accept: &Acceptance,
@@ -143,7 +144,7 @@ impl<const K: usize> Locked<K> {
     pub fn refined<const N: usize, const M: usize, const L: usize>(
         &self,
         branches: &Branches<N, L>,
-        fk_jacobian: impl Fn(&[f64; M]) -> (Pose, Jacobian<M>),
+        fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>),
         target: &Pose,
         counts: Target,
         steps: usize,
@@ -161,12 +162,12 @@ impl<const K: usize> Locked<K> {
     /// The arm of the others.
     fn problem<'a, const N: usize, const M: usize>(
         &'a self,
-        fk_jacobian: impl Fn(&[f64; M]) -> (Pose, Jacobian<M>) + 'a,
+        fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>) + 'a,
         target: &'a Pose,
         counts: Target,
         accept: &Acceptance,
-    ) -> Problem<'a, impl Fn(&[f64; N]) -> (Pose, Jacobian<N>) + 'a> {
-        let of_the_others = move |q: &[f64; N]| {
+    ) -> Problem<'a, impl Fn(&[Real; N]) -> (Pose, Jacobian<N>) + 'a> {
+        let of_the_others = move |q: &[Real; N]| {
             let (pose, jacobian) = fk_jacobian(&self.whole(q));
             (pose, self.columns(&jacobian))
         };

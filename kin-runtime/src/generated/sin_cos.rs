@@ -5,12 +5,13 @@
 //! many with the same angle of the others (`batch/forward`). What is generated
 //! is the same.
 
+use super::super::scalar::Real;
 use super::lanes;
 
 /// The sines and cosines of M angles, radians.
 pub trait SinCos<const M: usize> {
     /// Of these.
-    fn of(self, angles: [f64; M]) -> ([f64; M], [f64; M]);
+    fn of(self, angles: [Real; M]) -> ([Real; M], [Real; M]);
 }
 
 /// Those of one configuration, in packed instructions.
@@ -24,7 +25,7 @@ pub struct SideBySide;
 
 impl<const M: usize> SinCos<M> for SideBySide {
     #[inline(always)]
-    fn of(self, angles: [f64; M]) -> ([f64; M], [f64; M]) {
+    fn of(self, angles: [Real; M]) -> ([Real; M], [Real; M]) {
         lanes::sin_cos(angles)
     }
 }

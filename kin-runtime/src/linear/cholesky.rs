@@ -1,13 +1,14 @@
 //! Symmetric positive definite systems, as n×n row-major slices.
 
-use crate::math;
+use super::super::math;
+use super::super::scalar::Real;
 
 /// Overwrites the lower triangle of a matrix by its Cholesky factor L, with the
 /// reciprocals of L's diagonal on the diagonal. A square of a pivot that is not
 /// above `least` is taken for `least`; `false` if there is one, and the factor
 /// is of use only if `least` is above 0.
 #[inline(always)]
-pub(crate) fn factor(matrix: &mut [f64], n: usize, least: f64) -> bool {
+pub(crate) fn factor(matrix: &mut [Real], n: usize, least: Real) -> bool {
     let mut definite = true;
     for i in 0..n {
         for j in 0..i {
@@ -28,7 +29,7 @@ pub(crate) fn factor(matrix: &mut [f64], n: usize, least: f64) -> bool {
 
 /// Solves L Lᵀ x = b in place, by what [`factor`] leaves.
 #[inline(always)]
-pub(crate) fn solve(factor: &[f64], x: &mut [f64]) {
+pub(crate) fn solve(factor: &[Real], x: &mut [Real]) {
     let n = x.len();
     for i in 0..n {
         for k in 0..i {
@@ -54,8 +55,10 @@ mod tests {
         assert!(factor(&mut matrix, 2, 0.0));
         let mut x = [2.0, -1.0];
         solve(&matrix, &mut x);
-        assert!((x[0] - 1.0).abs() < 1e-15 && (x[1] + 1.0).abs() < 1e-15);
+        assert!(
+            (x[0] - 1.0).abs() < 8.0 * Real::EPSILON && (x[1] + 1.0).abs() < 8.0 * Real::EPSILON
+        );
         assert!(!factor(&mut [1.0, 2.0, 2.0, 1.0], 2, 0.0));
-        assert!(!factor(&mut [1.0, f64::NAN, f64::NAN, 1.0], 2, 0.0));
+        assert!(!factor(&mut [1.0, Real::NAN, Real::NAN, 1.0], 2, 0.0));
     }
 }

@@ -1,11 +1,12 @@
 //! Least squares by rows: triangles as n×n slices.
 
-use crate::math;
+use super::super::math;
+use super::super::scalar::Real;
 
 /// Takes one more row into the upper triangle R of a QR factorization, by
 /// Givens rotations; `tail` is what stands to the right of the row, and `tails`
 /// holds as many entries for each row of R. Both are used up.
-pub(crate) fn absorb(r: &mut [f64], tails: &mut [f64], row: &mut [f64], tail: &mut [f64]) {
+pub(crate) fn absorb(r: &mut [Real], tails: &mut [Real], row: &mut [Real], tail: &mut [Real]) {
     let (n, m) = (row.len(), tail.len());
     for i in 0..n {
         let (a, b) = (r[i * n + i], row[i]);
@@ -14,7 +15,7 @@ pub(crate) fn absorb(r: &mut [f64], tails: &mut [f64], row: &mut [f64], tail: &m
             continue;
         }
         let (c, s) = (a / length, b / length);
-        let turn = |x: &mut f64, y: &mut f64| (*x, *y) = (c * *x + s * *y, c * *y - s * *x);
+        let turn = |x: &mut Real, y: &mut Real| (*x, *y) = (c * *x + s * *y, c * *y - s * *x);
         (i..n).for_each(|j| turn(&mut r[i * n + j], &mut row[j]));
         (0..m).for_each(|j| turn(&mut tails[i * m + j], &mut tail[j]));
     }
@@ -33,6 +34,6 @@ mod tests {
         }
         let y = tails[1] / r[3];
         let x = (tails[0] - r[1] * y) / r[0];
-        assert!((x - 2.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+        assert!((x - 2.0).abs() < 8.0 * Real::EPSILON && (y - 1.0).abs() < 8.0 * Real::EPSILON);
     }
 }

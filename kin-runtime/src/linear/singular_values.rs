@@ -5,24 +5,25 @@
 //! orthogonal. Nothing is squared, so that small singular values keep their
 //! digits, and a matrix of fewer columns than rows needs no special case.
 
+use super::super::math::sqrt;
+use super::super::scalar::Real;
 use super::vector::norm;
-use crate::math::sqrt;
 
 /// Jacobians take 4 to 6 sweeps; this bounds those that hold no numbers.
 const SWEEPS: usize = 30;
 
 /// The cosine between rows that counts as 0. A singular value is off by no more
 /// than its square, but inner products of ten terms cannot be had more exactly.
-const ORTHOGONAL: f64 = 8.0 * f64::EPSILON;
+const ORTHOGONAL: Real = 8.0 * Real::EPSILON;
 
 /// A = Σ uᵢ σᵢ vᵢᵀ, the largest σ first.
 pub struct SingularValues<const R: usize, const N: usize> {
     /// σ; those that are not above rounding are 0.
-    pub values: [f64; R],
+    pub values: [Real; R],
     /// The rows are u, a complete orthonormal basis.
-    pub left: [[f64; R]; R],
+    pub left: [[Real; R]; R],
     /// The rows are σ v.
-    scaled_right: [[f64; N]; R],
+    scaled_right: [[Real; N]; R],
 }
 
 impl<const R: usize, const N: usize> SingularValues<R, N> {
@@ -30,7 +31,7 @@ impl<const R: usize, const N: usize> SingularValues<R, N> {
     pub const COUNT: usize = if R < N { R } else { N };
 
     /// Of a matrix by its rows.
-    pub fn new(rows: &[[f64; N]; R]) -> Self {
+    pub fn new(rows: &[[Real; N]; R]) -> Self {
         let mut rows = *rows;
         let mut left = [[0.0; R]; R];
         for i in 0..R {
@@ -55,13 +56,13 @@ impl<const R: usize, const N: usize> SingularValues<R, N> {
     }
 
     /// vᵢ; zero where σᵢ is 0.
-    pub fn right(&self, i: usize) -> [f64; N] {
+    pub fn right(&self, i: usize) -> [Real; N] {
         let value = self.values[i];
         self.scaled_right[i].map(|x| if value > 0.0 { x / value } else { 0.0 })
     }
 
     /// How many are above `tolerance` times the largest.
-    pub fn rank(&self, tolerance: f64) -> usize {
+    pub fn rank(&self, tolerance: Real) -> usize {
         let least = tolerance * self.values[0];
         self.values.iter().filter(|&&value| value > least).count()
     }
@@ -69,7 +70,7 @@ impl<const R: usize, const N: usize> SingularValues<R, N> {
 
 /// The singular values of an n×n matrix, largest first, into `values`.
 /// Overwrites the matrix.
-pub(crate) fn singular_values(square: &mut [f64], values: &mut [f64]) {
+pub(crate) fn singular_values(square: &mut [Real], values: &mut [Real]) {
     let n = values.len();
     orthogonalize(square, n, |_, _, _, _| {});
     for (i, value) in values.iter_mut().enumerate() {
@@ -83,12 +84,12 @@ pub(crate) fn singular_values(square: &mut [f64], values: &mut [f64]) {
 /// every rotation, and returns the length of a row that is rounding.
 #[inline(always)]
 fn orthogonalize(
-    rows: &mut [f64],
+    rows: &mut [Real],
     width: usize,
-    mut rotated: impl FnMut(usize, usize, f64, f64),
-) -> f64 {
+    mut rotated: impl FnMut(usize, usize, Real, Real),
+) -> Real {
     let count = rows.len().checked_div(width).unwrap_or(0);
-    let rounding = 4.0 * f64::EPSILON * sqrt(inner(rows, rows));
+    let rounding = 4.0 * Real::EPSILON * sqrt(inner(rows, rows));
     let mut turned = true;
     for _ in 0..SWEEPS {
         if !core::mem::take(&mut turned) {
@@ -111,21 +112,21 @@ fn orthogonalize(
 /// The rotation that makes two rows orthogonal; none if they are, or if one of
 /// them is zero to rounding.
 #[inline(always)]
-fn rotation(a: &[f64], b: &[f64], rounding: f64) -> Option<(f64, f64)> {
+fn rotation(a: &[Real], b: &[Real], rounding: Real) -> Option<(Real, Real)> {
     let (aa, bb, ab) = (inner(a, a), inner(b, b), inner(a, b));
     let zero = rounding * rounding;
     if ab.abs() <= ORTHOGONAL * sqrt(aa * bb) || aa <= zero || bb <= zero {
         return None;
     }
     let zeta = (bb - aa) / (2.0 * ab);
-    let tangent = 1.0_f64.copysign(zeta) / (zeta.abs() + sqrt(1.0 + zeta * zeta));
+    let tangent = Real::copysign(1.0, zeta) / (zeta.abs() + sqrt(1.0 + zeta * zeta));
     let cosine = 1.0 / sqrt(1.0 + tangent * tangent);
     Some((cosine, cosine * tangent))
 }
 
 /// Rotates rows i < j.
 #[inline(always)]
-fn rotate(rows: &mut [f64], width: usize, i: usize, j: usize, cosine: f64, sine: f64) {
+fn rotate(rows: &mut [Real], width: usize, i: usize, j: usize, cosine: Real, sine: Real) {
     let (before, after) = rows.split_at_mut(j * width);
     let pairs = before[i * width..][..width].iter_mut().zip(after);
     for (x, y) in pairs {
@@ -133,14 +134,14 @@ fn rotate(rows: &mut [f64], width: usize, i: usize, j: usize, cosine: f64, sine:
     }
 }
 
-fn descending<const R: usize>(values: &[f64; R]) -> [usize; R] {
+fn descending<const R: usize>(values: &[Real; R]) -> [usize; R] {
     let mut order = core::array::from_fn(|i| i);
     order.sort_unstable_by(|&i, &j| values[j].total_cmp(&values[i]));
     order
 }
 
 #[inline(always)]
-fn inner(a: &[f64], b: &[f64]) -> f64 {
+fn inner(a: &[Real], b: &[Real]) -> Real {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
@@ -152,7 +153,7 @@ mod tests {
     /// A = Σ uᵢ σᵢ vᵢᵀ must hold to rounding.
     #[test]
     fn the_factors_multiply_to_the_matrix() {
-        let rows: [[f64; 4]; 3] = [
+        let rows: [[Real; 4]; 3] = [
             [1.0, 0.5, 1.0 / 3.0, 0.25],
             [0.5, 1.0 / 3.0, 0.25, 0.2],
             [1.0 / 3.0, 0.25, 0.2, 1.0 / 6.0],
@@ -161,8 +162,8 @@ mod tests {
         for i in 0..3 {
             for j in 0..4 {
                 let term = |k: usize| found.left[k][i] * found.values[k] * found.right(k)[j];
-                let entry: f64 = (0..3).map(term).sum();
-                assert!((entry - rows[i][j]).abs() < 1e-15);
+                let entry: Real = (0..3).map(term).sum();
+                assert!((entry - rows[i][j]).abs() < 8.0 * Real::EPSILON);
             }
         }
         assert!(found.values[0] > found.values[1] && found.values[1] > found.values[2]);
@@ -171,20 +172,22 @@ mod tests {
     #[test]
     fn more_rows_than_columns_leave_zeros_and_a_complete_basis() {
         let found = SingularValues::new(&[[3.0, 4.0], [6.0, 8.0], [0.0, 0.0], [4.0, -3.0]]);
-        assert!((found.values[0] - 125.0_f64.sqrt()).abs() < 1e-14);
-        assert!((found.values[1] - 5.0).abs() < 1e-14);
+        assert!((found.values[0] - Real::sqrt(125.0)).abs() < 90.0 * Real::EPSILON);
+        assert!((found.values[1] - 5.0).abs() < 90.0 * Real::EPSILON);
         assert_eq!(found.values[2..], [0.0; 2]);
         for i in 0..4 {
             for j in 0..4 {
-                let expected = f64::from(u8::from(i == j));
-                assert!((inner(&found.left[i], &found.left[j]) - expected).abs() < 1e-15);
+                let expected = Real::from(u8::from(i == j));
+                assert!(
+                    (inner(&found.left[i], &found.left[j]) - expected).abs() < 8.0 * Real::EPSILON
+                );
             }
         }
     }
 
     #[test]
     fn what_is_no_number_ends() {
-        assert!(SingularValues::new(&[[f64::NAN, 1.0], [1.0, 2.0]]).values[0].is_nan());
+        assert!(SingularValues::new(&[[Real::NAN, 1.0], [1.0, 2.0]]).values[0].is_nan());
     }
 
     #[test]
@@ -192,8 +195,8 @@ mod tests {
         // [[3, 0], [4, 5]] has √45 and √5.
         let mut values = [0.0; 2];
         singular_values(&mut [3.0, 0.0, 4.0, 5.0], &mut values);
-        assert!((values[0] - 45_f64.sqrt()).abs() < 1e-14);
-        assert!((values[1] - 5_f64.sqrt()).abs() < 1e-14);
+        assert!((values[0] - Real::sqrt(45.0)).abs() < 90.0 * Real::EPSILON);
+        assert!((values[1] - Real::sqrt(5.0)).abs() < 90.0 * Real::EPSILON);
     }
 
     #[test]
@@ -203,6 +206,6 @@ mod tests {
             &mut [1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 0.0, 1.0],
             &mut values,
         );
-        assert!(values[2] < 1e-15, "{values:?}");
+        assert!(values[2] < 8.0 * Real::EPSILON, "{values:?}");
     }
 }

@@ -2,8 +2,9 @@
 //! beside it: a Householder factorization that takes the longest remainder
 //! first, which reveals the rank.
 
+use super::super::math::sqrt;
+use super::super::scalar::Real;
 use super::vector::dot;
-use crate::math::sqrt;
 
 /// V Π = Q R: the vectors, in another order, are upper triangular in an
 /// orthonormal basis, whose further vectors span what is at right angles to all
@@ -14,16 +15,16 @@ pub struct Span<const D: usize> {
     /// Which these are, in the order in which they were taken.
     taken: [usize; D],
     /// Rᵀ: row k is the k-th vector taken in the basis, zero behind entry k.
-    lower: [[f64; D]; D],
+    lower: [[Real; D]; D],
     /// The reflections 1 − 2 w wᵀ whose product is Q, as unit vectors.
-    reflections: [[f64; D]; D],
+    reflections: [[Real; D]; D],
 }
 
 impl<const D: usize> Span<D> {
     /// Of so many vectors. They count as dependent when what the others leave
     /// of them is below `tolerance` times the longest.
     #[inline]
-    pub fn of(count: usize, vector: impl Fn(usize) -> [f64; D], tolerance: f64) -> Self {
+    pub fn of(count: usize, vector: impl Fn(usize) -> [Real; D], tolerance: Real) -> Self {
         let mut span = Span {
             rank: 0,
             taken: [0; D],
@@ -34,10 +35,10 @@ impl<const D: usize> Span<D> {
         while span.rank < D.min(count) {
             let rest = |j: usize| {
                 let inside = span.inside(vector(j));
-                let square: f64 = inside[span.rank..].iter().map(|x| x * x).sum();
+                let square: Real = inside[span.rank..].iter().map(|x| x * x).sum();
                 (j, inside, sqrt(square))
             };
-            let longer = |a: (usize, [f64; D], f64), b| if rest(b).2 > a.2 { rest(b) } else { a };
+            let longer = |a: (usize, [Real; D], Real), b| if rest(b).2 > a.2 { rest(b) } else { a };
             let (j, inside, length) = (1..count).fold(rest(0), longer);
             if span.rank == 0 {
                 longest = length;
@@ -52,7 +53,7 @@ impl<const D: usize> Span<D> {
     }
 
     /// Turns the rest of a vector, given in the basis, into one entry.
-    fn take(&mut self, j: usize, mut inside: [f64; D], length: f64) {
+    fn take(&mut self, j: usize, mut inside: [Real; D], length: Real) {
         let k = self.rank;
         let target = -length.copysign(inside[k]);
         // |x − t e|² = 2 t (t − x), without cancellation by the choice of sign.
@@ -69,7 +70,7 @@ impl<const D: usize> Span<D> {
     }
 
     /// Qᵀ x: a vector in the basis.
-    fn inside(&self, mut x: [f64; D]) -> [f64; D] {
+    fn inside(&self, mut x: [Real; D]) -> [Real; D] {
         for normal in &self.reflections[..self.rank] {
             mirror(normal, &mut x);
         }
@@ -77,7 +78,7 @@ impl<const D: usize> Span<D> {
     }
 
     /// Q x: a vector given in the basis.
-    fn outside(&self, mut x: [f64; D]) -> [f64; D] {
+    fn outside(&self, mut x: [Real; D]) -> [Real; D] {
         for normal in self.reflections[..self.rank].iter().rev() {
             mirror(normal, &mut x);
         }
@@ -85,12 +86,12 @@ impl<const D: usize> Span<D> {
     }
 
     /// Orthonormal vectors at right angles to all of the vectors: D − rank.
-    pub fn complement(&self) -> impl Iterator<Item = [f64; D]> {
-        (self.rank..D).map(|i| self.outside(core::array::from_fn(|j| f64::from(u8::from(i == j)))))
+    pub fn complement(&self) -> impl Iterator<Item = [Real; D]> {
+        (self.rank..D).map(|i| self.outside(core::array::from_fn(|j| Real::from(u8::from(i == j)))))
     }
 
     /// What the span leaves of a vector.
-    pub fn reject(&self, vector: [f64; D]) -> [f64; D] {
+    pub fn reject(&self, vector: [Real; D]) -> [Real; D] {
         let mut inside = self.inside(vector);
         inside[..self.rank].fill(0.0);
         self.outside(inside)
@@ -98,10 +99,10 @@ impl<const D: usize> Span<D> {
 
     /// The combination of the vectors that comes nearest to another: tells the
     /// coefficient of each vector taken; those of the others are 0.
-    pub fn coordinates(&self, vector: [f64; D], mut tell: impl FnMut(usize, f64)) {
+    pub fn coordinates(&self, vector: [Real; D], mut tell: impl FnMut(usize, Real)) {
         let mut x = self.inside(vector);
         for k in (0..self.rank).rev() {
-            let known: f64 = (k + 1..self.rank).map(|j| self.lower[j][k] * x[j]).sum();
+            let known: Real = (k + 1..self.rank).map(|j| self.lower[j][k] * x[j]).sum();
             x[k] = (x[k] - known) / self.lower[k][k];
             tell(self.taken[k], x[k]);
         }
@@ -110,11 +111,11 @@ impl<const D: usize> Span<D> {
     /// The shortest x whose inner product with each vector taken is the given
     /// one.
     #[cfg(any(feature = "alloc", test))]
-    pub fn least_norm(&self, products: impl Fn(usize) -> f64) -> [f64; D] {
+    pub fn least_norm(&self, products: impl Fn(usize) -> Real) -> [Real; D] {
         let mut x = [0.0; D];
         for k in 0..self.rank {
             let row = &self.lower[k];
-            let known: f64 = (0..k).map(|i| row[i] * x[i]).sum();
+            let known: Real = (0..k).map(|i| row[i] * x[i]).sum();
             x[k] = (products(self.taken[k]) - known) / row[k];
         }
         self.outside(x)
@@ -122,7 +123,7 @@ impl<const D: usize> Span<D> {
 
     /// The sign of the determinant of D − 1 independent vectors as rows, with
     /// the vector of their complement as a last row.
-    pub fn orientation(&self) -> f64 {
+    pub fn orientation(&self) -> Real {
         let taken = &self.taken[..self.rank];
         let behind = |k: usize| taken[k + 1..].iter().filter(|&&j| j < taken[k]).count();
         let exchanges: usize = (0..self.rank).map(behind).sum();
@@ -138,7 +139,7 @@ impl<const D: usize> Span<D> {
     /// How far the independent vectors are from being dependent: their least
     /// singular value but for a small factor.
     #[cfg(feature = "alloc")]
-    pub fn least_pivot(&self) -> f64 {
+    pub fn least_pivot(&self) -> Real {
         let last = self.rank.checked_sub(1);
         last.map_or(0.0, |k| self.lower[k][k].abs())
     }
@@ -146,7 +147,7 @@ impl<const D: usize> Span<D> {
 
 /// x − 2 w (w · x).
 #[inline(always)]
-fn mirror<const D: usize>(normal: &[f64; D], x: &mut [f64; D]) {
+fn mirror<const D: usize>(normal: &[Real; D], x: &mut [Real; D]) {
     let twice = 2.0 * dot(*normal, *x);
     for (x, w) in x.iter_mut().zip(normal) {
         *x -= twice * w;
@@ -155,17 +156,18 @@ fn mirror<const D: usize>(normal: &[f64; D], x: &mut [f64; D]) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::scalar::tolerance;
     use super::super::vector::norm;
     use super::*;
 
-    const ROWS: [[f64; 4]; 3] = [
+    const ROWS: [[Real; 4]; 3] = [
         [1.0, 2.0, 0.0, -1.0],
         [0.5, 0.0, 3.0, 1.0],
         [0.0, -1.0, 1.0, 2.0],
     ];
 
-    fn span<const R: usize, const D: usize>(rows: [[f64; D]; R]) -> Span<D> {
-        Span::of(R, |i| rows[i], 1e-9)
+    fn span<const R: usize, const D: usize>(rows: [[Real; D]; R]) -> Span<D> {
+        Span::of(R, |i| rows[i], tolerance::RANK)
     }
 
     #[test]
@@ -173,8 +175,11 @@ mod tests {
         let found = span(ROWS);
         assert_eq!((found.rank, found.complement().count()), (3, 1));
         for vector in found.complement() {
-            assert!(ROWS.iter().all(|row| dot(*row, vector).abs() < 1e-15));
-            assert!((norm(vector) - 1.0).abs() < 1e-15);
+            assert!(
+                ROWS.iter()
+                    .all(|row| dot(*row, vector).abs() < 8.0 * Real::EPSILON)
+            );
+            assert!((norm(vector) - 1.0).abs() < 8.0 * Real::EPSILON);
         }
     }
 
@@ -196,7 +201,7 @@ mod tests {
             let vector = found.complement().next().unwrap();
             for i in 0..4 {
                 let expected = minors[i] / norm(minors);
-                assert!((found.orientation() * vector[i] - expected).abs() < 1e-15);
+                assert!((found.orientation() * vector[i] - expected).abs() < 8.0 * Real::EPSILON);
             }
         }
     }
@@ -209,10 +214,13 @@ mod tests {
         let products = [3.0, -6.0, 0.0, 1.0];
         let x = found.least_norm(|i| products[i]);
         for (row, product) in rows.iter().zip(products) {
-            assert!((dot(*row, x) - product).abs() < 1e-14);
+            assert!((dot(*row, x) - product).abs() < 90.0 * Real::EPSILON);
         }
         for vector in found.complement() {
-            assert!(rows.iter().all(|row| dot(*row, vector).abs() < 1e-15));
+            assert!(
+                rows.iter()
+                    .all(|row| dot(*row, vector).abs() < 8.0 * Real::EPSILON)
+            );
         }
     }
 
@@ -220,23 +228,23 @@ mod tests {
     fn coordinates_come_back_and_what_is_beside_is_rejected() {
         let found = span(ROWS);
         let beside = found.complement().next().unwrap();
-        let inside: [f64; 4] = core::array::from_fn(|i| 2.0 * ROWS[1][i] - ROWS[2][i]);
-        let vector: [f64; 4] = core::array::from_fn(|i| inside[i] + 0.3 * beside[i]);
+        let inside: [Real; 4] = core::array::from_fn(|i| 2.0 * ROWS[1][i] - ROWS[2][i]);
+        let vector: [Real; 4] = core::array::from_fn(|i| inside[i] + 0.3 * beside[i]);
         let mut back = [0.0; 4];
         found.coordinates(vector, |j, x| {
             (0..4).for_each(|i| back[i] += x * ROWS[j][i])
         });
         let rest = found.reject(vector);
         for i in 0..4 {
-            assert!((back[i] - inside[i]).abs() < 1e-14);
-            assert!((rest[i] - 0.3 * beside[i]).abs() < 1e-14);
+            assert!((back[i] - inside[i]).abs() < 90.0 * Real::EPSILON);
+            assert!((rest[i] - 0.3 * beside[i]).abs() < 90.0 * Real::EPSILON);
         }
     }
 
     #[test]
     fn zeros_and_what_is_no_number_have_no_rank() {
         assert_eq!(span([[0.0; 3]; 6]).rank, 0);
-        assert_eq!(span([[f64::NAN; 3]; 6]).rank, 0);
-        assert_eq!(Span::<6>::of(0, |_| [1.0; 6], 1e-9).rank, 0);
+        assert_eq!(span([[Real::NAN; 3]; 6]).rank, 0);
+        assert_eq!(Span::<6>::of(0, |_| [1.0; 6], tolerance::RANK).rank, 0);
     }
 }

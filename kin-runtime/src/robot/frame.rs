@@ -1,6 +1,7 @@
 //! Frames that are fixed to a robot's bodies.
 
-use crate::{Pose, Twist};
+use super::super::scalar::Real;
+use super::super::{Pose, Twist};
 
 /// A link of a robot file that does not move against the body that carries it:
 /// a camera, a flange, a tool changer.
@@ -52,15 +53,15 @@ pub struct Following {
     /// The coordinate of q that it follows.
     pub coordinate: usize,
     /// Its value is `multiplier * q[coordinate] + offset`; radians or metres.
-    pub multiplier: f64,
+    pub multiplier: Real,
     /// See `multiplier`.
-    pub offset: f64,
+    pub offset: Real,
 }
 
 impl Following {
     /// How such joints move what is behind them, one after the other (MLS
     /// section 3.2.1).
-    pub(crate) fn displacement(joints: &[Following], q: &[f64]) -> Pose {
+    pub(crate) fn displacement(joints: &[Following], q: &[Real]) -> Pose {
         joints.iter().fold(Pose::IDENTITY, |moved, joint| {
             let value = joint.multiplier * q[joint.coordinate] + joint.offset;
             moved * Pose::exp(&joint.twist, value)

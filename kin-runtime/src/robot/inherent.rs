@@ -50,19 +50,26 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! implement_kinematics {
+    ($robot:ident, $n:tt, scalar: f32, $($groups:tt)*) => {
+        $crate::implement_kinematics! { f32 of ($crate::single), $robot, $n, $($groups)* }
+    };
+    ($robot:ident, $n:tt, $($groups:tt)*) => {
+        $crate::implement_kinematics! { f64 of ($crate), $robot, $n, $($groups)* }
+    };
     (
-        $robot:ident, $n:tt, batches: $batches:ident, inverse: $inverse:ident, derivatives: $derivatives:ident,
-        determinant: $determinant:ident, singularities: $singularities:ident
+        $real:ident of $root:tt, $robot:ident, $n:tt, batches: $batches:ident, inverse: $inverse:ident,
+        derivatives: $derivatives:ident, determinant: $determinant:ident,
+        singularities: $singularities:ident
     ) => {
         $crate::kinematics_methods! {
-            implement_kinematics,
-            $n $robot $batches $inverse $derivatives $determinant $singularities
+            implement_kinematics, $real of $root,
+            $n $real $root $robot $batches $inverse $derivatives $determinant $singularities
         }
     };
     (
         [
-            $n:tt $robot:ident $batches:ident $inverse:ident $derivatives:ident
-            $determinant:ident $singularities:ident
+            $n:tt $real:ident ($($root:tt)*) $robot:ident $batches:ident $inverse:ident
+            $derivatives:ident $determinant:ident $singularities:ident
         ]
         required $required:tt
         jacobians $jacobians:tt
@@ -77,21 +84,21 @@ macro_rules! implement_kinematics {
     ) => {
         // A user's lints are not for code that only passes on.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-        impl $crate::Kinematics<$n> for $robot {
+        impl $($root)*::Kinematics<$n> for $robot {
             const JOINT_NAMES: [&'static str; $n] = $robot::JOINT_NAMES;
-            const LIMITS: [$crate::JointLimit; $n] = $robot::LIMITS;
-            const VELOCITY_LIMITS: [f64; $n] = $robot::VELOCITY_LIMITS;
-            const EFFORT_LIMITS: [f64; $n] = $robot::EFFORT_LIMITS;
+            const LIMITS: [$($root)*::JointLimit; $n] = $robot::LIMITS;
+            const VELOCITY_LIMITS: [$real; $n] = $robot::VELOCITY_LIMITS;
+            const EFFORT_LIMITS: [$real; $n] = $robot::EFFORT_LIMITS;
             const LINK_NAMES: [&'static str; $n] = $robot::LINK_NAMES;
-            const FRAMES: &'static [$crate::Frame] = $robot::FRAMES;
+            const FRAMES: &'static [$($root)*::Frame] = $robot::FRAMES;
             const BASE: &'static str = $robot::BASE;
             const TIP: &'static str = $robot::TIP;
-            const TARGET: $crate::Target = $robot::TARGET;
-            const POSTURES: &'static [$crate::Posture] = $robot::POSTURES;
+            const TARGET: $($root)*::Target = $robot::TARGET;
+            const POSTURES: &'static [$($root)*::Posture] = $robot::POSTURES;
             const BRANCHES: usize = $robot::BRANCHES;
             $crate::pass_on! { to $robot: own $required }
             $crate::pass_on! { to $robot: own $jacobians }
-            $crate::compute_in_batches! { $robot $n $batches }
+            $crate::compute_in_batches! { $real of ($($root)*), $robot $n $batches }
             $crate::pass_on! { to $robot: $inverse $inverse_methods }
             $crate::pass_on! { to $robot: $derivatives $derivative_methods }
             $crate::pass_on! { to $robot: $determinant $determinant_methods }
@@ -100,15 +107,15 @@ macro_rules! implement_kinematics {
 
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl $robot {
-            $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): batches $batch_methods }
+            $crate::pass_on! { from $robot as ($($root)*::Kinematics<$n>): batches $batch_methods }
             $crate::pass_on! {
-                from $robot as ($crate::Kinematics<$n>): batches with $inverse $inverse_batches
+                from $robot as ($($root)*::Kinematics<$n>): batches with $inverse $inverse_batches
             }
-            $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): with $inverse $reachable }
+            $crate::pass_on! { from $robot as ($($root)*::Kinematics<$n>): with $inverse $reachable }
             $crate::pass_on! {
-                from $robot as ($crate::Kinematics<$n>): $derivatives $derivative_methods
+                from $robot as ($($root)*::Kinematics<$n>): $derivatives $derivative_methods
             }
-            $crate::pass_on! { from $robot as ($crate::Kinematics<$n>): provided $provided }
+            $crate::pass_on! { from $robot as ($($root)*::Kinematics<$n>): provided $provided }
         }
     };
 }
@@ -186,12 +193,12 @@ macro_rules! pass_on {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! compute_in_batches {
-    ($robot:ident $n:tt provided) => {};
-    ($robot:ident $n:tt inverse) => {
-        $crate::compute_in_batches! { $robot $n forward }
+    ($real:ident of $root:tt, $robot:ident $n:tt provided) => {};
+    ($real:ident of ($($root:tt)*), $robot:ident $n:tt inverse) => {
+        $crate::compute_in_batches! { $real of ($($root)*), $robot $n forward }
         #[inline]
-        fn ik_batch(&self, targets: &[$crate::Pose], solutions: &mut [$crate::Solutions<$n>]) {
-            $crate::__private::batch::inverse::<$robot, $n, _>(
+        fn ik_batch(&self, targets: &[$($root)*::Pose], solutions: &mut [$($root)*::Solutions<$n>]) {
+            $($root)*::__private::batch::inverse::<$robot, $n, _>(
                 &$robot::ACCEPT,
                 targets,
                 solutions,
@@ -199,18 +206,18 @@ macro_rules! compute_in_batches {
             )
         }
     };
-    ($robot:ident $n:tt forward) => {
+    ($real:ident of ($($root:tt)*), $robot:ident $n:tt forward) => {
         #[inline]
-        fn fk_batch(&self, q: &[[f64; $n]], poses: &mut [$crate::Pose]) {
-            $crate::__private::batch::forward::<$robot, _, $n, _>(q, poses)
+        fn fk_batch(&self, q: &[[$real; $n]], poses: &mut [$($root)*::Pose]) {
+            $($root)*::__private::batch::forward::<$robot, _, $n, _>(q, poses)
         }
         #[inline]
         fn fk_jacobian_batch(
             &self,
-            q: &[[f64; $n]],
-            results: &mut [($crate::Pose, $crate::Jacobian<$n>)],
+            q: &[[$real; $n]],
+            results: &mut [($($root)*::Pose, $($root)*::Jacobian<$n>)],
         ) {
-            $crate::__private::batch::forward::<$robot, _, $n, _>(q, results)
+            $($root)*::__private::batch::forward::<$robot, _, $n, _>(q, results)
         }
     };
 }

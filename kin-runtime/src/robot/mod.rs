@@ -1,5 +1,6 @@
 //! What a serial arm offers, and the same with a tool or on another base.
 
+mod define;
 mod follow;
 mod frame;
 mod inherent;
@@ -12,10 +13,10 @@ mod placement;
 mod redundant;
 mod several;
 
+pub(crate) use define::define_kinematics;
 pub use follow::{Follow, PathStep};
 pub use frame::{Body, Following, Frame};
 pub use kinematics::Kinematics;
-pub(crate) use kinematics::define_kinematics;
 #[cfg(feature = "rayon")]
 pub use multithreaded::Multithreaded;
 pub use no_solution::NoSolution;

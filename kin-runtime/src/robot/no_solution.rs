@@ -1,6 +1,7 @@
 //! Why inverse kinematics has no solution that is wanted.
 
-use crate::{JointLimit, Kinematics, Nearest, Pose, Solution, Solutions, Target};
+use super::super::scalar::{Real, tolerance};
+use super::super::{JointLimit, Kinematics, Nearest, Pose, Solution, Solutions, Target};
 use core::fmt;
 
 /// Why [`Kinematics::try_ik_nearest`], or
@@ -14,7 +15,7 @@ pub enum NoSolution<const N: usize> {
     /// The target's rotation is none.
     NotRotation {
         /// How far it is from one; see [`Pose::rotation_error`].
-        error: f64,
+        error: Real,
     },
     /// No configuration reaches the target.
     OutOfReach {
@@ -29,7 +30,7 @@ pub enum NoSolution<const N: usize> {
         /// The joint that is furthest beyond a stop there.
         joint: usize,
         /// How far, radians or metres.
-        by: f64,
+        by: Real,
     },
     /// The target is reached inside the limits, by longer steps than allowed.
     BeyondStep {
@@ -38,12 +39,9 @@ pub enum NoSolution<const N: usize> {
         /// The joint that would have to move the most too far.
         joint: usize,
         /// How much further than allowed, radians or metres.
-        by: f64,
+        by: Real,
     },
 }
-
-/// A target's rotation is none if it is off one by more.
-const ROTATION_ERROR: f64 = 1e-9;
 
 impl<const N: usize> NoSolution<N> {
     /// Why a robot has none for a target.
@@ -99,7 +97,7 @@ impl<const N: usize> NoSolution<N> {
     ) -> Self {
         match counts.rotation_error(target) {
             _ if !counts.is_finite(target) => Self::NotFinite,
-            error if error > ROTATION_ERROR => Self::NotRotation { error },
+            error if error > tolerance::ROTATION => Self::NotRotation { error },
             _ => Self::OutOfReach {
                 approximate: approximate(),
             },
@@ -108,9 +106,9 @@ impl<const N: usize> NoSolution<N> {
 }
 
 /// The joint that is furthest beyond something, and how far.
-fn furthest<const N: usize>(beyond: [f64; N]) -> (usize, f64) {
+fn furthest<const N: usize>(beyond: [Real; N]) -> (usize, Real) {
     let all = beyond.into_iter().enumerate();
-    all.fold((0, f64::NEG_INFINITY), |most, next| {
+    all.fold((0, Real::NEG_INFINITY), |most, next| {
         if next.1 > most.1 { next } else { most }
     })
 }
@@ -118,8 +116,8 @@ fn furthest<const N: usize>(beyond: [f64; N]) -> (usize, f64) {
 /// The solution that is least beyond something.
 fn least<'a, const N: usize>(
     solutions: impl Iterator<Item = &'a Solution<N>>,
-    beyond: impl Fn(&Solution<N>) -> (usize, f64),
-) -> Option<(Solution<N>, (usize, f64))> {
+    beyond: impl Fn(&Solution<N>) -> (usize, Real),
+) -> Option<(Solution<N>, (usize, Real))> {
     solutions
         .map(|solution| (*solution, beyond(solution)))
         .min_by(|(_, a), (_, b)| a.1.total_cmp(&b.1))

@@ -1,7 +1,8 @@
 //! The exponential coordinates of rigid motions.
 
-use crate::linear::vector::{add, cross, norm, scale};
-use crate::{Pose, Twist, math};
+use super::super::linear::vector::{add, cross, norm, scale};
+use super::super::scalar::Real;
+use super::super::{Pose, Twist, math};
 
 impl Pose {
     /// e^(ξ̂ θ) (MLS section 2.3.2): the motion along the screw `twist` by
@@ -15,7 +16,7 @@ impl Pose {
     /// let opened = Pose::exp(&hinge, FRAC_PI_2);
     /// assert!(opened.translation_distance(&Pose::from_translation([1.0, -1.0, 0.0])) < 1e-15);
     /// ```
-    pub fn exp(twist: &Twist, theta: f64) -> Pose {
+    pub fn exp(twist: &Twist, theta: Real) -> Pose {
         let (v, w) = (scale(theta, twist.linear), scale(theta, twist.angular));
         let angle = norm(w);
         // p = v + b ŵ v + c ŵ² v with b = (1 − cos φ)/φ², c = (φ − sin φ)/φ³;
@@ -60,6 +61,6 @@ impl Pose {
 }
 
 /// a / b, or its limit where the division would be 0/0.
-fn ratio(a: f64, b: f64, limit: f64) -> f64 {
+fn ratio(a: Real, b: Real, limit: Real) -> Real {
     if b == 0.0 { limit } else { a / b }
 }

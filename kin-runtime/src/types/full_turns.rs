@@ -1,6 +1,7 @@
 //! Solutions that differ by full turns of joints.
 
-use crate::{JointLimit, Solution, Solutions};
+use super::super::scalar::Real;
+use super::super::{JointLimit, Solution, Solutions};
 
 impl<const N: usize> Solutions<N> {
     /// Every solution inside the limits with all full turns of its joints:
@@ -51,8 +52,8 @@ struct Odometer<'a, const N: usize> {
     solution: &'a Solution<N>,
     limits: &'a [JointLimit; N],
     /// First and last number of turns of every joint.
-    range: [(f64, f64); N],
-    turns: [f64; N],
+    range: [(Real, Real); N],
+    turns: [Real; N],
     done: bool,
 }
 
@@ -63,7 +64,7 @@ impl<'a, const N: usize> Odometer<'a, N> {
             if first.is_finite() && last.is_finite() {
                 return (first, last);
             }
-            let fewest = 0.0_f64.max(first).min(last);
+            let fewest = Real::max(0.0, first).min(last);
             (fewest, fewest)
         });
         let done = range.iter().any(|(first, last)| first > last);

@@ -7,8 +7,9 @@
 //! spatial one seen from a frame that moves, and their derivatives follow from
 //! its derivative by the product rule.
 
-use crate::linear::vector::{self, add};
-use crate::{Jacobian, Pose, Twist};
+use super::super::linear::vector::{self, add};
+use super::super::scalar::Real;
+use super::super::{Jacobian, Pose, Twist};
 
 /// The second derivatives of forward kinematics: how a Jacobian changes with
 /// every joint.
@@ -32,11 +33,11 @@ pub struct Hessian<const N: usize> {
 impl<const N: usize> Hessian<N> {
     /// J̇ = Σ ∂J/∂qₖ q̇ₖ: the time derivative of the Jacobian at the joint rates.
     #[inline]
-    pub fn along(&self, rates: &[f64; N]) -> Jacobian<N> {
+    pub fn along(&self, rates: &[Real; N]) -> Jacobian<N> {
         Jacobian {
             rows: core::array::from_fn(|i| {
                 core::array::from_fn(|j| {
-                    let of = |(slice, rate): (&Jacobian<N>, &f64)| slice.rows[i][j] * rate;
+                    let of = |(slice, rate): (&Jacobian<N>, &Real)| slice.rows[i][j] * rate;
                     self.derivatives.iter().zip(rates).map(of).sum()
                 })
             }),
@@ -82,7 +83,7 @@ impl<const N: usize> Jacobian<N> {
     /// `self` is the spatial Jacobian of a serial chain in which every column
     /// is one joint; with joints that mimic others this does not hold.
     #[inline]
-    pub fn spatial_dot(&self, rates: &[f64; N]) -> Self {
+    pub fn spatial_dot(&self, rates: &[Real; N]) -> Self {
         let before = self.rows.map(|row| {
             let mut sum = 0.0;
             core::array::from_fn(|j| {
@@ -120,13 +121,13 @@ impl<const N: usize> Jacobian<N> {
 
     /// v and ω of all columns.
     #[inline(always)]
-    fn halves(&self) -> [[[f64; N]; 3]; 2] {
+    fn halves(&self) -> [[[Real; N]; 3]; 2] {
         let [vx, vy, vz, wx, wy, wz] = self.rows;
         [[vx, vy, vz], [wx, wy, wz]]
     }
 
     #[inline(always)]
-    fn from_halves([[vx, vy, vz], [wx, wy, wz]]: [[[f64; N]; 3]; 2]) -> Self {
+    fn from_halves([[vx, vy, vz], [wx, wy, wz]]: [[[Real; N]; 3]; 2]) -> Self {
         Jacobian {
             rows: [vx, vy, vz, wx, wy, wz],
         }
@@ -135,7 +136,7 @@ impl<const N: usize> Jacobian<N> {
 
 /// N cross products side by side, which become packed instructions.
 #[inline(always)]
-fn cross<const N: usize>(a: [[f64; N]; 3], b: [[f64; N]; 3]) -> [[f64; N]; 3] {
+fn cross<const N: usize>(a: [[Real; N]; 3], b: [[Real; N]; 3]) -> [[Real; N]; 3] {
     let mut product = [[0.0; N]; 3];
     for j in 0..N {
         product[0][j] = a[1][j] * b[2][j] - a[2][j] * b[1][j];
@@ -146,7 +147,7 @@ fn cross<const N: usize>(a: [[f64; N]; 3], b: [[f64; N]; 3]) -> [[f64; N]; 3] {
 }
 
 #[inline(always)]
-fn sum<const N: usize>(mut a: [[f64; N]; 3], b: [[f64; N]; 3]) -> [[f64; N]; 3] {
+fn sum<const N: usize>(mut a: [[Real; N]; 3], b: [[Real; N]; 3]) -> [[Real; N]; 3] {
     for (row, other) in a.iter_mut().zip(&b) {
         for j in 0..N {
             row[j] += other[j];
@@ -157,7 +158,7 @@ fn sum<const N: usize>(mut a: [[f64; N]; 3], b: [[f64; N]; 3]) -> [[f64; N]; 3] 
 
 /// The same vector N times.
 #[inline(always)]
-fn splat<const N: usize>(a: [f64; 3]) -> [[f64; N]; 3] {
+fn splat<const N: usize>(a: [Real; 3]) -> [[Real; N]; 3] {
     a.map(|x| [x; N])
 }
 
@@ -193,7 +194,7 @@ impl<const N: usize> Change<'_, N> {
         let origin_moves = self.velocity.spatial_to_geometric(self.pose).linear;
         let mut derivative = Jacobian::default();
         for j in 0..N {
-            let at = |half: &[[f64; N]; 3]| [half[0][j], half[1][j], half[2][j]];
+            let at = |half: &[[Real; N]; 3]| [half[0][j], half[1][j], half[2][j]];
             let (w, dw) = (at(&now[1]), at(&change[1]));
             let v = add(at(&now[0]), vector::cross(w, origin));
             let dv = add(at(&change[0]), vector::cross(dw, origin));

@@ -1,6 +1,7 @@
 //! The manipulator Jacobian.
 
-use crate::{Pose, Twist, Wrench};
+use super::super::scalar::Real;
+use super::super::{Pose, Twist, Wrench};
 
 /// A 6×N Jacobian: `rows[0..3]` are the linear part v, `rows[3..6]` the angular
 /// part ω, one column per joint (MLS section 3.4).
@@ -17,7 +18,7 @@ use crate::{Pose, Twist, Wrench};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobian<const N: usize> {
     /// Rows (v, ω); columns follow the joints.
-    pub rows: [[f64; N]; 6],
+    pub rows: [[Real; N]; 6],
 }
 
 impl<const N: usize> Jacobian<N> {
@@ -48,7 +49,7 @@ impl<const N: usize> Jacobian<N> {
     /// J q̇: the tip's velocity at the joint rates (rad/s, m/s), in the
     /// coordinates of this Jacobian.
     #[inline]
-    pub fn velocity(&self, rates: &[f64; N]) -> Twist {
+    pub fn velocity(&self, rates: &[Real; N]) -> Twist {
         Twist::from_array(
             self.rows
                 .map(|row| row.iter().zip(rates).map(|(a, b)| a * b).sum()),
@@ -58,7 +59,7 @@ impl<const N: usize> Jacobian<N> {
     /// Jᵀ F: the joint torques and forces (N m, N) that balance the wrench
     /// applied to the tip, given in the coordinates of this Jacobian.
     #[inline]
-    pub fn torques(&self, wrench: &Wrench) -> [f64; N] {
+    pub fn torques(&self, wrench: &Wrench) -> [Real; N] {
         let wrench = wrench.to_array();
         core::array::from_fn(|j| {
             self.rows
@@ -103,11 +104,11 @@ impl<const N: usize> Default for Jacobian<N> {
     }
 }
 
-impl<const N: usize> core::ops::Mul<[f64; N]> for Jacobian<N> {
+impl<const N: usize> core::ops::Mul<[Real; N]> for Jacobian<N> {
     type Output = Twist;
     /// As [`Jacobian::velocity`].
     #[inline]
-    fn mul(self, rates: [f64; N]) -> Twist {
+    fn mul(self, rates: [Real; N]) -> Twist {
         self.velocity(&rates)
     }
 }

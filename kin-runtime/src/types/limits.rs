@@ -1,8 +1,10 @@
 //! What a joint may reach.
 
-use super::travel::{TOLERANCE, Travel, excess, wound};
-use crate::math;
-use core::f64::consts::TAU;
+use super::super::math;
+use super::super::scalar::Real;
+use super::super::scalar::consts::TAU;
+use super::super::scalar::tolerance::STOP;
+use super::travel::{Travel, excess, wound};
 
 /// The kind of a joint and its travel: radians for revolute joints, metres for
 /// prismatic ones. Bounds are inclusive and may be infinite.
@@ -20,18 +22,18 @@ pub enum JointLimit {
     /// apart.
     Revolute {
         /// Lower stop.
-        lower: f64,
+        lower: Real,
         /// Upper stop.
-        upper: f64,
+        upper: Real,
     },
     /// A rotation without stops.
     Continuous,
     /// A translation between two stops, metres.
     Prismatic {
         /// Lower stop.
-        lower: f64,
+        lower: Real,
         /// Upper stop.
-        upper: f64,
+        upper: Real,
     },
 }
 
@@ -39,15 +41,15 @@ impl JointLimit {
     /// How far beyond a stop a value still counts as resting on it, radians or
     /// metres: the accuracy of inverse kinematics, so that a posture at a stop
     /// is not lost to rounding.
-    pub const TOLERANCE: f64 = TOLERANCE;
+    pub const TOLERANCE: Real = STOP;
 
     /// A revolute joint between two stops, radians.
-    pub const fn revolute(lower: f64, upper: f64) -> Self {
+    pub const fn revolute(lower: Real, upper: Real) -> Self {
         JointLimit::Revolute { lower, upper }
     }
 
     /// A prismatic joint between two stops, metres.
-    pub const fn prismatic(lower: f64, upper: f64) -> Self {
+    pub const fn prismatic(lower: Real, upper: Real) -> Self {
         JointLimit::Prismatic { lower, upper }
     }
 
@@ -57,18 +59,18 @@ impl JointLimit {
     }
 
     /// Lower stop, −∞ if there is none.
-    pub const fn lower(self) -> f64 {
+    pub const fn lower(self) -> Real {
         match self {
             JointLimit::Revolute { lower, .. } | JointLimit::Prismatic { lower, .. } => lower,
-            JointLimit::Continuous => f64::NEG_INFINITY,
+            JointLimit::Continuous => Real::NEG_INFINITY,
         }
     }
 
     /// Upper stop, +∞ if there is none.
-    pub const fn upper(self) -> f64 {
+    pub const fn upper(self) -> Real {
         match self {
             JointLimit::Revolute { upper, .. } | JointLimit::Prismatic { upper, .. } => upper,
-            JointLimit::Continuous => f64::INFINITY,
+            JointLimit::Continuous => Real::INFINITY,
         }
     }
 
@@ -76,7 +78,7 @@ impl JointLimit {
     /// nearest to `seed`, or to `q` if the seed is not a number; `None` if there
     /// is none. A value beyond a stop by no
     /// more than [`JointLimit::TOLERANCE`] is moved onto it.
-    pub fn nearest(self, q: f64, seed: f64) -> Option<f64> {
+    pub fn nearest(self, q: Real, seed: Real) -> Option<Real> {
         let seed = math::select(seed.is_finite(), seed, q);
         let travel = Travel::new([self.lower()], [self.upper()], [self.is_revolute()]);
         let value = wound(q, travel.toward(0, seed), travel.turn[0]);
@@ -86,7 +88,7 @@ impl JointLimit {
 
     /// The least and greatest k for which q + 2πk is inside; the least is the
     /// greater one if none is.
-    pub(crate) fn turns(self, q: f64) -> (f64, f64) {
+    pub(crate) fn turns(self, q: Real) -> (Real, Real) {
         let below = self.lower() - Self::TOLERANCE - q;
         let above = self.upper() + Self::TOLERANCE - q;
         if self.is_revolute() {
@@ -99,15 +101,15 @@ impl JointLimit {
     }
 
     /// q + 2πk, not beyond a stop.
-    pub(crate) fn turned(self, q: f64, k: f64) -> f64 {
+    pub(crate) fn turned(self, q: Real, k: Real) -> Real {
         (q + TAU * k).max(self.lower()).min(self.upper())
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::scalar::consts::PI;
     use super::*;
-    use core::f64::consts::PI;
 
     #[test]
     fn a_value_inside_stays() {
@@ -139,7 +141,7 @@ mod tests {
             upper: PI,
         };
         assert_eq!(limit.nearest(-1e-17, 0.0), Some(0.0));
-        assert_eq!(limit.nearest(-1e-6, 0.0), None);
+        assert_eq!(limit.nearest(-100.0 * STOP, 0.0), None);
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! The solution that moves the joints least.
 
+use super::super::math;
+use super::super::scalar::Real;
+use super::super::{JointLimit, Solution, Solutions};
 use super::travel::{Travel, excess, wound};
-use crate::math;
-use crate::{JointLimit, Solution, Solutions};
 
 /// Which of many solutions is wanted: the one that moves the joints least from
 /// a seed, inside limits and by steps that are not too long.
@@ -25,15 +26,15 @@ use crate::{JointLimit, Solution, Solutions};
 pub struct Nearest<const N: usize> {
     /// Where the joints are, radians and metres. A joint whose value is not
     /// finite takes no part in what is nearest.
-    pub seed: [f64; N],
+    pub seed: [Real; N],
     /// The motion of each joint is multiplied by its weight: say, the root of
     /// its inertia, or 0 where motion is free. 1 by [`Nearest::new`].
-    pub weights: [f64; N],
+    pub weights: [Real; N],
     /// How far each joint may move from its seed, radians and metres, to within
     /// [`JointLimit::TOLERANCE`]: say, its
     /// [velocity limit](crate::Kinematics::VELOCITY_LIMITS) by the time of a
     /// cycle. Infinite by [`Nearest::new`].
-    pub step: [f64; N],
+    pub step: [Real; N],
     travel: Travel<N>,
 }
 
@@ -42,7 +43,7 @@ impl<const N: usize> Nearest<N> {
     /// limits are moved by full turns, those beyond a stop by no more than
     /// [`JointLimit::TOLERANCE`] onto it.
     #[inline(always)]
-    pub const fn new(seed: [f64; N], limits: &[JointLimit; N]) -> Self {
+    pub const fn new(seed: [Real; N], limits: &[JointLimit; N]) -> Self {
         let (mut lower, mut upper, mut turns) = ([0.0; N], [0.0; N], [true; N]);
         let mut i = 0;
         while i < N {
@@ -54,7 +55,7 @@ impl<const N: usize> Nearest<N> {
         Self {
             seed,
             weights: [1.0; N],
-            step: [f64::INFINITY; N],
+            step: [Real::INFINITY; N],
             travel: Travel::new(lower, upper, turns),
         }
     }
@@ -62,7 +63,7 @@ impl<const N: usize> Nearest<N> {
     /// The same from another seed.
     #[inline(always)]
     #[must_use]
-    pub const fn from_seed(self, seed: [f64; N]) -> Self {
+    pub const fn from_seed(self, seed: [Real; N]) -> Self {
         Self { seed, ..self }
     }
 
@@ -80,7 +81,7 @@ impl<const N: usize> Nearest<N> {
 
     /// 2π for joints that turn without stops, and 0 for others.
     #[cfg(feature = "alloc")]
-    pub(crate) fn endless_turns(&self) -> [f64; N] {
+    pub(crate) fn endless_turns(&self) -> [Real; N] {
         core::array::from_fn(|i| {
             let ends = [self.travel.lower[i], self.travel.upper[i]];
             let endless = ends.iter().any(|stop| stop.is_infinite());
@@ -101,9 +102,9 @@ impl<const N: usize> Nearest<N> {
             upper: [0.0; N],
         };
         for i in 0..N {
-            let known = self.seed[i].abs() < f64::INFINITY;
+            let known = self.seed[i].abs() < Real::INFINITY;
             let seed = math::select(known, self.seed[i], 0.0);
-            let step = math::select(known, self.step[i], f64::INFINITY);
+            let step = math::select(known, self.step[i], Real::INFINITY);
             let (lower, upper) = (self.travel.lower[i], self.travel.upper[i]);
             motion.seed[i] = seed;
             motion.weight[i] = math::select(known, self.weights[i], 0.0);
@@ -121,25 +122,25 @@ impl<const N: usize> Nearest<N> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion<const N: usize> {
     travel: Travel<N>,
-    toward: [f64; N],
-    seed: [f64; N],
-    weight: [f64; N],
+    toward: [Real; N],
+    seed: [Real; N],
+    weight: [Real; N],
     /// What limits and steps allow.
-    lower: [f64; N],
-    upper: [f64; N],
+    lower: [Real; N],
+    upper: [Real; N],
 }
 
 impl<const N: usize> Motion<N> {
     /// The value of joint i that is `q` but for full turns and costs least.
     #[inline(always)]
-    pub fn value(&self, i: usize, q: f64) -> f64 {
+    pub fn value(&self, i: usize, q: Real) -> Real {
         self.travel.at_most_at_a_stop(i, self.wound(i, q))
     }
 
     /// The square of its weighted distance from the seed, and how far it is
     /// beyond what is allowed: more than [`JointLimit::TOLERANCE`] is too much.
     #[inline(always)]
-    pub fn cost(&self, i: usize, q: f64) -> (f64, f64) {
+    pub fn cost(&self, i: usize, q: Real) -> (Real, Real) {
         let value = self.wound(i, q);
         let weighted = self.weight[i] * (value - self.seed[i]);
         let excess = excess(value, self.lower[i], self.upper[i]);
@@ -147,12 +148,12 @@ impl<const N: usize> Motion<N> {
     }
 
     /// How far what is `q` but for full turns is beyond the limits.
-    pub fn beyond_limits(&self, i: usize, q: f64) -> f64 {
+    pub fn beyond_limits(&self, i: usize, q: Real) -> Real {
         excess(self.wound(i, q), self.travel.lower[i], self.travel.upper[i])
     }
 
     #[inline(always)]
-    fn wound(&self, i: usize, q: f64) -> f64 {
+    fn wound(&self, i: usize, q: Real) -> Real {
         wound(q, self.toward[i], self.travel.turn[i])
     }
 }
@@ -170,7 +171,7 @@ impl<const N: usize> Solutions<N> {
     /// let next = solutions.nearest(&[3.1], &limits).unwrap();
     /// assert!((next.q[0] - 3.283185).abs() < 1e-6);
     /// ```
-    pub fn nearest(&self, seed: &[f64; N], limits: &[JointLimit; N]) -> Option<Solution<N>> {
+    pub fn nearest(&self, seed: &[Real; N], limits: &[JointLimit; N]) -> Option<Solution<N>> {
         self.nearest_by(&Nearest::new(*seed, limits))
     }
 
@@ -178,10 +179,10 @@ impl<const N: usize> Solutions<N> {
     pub fn nearest_by(&self, nearest: &Nearest<N>) -> Option<Solution<N>> {
         let joints = nearest.motion(self.prismatic());
         let mut best = None;
-        let mut least = f64::INFINITY;
+        let mut least = Real::INFINITY;
         for solution in self {
             let mut motion = 0.0;
-            let mut excess = f64::NEG_INFINITY;
+            let mut excess = Real::NEG_INFINITY;
             for i in 0..N {
                 let (cost, beyond) = joints.cost(i, solution.q[i]);
                 motion += cost;

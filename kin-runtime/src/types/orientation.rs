@@ -1,7 +1,8 @@
 //! Poses from and to the usual ways of writing an orientation.
 
-use crate::linear::vector::{norm, scale};
-use crate::{Pose, math};
+use super::super::linear::vector::{norm, scale};
+use super::super::scalar::Real;
+use super::super::{Pose, math};
 
 impl Pose {
     /// From a quaternion (x, y, z, w), the scalar last as in ROS messages, and
@@ -13,7 +14,7 @@ impl Pose {
     /// let half_turn = Pose::from_quaternion([0.0, 0.0, 2.0, 0.0], [0.0; 3]);
     /// assert_eq!(half_turn.rotate([1.0, 0.0, 0.0]), [-1.0, 0.0, 0.0]);
     /// ```
-    pub fn from_quaternion(quaternion: [f64; 4], translation: [f64; 3]) -> Pose {
+    pub fn from_quaternion(quaternion: [Real; 4], translation: [Real; 3]) -> Pose {
         let [x, y, z, w] = quaternion;
         let s = 2.0 / (x * x + y * y + z * z + w * w);
         Pose {
@@ -43,7 +44,7 @@ impl Pose {
     /// Method: of the four ways to divide by a component, the one with the
     /// largest divisor (S. W. Shepperd, "Quaternion from rotation matrix",
     /// Journal of Guidance and Control 1, 1978).
-    pub fn quaternion(&self) -> [f64; 4] {
+    pub fn quaternion(&self) -> [Real; 4] {
         let r = &self.rotation;
         let trace = r[0][0] + r[1][1] + r[2][2];
         let largest = (0..3)
@@ -74,7 +75,7 @@ impl Pose {
     /// From a rotation by `angle` radians about `axis` through the moving
     /// frame's origin, and a translation in metres. The axis need not be a unit
     /// vector; the zero axis gives no rotation.
-    pub fn from_axis_angle(axis: [f64; 3], angle: f64, translation: [f64; 3]) -> Pose {
+    pub fn from_axis_angle(axis: [Real; 3], angle: Real, translation: [Real; 3]) -> Pose {
         let length = norm(axis);
         let (sine, cosine) = math::sin_cos(0.5 * angle);
         if length == 0.0 {
@@ -94,7 +95,7 @@ impl Pose {
     /// let rpy = pose.rpy();
     /// assert!((rpy[1] + 0.2).abs() < 1e-15);
     /// ```
-    pub fn from_rpy([roll, pitch, yaw]: [f64; 3], translation: [f64; 3]) -> Pose {
+    pub fn from_rpy([roll, pitch, yaw]: [Real; 3], translation: [Real; 3]) -> Pose {
         let (sr, cr) = math::sin_cos(roll);
         let (sp, cp) = math::sin_cos(pitch);
         let (sy, cy) = math::sin_cos(yaw);
@@ -111,7 +112,7 @@ impl Pose {
     /// Roll, pitch and yaw in radians, pitch in [−π/2, π/2]. At pitch ±π/2,
     /// where only the sum or difference of the other two is determined, one of
     /// the pairs that reproduce the orientation.
-    pub fn rpy(&self) -> [f64; 3] {
+    pub fn rpy(&self) -> [Real; 3] {
         let r = &self.rotation;
         let yaw = math::atan2(r[1][0], r[0][0]);
         let (s, c) = math::sin_cos(yaw);

@@ -1,7 +1,8 @@
 //! Rigid motions: the group SE(3) as a rotation matrix and a translation.
 
-use crate::linear::vector::{add, cross, dot, norm, scale, sub};
-use crate::{Twist, Wrench, math};
+use super::super::linear::vector::{add, cross, dot, norm, scale, sub};
+use super::super::scalar::Real;
+use super::super::{Twist, Wrench, math};
 
 /// A rigid motion g = (R, p), which takes coordinates in the moving frame to
 /// coordinates in the fixed one: x ↦ R x + p (MLS section 2.3).
@@ -18,9 +19,9 @@ use crate::{Twist, Wrench, math};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// The columns are the moving frame's axes in fixed coordinates; row-major.
-    pub rotation: [[f64; 3]; 3],
+    pub rotation: [[Real; 3]; 3],
     /// The moving frame's origin in fixed coordinates, metres.
-    pub translation: [f64; 3],
+    pub translation: [Real; 3],
 }
 
 impl Pose {
@@ -32,7 +33,7 @@ impl Pose {
 
     /// A translation without rotation, metres.
     #[inline]
-    pub const fn from_translation(translation: [f64; 3]) -> Pose {
+    pub const fn from_translation(translation: [Real; 3]) -> Pose {
         Pose {
             translation,
             ..Pose::IDENTITY
@@ -41,20 +42,20 @@ impl Pose {
 
     /// R x + p.
     #[inline]
-    pub fn transform_point(&self, x: [f64; 3]) -> [f64; 3] {
+    pub fn transform_point(&self, x: [Real; 3]) -> [Real; 3] {
         add(self.rotate(x), self.translation)
     }
 
     /// R v, for directions.
     #[inline]
-    pub fn rotate(&self, v: [f64; 3]) -> [f64; 3] {
+    pub fn rotate(&self, v: [Real; 3]) -> [Real; 3] {
         let [x, y, z] = self.rotation;
         [along(x, v), along(y, v), along(z, v)]
     }
 
     /// Rᵀ v, for directions.
     #[inline]
-    pub fn rotate_back(&self, v: [f64; 3]) -> [f64; 3] {
+    pub fn rotate_back(&self, v: [Real; 3]) -> [Real; 3] {
         let [x, y, z] = transpose(&self.rotation);
         [along(x, v), along(y, v), along(z, v)]
     }
@@ -79,9 +80,9 @@ impl Pose {
     /// assert!((tool.turn_to(&turned) - 0.4).abs() < 1e-15);
     /// ```
     #[inline]
-    pub fn turned(&self, turn: f64) -> Pose {
+    pub fn turned(&self, turn: Real) -> Pose {
         let (sine, cosine) = math::sin_cos(turn);
-        let row = |[x, y, z]: [f64; 3]| [x * cosine + y * sine, y * cosine - x * sine, z];
+        let row = |[x, y, z]: [Real; 3]| [x * cosine + y * sine, y * cosine - x * sine, z];
         Pose {
             rotation: self.rotation.map(row),
             ..*self
@@ -91,8 +92,8 @@ impl Pose {
     /// The turn about its own z axis that brings this nearest to the orientation of
     /// another, radians in (−π, π].
     #[inline]
-    pub fn turn_to(&self, other: &Pose) -> f64 {
-        let along = |i: usize, j: usize| -> f64 {
+    pub fn turn_to(&self, other: &Pose) -> Real {
+        let along = |i: usize, j: usize| -> Real {
             (0..3)
                 .map(|k| self.rotation[k][i] * other.rotation[k][j])
                 .sum()
@@ -162,7 +163,7 @@ impl Pose {
 
     /// The distance between the two origins, metres.
     #[inline]
-    pub fn translation_distance(&self, other: &Pose) -> f64 {
+    pub fn translation_distance(&self, other: &Pose) -> Real {
         norm(sub(self.translation, other.translation))
     }
 
@@ -175,7 +176,7 @@ impl Pose {
     /// assert!((turned.rotation_distance(&Pose::IDENTITY) - 1e-9).abs() < 1e-15);
     /// ```
     #[inline]
-    pub fn rotation_distance(&self, other: &Pose) -> f64 {
+    pub fn rotation_distance(&self, other: &Pose) -> Real {
         let between = (self.inverse() * *other).rotation;
         let doubled_sine = norm(skew_part(&between));
         math::atan2(doubled_sine, trace(&between) - 1.0)
@@ -197,7 +198,7 @@ impl Pose {
     /// assert!(rounded.rotation_error() > 1e-9 && rounded.rotation_error() < 1e-7);
     /// ```
     #[inline]
-    pub fn rotation_error(&self) -> f64 {
+    pub fn rotation_error(&self) -> Real {
         let [x, y, z] = transpose(&self.rotation);
         let rest = sub(z, cross(x, y));
         let missing = [0.5 * (dot(x, x) - 1.0), 0.5 * (dot(y, y) - 1.0), dot(x, y)];
@@ -248,7 +249,7 @@ impl Pose {
 
     /// The homogeneous 4×4 matrix, row-major.
     #[inline]
-    pub fn to_matrix(&self) -> [[f64; 4]; 4] {
+    pub fn to_matrix(&self) -> [[Real; 4]; 4] {
         let (r, p) = (&self.rotation, self.translation);
         let row = |i: usize| [r[i][0], r[i][1], r[i][2], p[i]];
         [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]]
@@ -256,7 +257,7 @@ impl Pose {
 
     /// From the upper three rows of a homogeneous 4×4 matrix, row-major.
     #[inline]
-    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Pose {
+    pub fn from_matrix(matrix: &[[Real; 4]; 4]) -> Pose {
         let row = |i: usize| [matrix[i][0], matrix[i][1], matrix[i][2]];
         Pose {
             rotation: [row(0), row(1), row(2)],
@@ -289,22 +290,22 @@ impl core::ops::Mul for Pose {
 // Written out, here and where poses are multiplied: the compiler of robots runs in
 // builds without optimizations, where closures take most of its time.
 #[inline(always)]
-fn transpose([x, y, z]: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+fn transpose([x, y, z]: &[[Real; 3]; 3]) -> [[Real; 3]; 3] {
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
 #[inline(always)]
-fn along(row: [f64; 3], v: [f64; 3]) -> f64 {
+fn along(row: [Real; 3], v: [Real; 3]) -> Real {
     row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
 }
 
 /// The vector of R − Rᵀ: 2 sin θ times the axis.
 #[inline(always)]
-fn skew_part(r: &[[f64; 3]; 3]) -> [f64; 3] {
+fn skew_part(r: &[[Real; 3]; 3]) -> [Real; 3] {
     [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]]
 }
 
 #[inline(always)]
-fn trace(r: &[[f64; 3]; 3]) -> f64 {
+fn trace(r: &[[Real; 3]; 3]) -> Real {
     r[0][0] + r[1][1] + r[2][2]
 }

@@ -1,6 +1,6 @@
 //! What the branches of an arm are called.
 
-use crate::{Solution, Solutions};
+use super::super::{Solution, Solutions};
 use core::fmt;
 
 /// A branch of an arm's inverse kinematics by the words of the field: what

@@ -1,22 +1,23 @@
 //! The answer of inverse kinematics: all branches, without allocation.
 
+use super::super::scalar::{Real, tolerance::SAME};
 use core::mem::MaybeUninit;
 
-use crate::math;
-use crate::types::limits::JointLimit;
+use super::super::math;
+use super::super::types::limits::JointLimit;
 
 /// One configuration that reaches the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<const N: usize> {
     /// Joint values: radians in (−π, π] for revolute joints, metres for
     /// prismatic ones.
-    pub q: [f64; N],
+    pub q: [Real; N],
     /// How far the forward kinematics of `q` is from the target, metres, as far
     /// as the target counts: the root of the squares of the translation error
     /// and of the rotation error (radians) times the arm's size; see
     /// [`Target::distance`](crate::Target::distance). For solutions it is
     /// rounding, some 1e-15 of the arm's size.
-    pub residual: f64,
+    pub residual: Real,
     /// Which combination of the plan's choices this is; the rustdoc of the
     /// robot names them. Stable along a path that crosses no singularity. An
     /// arm off its design can have more solutions near a singularity than
@@ -155,14 +156,14 @@ impl<const N: usize> Solutions<N> {
     }
 
     /// The place of a solution, which is appended unless one is the same to
-    /// within 1e-6: branches that were refined may come together, and the
+    /// within [`SAME`]: branches that were refined may come together, and the
     /// better of the two is kept. None if it is new and there is no place left.
     pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
-        let apart = |i: usize, a: f64, b: f64| {
+        let apart = |i: usize, a: Real, b: Real| {
             let turns = self.prismatic >> i & 1 == 0;
             math::select(turns, math::wrap(a - b), a - b).abs()
         };
-        let same = |other: &Solution<N>| (0..N).all(|i| apart(i, other.q[i], solution.q[i]) < 1e-6);
+        let same = |other: &Solution<N>| (0..N).all(|i| apart(i, other.q[i], solution.q[i]) < SAME);
         let Some(known) = self.iter().position(same) else {
             let place = self.len;
             self.push_if(true, solution);
@@ -289,11 +290,11 @@ impl<const N: usize> ExactSizeIterator for IntoIter<N> {}
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::scalar::consts::TAU;
+    use super::super::Nearest;
     use super::*;
-    use crate::Nearest;
-    use core::f64::consts::TAU;
 
-    fn solution<const N: usize>(q: [f64; N]) -> Solution<N> {
+    fn solution<const N: usize>(q: [Real; N]) -> Solution<N> {
         Solution {
             q,
             residual: 0.0,
@@ -302,7 +303,7 @@ mod tests {
         }
     }
 
-    fn all<const N: usize>(qs: &[[f64; N]]) -> Solutions<N> {
+    fn all<const N: usize>(qs: &[[Real; N]]) -> Solutions<N> {
         let mut solutions = Solutions::new();
         qs.iter().for_each(|&q| solutions.push(solution(q)));
         solutions
@@ -312,17 +313,17 @@ mod tests {
     fn only_valid_solutions_are_counted() {
         let mut solutions = Solutions::new();
         for k in 0..40 {
-            solutions.push_if(k % 3 == 0, solution([f64::from(k)]));
+            solutions.push_if(k % 3 == 0, solution([k as Real]));
         }
         let kept = solutions.iter().map(|s| s.q[0]);
-        assert!(kept.eq((0..14).map(|k| f64::from(3 * k))));
+        assert!(kept.eq((0..14).map(|k| (3 * k) as Real)));
     }
 
     #[test]
     fn beyond_the_capacity_nothing_is_overwritten() {
         let mut solutions = Solutions::new();
         for k in 0..40 {
-            solutions.push_if(true, solution([f64::from(k)]));
+            solutions.push_if(true, solution([k as Real]));
         }
         assert_eq!(solutions.len(), Solutions::<1>::CAPACITY);
         assert_eq!(solutions.last().unwrap().q, [15.0]);
@@ -332,7 +333,7 @@ mod tests {
     #[should_panic(expected = "more than 16 solutions")]
     fn pushing_beyond_the_capacity_panics() {
         (0..17).fold(Solutions::new(), |mut solutions, k| {
-            solutions.push(solution([f64::from(k)]));
+            solutions.push(solution([k as Real]));
             solutions
         });
     }
@@ -388,7 +389,7 @@ mod tests {
     fn a_half_bounded_joint_winds_once() {
         let limits = [JointLimit::Revolute {
             lower: 2.0,
-            upper: f64::INFINITY,
+            upper: Real::INFINITY,
         }];
         let solutions = all(&[[1.0]]);
         assert!(

@@ -1,7 +1,8 @@
 //! The swivel angle of an arm with a spherical shoulder and a spherical wrist.
 
-use crate::linear::vector::{add, cross, dot, norm, scale, sub};
-use crate::{Jacobian, Pose, math};
+use super::super::linear::vector::{add, cross, dot, norm, scale, sub};
+use super::super::scalar::Real;
+use super::super::{Jacobian, Pose, math};
 
 /// The arm angle, or swivel: how far the elbow of an arm with a spherical shoulder and a
 /// spherical wrist is turned about the line from shoulder to wrist, while these stay (K.
@@ -34,27 +35,27 @@ use crate::{Jacobian, Pose, math};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swivel {
     /// S: where the first three axes meet; base coordinates, metres.
-    pub shoulder: [f64; 3],
+    pub shoulder: [Real; 3],
     /// The link that the elbow is a point of, by its place from 0.
     pub link: usize,
     /// E: the point of the third axis next to the fourth; in the frame of that link.
-    pub elbow: [f64; 3],
+    pub elbow: [Real; 3],
     /// W: where the last three axes meet; in the frame of the tip.
-    pub wrist: [f64; 3],
+    pub wrist: [Real; 3],
     /// V: the direction of the first axis; base coordinates, a unit vector.
-    pub reference: [f64; 3],
+    pub reference: [Real; 3],
 }
 
 impl Swivel {
     /// The swivel angle of a configuration, radians in (−π, π], from the poses of its links and
     /// of its tip.
-    pub fn angle<const N: usize>(&self, links: &[Pose; N], tip: &Pose) -> f64 {
+    pub fn angle<const N: usize>(&self, links: &[Pose; N], tip: &Pose) -> Real {
         let [elbow, wrist] = self.points(links, tip);
         self.of_points(elbow, wrist)
     }
 
     /// Elbow and wrist in base coordinates, metres.
-    pub fn points<const N: usize>(&self, links: &[Pose; N], tip: &Pose) -> [[f64; 3]; 2] {
+    pub fn points<const N: usize>(&self, links: &[Pose; N], tip: &Pose) -> [[Real; 3]; 2] {
         [
             links[self.link].transform_point(self.elbow),
             tip.transform_point(self.wrist),
@@ -62,7 +63,7 @@ impl Swivel {
     }
 
     /// The same from elbow and wrist in base coordinates, metres.
-    pub fn of_points(&self, elbow: [f64; 3], wrist: [f64; 3]) -> f64 {
+    pub fn of_points(&self, elbow: [Real; 3], wrist: [Real; 3]) -> Real {
         let way = sub(wrist, self.shoulder);
         let way = scale(1.0 / norm(way), way);
         let aside = sub(self.reference, scale(dot(self.reference, way), way));
@@ -77,7 +78,7 @@ impl Swivel {
         links: &[Pose; N],
         tip: &Pose,
         spatial: &Jacobian<N>,
-    ) -> ([f64; N], f64) {
+    ) -> ([Real; N], Real) {
         let [elbow, wrist] = self.points(links, tip);
         let (gradient, _) = self.gradient(elbow, wrist);
         let row = core::array::from_fn(|joint| match joint <= self.link {
@@ -92,7 +93,7 @@ impl Swivel {
 
     /// How the angle changes with the elbow while the wrist rests, radians for a metre, and
     /// the elbow's distance from the line of shoulder and wrist, metres.
-    pub fn gradient(&self, elbow: [f64; 3], wrist: [f64; 3]) -> ([f64; 3], f64) {
+    pub fn gradient(&self, elbow: [Real; 3], wrist: [Real; 3]) -> ([Real; 3], Real) {
         let way = sub(wrist, self.shoulder);
         let way = scale(1.0 / norm(way), way);
         let elbow = sub(elbow, self.shoulder);

@@ -1,7 +1,8 @@
 //! What of a target pose counts.
 
-use crate::linear::vector::{add, cross, dot, scale, sub};
-use crate::{Jacobian, Pose, Twist, math};
+use super::super::linear::vector::{add, cross, dot, scale, sub};
+use super::super::scalar::Real;
+use super::super::{Jacobian, Pose, Twist, math};
 
 /// What of a target pose counts.
 ///
@@ -133,7 +134,7 @@ impl Target {
     /// all in the base frame. The orientation is that of home, turned about the
     /// axis to come nearest to the target's; the height along the axis of a
     /// [`Target::Planar`] is that of home. All others stand for themselves.
-    pub fn stands_for(self, target: &Pose, axis: [f64; 3], home: &Pose) -> Pose {
+    pub fn stands_for(self, target: &Pose, axis: [Real; 3], home: &Pose) -> Pose {
         if !self.is_projected() {
             return *target;
         }
@@ -155,13 +156,13 @@ impl Target {
     /// axes. The chord 2 sin θ/2 is θ where it is small. `size`, metres, is the
     /// distance at which angles count as lengths: the arm's size.
     #[inline]
-    pub fn distance(self, pose: &Pose, target: &Pose, size: f64) -> f64 {
+    pub fn distance(self, pose: &Pose, target: &Pose, size: Real) -> Real {
         let (r, t) = (&pose.rotation, &target.rotation);
-        let square = |a: f64, b: f64| (a - b) * (a - b);
-        let shift: f64 = (0..3)
+        let square = |a: Real, b: Real| (a - b) * (a - b);
+        let shift: Real = (0..3)
             .map(|i| square(pose.translation[i], target.translation[i]))
             .sum();
-        let column = |j: usize| (0..3).map(|i| square(r[i][j], t[i][j])).sum::<f64>();
+        let column = |j: usize| (0..3).map(|i| square(r[i][j], t[i][j])).sum::<Real>();
         let turn = if self.fixes_axis() {
             column(2)
         } else if self.has_rotation() {
@@ -184,7 +185,7 @@ impl Target {
     /// How far the rotation of a target is from one, as far as it counts: the
     /// length of the z axis from 1 where only that does, 0 where none does or a
     /// rotation is made of what there is.
-    pub(crate) fn rotation_error(self, target: &Pose) -> f64 {
+    pub(crate) fn rotation_error(self, target: &Pose) -> Real {
         let z = [0, 1, 2].map(|i| target.rotation[i][2]);
         if self.fixes_axis() {
             (math::sqrt(dot(z, z)) - 1.0).abs()
@@ -260,7 +261,7 @@ impl Target {
 /// A positive multiple of the sine and cosine of the turn about `n` that brings
 /// one orientation nearest to another: with M = to · fromᵀ, cos ~ tr M − nᵀ M n
 /// and sin ~ n · (axial vector of M).
-fn turn_about(n: [f64; 3], from: &[[f64; 3]; 3], to: &[[f64; 3]; 3]) -> (f64, f64) {
+fn turn_about(n: [Real; 3], from: &[[Real; 3]; 3], to: &[[Real; 3]; 3]) -> (Real, Real) {
     let m = |i: usize, j: usize| dot(to[i], from[j]);
     let (mut sine, mut cosine) = (0.0, 0.0);
     for i in 0..3 {

@@ -1,12 +1,10 @@
 //! How joints get between their stops to values that full turns leave as they
 //! are.
 
-use crate::math;
-use core::f64::consts::{PI, TAU};
-
-/// How far beyond a stop a value still counts as resting on it, radians or
-/// metres.
-pub(crate) const TOLERANCE: f64 = 1e-9;
+use super::super::math;
+use super::super::scalar::Real;
+use super::super::scalar::consts::{PI, TAU};
+use super::super::scalar::tolerance::STOP;
 
 /// Where joints find that one of the values q + 2πk that is inside their limits
 /// and nearest to a seed. Without jumps and calls, for loops over lanes, and by
@@ -19,18 +17,18 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Travel<const N: usize> {
     /// Stops.
-    pub lower: [f64; N],
-    pub upper: [f64; N],
+    pub lower: [Real; N],
+    pub upper: [Real; N],
     /// Between these, whole turns about the seed are inside.
-    first: [f64; N],
-    last: [f64; N],
+    first: [Real; N],
+    last: [Real; N],
     /// 2π, or 0 for metres, which do not wrap.
-    pub turn: [f64; N],
+    pub turn: [Real; N],
 }
 
 impl<const N: usize> Travel<N> {
     /// Between stops; of joints that turn, and of others that slide.
-    pub const fn new(lower: [f64; N], upper: [f64; N], turns: [bool; N]) -> Self {
+    pub const fn new(lower: [Real; N], upper: [Real; N], turns: [bool; N]) -> Self {
         let mut travel = Self {
             lower,
             upper,
@@ -41,8 +39,8 @@ impl<const N: usize> Travel<N> {
         let mut i = 0;
         while i < N {
             let middle = 0.5 * (lower[i] + upper[i]);
-            let first = lower[i] - TOLERANCE + PI;
-            let last = upper[i] + TOLERANCE - PI;
+            let first = lower[i] - STOP + PI;
+            let last = upper[i] + STOP - PI;
             // Without stops, the middle is no number and not taken.
             travel.first[i] = math::select(middle < first, middle, first);
             travel.last[i] = math::select(middle > last, middle, last);
@@ -54,14 +52,14 @@ impl<const N: usize> Travel<N> {
 
     /// The place from whose turn joint i takes its value, from a finite seed.
     #[inline(always)]
-    pub fn toward(&self, i: usize, seed: f64) -> f64 {
+    pub fn toward(&self, i: usize, seed: Real) -> Real {
         let seed = math::select(seed < self.first[i], self.first[i], seed);
         math::select(seed > self.last[i], self.last[i], seed)
     }
 
     /// A value of joint i, not beyond a stop.
     #[inline(always)]
-    pub fn at_most_at_a_stop(&self, i: usize, value: f64) -> f64 {
+    pub fn at_most_at_a_stop(&self, i: usize, value: Real) -> Real {
         let value = math::select(value > self.upper[i], self.upper[i], value);
         math::select(value < self.lower[i], self.lower[i], value)
     }
@@ -70,13 +68,13 @@ impl<const N: usize> Travel<N> {
 /// Of q + 2πk the value in the turn about `toward`; `turn` is 2π, or 0 for
 /// metres.
 #[inline(always)]
-pub(crate) fn wound(q: f64, toward: f64, turn: f64) -> f64 {
+pub(crate) fn wound(q: Real, toward: Real, turn: Real) -> Real {
     // The quotient is 0 where nothing turns.
     q + turn * math::round((toward - q) * (turn * (1.0 / (TAU * TAU))))
 }
 
 /// How far a value is beyond the nearer stop; negative inside.
 #[inline(always)]
-pub(crate) fn excess(value: f64, lower: f64, upper: f64) -> f64 {
+pub(crate) fn excess(value: Real, lower: Real, upper: Real) -> Real {
     math::max(value - upper, lower - value)
 }

@@ -1,9 +1,10 @@
 //! Twists, in the coordinates of MLS: linear part first.
 
+use super::super::scalar::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::Pose;
-use crate::linear::vector::{add, cross, scale, sub};
+use super::super::Pose;
+use super::super::linear::vector::{add, cross, scale, sub};
 
 /// A twist ξ = (v, ω): the velocity of a rigid body, or the axis of a joint
 /// (MLS section 2.3.2). Metres and radians (per second, for a velocity).
@@ -18,16 +19,16 @@ use crate::linear::vector::{add, cross, scale, sub};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twist {
     /// v: for a revolute axis ω through the point r, v = −ω × r.
-    pub linear: [f64; 3],
+    pub linear: [Real; 3],
     /// ω: zero for a prismatic joint.
-    pub angular: [f64; 3],
+    pub angular: [Real; 3],
 }
 
 impl Twist {
     /// The unit twist of a revolute joint: `axis` is a unit vector, `point`
     /// any point on the axis, metres.
     #[inline]
-    pub fn revolute(axis: [f64; 3], point: [f64; 3]) -> Twist {
+    pub fn revolute(axis: [Real; 3], point: [Real; 3]) -> Twist {
         Twist {
             linear: cross(point, axis),
             angular: axis,
@@ -36,7 +37,7 @@ impl Twist {
 
     /// The unit twist of a prismatic joint: `direction` is a unit vector.
     #[inline]
-    pub fn prismatic(direction: [f64; 3]) -> Twist {
+    pub fn prismatic(direction: [Real; 3]) -> Twist {
         Twist {
             linear: direction,
             angular: [0.0; 3],
@@ -103,14 +104,14 @@ impl Twist {
 
     /// The six coordinates (v, ω).
     #[inline]
-    pub fn to_array(self) -> [f64; 6] {
+    pub fn to_array(self) -> [Real; 6] {
         let (v, w) = (self.linear, self.angular);
         [v[0], v[1], v[2], w[0], w[1], w[2]]
     }
 
     /// From the six coordinates (v, ω).
     #[inline]
-    pub fn from_array([vx, vy, vz, wx, wy, wz]: [f64; 6]) -> Twist {
+    pub fn from_array([vx, vy, vz, wx, wy, wz]: [Real; 6]) -> Twist {
         Twist {
             linear: [vx, vy, vz],
             angular: [wx, wy, wz],
@@ -148,10 +149,10 @@ impl Neg for Twist {
     }
 }
 
-impl Mul<f64> for Twist {
+impl Mul<Real> for Twist {
     type Output = Twist;
     #[inline]
-    fn mul(self, k: f64) -> Twist {
+    fn mul(self, k: Real) -> Twist {
         Twist {
             linear: scale(k, self.linear),
             angular: scale(k, self.angular),

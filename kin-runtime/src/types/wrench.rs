@@ -1,9 +1,10 @@
 //! Wrenches, in the coordinates of MLS: force first.
 
+use super::super::scalar::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::linear::vector::{add, cross, dot, scale, sub};
-use crate::{Pose, Twist};
+use super::super::linear::vector::{add, cross, dot, scale, sub};
+use super::super::{Pose, Twist};
 
 /// A wrench F = (f, τ): force and moment (MLS section 2.5). Newtons and newton
 /// metres.
@@ -17,16 +18,16 @@ use crate::{Pose, Twist};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
     /// f.
-    pub force: [f64; 3],
+    pub force: [Real; 3],
     /// τ.
-    pub moment: [f64; 3],
+    pub moment: [Real; 3],
 }
 
 impl Wrench {
     /// The instantaneous work F · V that the wrench does on a body moving with
     /// `velocity`, both in the same coordinates; watts.
     #[inline]
-    pub fn power(&self, velocity: &Twist) -> f64 {
+    pub fn power(&self, velocity: &Twist) -> Real {
         dot(self.force, velocity.linear) + dot(self.moment, velocity.angular)
     }
 
@@ -72,14 +73,14 @@ impl Wrench {
 
     /// The six coordinates (f, τ).
     #[inline]
-    pub fn to_array(self) -> [f64; 6] {
+    pub fn to_array(self) -> [Real; 6] {
         let (f, t) = (self.force, self.moment);
         [f[0], f[1], f[2], t[0], t[1], t[2]]
     }
 
     /// From the six coordinates (f, τ).
     #[inline]
-    pub fn from_array([fx, fy, fz, tx, ty, tz]: [f64; 6]) -> Wrench {
+    pub fn from_array([fx, fy, fz, tx, ty, tz]: [Real; 6]) -> Wrench {
         Wrench {
             force: [fx, fy, fz],
             moment: [tx, ty, tz],
@@ -117,10 +118,10 @@ impl Neg for Wrench {
     }
 }
 
-impl Mul<f64> for Wrench {
+impl Mul<Real> for Wrench {
     type Output = Wrench;
     #[inline]
-    fn mul(self, k: f64) -> Wrench {
+    fn mul(self, k: Real) -> Wrench {
         Wrench {
             force: scale(k, self.force),
             moment: scale(k, self.moment),

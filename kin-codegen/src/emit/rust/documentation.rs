@@ -13,6 +13,7 @@ use crate::model::{Model, Variable};
 use crate::plan::Target;
 use crate::random::Random;
 use crate::redundancy::Weighed;
+use crate::scalar::Scalar;
 use crate::solver::Certified;
 use crate::spec::Diagnostic;
 use crate::univariate::{Arm, Kept};
@@ -35,6 +36,16 @@ pub fn arm(compiled: &CompiledArm, name: &Ident, postures: Option<&Postures>) ->
         String::new(),
         home(model),
     ];
+    if model.scalar == Scalar::F32 {
+        let solved = model.scalar.tolerances().solved * compiled.linkage.size;
+        lines.extend([
+            String::new(),
+            format!(
+                "Numbers are `f32`, types those of [`single`](::kinematics::single), and nothing is \
+                 computed in `f64`. A solution misses its target by {solved:.0e} m at most."
+            ),
+        ]);
+    }
     lines.extend(example(compiled, name));
     lines.extend(section("Joints"));
     lines.extend(joints(
@@ -412,8 +423,9 @@ fn example(compiled: &CompiledArm, name: &Ident) -> Vec<String> {
                 }
             },
             format!(
-                "assert!((0..{}).all(|i| (nearest.q[i] - q[i]).abs() < 1e-6));",
-                q.len()
+                "assert!((0..{}).all(|i| (nearest.q[i] - q[i]).abs() < {:e}));",
+                q.len(),
+                10.0 * compiled.model.scalar.tolerances().same,
             ),
         ]),
     }

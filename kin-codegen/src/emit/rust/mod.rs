@@ -11,6 +11,7 @@ mod language;
 mod mechanism;
 mod redundant;
 mod robot;
+mod single;
 mod singular;
 mod univariate;
 

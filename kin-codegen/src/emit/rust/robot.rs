@@ -2,6 +2,7 @@
 
 use super::imports::imports;
 use super::language::signed;
+use super::single::in_single;
 use super::{Names, documentation, forward, frames, inverse, redundant, singular};
 use crate::arm::CompiledArm;
 use crate::emit::postures::Postures;
@@ -9,6 +10,7 @@ use crate::emit::text;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
 use crate::model::{JointKind, Model, Variable};
+use crate::scalar::Scalar;
 use crate::spec::Rating;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -53,8 +55,9 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
     let lanes = compiled
         .form()
         .and_then(|form| inverse::implementation(name, form));
-    let imports = imports(&quote!(#items #straight #lanes #redundant), runtime);
-    in_module(
+    let types = types(compiled, names);
+    let imports = imports(&quote!(#items #straight #lanes #redundant), &types);
+    let items = in_module(
         name,
         &quote! {
             #generated_by
@@ -70,7 +73,20 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
             #kinematics
             #redundant
         },
-    )
+    );
+    match compiled.model.scalar {
+        Scalar::F64 => items,
+        Scalar::F32 => in_single(items),
+    }
+}
+
+/// Where the types of the scalar are.
+fn types(compiled: &CompiledArm, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
+    match compiled.model.scalar {
+        Scalar::F64 => runtime.clone(),
+        Scalar::F32 => quote!(#runtime::single),
+    }
 }
 
 /// The items of a type, in a module of their own: a constant or unit struct
@@ -327,11 +343,12 @@ fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream
     });
     let batches = if in_lanes { "inverse" } else { "forward" };
     let batches = format_ident!("{batches}");
+    let scalar = (compiled.model.scalar == Scalar::F32).then(|| quote!(scalar: f32,));
     let [inverse, derivatives, determinant, singularities] =
         groups.map(|word| Ident::new(word, proc_macro2::Span::call_site()));
     quote! {
         #runtime::__private::implement_kinematics! {
-            #name, #n, batches: #batches, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
+            #name, #n, #scalar batches: #batches, inverse: #inverse, derivatives: #derivatives, determinant: #determinant,
             singularities: #singularities
         }
     }

@@ -7,11 +7,9 @@
 //! and [`kin_runtime::free_angle`] turns it where the root is none. Regular
 //! targets pay for one comparison.
 
-use super::root::NOISE;
 use super::{MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::plan::{Atom, Plan, Step, Subproblem};
-use kin_runtime::__private::free_angle::NEARLY_FREE;
 
 /// What becomes of angles that a singular target leaves free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,9 +72,9 @@ impl Writer<'_> {
         let coordinate = self.linkage.coordinate(self.follower(free.unknown, plan))?;
         let [zero, one] = [self.g.zero(), self.g.one()];
         // A double root has room for itself, to rounding.
-        let least = self.scaled(-NOISE, level.amplitude);
+        let least = self.scaled(-self.tolerances.noise, level.amplitude);
         let none = self.g.select_less(level.discriminant, least, one, zero);
-        let threshold = self.scaled(NEARLY_FREE, free.scale);
+        let threshold = self.scaled(self.tolerances.nearly_free, free.scale);
         let no_root = self.g.select_less(free.factor, threshold, none, zero);
         Some(FreeAngle {
             coordinate,

@@ -26,7 +26,7 @@ use super::{Choice, Expr, Graph, Operations, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
-use kin_runtime::__private::free_angle::FREE_BELOW;
+use crate::scalar::Tolerances;
 use kin_runtime::Pose;
 
 /// How exact the arm is that the plan is for.
@@ -186,7 +186,7 @@ pub fn inverse(
         let turns = free == FreeAngles::TurnedAt(i);
         writer.free = match turns {
             true => writer.g.input("free"),
-            false => writer.g.constant(FREE_BELOW),
+            false => writer.g.constant(writer.tolerances.free_below),
         };
         writer.write(step);
         if turns {
@@ -208,6 +208,8 @@ struct Writer<'a> {
     /// The tip at home, base coordinates.
     tip: Pose,
     target: Target,
+    /// What the digits of the scalar allow.
+    tolerances: Tolerances,
     /// As it was given.
     given: Motion,
     /// The whole pose that it stands for.
@@ -308,6 +310,7 @@ impl<'a> Writer<'a> {
             linkage,
             tip: linkage.tip_home(),
             target,
+            tolerances: linkage.scalar.tolerances(),
             given,
             pose,
             seed,
@@ -480,7 +483,7 @@ impl<'a> Writer<'a> {
             graph: self.g,
             tape: Tape::default(),
         };
-        inverse.tape = Tape::new(&inverse.graph, &inverse.outputs());
+        inverse.tape = Tape::new(&inverse.graph, &inverse.outputs()).of(self.linkage.scalar);
         inverse
     }
 
@@ -577,7 +580,7 @@ impl<'a> Writer<'a> {
         let mut squares = zero;
         if !self.target.is_free() || self.target.fixes_point() {
             let square = self.g.dot(translation, translation);
-            squares = self.scaled(f64::EPSILON * f64::EPSILON, square);
+            squares = self.scaled(self.tolerances.epsilon * self.tolerances.epsilon, square);
         }
         let column = |j: usize| [0, 1, 2].map(|i| rotation[i][j]);
         let [one, half] = [1.0, 0.5].map(|k| self.g.constant(k));

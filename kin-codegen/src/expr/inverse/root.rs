@@ -4,21 +4,14 @@ use super::{Deviation, Level, MayBeFree, Writer};
 use crate::expr::linear::{Trig, Vector};
 use crate::expr::{Expr, Node};
 use crate::plan::Atom;
-use kin_runtime::__private::free_angle::{FREE_BELOW, NEARLY_FREE};
+use crate::scalar::Tolerances;
 
-/// Roots of a difference: where cancellation leaves noise, relative to the
-/// square of the amplitude. Branches nearer than its square root are one.
-pub(super) const NOISE: f64 = 1e-13;
 /// On an idealized arm a root may be out of domain by this many times what the
 /// arms differ and still have a solution on the given one; one that is in domain
 /// by less, or an angle that a vector as short tells, does not tell the solutions
 /// apart.
 const BEYOND: f64 = 10.0;
-/// A vector whose square is below this, relative to its scale, tells an angle to a
-/// hundredth of what a solution may miss.
-const BADLY_TOLD: f64 = 1e-10;
-/// A root this small (angle 3e-7) is reported singular.
-const SINGULAR: f64 = 1e-13;
+
 /// a² + b² − d² of a cosine-sine equation.
 #[derive(Clone, Copy)]
 pub(super) struct Discriminant {
@@ -29,8 +22,8 @@ pub(super) struct Discriminant {
 
 impl Discriminant {
     /// A sum of squares, which is never below zero.
-    pub fn is_sum_of_squares(&self) -> bool {
-        self.noise == FREE_BELOW
+    pub fn is_sum_of_squares(&self, tolerances: &Tolerances) -> bool {
+        self.noise == tolerances.free_below
     }
 }
 
@@ -62,10 +55,10 @@ impl Writer<'_> {
             let value = self.g.sub(amplitude, dd);
             Discriminant {
                 value,
-                noise: NOISE,
+                noise: self.tolerances.noise,
             }
         });
-        let exact = discriminant.is_sum_of_squares();
+        let exact = discriminant.is_sum_of_squares(&self.tolerances);
         self.level = (!exact).then_some(Level {
             d,
             amplitude,
@@ -114,7 +107,7 @@ impl Writer<'_> {
         unit: f64,
     ) -> Expr {
         let Discriminant { value, noise } = discriminant;
-        if !discriminant.is_sum_of_squares() {
+        if !discriminant.is_sum_of_squares(&self.tolerances) {
             let margin = self.scaled(unit.powi(-2), value);
             self.narrow(margin);
             if let (Some(arguments), Node::Sign(choice)) = (&mut self.arguments, self.g.node(sign))
@@ -129,9 +122,10 @@ impl Writer<'_> {
         // tells whether the target is in reach.
         let zero = self.g.zero();
         let minus = self.g.neg(sign);
-        let [near, double] = [noise.max(SINGULAR), noise].map(|k| self.scaled(k, amplitude));
+        let [near, double] =
+            [noise.max(self.tolerances.double_root), noise].map(|k| self.scaled(k, amplitude));
         // The root of a sum of squares is double where its vector is nothing.
-        let double = match noise < NEARLY_FREE {
+        let double = match noise < self.tolerances.nearly_free {
             true => self.free_below(amplitude),
             false => double,
         };
@@ -279,7 +273,7 @@ impl Writer<'_> {
             let share = self.g.sqrt(share);
             self.amplify(deviation, share);
         } else if self.flags_badly_told {
-            let badly_told = self.scaled(BADLY_TOLD, scale);
+            let badly_told = self.scaled(self.tolerances.badly_told, scale);
             self.watch(factor, badly_told);
         } else {
             self.watch(factor, nothing);

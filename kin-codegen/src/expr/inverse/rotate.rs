@@ -1,12 +1,12 @@
 //! Subproblems 1 and 2: a vector turned onto another.
 
 use super::Writer;
-use super::root::{Discriminant, NOISE};
+use super::root::Discriminant;
 use super::transport::Transported;
 use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
 use crate::plan::{Atom, Kind, Relation};
-use kin_runtime::__private::free_angle::FREE_BELOW;
+use crate::scalar::Tolerances;
 
 /// The sine and cosine of an angle over a common factor, which is compared with
 /// `scale` to tell whether the angle is free.
@@ -126,7 +126,7 @@ impl Writer<'_> {
             None
         };
         let squares = square
-            .filter(Discriminant::is_sum_of_squares)
+            .filter(|square| square.is_sum_of_squares(&self.tolerances))
             .map(|squares| squares.value);
         let unit = if point { self.linkage.size } else { 1.0 };
         let mut trig = self.angle_with(second, a, b, d, square, unit);
@@ -182,10 +182,13 @@ impl Writer<'_> {
         }
         let across = self.length_squared(x);
         let offset = c * c * length.unwrap_or(0.0) + height * height;
+        let Tolerances {
+            free_below, noise, ..
+        } = self.tolerances;
         let noise = match length {
-            _ if offset == 0.0 => FREE_BELOW,
-            Some(length) => FREE_BELOW + NOISE * offset / length,
-            None => NOISE,
+            _ if offset == 0.0 => free_below,
+            Some(length) => free_below + noise * offset / length,
+            None => noise,
         };
         let rate = self.scaled(2.0 * c * height, x[2]);
         let offset = self.g.constant(offset);

@@ -1,7 +1,7 @@
 //! The prismatic subproblems.
 
 use super::Writer;
-use super::root::{Discriminant, NOISE};
+use super::root::Discriminant;
 use super::solve::Sides;
 use crate::expr::Expr;
 use crate::expr::linear::Vector;
@@ -44,7 +44,7 @@ impl Writer<'_> {
         let sign = self.g.sign();
         let discriminant = Discriminant {
             value: discriminant,
-            noise: NOISE,
+            noise: self.tolerances.noise,
         };
         let root = self.root(sign, discriminant, scale, self.linkage.size);
         self.g.add(foot, root)

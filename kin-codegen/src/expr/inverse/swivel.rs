@@ -9,7 +9,6 @@ use super::transport::Transported;
 use crate::expr::linear::Vector;
 use crate::geometry::{Swivel, dot};
 use crate::plan::{Invariant, Kind};
-use kin_runtime::__private::free_angle::FREE_BELOW;
 
 impl Writer<'_> {
     /// The elbow in the frame before the first joint. Where the line from shoulder to wrist is
@@ -76,7 +75,7 @@ impl Writer<'_> {
     ) -> [Vector; 2] {
         let across = self.length_squared(way);
         let size = self.linkage.size;
-        let nothing = self.g.constant(FREE_BELOW * size * size);
+        let nothing = self.g.constant(self.tolerances.free_below * size * size);
         self.watch(across, nothing);
         let radius = self.g.sqrt(across);
         let [zero, one] = [self.g.zero(), self.g.one()];

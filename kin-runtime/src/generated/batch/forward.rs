@@ -7,18 +7,19 @@
 //! packed instructions, and the results are those of single calls to the last
 //! bit.
 
+use super::super::super::generated::dispatch::{Dispatched, dispatch};
+use super::super::super::generated::lanes;
+use super::super::super::generated::sin_cos::{SideBySide, SinCos};
+use super::super::super::scalar::Real;
+use super::super::super::{Jacobian, Pose};
 use super::LANES;
-use crate::generated::dispatch::{Dispatched, dispatch};
-use crate::generated::lanes;
-use crate::generated::sin_cos::{SideBySide, SinCos};
-use crate::{Jacobian, Pose};
 use core::marker::PhantomData;
 
 /// Straight-line code from joint values to a pose, or to a pose with its
 /// Jacobian, that needs the sines and cosines of M angles.
 pub trait Forward<Output, const N: usize, const M: usize> {
     /// At `q`, radians and metres. To be `#[inline(always)]`.
-    fn at(q: &[f64; N], sin_cos: impl SinCos<M>) -> Output;
+    fn at(q: &[Real; N], sin_cos: impl SinCos<M>) -> Output;
 }
 
 /// Fills `results` with what a robot computes of each configuration.
@@ -26,7 +27,7 @@ pub trait Forward<Output, const N: usize, const M: usize> {
 /// # Panics
 /// If there are not as many results as configurations.
 #[inline]
-pub fn forward<R, Output, const N: usize, const M: usize>(q: &[[f64; N]], results: &mut [Output])
+pub fn forward<R, Output, const N: usize, const M: usize>(q: &[[Real; N]], results: &mut [Output])
 where
     R: Forward<Output, N, M>,
     Output: Entries,
@@ -41,7 +42,7 @@ type Columns<const K: usize> = [Lanes; K];
 /// A number of each lane, as vectors are laid out.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-pub struct Lanes([f64; LANES]);
+pub struct Lanes([Real; LANES]);
 
 impl Lanes {
     const ZERO: Self = Self([0.0; LANES]);
@@ -49,7 +50,7 @@ impl Lanes {
 
 struct Blocks<R, const M: usize>(PhantomData<R>);
 
-impl<R, Output, const N: usize, const M: usize> Dispatched<(&[[f64; N]], &mut [Output])>
+impl<R, Output, const N: usize, const M: usize> Dispatched<(&[[Real; N]], &mut [Output])>
     for Blocks<R, M>
 where
     R: Forward<Output, N, M>,
@@ -58,7 +59,7 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn run((q, results): (&[[f64; N]], &mut [Output])) {
+    fn run((q, results): (&[[Real; N]], &mut [Output])) {
         let (blocks, rest) = q.as_chunks();
         let (filled, last) = results.as_chunks_mut();
         let mut next = blocks.first().map_or([Lanes::ZERO; N], columns);
@@ -72,7 +73,7 @@ where
     }
 
     #[inline(always)]
-    fn run_narrow((q, results): (&[[f64; N]], &mut [Output])) {
+    fn run_narrow((q, results): (&[[Real; N]], &mut [Output])) {
         for (q, result) in q.iter().zip(results) {
             *result = R::at(q, SideBySide);
         }
@@ -80,7 +81,7 @@ where
 }
 
 #[inline(always)]
-fn columns<const N: usize>(q: &[[f64; N]; LANES]) -> Columns<N> {
+fn columns<const N: usize>(q: &[[Real; N]; LANES]) -> Columns<N> {
     let mut columns = [Lanes::ZERO; N];
     for k in 0..LANES {
         for i in 0..N {
@@ -117,7 +118,7 @@ struct Told<'a, const M: usize>(&'a mut Columns<M>, usize);
 
 impl<const M: usize> SinCos<M> for Told<'_, M> {
     #[inline(always)]
-    fn of(self, angles: [f64; M]) -> ([f64; M], [f64; M]) {
+    fn of(self, angles: [Real; M]) -> ([Real; M], [Real; M]) {
         for i in 0..M {
             self.0[i].0[self.1] = angles[i];
         }
@@ -130,7 +131,7 @@ struct Found<'a, const M: usize>(&'a Columns<M>, &'a Columns<M>, usize);
 
 impl<const M: usize> SinCos<M> for Found<'_, M> {
     #[inline(always)]
-    fn of(self, _: [f64; M]) -> ([f64; M], [f64; M]) {
+    fn of(self, _: [Real; M]) -> ([Real; M], [Real; M]) {
         let lane = |columns: &Columns<M>| core::array::from_fn(|i| columns[i].0[self.2]);
         (lane(self.0), lane(self.1))
     }
@@ -151,7 +152,7 @@ pub trait Entries: Sized {
 
 /// Writes one entry of all results.
 #[inline(always)]
-fn write<T>(lanes: &Lanes, results: &mut [T; LANES], entry: impl Fn(&mut T) -> &mut f64) {
+fn write<T>(lanes: &Lanes, results: &mut [T; LANES], entry: impl Fn(&mut T) -> &mut Real) {
     for k in 0..LANES {
         *entry(&mut results[k]) = lanes.0[k];
     }

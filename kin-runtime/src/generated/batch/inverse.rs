@@ -5,13 +5,14 @@
 //! rounding may keep from its target, is left to a call for that target alone: of
 //! random targets next to none.
 
+use super::super::super::generated::acceptance::Acceptance;
+use super::super::super::generated::dispatch::{Dispatched, dispatch};
+use super::super::super::generated::free_angle::FREE_BELOW;
+use super::super::super::generated::inverse::{Inverse, Lanes};
+use super::super::super::generated::refinement::NEARLY;
+use super::super::super::scalar::Real;
+use super::super::super::{Pose, Solution, Solutions, math};
 use super::LANES;
-use crate::generated::acceptance::Acceptance;
-use crate::generated::dispatch::{Dispatched, dispatch};
-use crate::generated::free_angle::FREE_BELOW;
-use crate::generated::inverse::{Inverse, Lanes};
-use crate::generated::refinement::NEARLY;
-use crate::{Pose, Solution, Solutions, math};
 use core::marker::PhantomData;
 
 /// Fills `solutions` with those of each target. `alone` solves for one of them.
@@ -75,7 +76,7 @@ where
 impl<const N: usize, const L: usize> Lanes<N, L, LANES> {
     /// Positive for targets that ask for more.
     #[inline(always)]
-    fn unsettled(&self, accept: &Acceptance) -> [f64; LANES] {
+    fn unsettled(&self, accept: &Acceptance) -> [Real; LANES] {
         let mut unsettled = [0.0; LANES];
         for k in 0..L {
             for t in 0..LANES {

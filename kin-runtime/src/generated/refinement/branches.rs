@@ -1,14 +1,15 @@
 //! All branches of an idealized arm, refined to those of the arm as given.
 
+use super::super::super::generated::acceptance::Acceptance;
+use super::super::super::scalar::Real;
+use super::super::super::{Jacobian, Pose, Solution, Solutions, math};
 use super::curve::{On, follow};
 use super::levenberg::levenberg;
 use super::linearization::Problem;
 use super::newton::{Refined, newton};
-use crate::generated::acceptance::Acceptance;
-use crate::{Jacobian, Pose, Solution, Solutions, math};
 
 /// How far the miss along a curve is followed, in multiples of the near-singular threshold.
-const REACH: f64 = 2.0;
+const REACH: Real = 2.0;
 
 /// Evaluations of Levenberg's method from a branch that Newton's has lost.
 const ARRIVAL: usize = 60;
@@ -18,7 +19,7 @@ const ARRIVAL: usize = 60;
 /// how many solutions there are, and all others are looked for on the curves
 /// through those that were found.
 pub fn refine_branches<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     starts: impl Iterator<Item = Solution<N>> + Clone,
     accept: &Acceptance,
     steps: usize,
@@ -59,7 +60,7 @@ struct Search<'a, F, const N: usize> {
     followed: u32,
 }
 
-impl<F: Fn(&[f64; N]) -> (Pose, Jacobian<N>), const N: usize> Search<'_, F, N> {
+impl<F: Fn(&[Real; N]) -> (Pose, Jacobian<N>), const N: usize> Search<'_, F, N> {
     /// Refines a branch. Whether Newton's method has lost it near a singular
     /// configuration: it has got stuck, or has left the branch.
     fn is_lost(&mut self, start: &Solution<N>) -> bool {

@@ -5,21 +5,22 @@
 //! method makes up for that; it is damped, because these are singular
 //! configurations (see [`levenberg`]).
 
+use super::super::super::generated::acceptance::Acceptance;
+use super::super::super::scalar::{Real, tolerance};
+use super::super::super::{Jacobian, Pose, Solution, Solutions, math};
 use super::levenberg::levenberg;
 use super::linearization::Problem;
-use crate::generated::acceptance::Acceptance;
-use crate::{Jacobian, Pose, Solution, Solutions, math};
 
 /// Branches that miss their target by more than this, relative to the arm's
 /// size, do so not by rounding.
-pub const NEARLY: f64 = 1e-5;
+pub const NEARLY: Real = tolerance::NEARLY;
 /// Evaluations at most; a regular branch takes two.
 const STEPS: usize = 12;
 
 /// The branches that reach their target, those that [nearly](NEARLY) do after a
 /// correction.
 pub fn correct_branches<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     branches: impl Iterator<Item = Solution<N>> + Clone,
     accept: &Acceptance,
 ) -> Solutions<N> {

@@ -14,29 +14,30 @@
 //! the others return to the curve (Rheinboldt and Burkardt, "A locally
 //! parameterized continuation process", ACM TOMS 9, 1983).
 
+use super::super::super::linear::vector::{dot, norm};
+use super::super::super::scalar::Real;
+use super::super::super::{Jacobian, Pose, math};
 use super::linearization::{Linearization, Problem, idle};
-use crate::linear::vector::{dot, norm};
-use crate::{Jacobian, Pose, math};
 
 /// Steps along the curve, radians or metres in joint space.
-const STEP: f64 = 0.2;
+const STEP: Real = 0.2;
 /// A step shorter than this leads nowhere.
-const LEAST_STEP: f64 = 0.01;
+const LEAST_STEP: Real = 0.01;
 /// Enough for a turn of every joint.
 const STEPS: usize = 150;
 /// Returns to the curve take a few of Newton's steps.
 const RETURNS: usize = 6;
 /// Points are this near to the curve.
-const ON: f64 = 1e-7;
+const ON: Real = 1e-7;
 /// Zeros are handed out when the miss is below this.
-const ZERO: f64 = 1e-9;
+const ZERO: Real = 1e-9;
 /// Halvings of an interval with a zero.
 const HALVINGS: usize = 20;
 /// A column of the Jacobian with less than this of its own, besides the weak
 /// one, makes a second weak direction.
-const WEAK: f64 = 1e-6;
+const WEAK: Real = 1e-6;
 /// With less than this another curve may be near.
-const CROSSING: f64 = 0.2;
+const CROSSING: Real = 0.2;
 
 /// Where a start for Newton's method was seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,11 +52,11 @@ pub(super) enum On {
 /// miss is within `reach` (radians, or lengths in units of the arm's size).
 /// `weak` is the motion of the joints that moves the tip least.
 pub(super) fn follow<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
-    q: [f64; N],
-    weak: [f64; N],
-    reach: f64,
-    mut found: impl FnMut([f64; N], On),
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
+    q: [Real; N],
+    weak: [Real; N],
+    reach: Real,
+    mut found: impl FnMut([Real; N], On),
 ) {
     if N + idle(problem.counts) != 6 {
         return;
@@ -92,27 +93,27 @@ pub(super) fn follow<const N: usize>(
 /// A point on the curve.
 #[derive(Clone, Copy)]
 struct Point<const N: usize> {
-    q: [f64; N],
+    q: [Real; N],
     /// What is missing along the normal.
-    miss: f64,
+    miss: Real,
     /// Its derivative along the tangent.
-    slope: f64,
+    slope: Real,
     /// Of unit length.
-    tangent: [f64; N],
+    tangent: [Real; N],
     /// The direction in which the tip can hardly be moved.
-    normal: [f64; 6],
+    normal: [Real; 6],
     /// How much the other joints have of their own, at least.
-    second: f64,
+    second: Real,
 }
 
 impl<const N: usize> Point<N> {
     /// The point on the curve near `q` with the same value of the joint that
     /// moves most along `tangent`.
     fn returned(
-        problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
-        mut q: [f64; N],
-        tangent: &[f64; N],
-        normal: Option<&[f64; 6]>,
+        problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
+        mut q: [Real; N],
+        tangent: &[Real; N],
+        normal: Option<&[Real; 6]>,
     ) -> Option<Self> {
         let held = (0..N).max_by(|&i, &j| tangent[i].abs().total_cmp(&tangent[j].abs()))?;
         for _ in 0..RETURNS {
@@ -132,8 +133,8 @@ impl<const N: usize> Point<N> {
 
     fn next(
         &self,
-        problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
-        step: f64,
+        problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
+        step: Real,
     ) -> Option<Self> {
         let q = core::array::from_fn(|i| self.q[i] + step * self.tangent[i]);
         Self::returned(problem, q, &self.tangent, Some(&self.normal))
@@ -142,9 +143,9 @@ impl<const N: usize> Point<N> {
     /// The point on the curve at a share of the way to another.
     fn between(
         &self,
-        problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+        problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
         other: &Self,
-        share: f64,
+        share: Real,
     ) -> Option<Self> {
         let q = core::array::from_fn(|i| self.q[i] + share * (other.q[i] - self.q[i]));
         Self::returned(problem, q, &self.tangent, Some(&self.normal))
@@ -159,20 +160,20 @@ impl<const N: usize> Point<N> {
     }
 
     /// Whether the curve has come back to its start.
-    fn meets(&self, start: &Self, step: f64) -> bool {
+    fn meets(&self, start: &Self, step: Real) -> bool {
         let apart = |i: usize| math::wrap(self.q[i] - start.q[i]);
-        let square: f64 = (0..N).map(|i| apart(i) * apart(i)).sum();
-        let along: f64 = (0..N).map(|i| self.tangent[i] * start.tangent[i]).sum();
+        let square: Real = (0..N).map(|i| apart(i) * apart(i)).sum();
+        let along: Real = (0..N).map(|i| self.tangent[i] * start.tangent[i]).sum();
         square < step * step && along > 0.5
     }
 }
 
 /// Finds the zeros of the miss between two points, a step apart.
 fn crossings<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     a: &Point<N>,
     b: &Point<N>,
-    found: &mut impl FnMut([f64; N], On),
+    found: &mut impl FnMut([Real; N], On),
 ) {
     if a.slope * b.slope < 0.0
         && let Some(extreme) = zero(problem, a, b, |point| point.slope)
@@ -190,10 +191,10 @@ fn crossings<const N: usize>(
 
 /// Finds the zero of the miss between two points, if there is one.
 fn solution<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     a: &Point<N>,
     b: &Point<N>,
-    found: &mut impl FnMut([f64; N], On),
+    found: &mut impl FnMut([Real; N], On),
 ) {
     if let Some(point) = zero(problem, a, b, |point| point.miss) {
         found(point.q, On::Curve);
@@ -203,10 +204,10 @@ fn solution<const N: usize>(
 /// Where a function on the curve changes its sign, by regula falsi with the
 /// Illinois rule.
 fn zero<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     a: &Point<N>,
     b: &Point<N>,
-    value: impl Fn(&Point<N>) -> f64,
+    value: impl Fn(&Point<N>) -> Real,
 ) -> Option<Point<N>> {
     let (mut low, mut high) = (0.0, 1.0);
     let (mut below, mut above) = (value(a), value(b));
@@ -237,12 +238,12 @@ fn zero<const N: usize>(
 struct Split<const N: usize> {
     held: usize,
     /// By joint: what its column adds to those before it.
-    basis: [[f64; 6]; N],
+    basis: [[Real; 6]; N],
     /// Column by column, in that basis.
-    upper: [[f64; N]; N],
-    normal: [f64; 6],
+    upper: [[Real; N]; N],
+    normal: [Real; 6],
     /// The least share that a column adds to those before it.
-    second: f64,
+    second: Real,
 }
 
 impl<const N: usize> Split<N> {
@@ -250,7 +251,7 @@ impl<const N: usize> Split<N> {
         place: &Linearization<N>,
         held: usize,
         idle: usize,
-        normal: Option<&[f64; 6]>,
+        normal: Option<&[Real; 6]>,
     ) -> Option<Self> {
         let idle = &place.idle[..idle];
         let mut split = Self {
@@ -261,7 +262,7 @@ impl<const N: usize> Split<N> {
             second: 1.0,
         };
         for j in (0..N).filter(|&j| j != held) {
-            let mut column: [f64; 6] = core::array::from_fn(|i| place.rows[i][j]);
+            let mut column: [Real; 6] = core::array::from_fn(|i| place.rows[i][j]);
             let whole = norm(column);
             for k in (0..j).filter(|&k| k != held) {
                 split.upper[j][k] = remove(&mut column, &split.basis[k]);
@@ -280,8 +281,8 @@ impl<const N: usize> Split<N> {
 
     /// The unit vector that is normal to the basis and the idle directions, on
     /// the side of `like`.
-    fn left_over(&self, idle: &[[f64; 6]], like: Option<&[f64; 6]>) -> Option<[f64; 6]> {
-        let cleared = |mut x: [f64; 6]| {
+    fn left_over(&self, idle: &[[Real; 6]], like: Option<&[Real; 6]>) -> Option<[Real; 6]> {
+        let cleared = |mut x: [Real; 6]| {
             // Twice, because what is left may be small.
             for _ in 0..2 {
                 for other in idle.iter().chain(&self.basis) {
@@ -302,8 +303,8 @@ impl<const N: usize> Split<N> {
 
     /// How the other joints make what is missing, except along the normal, and
     /// how much that is.
-    fn solve(&self, error: &[f64; 6]) -> ([f64; N], f64) {
-        let mut x: [f64; N] = core::array::from_fn(|j| dot(self.basis[j], *error));
+    fn solve(&self, error: &[Real; 6]) -> ([Real; N], Real) {
+        let mut x: [Real; N] = core::array::from_fn(|j| dot(self.basis[j], *error));
         let off = math::sqrt(x.iter().map(|x| x * x).sum());
         for j in (0..N).rev().filter(|&j| j != self.held) {
             x[j] /= self.upper[j][j];
@@ -315,11 +316,11 @@ impl<const N: usize> Split<N> {
         (x, off)
     }
 
-    fn point(&self, place: &Linearization<N>, forwards: &[f64; N]) -> Point<N> {
+    fn point(&self, place: &Linearization<N>, forwards: &[Real; N]) -> Point<N> {
         let column = core::array::from_fn(|i| -place.rows[i][self.held]);
         let (mut tangent, _) = self.solve(&column);
         tangent[self.held] = 1.0;
-        let along: f64 = (0..N).map(|i| tangent[i] * forwards[i]).sum();
+        let along: Real = (0..N).map(|i| tangent[i] * forwards[i]).sum();
         let whole = math::sqrt(tangent.iter().map(|x| x * x).sum());
         let share = if along < 0.0 {
             -1.0 / whole
@@ -338,7 +339,7 @@ impl<const N: usize> Split<N> {
 }
 
 /// Takes the part of x along a unit vector away, and returns how much it was.
-fn remove(x: &mut [f64; 6], unit: &[f64; 6]) -> f64 {
+fn remove(x: &mut [Real; 6], unit: &[Real; 6]) -> Real {
     let along = dot(*x, *unit);
     x.iter_mut().zip(unit).for_each(|(x, u)| *x -= along * u);
     along

@@ -1,10 +1,11 @@
 //! Arriving where the Jacobian has lost more than one rank.
 
+use super::super::super::linear::vector::norm;
+use super::super::super::scalar::Real;
+use super::super::super::{Jacobian, Pose};
 use super::linearization::{Linearization, Problem};
 use super::newton::{ROUNDING, Refined};
 use super::normal_equations::Factor;
-use crate::linear::vector::norm;
-use crate::{Jacobian, Pose};
 
 /// Levenberg's method from a configuration that nearly reaches the target, for
 /// at most `steps` evaluations.
@@ -14,9 +15,9 @@ use crate::{Jacobian, Pose};
 /// by the square of what is missing they arrive, and in the end as fast as
 /// Newton's (Yamashita and Fukushima, "On the rate of convergence of the
 /// Levenberg-Marquardt method", Computing Supplement 15, 2001).
-pub(in crate::generated) fn levenberg<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
-    q: [f64; N],
+pub fn levenberg<const N: usize>(
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
+    q: [Real; N],
     steps: usize,
 ) -> Refined<N> {
     let mut here = Linearization::new(q, problem);

@@ -1,8 +1,9 @@
 //! A configuration as the target sees it: what is missing, and how the joints
 //! make it.
 
-use crate::generated::acceptance::Acceptance;
-use crate::{Jacobian, Pose, Target};
+use super::super::super::generated::acceptance::Acceptance;
+use super::super::super::scalar::Real;
+use super::super::super::{Jacobian, Pose, Target};
 
 /// A target for an arm.
 #[derive(Clone, Copy, Debug)]
@@ -12,7 +13,7 @@ pub struct Problem<'a, F> {
     /// Where the tip has to go.
     pub target: &'a Pose,
     /// The arm's size, metres: angles count as lengths at this distance.
-    pub size: f64,
+    pub size: Real,
     /// What of the target counts.
     pub counts: Target,
 }
@@ -31,18 +32,21 @@ impl<'a, F> Problem<'a, F> {
 
 /// A configuration as the target sees it.
 pub(super) struct Linearization<const N: usize> {
-    pub q: [f64; N],
-    pub residual: f64,
+    pub q: [Real; N],
+    pub residual: Real,
     /// What is missing, and the Jacobian's rows that make it, with lengths in
     /// units of the arm's size; zero where the target does not count.
-    pub error: [f64; 6],
-    pub rows: [[f64; N]; 6],
+    pub error: [Real; 6],
+    pub rows: [[Real; N]; 6],
     /// Unit vectors along which nothing can be missing; see [`idle`].
-    pub idle: [[f64; 6]; 4],
+    pub idle: [[Real; 6]; 4],
 }
 
 impl<const N: usize> Linearization<N> {
-    pub fn new(q: [f64; N], problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>) -> Self {
+    pub fn new(
+        q: [Real; N],
+        problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
+    ) -> Self {
         let &Problem {
             ref fk_jacobian,
             target,
@@ -78,7 +82,7 @@ pub(super) fn idle(counts: Target) -> usize {
 
 /// These directions, from the front; a turn about the z axis leaves it in
 /// place.
-fn idle_directions(counts: Target, pose: &Pose) -> [[f64; 6]; 4] {
+fn idle_directions(counts: Target, pose: &Pose) -> [[Real; 6]; 4] {
     let unit = |i: usize| core::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
     let z = [0, 1, 2].map(|i| pose.rotation[i][2]);
     let about_z = [0.0, 0.0, 0.0, z[0], z[1], z[2]];

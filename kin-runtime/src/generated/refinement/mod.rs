@@ -14,7 +14,7 @@ mod swivel;
 
 pub use branches::refine_branches;
 pub use correction::{NEARLY, correct_branches};
-pub(super) use levenberg::levenberg;
+pub use levenberg::levenberg;
 pub use linearization::Problem;
 pub use newton::{Refined, newton};
 pub use swivel::AtSwivel;

@@ -1,37 +1,38 @@
 //! Newton's method from a configuration that nearly reaches the target.
 
+use super::super::super::linear::vector::norm;
+use super::super::super::scalar::{Real, tolerance};
+use super::super::super::{Jacobian, Pose};
 use super::linearization::{Linearization, Problem};
 use super::normal_equations::Factor;
-use crate::linear::vector::norm;
-use crate::{Jacobian, Pose};
 
 /// Relative to the arm's size, a residual below this is rounding.
-pub(super) const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: Real = tolerance::ROUNDING;
 
 /// No joint moves by more than this in one step; radians or metres. Short
 /// steps follow Newton's flow and so stay on the branch that they are on.
-const STRIDE: f64 = 0.3;
+const STRIDE: Real = 0.3;
 
 /// A step shorter than this share of Newton's leads nowhere.
-const LEAST_SHARE: f64 = 1e-3;
+const LEAST_SHARE: Real = 1e-3;
 
 /// Below this a pivot of the Jacobian, relative to the largest, is that of a
 /// singular configuration.
-const SINGULAR: f64 = 1e-5;
+const SINGULAR: Real = tolerance::SINGULAR;
 
 /// Where [`newton`] has arrived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refined<const N: usize> {
     /// The last configuration; angles are not wrapped.
-    pub q: [f64; N],
+    pub q: [Real; N],
     /// Its distance from the target, metres: the translation error and the
     /// angle times the arm's size, as the legs of a right triangle.
-    pub residual: f64,
+    pub residual: Real,
     /// How far the Jacobian there is from losing rank: its least pivot by the
     /// largest.
-    pub independence: f64,
+    pub independence: Real,
     /// The motion of the joints that moves the tip least, at unit speed.
-    pub weak: [f64; N],
+    pub weak: [Real; N],
 }
 
 impl<const N: usize> Refined<N> {
@@ -75,16 +76,16 @@ impl<const N: usize> Refined<N> {
 /// ```
 #[inline]
 pub fn newton<const N: usize>(
-    problem: &Problem<impl Fn(&[f64; N]) -> (Pose, Jacobian<N>)>,
-    q: [f64; N],
+    problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
+    q: [Real; N],
     steps: usize,
 ) -> Refined<N> {
     let size = problem.size;
-    let look = |q: [f64; N]| Linearization::new(q, problem);
+    let look = |q: [Real; N]| Linearization::new(q, problem);
     let mut here = look(q);
     let mut factor = Factor::new(&here.rows, 0.0);
     let mut step = factor.solve(&here.error);
-    let mut share: f64 = 1.0;
+    let mut share: Real = 1.0;
     for _ in 1..steps {
         if here.residual < ROUNDING * size {
             break;
@@ -94,13 +95,13 @@ pub fn newton<const N: usize>(
         let there = look(core::array::from_fn(|i| here.q[i] + share * step[i]));
         // The correction that the same Jacobian would make next.
         let next = factor.solve(&there.error);
-        let unforeseen: [f64; N] = core::array::from_fn(|i| next[i] - (1.0 - share) * step[i]);
-        let bend = 2.0 * norm(unforeseen) / (share * share * length).max(f64::MIN_POSITIVE);
+        let unforeseen: [Real; N] = core::array::from_fn(|i| next[i] - (1.0 - share) * step[i]);
+        let bend = 2.0 * norm(unforeseen) / (share * share * length).max(Real::MIN_POSITIVE);
         if norm(next) <= (1.0 - 0.25 * share) * length || there.residual < ROUNDING * size {
             here = there;
             factor = Factor::new(&here.rows, 0.0);
             step = factor.solve(&here.error);
-            share = (1.0 / bend.max(f64::MIN_POSITIVE)).clamp(share, 1.0);
+            share = (1.0 / bend.max(Real::MIN_POSITIVE)).clamp(share, 1.0);
         } else {
             share = (1.0 / bend).min(0.5 * share);
             if share < LEAST_SHARE {

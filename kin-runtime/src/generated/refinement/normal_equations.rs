@@ -1,20 +1,18 @@
 //! The normal equations of Newton's and Levenberg's steps.
 
-use crate::linear::cholesky;
-use crate::linear::vector::norm;
-
-/// Rounding may leave the square of a singular pivot below zero.
-const LEAST: f64 = 1e-20;
+use super::super::super::linear::cholesky;
+use super::super::super::linear::vector::norm;
+use super::super::super::scalar::{Real, tolerance::PIVOT};
 
 /// The normal equations (JᵀJ + μ) x = Jᵀe, factored.
 pub(super) struct Factor<const N: usize> {
-    rows: [[f64; N]; 6],
+    rows: [[Real; N]; 6],
     /// As [`cholesky::factor`] leaves it.
-    lower: [[f64; N]; N],
+    lower: [[Real; N]; N],
 }
 
 impl<const N: usize> Factor<N> {
-    pub fn new(rows: &[[f64; N]; 6], damping: f64) -> Self {
+    pub fn new(rows: &[[Real; N]; 6], damping: Real) -> Self {
         let mut lower = [[0.0; N]; N];
         (0..N).for_each(|i| lower[i][i] = damping);
         for row in rows {
@@ -24,11 +22,11 @@ impl<const N: usize> Factor<N> {
                 }
             }
         }
-        cholesky::factor(lower.as_flattened_mut(), N, LEAST);
+        cholesky::factor(lower.as_flattened_mut(), N, PIVOT);
         Self { rows: *rows, lower }
     }
 
-    pub fn solve(&self, error: &[f64; 6]) -> [f64; N] {
+    pub fn solve(&self, error: &[Real; 6]) -> [Real; N] {
         let mut x = [0.0; N];
         for (row, e) in self.rows.iter().zip(error) {
             for i in 0..N {
@@ -39,22 +37,22 @@ impl<const N: usize> Factor<N> {
     }
 
     /// x of JᵀJ x = b.
-    fn solve_square(&self, mut x: [f64; N]) -> [f64; N] {
+    fn solve_square(&self, mut x: [Real; N]) -> [Real; N] {
         cholesky::solve(self.lower.as_flattened(), &mut x);
         x
     }
 
     /// The least pivot of J relative to the largest.
-    pub fn independence(&self) -> f64 {
+    pub fn independence(&self) -> Real {
         let inverses = (0..N).map(|i| self.lower[i][i]);
-        let least = inverses.clone().fold(0.0, f64::max);
-        inverses.fold(f64::INFINITY, f64::min) / least
+        let least = inverses.clone().fold(0.0, Real::max);
+        inverses.fold(Real::INFINITY, Real::min) / least
     }
 
     /// The eigenvector of JᵀJ to its least eigenvalue, by inverse iteration.
-    pub fn weak(&self) -> [f64; N] {
+    pub fn weak(&self) -> [Real; N] {
         // A start that no arm is square to.
-        let mut x: [f64; N] = core::array::from_fn(|i| 1.0 + 0.3 * i as f64);
+        let mut x: [Real; N] = core::array::from_fn(|i| 1.0 + 0.3 * i as Real);
         for _ in 0..3 {
             x = self.solve_square(x);
             let whole = norm(x);

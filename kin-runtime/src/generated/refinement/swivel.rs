@@ -3,19 +3,20 @@
 //! The angle tells one of the joints that turn the elbow from the others, so that what is
 //! refined is an arm of six joints, as any other.
 
+use super::super::super::generated::acceptance::Acceptance;
+use super::super::super::linear::vector::{add, cross, dot};
+use super::super::super::scalar::{Real, tolerance};
+use super::super::super::{Jacobian, Pose, Solution, Solutions, Swivel, Target, Twist, math};
 use super::{Problem, correct_branches, refine_branches};
-use crate::generated::acceptance::Acceptance;
-use crate::linear::vector::{add, cross, dot};
-use crate::{Jacobian, Pose, Solution, Solutions, Swivel, Target, Twist, math};
 
 /// Newton's method for one angle, from one that is right but for noise, doubles the digits.
 const STEPS: usize = 8;
 /// No step is longer, radians.
-const STRIDE: f64 = 0.5;
+const STRIDE: Real = 0.5;
 /// What an angle may be off, radians.
-const OFF: f64 = 1e-15;
+const OFF: Real = tolerance::ANGLE;
 /// A solution whose swivel angle is off by more is of another.
-const ELSEWHERE: f64 = 1e-9;
+const ELSEWHERE: Real = tolerance::SOLVED;
 
 /// An arm of seven joints at an angle of its swivel.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +24,7 @@ pub struct AtSwivel<'a, Links, FkJacobian> {
     /// What tells the angle.
     pub swivel: &'a Swivel,
     /// Radians.
-    pub angle: f64,
+    pub angle: Real,
     /// Gives the poses of the links.
     pub links: Links,
     /// Gives the pose and the spatial Jacobian.
@@ -32,8 +33,8 @@ pub struct AtSwivel<'a, Links, FkJacobian> {
 
 impl<Links, FkJacobian> AtSwivel<'_, Links, FkJacobian>
 where
-    Links: Fn(&[f64; 7]) -> [Pose; 7],
-    FkJacobian: Fn(&[f64; 7]) -> (Pose, Jacobian<7>),
+    Links: Fn(&[Real; 7]) -> [Pose; 7],
+    FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
 {
     /// Every branch as a solution of the arm: of an arm that was idealized by
     /// [`refine_branches`], in so many steps, of an exact one by [`correct_branches`].
@@ -54,7 +55,7 @@ where
                 let told = self.told(&start.q, wrist);
                 let others = core::iter::once(told.without(&start));
                 let problem = Problem::new(
-                    |q: &[f64; 6]| told.fk_jacobian(q),
+                    |q: &[Real; 6]| told.fk_jacobian(q),
                     target,
                     Target::Pose,
                     accept,
@@ -83,7 +84,7 @@ where
     }
 
     /// Which joint the angle tells next to a configuration: the one that it depends on most.
-    fn told(&self, q: &[f64; 7], wrist: [f64; 3]) -> Told<'_, Links, FkJacobian> {
+    fn told(&self, q: &[Real; 7], wrist: [Real; 3]) -> Told<'_, Links, FkJacobian> {
         let mut told = Told {
             arm: self,
             wrist,
@@ -101,16 +102,16 @@ where
 struct Told<'a, Links, FkJacobian> {
     arm: &'a AtSwivel<'a, Links, FkJacobian>,
     /// Where the target has it.
-    wrist: [f64; 3],
+    wrist: [Real; 3],
     joint: usize,
     /// Of the values of that joint with the same angle, the one next to this is meant.
-    near: f64,
+    near: Real,
 }
 
 impl<Links, FkJacobian> Told<'_, Links, FkJacobian>
 where
-    Links: Fn(&[f64; 7]) -> [Pose; 7],
-    FkJacobian: Fn(&[f64; 7]) -> (Pose, Jacobian<7>),
+    Links: Fn(&[Real; 7]) -> [Pose; 7],
+    FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
 {
     fn without(&self, solution: &Solution<7>) -> Solution<6> {
         let q = solution.q;
@@ -123,7 +124,7 @@ where
     }
 
     /// How the angle changes with the joints that turn the elbow, and how far it is off.
-    fn slopes(&self, q: &[f64; 7]) -> ([f64; 7], f64) {
+    fn slopes(&self, q: &[Real; 7]) -> ([Real; 7], Real) {
         let swivel = self.arm.swivel;
         let (_, spatial) = (self.arm.fk_jacobian)(q);
         let elbow = (self.arm.links)(q)[swivel.link].transform_point(swivel.elbow);
@@ -138,8 +139,8 @@ where
     }
 
     /// All joint values, from those of the others.
-    fn whole(&self, others: &[f64; 6]) -> [f64; 7] {
-        let mut q: [f64; 7] = core::array::from_fn(|i| match i.cmp(&self.joint) {
+    fn whole(&self, others: &[Real; 6]) -> [Real; 7] {
+        let mut q: [Real; 7] = core::array::from_fn(|i| match i.cmp(&self.joint) {
             core::cmp::Ordering::Less => others[i],
             core::cmp::Ordering::Equal => self.near,
             core::cmp::Ordering::Greater => others[i - 1],
@@ -160,7 +161,7 @@ where
 
     /// The pose, and the spatial Jacobian of the others: they take the joint that is told
     /// along.
-    fn fk_jacobian(&self, others: &[f64; 6]) -> (Pose, Jacobian<6>) {
+    fn fk_jacobian(&self, others: &[Real; 6]) -> (Pose, Jacobian<6>) {
         let q = self.whole(others);
         let (pose, spatial) = (self.arm.fk_jacobian)(&q);
         let (slopes, _) = self.slopes(&q);

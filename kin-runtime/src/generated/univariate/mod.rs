@@ -14,6 +14,7 @@
 //! roots has, with a bound on its steps.
 
 mod bernstein;
+mod branches;
 mod closest;
 mod determinant;
 mod elimination;

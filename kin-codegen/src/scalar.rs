@@ -1,0 +1,120 @@
+//! The scalar that a robot is computed in, and what depends on its digits.
+
+use kin_runtime::__private::tolerance as double;
+use kin_runtime::Pose;
+use kin_runtime::single::__private::tolerance as single;
+use std::fmt;
+
+/// The type of numbers in generated code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scalar {
+    /// Double precision.
+    #[default]
+    F64,
+    /// Single precision, for processors without a unit for more; see [`kin_runtime::single`].
+    F32,
+}
+
+/// What the digits of a scalar allow. Lengths are relative to the arm's size.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerances {
+    /// Solutions reach the target to this.
+    pub solved: f64,
+    /// See [`kin_runtime::__private::tolerance`], also for the next ones.
+    pub free_below: f64,
+    pub nearly_free: f64,
+    pub badly_told: f64,
+    pub noise: f64,
+    pub double_root: f64,
+    /// Between 1 and the next number.
+    pub epsilon: f64,
+    /// An idealized arm whose tip moved less than this is the given one to rounding.
+    pub unmoved: f64,
+    /// Below this conditioning of the Jacobian branches of an exact arm may be lost to rounding;
+    /// 0 if none may.
+    pub near_singular: f64,
+    /// A configuration comes back to this by the square of its conditioning, and not better than
+    /// the next; radians and metres.
+    pub recovered: f64,
+    pub same: f64,
+    /// No worse than this, either.
+    pub different: f64,
+}
+
+impl Scalar {
+    /// The words that stand for it.
+    pub const WORDS: [&'static str; 2] = ["f64", "f32"];
+
+    /// What it allows.
+    pub fn tolerances(self) -> Tolerances {
+        match self {
+            Scalar::F64 => Tolerances {
+                solved: double::SOLVED,
+                free_below: double::FREE_BELOW,
+                nearly_free: double::NEARLY_FREE,
+                badly_told: double::BADLY_TOLD,
+                noise: double::NOISE,
+                double_root: double::DOUBLE_ROOT,
+                epsilon: f64::EPSILON,
+                unmoved: 1e-12,
+                near_singular: 0.0,
+                recovered: 1e-11,
+                same: 1e-7,
+                different: 1e-2,
+            },
+            Scalar::F32 => Tolerances {
+                solved: single::SOLVED.into(),
+                free_below: single::FREE_BELOW.into(),
+                nearly_free: single::NEARLY_FREE.into(),
+                badly_told: single::BADLY_TOLD.into(),
+                noise: single::NOISE.into(),
+                double_root: single::DOUBLE_ROOT.into(),
+                epsilon: f32::EPSILON.into(),
+                unmoved: 2e-6,
+                near_singular: single::SINGULAR.into(),
+                recovered: 2e-6,
+                same: 1e-4,
+                different: 5e-2,
+            },
+        }
+    }
+
+    /// A target as it can be given.
+    pub fn target(self, pose: Pose) -> Pose {
+        match self {
+            Scalar::F64 => pose,
+            Scalar::F32 => kin_runtime::single::Pose::from(pose).into(),
+        }
+    }
+
+    /// The turn of a free angle that leaves the next root the most room, radians, by its level at
+    /// some turns; see [`kin_runtime::__private::free_angle`].
+    pub fn roomiest_turn(self, level: impl Fn(f64) -> f64) -> f64 {
+        use kin_runtime::__private::free_angle as double;
+        use kin_runtime::single::__private::free_angle as single;
+        match self {
+            Scalar::F64 => double::roomiest_turn(double::SAMPLES.map(level)),
+            Scalar::F32 => {
+                let level = |turn: f32| level(turn.into()) as f32;
+                single::roomiest_turn(single::SAMPLES.map(level)).into()
+            }
+        }
+    }
+
+    /// The nearest number of this type.
+    pub fn rounded(self, x: f64) -> f64 {
+        match self {
+            Scalar::F64 => x,
+            Scalar::F32 => f64::from(x as f32),
+        }
+    }
+}
+
+impl fmt::Display for Scalar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Scalar::F64 => "f64",
+            Scalar::F32 => "f32",
+        })
+    }
+}

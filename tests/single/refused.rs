@@ -1,0 +1,66 @@
+//! What single precision lacks is said with a place, a reason and a remedy.
+
+use kin_codegen::{Options, Scalar, Source, compile, generate_c};
+use std::path::Path;
+
+fn read(file: &str) -> (Source, Options) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let options = Options {
+        scalar: Scalar::F32,
+        ..Options::default()
+    };
+    (Source::read(file, root).unwrap(), options)
+}
+
+fn said(file: &str) -> String {
+    let (source, options) = read(file);
+    compile(&source, &options).unwrap_err().to_string()
+}
+
+#[test]
+fn arms_that_are_solved_otherwise() {
+    let cases = [
+        (
+            "../robots/xarm6.yaml",
+            "the polynomial that does is for f64 alone",
+        ),
+        (
+            "../robots/panda.yaml",
+            "what is given beside a target is for f64 alone",
+        ),
+        (
+            "robots/noisy/calibrated.yaml",
+            "off exact relations by more than the digits of f32 leave",
+        ),
+        (
+            "robots/table/parallel_123.yaml",
+            "the roots of a quartic, which are there in f64 alone",
+        ),
+    ];
+    for (file, reason) in cases {
+        let said = said(file);
+        assert!(said.starts_with(file), "{said}");
+        assert!(said.contains(reason), "{said}");
+        assert!(
+            said.contains("leave out `scalar = f32`; with it, `ik = none`"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn mechanisms_and_c() {
+    let said = said("../robots/delta.yaml");
+    assert!(
+        said.contains("a parallel mechanism is computed in f64 alone"),
+        "{said}"
+    );
+    assert!(said.contains("leave out `scalar = f32`"), "{said}");
+    let (source, options) = read("../robots/ur5e.urdf");
+    let said = generate_c(&source, &options).unwrap_err().to_string();
+    assert!(
+        said.contains("C is written in double precision alone"),
+        "{said}"
+    );
+    assert!(said.contains("leave out the option `scalar`"), "{said}");
+}
