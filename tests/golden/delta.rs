@@ -16,7 +16,7 @@
     clippy::all,
     clippy::pedantic,
     clippy::nursery,
-    reason = "constants are written with the digits that they have"
+    reason = "nobody writes generated code again: lints on its style have nobody to tell"
 )]
 mod __Delta {
     ::kinematics::__private::generated_by!(0.1);
@@ -79,16 +79,13 @@ mod __Delta {
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Delta;
     /// The chains that the mechanism is made of.
+    #[allow(dead_code, reason = "it does not ask them for all that an arm can do")]
     mod arms {
         use ::kinematics::__private::{Acceptance, Branches, Inverse, Lanes, lanes, math};
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
 
         /// The chain `arm1`.
         pub struct Leg1;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Leg1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -191,10 +188,6 @@ mod __Delta {
 
         /// The chain `arm1` up to the point where its last axes meet.
         pub struct Head1;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Head1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -502,10 +495,6 @@ mod __Delta {
 
         /// What of the chain `arm1` turns about that point.
         pub struct Tail1;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Tail1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -711,10 +700,6 @@ mod __Delta {
 
         /// The chain `arm2`.
         pub struct Leg2;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Leg2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -860,10 +845,6 @@ mod __Delta {
 
         /// The chain `arm2` up to the point where its last axes meet.
         pub struct Head2;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Head2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1209,10 +1190,6 @@ mod __Delta {
 
         /// What of the chain `arm2` turns about that point.
         pub struct Tail2;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Tail2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1508,10 +1485,6 @@ mod __Delta {
 
         /// The chain `arm3`.
         pub struct Leg3;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Leg3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -1656,10 +1629,6 @@ mod __Delta {
 
         /// The chain `arm3` up to the point where its last axes meet.
         pub struct Head3;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Head3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2006,10 +1975,6 @@ mod __Delta {
 
         /// What of the chain `arm3` turns about that point.
         pub struct Tail3;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Tail3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2299,10 +2264,6 @@ mod __Delta {
 
         /// Where the actuated joints put an end of a rod.
         pub struct Rod1;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Rod1 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2333,10 +2294,6 @@ mod __Delta {
 
         /// Where the actuated joints put an end of a rod.
         pub struct Rod2;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Rod2 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.
@@ -2396,10 +2353,6 @@ mod __Delta {
 
         /// Where the actuated joints put an end of a rod.
         pub struct Rod3;
-        #[allow(
-            dead_code,
-            reason = "a mechanism does not ask its chains for all that an arm can do"
-        )]
         impl Rod3 {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.

@@ -50,6 +50,7 @@ pub fn mechanism(compiled: &CompiledMechanism, names: &Names) -> TokenStream {
             pub struct #name;
 
             /// The chains that the mechanism is made of.
+            #[allow(dead_code, reason = "it does not ask them for all that an arm can do")]
             mod arms {
                 #arms_imports
 
@@ -205,7 +206,6 @@ fn arm(name: &Ident, what: &str, compiled: &CompiledArm) -> TokenStream {
         #[doc = #what]
         pub struct #name;
 
-        #[allow(dead_code, reason = "a mechanism does not ask its chains for all that an arm can do")]
         impl #name {
             /// Where the chain ends, in the frame that it begins in, metres; `q`
             /// in radians and metres.

@@ -97,7 +97,7 @@ pub(super) fn in_module(name: &Ident, items: &TokenStream) -> TokenStream {
         #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
         #[allow(
             clippy::all, clippy::pedantic, clippy::nursery,
-            reason = "constants are written with the digits that they have"
+            reason = "nobody writes generated code again: lints on its style have nobody to tell"
         )]
         mod #module { #items }
         #[allow(unused_imports, reason = "a robot may stand where nothing uses it yet")]
