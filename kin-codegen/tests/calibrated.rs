@@ -1,6 +1,8 @@
 //! Arms that are off their design by noise of all sizes: nothing is lost next to where
 //! the design is singular, and solving them takes a bounded number of steps.
 
+mod measured;
+
 use kin_codegen::Scalar;
 use kin_codegen::certificate::recovered;
 use kin_codegen::closed_form::{ClosedForm, Refinement};
@@ -10,8 +12,8 @@ use kin_codegen::plan::Target;
 use kin_codegen::random::Random;
 use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
+use measured::{configuration, measured};
 use std::collections::BTreeSet;
-use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
 /// Below this conditioning solutions may be lost.
@@ -25,38 +27,6 @@ fn design(path: &str) -> Model {
         text,
     };
     Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap()
-}
-
-/// The design with every axis turned by up to `noise` radians and shifted by up to as
-/// much of the arm's size.
-fn measured(design: &Model, noise: f64, random: &mut Random) -> Model {
-    let mut model = design.clone();
-    let length = size(design);
-    for joint in &mut model.joints {
-        let mut side = || [0; 3].map(|_| noise * random.between(-1.0, 1.0));
-        let (turn, shift) = (side(), side());
-        let axis = joint.axis;
-        let turned = [0, 1, 2].map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            axis[i] + turn[j] * axis[k] - turn[k] * axis[j]
-        });
-        let norm = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
-        joint.axis = turned.map(|x| x / norm);
-        for (x, shift) in joint.point.iter_mut().zip(shift) {
-            *x += length * shift;
-        }
-    }
-    model
-}
-
-/// Anywhere, or with a joint or two as near to a round value as 1e-6.
-fn configuration(k: usize, random: &mut Random) -> Vec<f64> {
-    let mut q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
-    for _ in 0..k % 3 {
-        let round = random.below(4) as f64 * FRAC_PI_2;
-        q[random.below(6)] = round + 10_f64.powf(random.between(-6.0, -1.0));
-    }
-    q
 }
 
 fn nothing_is_lost(path: &str) {

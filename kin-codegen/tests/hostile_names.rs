@@ -1,7 +1,10 @@
 //! Names in a robot file are data: none gets out of the comment, the
 //! documentation or the literal that it stands in.
 
+mod named;
+
 use kin_codegen::{Error, Generated, Ik, Options, Source, generate};
+use named::yaml;
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use proptest::prelude::*;
 use quote::ToTokens;
@@ -125,21 +128,6 @@ fn in_xml(name: &str) -> String {
         true => "x".into(),
         false => held,
     }
-}
-
-fn yaml(name: &str) -> Source {
-    let escape = |c: char| match c {
-        ' '..='~' if !matches!(c, '"' | '\\') => c.to_string(),
-        _ => format!("\\U{:08x}", u32::from(c)),
-    };
-    let quoted: String = name.chars().map(escape).collect();
-    let text = format!(
-        "robot: \"{quoted}\"\nunits: {{angle: rad, length: m}}\nbase: \"{quoted}\"\nscrews:\n  \
-         - {{name: \"{quoted}\", axis: [0, 0, 1], point: [0, 0, 0]}}\n  \
-         - {{name: elbow, axis: [0, 0, 1], point: [0.5, 0, 0]}}\nhome: {{xyz: [0.9, 0, 0]}}\n"
-    );
-    let path = "arm.yaml".into();
-    Source { path, text }
 }
 
 fn urdf(name: &str) -> Source {

@@ -7,6 +7,8 @@ mod random;
 mod js;
 mod mechanisms;
 mod moveit;
+#[path = "../../kin-codegen/tests/named/mod.rs"]
+mod named;
 mod names;
 mod pages;
 mod program;

@@ -1,6 +1,7 @@
 //! Names of robot files are data in C as well: none ends the string or the comment that it
 //! stands in, none is a reserved word, and all arrive as they are.
 
+use crate::named::yaml;
 use crate::program::{Compiler, Program};
 use kin_codegen::{GeneratedC, Options, Source, generate_c};
 use std::fmt::Write as _;
@@ -42,18 +43,11 @@ const NAMES: [&str; 14] = [
 ];
 
 fn robot(path: &str, name: &str) -> GeneratedC {
-    let escape = |c: char| match c {
-        ' '..='~' if !matches!(c, '"' | '\\') => c.to_string(),
-        _ => format!("\\U{:08x}", u32::from(c)),
+    let source = Source {
+        path: path.into(),
+        ..yaml(name)
     };
-    let quoted: String = name.chars().map(escape).collect();
-    let text = format!(
-        "robot: \"{quoted}\"\nunits: {{angle: rad, length: m}}\nbase: \"{quoted}\"\nscrews:\n  \
-         - {{name: \"{quoted}\", axis: [0, 0, 1], point: [0, 0, 0]}}\n  \
-         - {{name: elbow, axis: [0, 0, 1], point: [0.5, 0, 0]}}\nhome: {{xyz: [0.9, 0, 0]}}\n"
-    );
-    let path = path.to_owned();
-    generate_c(&Source { path, text }, &Options::default()).unwrap_or_else(|e| panic!("{e}"))
+    generate_c(&source, &Options::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 #[test]

@@ -6,6 +6,9 @@
 //! Two targets of three are next to round values, where the designs are singular. The branches
 //! of the design are interpreted, not generated: about a microsecond more each time.
 
+#[path = "../../../kin-codegen/tests/measured/mod.rs"]
+mod measured;
+
 use kin_codegen::certificate::recovered;
 use kin_codegen::geometry::{Linkage, conditioning, size};
 use kin_codegen::model::Model;
@@ -13,7 +16,7 @@ use kin_codegen::plan::Target;
 use kin_codegen::random::Random;
 use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
-use std::f64::consts::{FRAC_PI_2, PI};
+use measured::{configuration, measured};
 use std::path::Path;
 use std::time::Instant;
 
@@ -30,37 +33,6 @@ fn design(path: &str) -> Model {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let source = Source::read(path, &root).expect("a robot of this project");
     Model::new(&ArmSpec::parse(&source).expect("an arm"), None, None).expect("a chain")
-}
-
-/// The design with every axis turned by up to `noise` radians and shifted by up to as
-/// much of the arm's size.
-fn measured(design: &Model, noise: f64, random: &mut Random) -> Model {
-    let mut model = design.clone();
-    let length = size(design);
-    for joint in &mut model.joints {
-        let mut side = || [0; 3].map(|_| noise * random.between(-1.0, 1.0));
-        let (turn, shift) = (side(), side());
-        let axis = joint.axis;
-        let turned = [0, 1, 2].map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            axis[i] + turn[j] * axis[k] - turn[k] * axis[j]
-        });
-        let norm = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
-        joint.axis = turned.map(|x| x / norm);
-        for (x, shift) in joint.point.iter_mut().zip(shift) {
-            *x += length * shift;
-        }
-    }
-    model
-}
-
-fn configuration(k: usize, random: &mut Random) -> Vec<f64> {
-    let mut q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
-    for _ in 0..k % 3 {
-        let round = random.below(4) as f64 * FRAC_PI_2;
-        q[random.below(6)] = round + 10_f64.powf(random.between(-6.0, -1.0));
-    }
-    q
 }
 
 /// What one decade came to.
