@@ -10,6 +10,7 @@
 mod random;
 
 use kinematics::__private::dispatch::{Instructions, use_at_most};
+use kinematics::__private::univariate::reproducibly;
 use kinematics::{Kinematics, Pose, Solution, Solutions};
 use random::Random;
 use std::sync::Mutex;
@@ -150,4 +151,21 @@ fn fused_additions_change_the_last_digits_of_arms_without_a_closed_form() {
             }
         }
     }
+}
+
+/// All numbers of all solutions.
+fn all_bits(found: &[Solutions<6>]) -> Vec<Option<Vec<u64>>> {
+    found.iter().flatten().map(bits).collect()
+}
+
+#[test]
+fn what_is_reproducible_has_the_bits_of_the_narrowest_instructions() {
+    let _alone = ONE_AT_A_TIME.lock();
+    let all = || [solutions(&Xarm6), solutions(&Calibrated)].map(|found| all_bits(&found));
+    use_at_most(Instructions::Sse2);
+    let narrow = all();
+    let widest = use_at_most(Instructions::Avx512);
+    assert!(reproducibly(all) == narrow);
+    // Otherwise this shows nothing.
+    assert!(widest == Instructions::Sse2 || all() != narrow);
 }

@@ -147,3 +147,79 @@ impl<T: InLanes<I>, I> Dispatched<I> for Widest<T> {
         T::run::<x86_64::Avx512>(input)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math;
+
+    /// Numbers of all signs and sizes, and what is none.
+    fn numbers(of: usize) -> [f64; LANES] {
+        let some = [0.0, -0.0, 1.5, -3.25e-7, 2e30, -7e-30, f64::NAN, 0.1];
+        core::array::from_fn(|k| some[(k * (2 * of + 1) + of) % LANES])
+    }
+
+    /// Whether each operation does in every lane what it does with single numbers; sums of
+    /// products up to one rounding.
+    fn agrees<L: Lanes>() {
+        for [i, j, l] in [[0, 1, 2], [1, 3, 0], [2, 0, 3], [3, 2, 1]] {
+            let [a, b, c] = [i, j, l].map(numbers);
+            let [x, y, z] = [a, b, c].map(L::of);
+            let same = |name: &str, lanes: L, of: &dyn Fn(usize) -> f64| {
+                for (k, number) in lanes.numbers().into_iter().enumerate() {
+                    let one = of(k);
+                    let both_none = one.is_nan() && number.is_nan();
+                    assert!(
+                        both_none || one.to_bits() == number.to_bits(),
+                        "{name} of {} {} {}: {number} for {one}",
+                        a[k],
+                        b[k],
+                        c[k]
+                    );
+                }
+            };
+            same("add", x + y, &|k| a[k] + b[k]);
+            same("sub", x - y, &|k| a[k] - b[k]);
+            same("mul", x * y, &|k| a[k] * b[k]);
+            same("neg", -x, &|k| -a[k]);
+            same("inverse", x.inverse(), &|k| 1.0 / a[k]);
+            same("sqrt", x.abs().sqrt(), &|k| a[k].abs().sqrt());
+            same("max", x.max(y), &|k| math::max(a[k], b[k]));
+            same("splat", L::splat(a[2]), &|_| a[2]);
+            same("away", x.away_from_zero(0.2), &|k| {
+                math::max(a[k].abs(), 0.2).copysign(a[k])
+            });
+            same("where_less", x.where_less(y, z, x), &|k| {
+                if a[k] < b[k] { c[k] } else { a[k] }
+            });
+            for (name, lanes, sign) in [("plus", x.plus(y, z), 1.0), ("minus", x.minus(y, z), -1.0)]
+            {
+                for (k, number) in lanes.numbers().into_iter().enumerate() {
+                    let product = sign * b[k] * c[k];
+                    let off = (number - (a[k] + product)).abs();
+                    let rounding = f64::EPSILON * (a[k].abs() + product.abs());
+                    assert!(
+                        off <= rounding || (off + rounding).is_nan(),
+                        "{name}: {number}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn vectors_do_in_every_lane_what_is_done_with_single_numbers() {
+        agrees::<Portable>();
+        #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+        {
+            agrees::<x86_64::Sse2>();
+            let has_fma = std::is_x86_feature_detected!("fma");
+            if has_fma && std::is_x86_feature_detected!("avx2") {
+                agrees::<x86_64::Avx2>();
+            }
+            if has_fma && std::is_x86_feature_detected!("avx512dq") {
+                agrees::<x86_64::Avx512>();
+            }
+        }
+    }
+}
