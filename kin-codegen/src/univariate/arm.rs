@@ -4,18 +4,18 @@ use super::choose::{Kept, choose, each};
 use super::frames::frames;
 use crate::geometry::{Carried, Linkage};
 use crate::model::Model;
-use kin_runtime::__private::univariate::{Elimination, Univariate};
+use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
 use kin_runtime::{Pose, Solution, Solutions, Target};
 
 /// Targets that tell how noisy an elimination is.
 const FEW: usize = 16;
 
-/// An arm of revolute joints, six at most, and the joints that are kept.
+/// An arm of six joints at most, and those that are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
-    /// A₀ … A₆ of the arm A₀ Rz(q₁) A₁ … Rz(q₆) A₆, the last joints of which may be added
-    /// behind its tip; lengths in units of half the size.
-    pub frames: [Pose; 7],
+    /// The constant motions between its joints, the last of which may be added behind its
+    /// tip.
+    pub frames: Frames,
     /// The arm's size, metres.
     pub size: f64,
     /// What of a target counts.
@@ -25,14 +25,14 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// None if not all joints turn, there are more than six, or none can be kept.
+    /// None if there are more than six joints, or none can be kept.
     pub fn new(linkage: &Linkage) -> Option<Self> {
         let frames = frames(linkage)?;
         let kept = choose(&frames, linkage.links.len());
         (!kept.is_empty()).then(|| Self::keeping(linkage, frames, kept))
     }
 
-    fn keeping(linkage: &Linkage, frames: [Pose; 7], kept: Vec<Kept>) -> Self {
+    fn keeping(linkage: &Linkage, frames: Frames, kept: Vec<Kept>) -> Self {
         Self {
             frames,
             size: linkage.size,
@@ -58,8 +58,8 @@ impl Arm {
         }
     }
 
-    /// The arm with every joint kept that can be, one at a time; none if not all joints
-    /// turn or there are more than six.
+    /// The arm with every joint kept that can be, one at a time; none if there are more than
+    /// six.
     pub fn keeping_each(linkage: &Linkage) -> Vec<Self> {
         let Some(frames) = frames(linkage) else {
             return Vec::new();

@@ -1,9 +1,8 @@
 //! Which joints to keep.
 
 use super::eliminate::eliminate;
-use super::frames::forward;
 use crate::random::Random;
-use kin_runtime::__private::univariate::{Elimination, Univariate};
+use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
 use kin_runtime::{Pose, Target};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,7 +26,7 @@ pub struct Kept {
 
 /// The joints to keep of the first ones, the one that separates solutions best first; empty
 /// where no joint will do.
-pub fn choose(frames: &[Pose; 7], joints: usize) -> Vec<Kept> {
+pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
     let mut kept = each(frames, joints, TARGETS);
     kept.retain(|kept| kept.unsure < 100.0);
     let by_quality = |a: &Kept, b: &Kept| {
@@ -42,7 +41,7 @@ pub fn choose(frames: &[Pose; 7], joints: usize) -> Vec<Kept> {
 
 /// The first joints that can be kept, as they did on random targets and on those of
 /// nearly round configurations, at which solutions like to share values of a joint.
-pub fn each(frames: &[Pose; 7], joints: usize, targets: usize) -> Vec<Kept> {
+pub fn each(frames: &Frames, joints: usize, targets: usize) -> Vec<Kept> {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let target = |k: usize| {
         let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
@@ -51,7 +50,7 @@ pub fn each(frames: &[Pose; 7], joints: usize, targets: usize) -> Vec<Kept> {
             q[random.below(6)] = round + 10f64.powf(random.between(-8.0, -1.0));
         }
         q[joints..].fill(0.0);
-        forward(frames, &q)
+        frames.forward(&q)
     };
     let targets: Vec<Pose> = (0..targets).map(target).collect();
     let eliminations = (0..joints).filter_map(|joint| eliminate(frames, joint));
@@ -60,7 +59,7 @@ pub fn each(frames: &[Pose; 7], joints: usize, targets: usize) -> Vec<Kept> {
         .collect()
 }
 
-fn tried(frames: &[Pose; 7], elimination: Elimination, targets: &[Pose]) -> Kept {
+fn tried(frames: &Frames, elimination: Elimination, targets: &[Pose]) -> Kept {
     let arm = Univariate {
         frames: *frames,
         size: 2.0,

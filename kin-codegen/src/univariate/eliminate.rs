@@ -3,11 +3,13 @@
 use super::order::order;
 use super::turning::turns;
 use kin_runtime::__private::Span;
-use kin_runtime::__private::univariate::{ENTRIES, Elimination, Z_AXIS, moved, turned_back};
+use kin_runtime::__private::univariate::{ENTRIES, Elimination, Frames, Z_AXIS, gone_back, moved};
 use kin_runtime::Pose;
 
 /// The lines that two joints make of a third axis span so many dimensions.
 const NEAR_SIDE: usize = 9;
+/// Two slides move it along a plane.
+const TWO_SLIDES: usize = 6;
 /// What vanishes on them.
 const FUNCTIONALS: usize = ENTRIES - NEAR_SIDE;
 /// Below this, relative to the longest, a line adds nothing to the others.
@@ -16,34 +18,41 @@ const DEPENDENT: f64 = 1e-9;
 type Functional = [f64; ENTRIES];
 
 /// The elimination that keeps a joint, from 0; none where two joints do not move
-/// the axis behind them in nine independent ways.
+/// the axis behind them in nine independent ways, or where the joint or that axis slides.
 ///
 /// The first three joints are kept on the way from base to tip, the others on the
 /// way back, so that the target never stands between the three.
-pub fn eliminate(frames: &[Pose; 7], kept: usize) -> Option<Elimination> {
+pub fn eliminate(frames: &Frames, kept: usize) -> Option<Elimination> {
     let backwards = kept >= 3;
     let joints: [usize; 6] = std::array::from_fn(|i| match backwards {
         false => (kept + i) % 6,
         true => (kept + 6 - i) % 6,
     });
     let behind = |i: usize| match backwards {
-        false => frames[joints[i] + 1],
-        true => frames[joints[i]].inverse(),
+        false => frames.fixed[joints[i] + 1],
+        true => frames.fixed[joints[i]].inverse(),
     };
-    let near_side = near_side([behind(0), behind(1), behind(2)]);
-    let column = |j: usize| near_side.map(|entry| entry[j]);
-    let span = Span::of(NEAR_SIDE, column, DEPENDENT);
-    if span.rank < NEAR_SIDE {
+    let slides = joints.map(|joint| frames.slides(joint));
+    if slides[0] || slides[3] {
         return None;
     }
+    let near_side = near_side([behind(0), behind(1), behind(2)], [slides[1], slides[2]]);
+    let column = |j: usize| near_side.map(|entry| entry[j]);
+    let span = Span::of(NEAR_SIDE, column, DEPENDENT);
     let vanishing: Vec<Functional> = span.complement().collect();
-    let (functionals, half) = split(&vanishing);
+    let near_slides = slides[1] || slides[2];
+    let (functionals, half) = match (span.rank, near_slides && (slides[4] || slides[5])) {
+        (NEAR_SIDE, false) => split::<6, 12>(&vanishing),
+        (NEAR_SIDE, true) => split_by_square(&vanishing),
+        (TWO_SLIDES, _) if slides[1] && slides[2] => split::<9, 18>(&vanishing),
+        _ => return None,
+    };
     let mut elimination = Elimination {
         joints: joints.map(|joint| joint as u8),
         backwards,
         degree: 0,
-        functionals,
-        half: half as u8,
+        functionals: array(|i| functionals[i]),
+        half: half.min(FUNCTIONALS) as u8,
         pair: pair(&span),
         rows: [[0; 2]; 16],
         columns: std::array::from_fn(|i| i as u8),
@@ -53,25 +62,29 @@ pub fn eliminate(frames: &[Pose; 7], kept: usize) -> Option<Elimination> {
 }
 
 /// The line of the fourth joint as the two before it move it, in the frame of the
-/// kept one: the coefficients of (1, cos, sin) of the second times those of the
-/// third, which change fastest.
-fn near_side([first, second, third]: [Pose; 3]) -> [[f64; NEAR_SIDE]; ENTRIES] {
+/// kept one: the coefficients of (1, cos, sin) of the second, or (1, d, d²) where it slides,
+/// times those of the third, which change fastest.
+fn near_side([first, second, third]: [Pose; 3], slides: [bool; 2]) -> [[f64; NEAR_SIDE]; ENTRIES] {
     let line = moved(&third, &Z_AXIS.map(|x| [x]));
-    let lines = moved(&second, &turned::<1, 3>(&line));
-    moved(&first, &turned::<3, 9>(&lines))
+    let lines = moved(&second, &gone::<1, 3>(slides[1], &line));
+    moved(&first, &gone::<3, 9>(slides[0], &lines))
 }
 
-/// As [`turned_back`], the other way round.
-fn turned<const A: usize, const B: usize>(lines: &[[f64; A]; ENTRIES]) -> [[f64; B]; ENTRIES] {
-    let mut out = turned_back(lines);
+/// As [`gone_back`], the other way round: what is odd in the joint changes its sign.
+fn gone<const A: usize, const B: usize>(
+    slides: bool,
+    lines: &[[f64; A]; ENTRIES],
+) -> [[f64; B]; ENTRIES] {
+    let mut out = gone_back(slides, lines);
+    let odd = if slides { A..2 * A } else { 2 * A..3 * A };
     out.iter_mut()
-        .flat_map(|entry| &mut entry[2 * A..])
+        .flat_map(|entry| &mut entry[odd.clone()])
         .for_each(|x| *x = -*x);
     out
 }
 
 /// The functionals that give the cosine and sine of the second joint, and of the
-/// third.
+/// third; of a slide, itself and its square.
 fn pair(span: &Span<ENTRIES>) -> [Functional; 4] {
     let mut inverse = [[0.0; ENTRIES]; NEAR_SIDE];
     for i in 0..ENTRIES {
@@ -81,44 +94,80 @@ fn pair(span: &Span<ENTRIES>) -> [Functional; 4] {
     [3, 6, 1, 2].map(|j| inverse[j])
 }
 
-/// The functionals again, those first for which half the kept joint's angle is
-/// enough, and how many these are.
+/// Combinations of functionals, those first for which half the kept joint's angle is
+/// enough, and how many these are; `M` is twice `N`.
 ///
 /// About the kept axis a line has parts that turn with e^{iθ}, with e^{−iθ} and
 /// not at all. Six functionals have four combinations at most that see the second
 /// part, so that two at least, and their conjugates, are u + v e^{iθ}: times
 /// e^{−iθ/2}, linear in cos θ/2 and sin θ/2.
-fn split(vanishing: &[Functional]) -> ([Functional; FUNCTIONALS], usize) {
-    let turning = |v: usize, i: usize| -> Weights { array(|j| vanishing[j][v + i]) };
+fn split<const N: usize, const M: usize>(vanishing: &[Functional]) -> (Vec<Functional>, usize) {
+    let turning = |v: usize, i: usize| -> [f64; N] { array(|j| vanishing[j][v + i]) };
     let pairs = [0, 3, 6, 9].map(|v| [turning(v, 0), turning(v, 1)]);
     let flat = flat(&pairs);
-    let half = unseen(&pairs, &flat);
-    let mut taken: Vec<Weights> = flat.clone();
+    let half = unseen::<N, M>(&pairs, &flat);
+    let mut taken: Vec<[f64; N]> = flat.clone();
     taken.extend(half.iter().flatten());
-    let full: Vec<Weights> = Span::of(taken.len(), |j| taken[j], SEEN)
+    let full: Vec<[f64; N]> = Span::of(taken.len(), |j| taken[j], SEEN)
         .complement()
         .collect();
-    let combined = |weights: &Weights| -> Functional {
-        array(|i| (0..FUNCTIONALS).map(|j| weights[j] * vanishing[j][i]).sum())
-    };
+    let combined = |weights: &[f64; N]| combination(weights, vanishing);
     let mut rows: Vec<Functional> = half.iter().flatten().map(combined).collect();
     rows.extend(
         flat.iter()
             .map(|weights| without_turning(combined(weights))),
     );
     rows.extend(full.iter().map(combined));
-    (array(|i| rows[i]), 2 * half.len())
+    (rows, 2 * half.len())
+}
+
+/// The six again, the one last that sees the square of a slide on the other side: with a
+/// slide on this side too, the others do not.
+fn split_by_square(vanishing: &[Functional]) -> (Vec<Functional>, usize) {
+    let seen = |i: usize| -> [f64; FUNCTIONALS] { array(|j| vanishing[j][i]) };
+    let sees = Span::of(4, |i| seen(9 + i), SEEN);
+    let sees_none: Vec<Functional> = sees
+        .complement()
+        .map(|weights| without_square(combination(&weights, vanishing)))
+        .collect();
+    let (mut rows, half) = split::<5, 10>(&sees_none);
+    let mut taken: Vec<[f64; FUNCTIONALS]> = sees.complement().collect();
+    taken.truncate(5);
+    let square = Span::of(taken.len(), |j| taken[j], SEEN);
+    rows.extend(
+        square
+            .complement()
+            .map(|weights| combination(&weights, vanishing)),
+    );
+    (rows, half)
+}
+
+fn combination(weights: &[f64], functionals: &[Functional]) -> Functional {
+    let all = || weights.iter().zip(functionals);
+    array(|i| {
+        all()
+            .map(|(weight, functional)| weight * functional[i])
+            .sum()
+    })
 }
 
 fn without_turning(functional: Functional) -> Functional {
     array(|i| if turns(i) { 0.0 } else { functional[i] })
 }
 
+/// Without n and p·p, which alone see the square of a slide.
+fn without_square(functional: Functional) -> Functional {
+    array(|i| {
+        if (9..13).contains(&i) {
+            0.0
+        } else {
+            functional[i]
+        }
+    })
+}
+
 /// What a functional sees of a line's parts that turn, below this, is rounding.
 const SEEN: f64 = 1e-10;
-
-/// How much of each vanishing functional.
-type Weights = [f64; FUNCTIONALS];
 
 fn array<T, const N: usize>(of: impl FnMut(usize) -> T) -> [T; N] {
     std::array::from_fn(of)
@@ -126,7 +175,7 @@ fn array<T, const N: usize>(of: impl FnMut(usize) -> T) -> [T; N] {
 
 /// The combinations that see nothing that turns: their equations are the same for
 /// all values of the kept joint.
-fn flat(pairs: &[[Weights; 2]; 4]) -> Vec<Weights> {
+fn flat<const N: usize>(pairs: &[[[f64; N]; 2]; 4]) -> Vec<[f64; N]> {
     let seen = pairs.as_flattened();
     Span::of(seen.len(), |j| seen[j], SEEN)
         .complement()
@@ -135,26 +184,18 @@ fn flat(pairs: &[[Weights; 2]; 4]) -> Vec<Weights> {
 
 /// The complex combinations a + ib that do not see what turns with e^{−iθ}, at right
 /// angles to the flat ones and to each other.
-fn unseen(pairs: &[[Weights; 2]; 4], flat: &[Weights]) -> Vec<[Weights; 2]> {
-    type Complex = [f64; 2 * FUNCTIONALS];
-    let complex = |a: &Weights, b: &Weights| -> Complex {
-        array(|j| {
-            if j < FUNCTIONALS {
-                a[j]
-            } else {
-                b[j - FUNCTIONALS]
-            }
-        })
-    };
-    let mut taken: Vec<Complex> = Vec::new();
+fn unseen<const N: usize, const M: usize>(
+    pairs: &[[[f64; N]; 2]; 4],
+    flat: &[[f64; N]],
+) -> Vec<[[f64; N]; 2]> {
+    let complex =
+        |a: &[f64; N], b: &[f64; N]| -> [f64; M] { array(|j| if j < N { a[j] } else { b[j - N] }) };
+    let mut taken: Vec<[f64; M]> = Vec::new();
     for [x, y] in pairs {
         taken.extend([complex(x, y), complex(&y.map(|y| -y), x)]);
     }
     for flat in flat {
-        taken.extend([
-            complex(flat, &[0.0; FUNCTIONALS]),
-            complex(&[0.0; FUNCTIONALS], flat),
-        ]);
+        taken.extend([complex(flat, &[0.0; N]), complex(&[0.0; N], flat)]);
     }
     let mut found = Vec::new();
     loop {
@@ -162,7 +203,7 @@ fn unseen(pairs: &[[Weights; 2]; 4], flat: &[Weights]) -> Vec<[Weights; 2]> {
         let Some(next) = span.complement().next() else {
             return found;
         };
-        let (a, b) = (array(|j| next[j]), array(|j| next[j + FUNCTIONALS]));
+        let (a, b) = (array(|j| next[j]), array(|j| next[j + N]));
         taken.extend([next, complex(&b.map(|b| -b), &a)]);
         found.push([a, b]);
     }

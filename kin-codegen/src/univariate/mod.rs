@@ -10,4 +10,4 @@ mod turning;
 pub use arm::Arm;
 pub use choose::{Kept, choose};
 pub use eliminate::eliminate;
-pub use frames::{forward, frames};
+pub use frames::frames;

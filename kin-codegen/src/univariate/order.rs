@@ -1,10 +1,8 @@
 //! Which equations become rows of the matrix, and in which order rows and columns
 //! are eliminated.
 
-use kin_runtime::__private::univariate::Elimination;
-use kin_runtime::Pose;
+use kin_runtime::__private::univariate::{EQUATIONS, Elimination, Frames};
 
-use super::frames::forward;
 use super::turning::turns;
 use crate::random::Random;
 use std::f64::consts::PI;
@@ -20,22 +18,57 @@ const SIZE: usize = 16;
 /// What a functional costs that sees all that turns.
 const FULL: usize = 2;
 
-/// A candidate row: which functional, and times which half tangents.
+/// Coefficients below this are rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// A candidate row: which functional, and times which half tangents; behind the functionals,
+/// which monomial alone.
 type Row = [u8; 2];
+
+/// The monomials that are there, by power of the last joint and of the last but one.
+type Monomials = fn(usize, usize) -> bool;
 
 /// Chooses rows and columns by elimination at sample targets: next is always the
 /// pivot that is largest on the average, of the functionals that raise the degree
 /// least.
-pub fn order(elimination: &mut Elimination, frames: &[Pose; 7]) -> Option<()> {
+///
+/// Where these are too few, as with slides, whose high powers have solutions at infinity, they
+/// may be enough for fewer monomials.
+pub fn order(elimination: &mut Elimination, frames: &Frames) -> Option<()> {
+    let [before, last] = [4, 5].map(|i| frames.slides(elimination.joints[i].into()));
+    let fewer: &[Monomials] = match (before, last) {
+        (false, false) => &[],
+        (false, true) => &[|i, _| i < 3],
+        (true, false) => &[|_, j| j < 3],
+        (true, true) => &[|i, j| i + j < 3],
+    };
+    let all: Monomials = |_, _| true;
+    let mut sets = std::iter::once(&all).chain(fewer);
+    sets.find_map(|set| order_of(elimination, frames, *set))
+}
+
+/// The same for a set of monomials.
+fn order_of(elimination: &mut Elimination, frames: &Frames, set: Monomials) -> Option<()> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let candidates: Vec<Row> = (0..6)
+    let missing = (0..SIZE as u8).filter(|&c| !set(usize::from(c % 4), usize::from(c / 4)));
+    let missing: Vec<u8> = missing.collect();
+    let mut candidates: Vec<Row> = (0..EQUATIONS as u8 - 1)
         .flat_map(|f| (0..4).map(move |shift| [f, shift]))
         .collect();
+    let sees_missing = |row: &Row| {
+        let target = frames.forward(&[0.4, -1.1, 0.7, 1.9, -0.6, 1.3]);
+        let row = spread(&elimination.coefficients(frames, &target, 0.9), *row);
+        missing
+            .iter()
+            .any(|&c| row[usize::from(c)].abs() > ROUNDING)
+    };
+    candidates.retain(|row| !sees_missing(row));
+    candidates.extend(missing.iter().map(|&c| [EQUATIONS as u8 - 1, c]));
     let samples: Vec<Vec<[f64; SIZE]>> = (0..SAMPLES)
         .map(|_| {
             let q = std::array::from_fn(|_| random.between(-PI, PI));
             let kept = random.between(-PI, PI);
-            let equations = elimination.coefficients(frames, &forward(frames, &q), kept);
+            let equations = elimination.coefficients(frames, &frames.forward(&q), kept);
             candidates
                 .iter()
                 .map(|&row| spread(&equations, row))
@@ -77,7 +110,10 @@ pub fn order(elimination: &mut Elimination, frames: &[Pose; 7]) -> Option<()> {
 
 /// By how many halves a functional raises the degree.
 fn cost(elimination: &Elimination, functional: usize) -> usize {
-    let mut entries = elimination.functionals[functional].iter().enumerate();
+    let Some(functional_of) = elimination.functionals.get(functional) else {
+        return 0;
+    };
+    let mut entries = functional_of.iter().enumerate();
     let turns = entries.any(|(i, x)| turns(i) && *x != 0.0);
     match (functional < usize::from(elimination.half), turns) {
         (true, _) => 1,
@@ -88,13 +124,22 @@ fn cost(elimination: &Elimination, functional: usize) -> usize {
 
 /// A row of the matrix: the coefficients of an equation, shifted by the half
 /// tangents that it is multiplied by.
-fn spread(equations: &[[f64; 9]; 6], [functional, shift]: Row) -> [f64; SIZE] {
+fn spread(equations: &[[f64; 9]; EQUATIONS], [functional, shift]: Row) -> [f64; SIZE] {
     let mut out = [0.0; SIZE];
+    if usize::from(functional) == EQUATIONS - 1 {
+        out[usize::from(shift)] = 1.0;
+        return out;
+    }
     let (i0, j0) = (usize::from(shift & 1), usize::from(shift >> 1));
     for (k, x) in equations[usize::from(functional)].iter().enumerate() {
         out[k / 3 + i0 + 4 * (k % 3 + j0)] = *x;
     }
     out
+}
+
+/// The power of the last joint.
+fn power(monomial: usize) -> usize {
+    monomial % 4
 }
 
 /// The order of elimination: the pivots so far, and what is left of the samples.
@@ -113,8 +158,10 @@ impl Order<'_> {
     /// joint's half tangent, then those that only the others have, then the rest: four,
     /// four and eight pivots. None where fewer than sixteen rows are independent.
     fn run(mut self) -> Option<(Vec<usize>, Vec<usize>)> {
-        let shifted = |row: Row| row[1] & 1 == 1;
-        let power = |column: usize| column % 4;
+        let shifted = |[functional, by]: Row| match usize::from(functional) + 1 == EQUATIONS {
+            true => power(by.into()) == 3,
+            false => by & 1 == 1,
+        };
         for _ in 0..4 {
             self.next(|row| !shifted(row), |column| power(column) == 0)?;
         }

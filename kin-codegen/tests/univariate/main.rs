@@ -1,25 +1,25 @@
-//! Six revolute joints without a closed form: the constants of the elimination, and
+//! Six joints without a closed form: the constants of the elimination, and
 //! what they are good for at run time, against the generic search.
 
 mod arms;
 
 use arms::{
     Neighbour, anywhere, chain, cobot, least_singular_value, miss, near_singular, patterns,
-    random_arm,
+    random_arm, slides,
 };
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::spec::ArmSpec;
-use kin_codegen::univariate::{Arm, choose, eliminate, forward};
+use kin_codegen::univariate::{Arm, choose, eliminate};
 use kin_codegen::{Options, Source, compile};
-use kin_runtime::__private::univariate::{Elimination, Univariate};
+use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
 use kin_runtime::{Pose, SearchOptions, Solutions, Target};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GENERAL: [Neighbour; 5] = [Neighbour::General; 5];
 
-fn solutions(frames: &[Pose; 7], eliminations: &[Elimination], target: &Pose) -> Solutions<6> {
+fn solutions(frames: &Frames, eliminations: &[Elimination], target: &Pose) -> Solutions<6> {
     let arm = Univariate {
         frames: *frames,
         size: 2.0,
@@ -29,45 +29,53 @@ fn solutions(frames: &[Pose; 7], eliminations: &[Elimination], target: &Pose) ->
     arm.solutions(target)
 }
 
-fn chosen(frames: &[Pose; 7]) -> Vec<Elimination> {
+fn chosen(frames: &Frames) -> Vec<Elimination> {
     choose(frames, 6)
         .iter()
         .map(|kept| kept.elimination)
         .collect()
 }
 
-fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
-    let turn = |a: f64, b: f64| {
-        let d = (a - b).abs() % TAU;
-        d.min(TAU - d)
+fn apart(frames: &Frames, a: &[f64; 6], b: &[f64; 6]) -> f64 {
+    let apart = |i: usize| {
+        let d = (a[i] - b[i]).abs();
+        match frames.slides(i) {
+            true => d,
+            false => (d % TAU).min(TAU - d % TAU),
+        }
     };
-    (0..6).map(|i| turn(a[i], b[i])).fold(0.0, f64::max)
+    (0..6).map(apart).fold(0.0, f64::max)
 }
 
 /// Whether a configuration is among the solutions, which all reach the target, once.
-fn check(frames: &[Pose; 7], found: &Solutions<6>, q: &[f64; 6], tolerance: f64) -> bool {
-    let target = forward(frames, q);
+fn check(frames: &Frames, found: &Solutions<6>, q: &[f64; 6], tolerance: f64) -> bool {
+    let target = frames.forward(q);
     for (i, solution) in found.iter().enumerate() {
         let miss = miss(frames, &solution.q, &target);
         assert!(miss < 1e-11, "{q:?}: {:?} misses by {miss:e}", solution.q);
-        assert!(solution.q.iter().all(|q| (-PI..=PI).contains(q)));
+        assert!((0..6).all(|i| frames.slides(i) || (-PI..=PI).contains(&solution.q[i])));
         if !solution.singular {
             let double = found[..i]
                 .iter()
-                .find(|other| apart(&other.q, &solution.q) < 1e-7);
+                .find(|other| apart(frames, &other.q, &solution.q) < 1e-7);
             assert!(double.is_none(), "{q:?}: {:?} comes twice", solution.q);
         }
     }
     found
         .iter()
-        .any(|solution| apart(&solution.q, q) < tolerance)
+        .any(|solution| apart(frames, &solution.q, q) < tolerance)
 }
 
 #[test]
 fn functionals_vanish_along_the_loop() {
     let mut random = Random(11);
-    for pattern in [GENERAL].into_iter().chain(patterns().step_by(7)) {
-        let frames = random_arm(&pattern, &mut random);
+    let patterns = [GENERAL].into_iter().chain(patterns().step_by(7));
+    let mut slides = slides().into_iter().cycle();
+    for (k, pattern) in patterns.chain([GENERAL; 42]).enumerate() {
+        let frames = Frames {
+            prismatic: if k < 36 { 0 } else { slides.next().unwrap() },
+            ..random_arm(&pattern, &mut random)
+        };
         for elimination in (0..6).filter_map(|kept| eliminate(&frames, kept)) {
             let q = anywhere(&mut random);
             let joints = elimination.joints.map(usize::from);
@@ -78,10 +86,13 @@ fn functionals_vanish_along_the_loop() {
                     q[joint]
                 }
             });
-            let coefficients = elimination.coefficients(&frames, &forward(&frames, &q), along[0]);
-            let [ta, tb] = [along[5], along[4]].map(|angle: f64| (0.5 * angle).tan());
+            let coefficients = elimination.coefficients(&frames, &frames.forward(&q), along[0]);
+            let [ta, tb] = [5, 4].map(|i| match frames.slides(joints[i]) {
+                true => along[i],
+                false => (0.5 * along[i]).tan(),
+            });
             let scale = (1.0 + ta * ta) * (1.0 + tb * tb);
-            for row in coefficients {
+            for row in &coefficients[..6] {
                 let powers = |k: usize| ta.powi(k as i32 / 3) * tb.powi(k as i32 % 3);
                 let value: f64 = (0..9).map(|k| row[k] * powers(k)).sum();
                 assert!(
@@ -107,7 +118,7 @@ fn harmonics_above_the_degree_vanish() {
             };
             let mut noises: Vec<f64> = (0..9)
                 .map(|_| {
-                    arm.told(&elimination, &forward(&frames, &anywhere(&mut random)))
+                    arm.told(&elimination, &frames.forward(&anywhere(&mut random)))
                         .noise
                 })
                 .collect();
@@ -130,7 +141,7 @@ fn a_general_arm_has_the_solutions_that_the_search_finds() {
         assert_eq!(eliminations[0].degree, 8);
         for _ in 0..3 {
             let q = anywhere(&mut random);
-            let target = forward(&frames, &q);
+            let target = frames.forward(&q);
             let found = solutions(&frames, &eliminations, &target);
             assert!(check(&frames, &found, &q, 1e-6), "{q:?} is lost");
             let expected = chain.ik_all(&target, &SearchOptions::default());
@@ -155,7 +166,7 @@ fn nothing_is_lost_on_any_pattern_of_neighbours() {
         assert_eq!(eliminations.is_empty(), refused, "{pattern:?}");
         for _ in 0..if refused { 0 } else { 8 } {
             let q = anywhere(&mut random);
-            let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+            let found = solutions(&frames, &eliminations, &frames.forward(&q));
             let sigma = least_singular_value(&frames, &q);
             let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
             assert!(
@@ -163,6 +174,62 @@ fn nothing_is_lost_on_any_pattern_of_neighbours() {
                 "{pattern:?} lost {q:?}, σ {sigma:.1e}"
             );
         }
+    }
+}
+
+/// One or two slides anywhere, between axes in general position and others.
+#[test]
+fn nothing_is_lost_with_slides() {
+    let mut random = Random(20);
+    let mut lost = Vec::new();
+    for (k, prismatic) in slides().into_iter().cycle().take(84).enumerate() {
+        let others: Vec<_> = patterns().collect();
+        let pattern = if k < 42 {
+            GENERAL
+        } else {
+            others[random.below(243)]
+        };
+        let frames = Frames {
+            prismatic,
+            ..random_arm(&pattern, &mut random)
+        };
+        let eliminations = chosen(&frames);
+        assert!(
+            pattern != GENERAL || !eliminations.is_empty(),
+            "{prismatic:06b}"
+        );
+        for i in 0..if eliminations.is_empty() { 0 } else { 12 } {
+            let mut q = anywhere(&mut random);
+            if i % 3 == 0 {
+                q[random.below(6)] = random.below(4) as f64 * FRAC_PI_2;
+            }
+            let found = solutions(&frames, &eliminations, &frames.forward(&q));
+            let sigma = least_singular_value(&frames, &q);
+            let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
+            if sigma > 1e-5 && !check(&frames, &found, &q, tolerance) {
+                lost.push((pattern, prismatic, q, sigma));
+            }
+        }
+    }
+    assert!(lost.is_empty(), "{lost:#?}");
+}
+
+/// A slide may go far, and full turns mean nothing to it.
+#[test]
+fn slides_have_the_solutions_that_the_search_finds() {
+    let mut random = Random(21);
+    for prismatic in slides() {
+        let frames = Frames {
+            prismatic,
+            ..random_arm(&GENERAL, &mut random)
+        };
+        let (chain, eliminations) = (chain(&frames), chosen(&frames));
+        let q = anywhere(&mut random);
+        let target = frames.forward(&q);
+        let found = solutions(&frames, &eliminations, &target);
+        assert!(check(&frames, &found, &q, 1e-6), "{q:?} is lost");
+        let expected = chain.ik_all(&target, &SearchOptions::default());
+        assert_eq!(found.len(), expected.len(), "{prismatic:06b} {q:?}");
     }
 }
 
@@ -176,7 +243,7 @@ fn pairs_that_have_nearly_met_are_both_found() {
         for k in 0..60 {
             let distance = 10_f64.powi(-1 - k % 5);
             let q = near_singular(&frames, distance, &mut random);
-            let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+            let found = solutions(&frames, &eliminations, &frames.forward(&q));
             let sigma = least_singular_value(&frames, &q);
             let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
             lost += usize::from(sigma > 1e-5 && !check(&frames, &found, &q, tolerance));
@@ -194,7 +261,7 @@ fn aligned_configurations_are_found() {
         let eliminations = chosen(&frames);
         for _ in 0..40 {
             let q = std::array::from_fn(|_| aligned[random.below(4)]);
-            let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+            let found = solutions(&frames, &eliminations, &frames.forward(&q));
             assert!(check(&frames, &found, &q, 1e-6), "{q:?}");
         }
     }
@@ -214,7 +281,7 @@ fn solutions_that_nearly_share_a_value_are_told_apart() {
             let round = random.below(4) as f64 * FRAC_PI_2;
             q[random.below(6)] = round + 10_f64.powf(random.between(-6.0, -1.0));
         }
-        let found = solutions(&frames, &eliminations, &forward(&frames, &q));
+        let found = solutions(&frames, &eliminations, &frames.forward(&q));
         let sigma = least_singular_value(&frames, &q);
         let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
         if sigma > 1e-5 && !check(&frames, &found, &q, tolerance) {
@@ -300,7 +367,9 @@ home: {xyz: [0.93, -0.185, 1.32]}
         let off = 10_f64.powf(random.between(-14.0, -6.0));
         let q = at.map(|x| x + off * random.between(-1.0, 1.0));
         let found: Solutions<6> = arm.solutions(&chain.fk(&q));
-        let known = found.iter().any(|solution| apart(&solution.q, &q) < 1e-6);
+        let known = found
+            .iter()
+            .any(|solution| apart(&arm.frames, &solution.q, &q) < 1e-6);
         assert!(known && found.len() == 12, "{q:?}: {found:?}");
     }
 }

@@ -29,13 +29,14 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 17] = [
+const PRIVATE: [&str; 18] = [
     "Acceptance",
     "AtSwivel",
     "Branches",
     "Elimination",
     "FREE_BELOW",
     "Forward",
+    "Frames",
     "Inverse",
     "Lanes",
     "Locked",

@@ -62,7 +62,8 @@ pub fn methods(arm: &Arm, joints: usize, what: &str) -> TokenStream {
 }
 
 pub fn constant(arm: &Arm) -> TokenStream {
-    let frames = arm.frames.iter().map(pose);
+    let fixed = arm.frames.fixed.iter().map(pose);
+    let prismatic = Literal::u32_unsuffixed(arm.frames.prismatic);
     let size = literal(arm.size);
     let counts = Ident::new(&format!("{:?}", arm.counts), Span::call_site());
     let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));
@@ -70,7 +71,10 @@ pub fn constant(arm: &Arm) -> TokenStream {
         /// The arm, lengths in units of half its size, and what is left of it when
         /// all joints but one are eliminated: the best to be kept first.
         const UNIVARIATE: Univariate<'static> = Univariate {
-            frames: [#(#frames),*],
+            frames: Frames {
+                fixed: [#(#fixed),*],
+                prismatic: #prismatic,
+            },
             size: #size,
             counts: Target::#counts,
             eliminations: &[#(#eliminations),*],

@@ -1,5 +1,6 @@
 //! What comes nearest to a target out of reach.
 
+use super::frames::{Frames, wrapped};
 use super::search::{Search, whole};
 use super::{LANES, Univariate};
 use crate::linear::cholesky;
@@ -19,11 +20,11 @@ pub(super) fn closest(arm: &Univariate, target: &Pose, joints: usize) -> Option<
     let task = Task::new(arm, &target, joints);
     let elimination = arm.eliminations.first()?;
     let starts = Search::new(arm, &target).all_round(elimination);
-    let arrived = (0..LANES).map(|k| task.descended(starts.map(|q| q[k])));
+    let arrived = (0..LANES).map(|k| task.descended(arm.metres(&starts.map(|q| q[k]))));
     let numbers = arrived.filter(|(_, missing)| missing.is_finite());
     let (q, _) = numbers.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
     Some(Solution {
-        q: q.map(math::wrap),
+        q: wrapped(arm.frames.prismatic, q),
         residual: arm
             .counts
             .distance(&task.fk_jacobian(&q).0, &target, arm.size),
@@ -34,7 +35,7 @@ pub(super) fn closest(arm: &Univariate, target: &Pose, joints: usize) -> Option<
 
 pub(super) struct Task<'a> {
     /// Lengths in metres.
-    frames: [Pose; 7],
+    frames: Frames,
     target: &'a Pose,
     size: f64,
     /// How many there are; those behind stay at zero.
@@ -43,12 +44,15 @@ pub(super) struct Task<'a> {
 
 impl<'a> Task<'a> {
     pub fn new(arm: &Univariate, target: &'a Pose, joints: usize) -> Self {
-        let frames = arm.frames.map(|frame| Pose {
+        let fixed = arm.frames.fixed.map(|frame| Pose {
             translation: frame.translation.map(|x| 0.5 * arm.size * x),
             ..frame
         });
         Self {
-            frames,
+            frames: Frames {
+                fixed,
+                ..arm.frames
+            },
             target,
             size: arm.size,
             joints,
@@ -57,12 +61,15 @@ impl<'a> Task<'a> {
 
     /// The pose of the tip, and the spatial Jacobian.
     pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-        let mut pose = self.frames[0];
+        let Frames { fixed, .. } = &self.frames;
+        let mut pose = fixed[0];
         let columns = core::array::from_fn(|i| {
             let axis = [0, 1, 2].map(|row| pose.rotation[row][2]);
-            let twist = Twist::revolute(axis, pose.translation);
-            let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[i], [0.0; 3]);
-            pose = pose * turn * self.frames[i + 1];
+            let twist = match self.frames.slides(i) {
+                true => Twist::prismatic(axis),
+                false => Twist::revolute(axis, pose.translation),
+            };
+            pose = pose * self.frames.motion(i, q[i]) * fixed[i + 1];
             twist
         });
         (pose, Jacobian::from_columns(columns))

@@ -1,7 +1,7 @@
 //! Many matrices at once, in lanes: their determinants, and what they nearly take to
 //! zero.
 
-use super::elimination::SIZE;
+use super::elimination::{EQUATIONS, SIZE};
 use super::lanes::{Lanes, dot};
 use super::matrix::{Compact, Matrices, Places, Vectors, WIDTH};
 
@@ -31,7 +31,7 @@ impl<L: Lanes> Factors<L> {
 
     /// Of the matrices of an elimination.
     #[inline(always)]
-    pub fn factor(&mut self, places: &Places, equations: &[[L; 9]; 6]) {
+    pub fn factor(&mut self, places: &Places, equations: &[[L; 9]; EQUATIONS]) {
         places.write(equations, &mut self.rows);
         self.shifted = places.shifted;
         const LOW: u16 = 0xff;

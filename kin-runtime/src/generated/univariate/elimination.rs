@@ -1,8 +1,12 @@
 //! What is left of the closed loop when one joint is kept.
 
+use super::frames::Frames;
 use super::lanes::{Lanes, Portable};
-use super::line::{ENTRIES, Lines, Z_AXIS, moved, turned_back};
+use super::line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
 use crate::Pose;
+
+/// Six, and one that is 1 = 0.
+pub const EQUATIONS: usize = 7;
 
 /// Rows and columns of the matrix whose determinant is the polynomial.
 pub(super) const SIZE: usize = 16;
@@ -31,10 +35,11 @@ pub struct Elimination {
     /// Functionals that give the cosine and sine of the second joint, and of the
     /// third.
     pub pair: [[f64; ENTRIES]; 4],
-    /// Rows of the matrix: which functional, and by which half tangents it
+    /// Rows of the matrix: which functional, and by which half tangents, or slides, it
     /// is multiplied: bit 0 of the last joint, bit 1 of
     /// the last but one. Of the first eight, four are not multiplied by the last joint's,
-    /// and then four are.
+    /// and then four are. A seventh functional stands for a monomial, i + 4 j, that no other
+    /// row has.
     pub rows: [[u8; 2]; SIZE],
     /// In which column the monomial i + 4 j stands: the i-th power of the last
     /// joint's half tangent times the j-th of the last but one. First those with i = 0,
@@ -46,12 +51,12 @@ impl Elimination {
     /// The functionals at a value of the kept joint, radians, along the other
     /// side of the loop at a target: by functional, the coefficients of the
     /// monomials i + 4 j of the half tangents at 3 i + j. Lengths as in `frames`.
-    pub fn coefficients(&self, frames: &[Pose; 7], target: &Pose, kept: f64) -> [[f64; 9]; 6] {
-        let far_side = Loop::new(self, frames, target).far_side();
+    pub fn coefficients(&self, frames: &Frames, target: &Pose, kept: f64) -> [[f64; 9]; EQUATIONS] {
+        let round = Loop::new(self, frames, target);
         let (sine, cosine) = crate::math::sin_cos(0.5 * kept);
 
         let [cosine, sine] = [cosine, sine].map(Portable::splat);
-        let equations = Equations::new(self, &far_side).at(cosine, sine);
+        let equations = Equations::new(self, &round, &round.far_side()).at(cosine, sine);
         equations.map(|row| row.map(|x| x.numbers()[0]))
     }
 }
@@ -61,30 +66,34 @@ impl Elimination {
 pub(super) struct Loop {
     /// Behind the kept joint and so on.
     pub behind: [Pose; 6],
+    /// Which of the joints slide.
+    pub slides: [bool; 6],
 }
 
 impl Loop {
-    /// Of an arm that is A₀ Rz(q₁) A₁ … Rz(q₆) A₆ at the target.
-    pub fn new(elimination: &Elimination, frames: &[Pose; 7], target: &Pose) -> Self {
-        let closing = frames[6] * (target.inverse() * frames[0]);
-        let behind = |i: usize| if i == 5 { closing } else { frames[i + 1] };
+    /// Of an arm at the target.
+    pub fn new(elimination: &Elimination, frames: &Frames, target: &Pose) -> Self {
+        let fixed = &frames.fixed;
+        let closing = fixed[6] * (target.inverse() * fixed[0]);
+        let behind = |i: usize| if i == 5 { closing } else { fixed[i + 1] };
         let joints = elimination.joints.map(usize::from);
         Self {
             behind: joints.map(|joint| match elimination.backwards {
                 false => behind(joint),
                 true => behind((joint + 5) % 6).inverse(),
             }),
+            slides: joints.map(|joint| frames.slides(joint)),
         }
     }
 
     /// The other side of the loop: the line of the fourth joint in the frame of
-    /// the kept one, as coefficients of (1, cos, sin) of the last joint times
-    /// those of the last but one, which change fastest.
+    /// the kept one, as coefficients of (1, cos, sin) of the last joint, or (1, d, d²) where
+    /// it slides, times those of the last but one, which change fastest.
     pub fn far_side(&self) -> Lines<9> {
         let [third, fourth, fifth] = [3, 4, 5].map(|i| self.behind[i].inverse());
         let line = moved(&third, &Z_AXIS.map(|x| [x]));
-        let lines = moved(&fourth, &turned_back::<1, 3>(&line));
-        moved(&fifth, &turned_back::<3, 9>(&lines))
+        let lines = moved(&fourth, &gone_back::<1, 3>(self.slides[4], &line));
+        moved(&fifth, &gone_back::<3, 9>(self.slides[5], &lines))
     }
 }
 
@@ -97,7 +106,7 @@ pub(super) struct Equations {
 }
 
 impl Equations {
-    pub fn new(elimination: &Elimination, far_side: &Lines<9>) -> Self {
+    pub fn new(elimination: &Elimination, round: &Loop, far_side: &Lines<9>) -> Self {
         let half = usize::from(elimination.half.min(6));
         let mut functionals = [[[0.0; 9]; 3]; 6];
         let (halves, wholes) = functionals.split_at_mut(half);
@@ -115,16 +124,18 @@ impl Equations {
             } = Parts::of(functional, far_side);
             *row = [fixed, turning, ahead];
         }
-        let functionals = functionals.map(|row| row.each_ref().map(half_tangents));
+        let [_, _, _, _, before, last] = round.slides;
+        let functionals = functionals.map(|row| row.each_ref().map(|x| powers(x, before, last)));
         Self { functionals, half }
     }
 
-    /// The six equations at values of the kept joint, by the cosine and sine of its half.
+    /// The equations at values of the kept joint, by the cosine and sine of its half.
     #[inline(always)]
-    pub fn at<L: Lanes>(&self, cosine: L, sine: L) -> [[L; 9]; 6] {
+    pub fn at<L: Lanes>(&self, cosine: L, sine: L) -> [[L; 9]; EQUATIONS] {
         let whole = (cosine * cosine).minus(sine, sine);
         let double = (cosine + cosine) * sine;
-        let mut out = [[L::ZERO; 9]; 6];
+        let mut out = [[L::ZERO; 9]; EQUATIONS];
+        out[6][0] = L::ONE;
         for (i, (out, [x, y, z])) in out.iter_mut().zip(&self.functionals).enumerate() {
             if i < self.half {
                 for j in 0..9 {
@@ -182,10 +193,13 @@ impl Parts {
 }
 
 /// From (1, cos a, sin a) × (1, cos b, sin b) to the monomials of the half
-/// tangents, times the two cos² of the half angles.
-fn half_tangents(x: &[f64; 9]) -> [f64; 9] {
-    let of = |[one, c, s]: [f64; 3]| [one + c, 2.0 * s, one - c];
-    let rows = [0, 3, 6].map(|i| of([x[i], x[i + 1], x[i + 2]]));
-    let columns = [0, 1, 2].map(|j| of([rows[0][j], rows[1][j], rows[2][j]]));
+/// tangents, times the two cos² of the half angles. A slide's powers are monomials already.
+fn powers(x: &[f64; 9], b_slides: bool, a_slides: bool) -> [f64; 9] {
+    let of = |slides: bool, [one, c, s]: [f64; 3]| match slides {
+        true => [one, c, s],
+        false => [one + c, 2.0 * s, one - c],
+    };
+    let rows = [0, 3, 6].map(|i| of(b_slides, [x[i], x[i + 1], x[i + 2]]));
+    let columns = [0, 1, 2].map(|j| of(a_slides, [rows[0][j], rows[1][j], rows[2][j]]));
     core::array::from_fn(|k| columns[k % 3][k / 3])
 }

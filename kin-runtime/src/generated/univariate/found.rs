@@ -1,7 +1,8 @@
 //! The solutions of a target, as they are found.
 
-use super::LANES;
+use super::frames::{within, wrapped};
 use super::polish::Polished;
+use super::{LANES, Univariate};
 use crate::{Solution, Solutions, math};
 
 /// Solutions reach the target to this, in units of the arm's size.
@@ -11,14 +12,14 @@ const REACHED: f64 = 1e-13;
 /// singular configuration.
 const SINGULAR: f64 = 1e-5;
 
-/// Singular solutions that are nearer to each other, radians, are one, or members of a
-/// family.
+/// Singular solutions that are nearer to each other, radians or half the arm's size, are one,
+/// or members of a family.
 const FAMILY: f64 = 1e-4;
 
-/// From so near, radians, Newton's method leads to a regular solution.
+/// From so near, in the same units, Newton's method leads to a regular solution.
 const BESIDE: f64 = 1e-4;
 
-/// The solutions so far.
+/// The solutions so far, in the units of the arm's frames.
 pub(super) struct Found {
     /// The arm's size, metres.
     size: f64,
@@ -35,13 +36,14 @@ pub(super) struct Found {
 }
 
 impl Found {
-    pub fn new(size: f64, gap: f64) -> Self {
+    pub fn new(arm: &Univariate, gap: f64) -> Self {
+        let none = Solutions::with_prismatic(arm.frames.prismatic);
         Self {
-            size,
+            size: arm.size,
             gap,
-            regular: Solutions::new(),
+            regular: none,
             independence: [0.0; Solutions::<6>::CAPACITY],
-            singular: Solutions::new(),
+            singular: none,
             again: 0,
         }
     }
@@ -54,7 +56,7 @@ impl Found {
         }
         let independence = arrived.independence[lane];
         let solution = Solution {
-            q: arrived.q.map(|q| math::wrap(q[lane])),
+            q: wrapped(self.regular.prismatic(), arrived.q.map(|q| q[lane])),
             residual: self.size * math::sqrt(residual * residual + self.gap * self.gap),
             branch,
             singular: independence < SINGULAR,
@@ -64,8 +66,12 @@ impl Found {
                 self.again |= 1 << place;
                 self.independence[place] = independence;
             }
-        } else if !near(self.singular.iter().map(|known| &known.q), &solution.q) {
-            self.singular.push_if(true, solution);
+        } else {
+            let prismatic = self.regular.prismatic();
+            let known = |known: &Solution<6>| within(FAMILY, prismatic, &known.q, &solution.q);
+            if !self.singular.iter().any(known) {
+                self.singular.push_if(true, solution);
+            }
         }
         true
     }
@@ -73,10 +79,8 @@ impl Found {
     /// Whether the solution next to a configuration is known: a regular one, with no other
     /// beside it, where the least pivot is above `meeting` times the largest.
     pub fn knows(&mut self, q: &[f64; 6], meeting: f64) -> bool {
-        let beside = |known: &Solution<6>| {
-            let mut turns = known.q.iter().zip(q);
-            turns.all(|(a, b)| math::wrap(a - b).abs() < BESIDE)
-        };
+        let prismatic = self.regular.prismatic();
+        let beside = |known: &Solution<6>| within(BESIDE, prismatic, &known.q, q);
         let mut known = self.regular.iter().zip(&self.independence);
         let place = known.position(|(known, &x)| x > meeting && beside(known));
         if let Some(place) = place {
@@ -105,7 +109,7 @@ impl Found {
     /// The solutions in the order of their branches, as far as there is room for singular
     /// ones.
     pub fn by_branch(&self) -> Solutions<6> {
-        let mut all = Solutions::new();
+        let mut all = Solutions::with_prismatic(self.regular.prismatic());
         for solution in self.regular.iter().chain(self.singular.iter()) {
             all.push_if(true, *solution);
         }
@@ -116,7 +120,7 @@ impl Found {
     /// the order of a joint.
     pub fn by_joint(&self, joint: usize) -> Solutions<6> {
         let ordered = [&self.regular, &self.singular].map(|some| in_order(some, |s| s.q[joint]));
-        Solutions::build(|out| {
+        Solutions::build_with_prismatic(self.regular.prismatic(), |out| {
             for solution in ordered.iter().flat_map(Solutions::iter) {
                 out.push_if(true, *solution);
             }
@@ -126,7 +130,7 @@ impl Found {
 
 fn in_order(solutions: &Solutions<6>, by: impl Fn(&Solution<6>) -> f64) -> Solutions<6> {
     let mut taken = 0_u32;
-    Solutions::build(|out| {
+    Solutions::build_with_prismatic(solutions.prismatic(), |out| {
         for _ in 0..solutions.len() {
             let left = (0..solutions.len()).filter(|i| taken >> i & 1 == 0);
             let Some(next) = left.min_by(|a, b| by(&solutions[*a]).total_cmp(&by(&solutions[*b])))
@@ -156,8 +160,9 @@ impl Waiting {
     }
 
     /// The same, unless one is near it already.
-    pub fn push_distinct(&mut self, q: [f64; 6]) {
-        if !near(self.q[..self.count].iter(), &q) {
+    pub fn push_distinct(&mut self, prismatic: u32, q: [f64; 6]) {
+        let mut known = self.q[..self.count].iter();
+        if !known.any(|known| within(FAMILY, prismatic, known, &q)) {
             self.push(q);
         }
     }
@@ -176,11 +181,4 @@ impl Waiting {
             count,
         )
     }
-}
-
-fn near<'a>(mut known: impl Iterator<Item = &'a [f64; 6]>, q: &[f64; 6]) -> bool {
-    known.any(|other| {
-        let mut turns = other.iter().zip(q);
-        turns.all(|(a, b)| math::wrap(a - b).abs() <= FAMILY)
-    })
 }

@@ -65,10 +65,45 @@ pub fn moved<const L: usize>(pose: &Pose, lines: &Lines<L>) -> Lines<L> {
     out
 }
 
+/// What a joint that goes back makes of the lines: of a turn see [`turned_back`], of a slide
+/// [`slid_back`].
+#[inline(always)]
+pub fn gone_back<const A: usize, const B: usize>(slides: bool, lines: &Lines<A>) -> Lines<B> {
+    match slides {
+        true => slid_back(lines),
+        false => turned_back(lines),
+    }
+}
+
+/// What a slide by −d along z makes of the lines, as the coefficients of 1, d and d²: lane k
+/// of `A` becomes the lanes k, k + A and k + 2A.
+fn slid_back<const A: usize, const B: usize>(lines: &Lines<A>) -> Lines<B> {
+    const { assert!(B == 3 * A) };
+    let mut out = [[0.0; B]; ENTRIES];
+    for (out, line) in out.iter_mut().zip(lines) {
+        out[..A].copy_from_slice(line);
+    }
+    for k in 0..A {
+        let (linear, square) = (k + A, k + 2 * A);
+        let at = |v: usize| [lines[v][k], lines[v + 1][k], lines[v + 2][k]];
+        let (l, p, m) = (at(0), at(3), at(6));
+        let one = lines[ONE][k];
+        out[5][linear] = -one;
+        (out[6][linear], out[7][linear]) = (l[1], -l[0]);
+        (out[9][linear], out[10][linear]) = (-2.0 * m[1], 2.0 * m[0]);
+        out[11][linear] = 2.0 * lines[POINT_LINE][k];
+        out[POINT_POINT][linear] = -2.0 * p[2];
+        out[POINT_LINE][linear] = -l[2];
+        (out[9][square], out[10][square], out[11][square]) = (l[0], l[1], -l[2]);
+        out[POINT_POINT][square] = one;
+    }
+    out
+}
+
 /// What a turn by −θ about z makes of the lines, as the coefficients of 1, cos θ
 /// and sin θ: lane k of `A` becomes the lanes k, k + A and k + 2A.
 #[inline(always)]
-pub fn turned_back<const A: usize, const B: usize>(lines: &Lines<A>) -> Lines<B> {
+fn turned_back<const A: usize, const B: usize>(lines: &Lines<A>) -> Lines<B> {
     const { assert!(B == 3 * A) };
     let mut out = [[0.0; B]; ENTRIES];
     for v in [0, 3, 6, 9] {

@@ -39,7 +39,7 @@ impl Univariate<'_> {
         let elimination = self.eliminations.first()?;
         let search = Search::new(self, target);
         let round = Loop::new(elimination, &self.frames, search.target());
-        let equations = Equations::new(elimination, &round.far_side());
+        let equations = Equations::new(elimination, &round, &round.far_side());
         let f = polynomial(elimination, &equations);
         f.noise.is_finite().then(|| margins(&f))
     }

@@ -1,6 +1,6 @@
 //! The matrix whose determinant is the polynomial, as the equations make it.
 
-use super::elimination::{Elimination, SIZE};
+use super::elimination::{EQUATIONS, Elimination, SIZE};
 use super::lanes::Lanes;
 
 /// Square matrices by row and column.
@@ -19,7 +19,7 @@ pub(super) const WIDTH: usize = 12;
 /// those that no other row has.
 pub(super) type Compact<L> = [[L; WIDTH]; SIZE];
 
-/// Where the six equations stand in the matrix of an elimination.
+/// Where the equations stand in the matrix of an elimination.
 pub(super) struct Places {
     rows: [Row; SIZE],
     /// Bit i is set where row i is multiplied by the last joint's half tangent.
@@ -40,6 +40,12 @@ impl Places {
         let mut rows = [Row::default(); SIZE];
         let mut shifted = 0;
         for (k, (row, &[equation, shift])) in rows.iter_mut().zip(&elimination.rows).enumerate() {
+            if usize::from(equation) == EQUATIONS - 1 {
+                let column = elimination.columns[usize::from(shift & 15)];
+                *row = Row::alone(column);
+                shifted |= u16::from(is_shifted(column)) << k;
+                continue;
+            }
             row.equation = equation;
             shifted |= u16::from(shift & 1) << k;
             let (i0, j0) = (usize::from(shift & 1), usize::from(shift >> 1 & 1));
@@ -56,7 +62,7 @@ impl Places {
 
     /// The matrices.
     #[inline(always)]
-    pub fn matrices<L: Lanes>(&self, equations: &[[L; 9]; 6]) -> Matrices<L> {
+    pub fn matrices<L: Lanes>(&self, equations: &[[L; 9]; EQUATIONS]) -> Matrices<L> {
         let mut out = [[L::ZERO; SIZE]; SIZE];
         for (out, row) in out.iter_mut().zip(&self.rows) {
             for (column, entry) in row.entries.iter().zip(row.of(equations)) {
@@ -68,7 +74,7 @@ impl Places {
 
     /// Writes them without the columns in which a row has no entries.
     #[inline(always)]
-    pub fn write<L: Lanes>(&self, equations: &[[L; 9]; 6], out: &mut Compact<L>) {
+    pub fn write<L: Lanes>(&self, equations: &[[L; 9]; EQUATIONS], out: &mut Compact<L>) {
         let place = |column: u8| usize::from(column - 4 * u8::from(column > 3)) % WIDTH;
         for (out, row) in out.iter_mut().zip(&self.rows) {
             for (column, entry) in row.entries.iter().zip(row.of(equations)) {
@@ -82,7 +88,7 @@ impl Places {
 
     /// The matrices times vectors.
     #[inline(always)]
-    pub fn times<L: Lanes>(&self, equations: &[[L; 9]; 6], x: &Vectors<L>) -> Vectors<L> {
+    pub fn times<L: Lanes>(&self, equations: &[[L; 9]; EQUATIONS], x: &Vectors<L>) -> Vectors<L> {
         let mut out = [L::ZERO; SIZE];
         for (out, row) in out.iter_mut().zip(&self.rows) {
             for (column, entry) in row.entries.iter().zip(row.of(equations)) {
@@ -93,9 +99,28 @@ impl Places {
     }
 }
 
+/// Whether only rows that are multiplied by the last joint's half tangent have a column.
+fn is_shifted(column: u8) -> bool {
+    (4..8).contains(&column)
+}
+
 impl Row {
+    /// With a single entry.
+    fn alone(column: u8) -> Self {
+        let first = if is_shifted(column) { 4 } else { 0 };
+        let mut row = Self {
+            equation: EQUATIONS as u8 - 1,
+            ..Self::default()
+        };
+        row.entries[0] = column;
+        let others = (first..first + 4).chain(8..16).filter(|&c| c != column);
+        let places = row.entries[1..].iter_mut().chain(&mut row.empty);
+        places.zip(others).for_each(|(place, other)| *place = other);
+        row
+    }
+
     #[inline(always)]
-    fn of<'e, L>(&self, equations: &'e [[L; 9]; 6]) -> &'e [L; 9] {
-        &equations[usize::from(self.equation) % 6]
+    fn of<'e, L>(&self, equations: &'e [[L; 9]; EQUATIONS]) -> &'e [L; 9] {
+        &equations[usize::from(self.equation) % EQUATIONS]
     }
 }

@@ -1,4 +1,4 @@
-//! Six revolute joints without a closed form: one unknown left.
+//! Six joints without a closed form: one unknown left.
 //!
 //! One joint is kept. A line of the arm as two neighbours move it lies in a space of
 //! nine dimensions out of fifteen, whatever the target; that it lies there too when it
@@ -19,6 +19,7 @@ mod closest;
 mod determinant;
 mod elimination;
 mod found;
+mod frames;
 mod harmonics;
 mod lanes;
 mod line;
@@ -33,24 +34,24 @@ mod sharing;
 mod short;
 mod turn;
 
-pub use elimination::Elimination;
+pub use elimination::{EQUATIONS, Elimination};
+pub use frames::Frames;
 #[cfg(feature = "std")]
 pub use lanes::reproducible::reproducibly;
-pub use line::{ENTRIES, Lines, Z_AXIS, moved, turned_back};
+pub use line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
 
 use crate::{Pose, Solution, Solutions, Target};
 use lanes::LANES;
 use search::Search;
-use short::{lengthened, shortened, with};
+use short::{shortened, with};
 
-/// An arm of revolute joints, and how it is solved: of six, or of fewer with joints behind
+/// An arm, and how it is solved: of six joints, or of fewer with joints behind
 /// the tip that stay at zero. Where what counts of a target leaves the turn about the
 /// tip's z axis free, that turn is the first of those.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Univariate<'a> {
-    /// A₀ … A₆ of the arm A₀ Rz(q₁) A₁ … Rz(q₆) A₆; lengths in units of half
-    /// the arm's size.
-    pub frames: [Pose; 7],
+    /// The constant motions between its joints.
+    pub frames: Frames,
     /// The arm's size, metres.
     pub size: f64,
     /// What of a target counts: all of it, or the position and the axis.
@@ -82,7 +83,7 @@ impl Univariate<'_> {
     /// The same; if `seed` is a singular solution, it is among them.
     pub fn solutions_near<const N: usize>(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
         let mut search = Search::new(self, target);
-        search.keep(&lengthened(seed));
+        search.keep(&self.lengthened(seed));
         by_place(shortened(self, target, &search.run()))
     }
 
@@ -99,7 +100,7 @@ impl Univariate<'_> {
         count: usize,
         near_singular: f64,
     ) -> Solutions<N> {
-        let branches = branches.map(|it| with(&it, lengthened(&it.q), it.residual));
+        let branches = branches.map(|it| with(&it, self.lengthened(&it.q), it.residual));
         let found = Search::new(self, target).refine(branches, count, near_singular);
         shortened(self, target, &found)
     }

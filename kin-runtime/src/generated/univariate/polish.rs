@@ -1,5 +1,6 @@
 //! Newton's method on many configurations at once.
 
+use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, dot, in_lanes};
 use crate::Pose;
 
@@ -13,7 +14,7 @@ const ROUNDING: f64 = 1e-14;
 const PATIENCE: usize = 4;
 const GAIN: f64 = 0.6;
 
-/// No joint moves by more than this in one step, radians.
+/// No joint moves by more than this in one step, radians or half the arm's size.
 const STRIDE: f64 = 0.3;
 
 /// Where the residual is below this, and the pivots are no less than `REGULAR` by the largest,
@@ -31,10 +32,10 @@ pub(super) struct Polished {
 }
 
 /// Moves the configurations towards the target until they are there, or for so many
-/// steps. `frames` have lengths in units of half the arm's size.
+/// steps.
 #[inline(never)]
 pub(super) fn polished(
-    frames: &[Pose; 7],
+    frames: &Frames,
     target: &Pose,
     start: &[[f64; LANES]; 6],
     steps: usize,
@@ -44,12 +45,12 @@ pub(super) fn polished(
 
 struct Newton;
 
-impl InLanes<(&[Pose; 7], &Pose, &[[f64; LANES]; 6], usize)> for Newton {
+impl InLanes<(&Frames, &Pose, &[[f64; LANES]; 6], usize)> for Newton {
     type Output = Polished;
 
     #[inline(always)]
     fn run<L: Lanes>(
-        (frames, target, start, steps): (&[Pose; 7], &Pose, &[[f64; LANES]; 6], usize),
+        (frames, target, start, steps): (&Frames, &Pose, &[[f64; LANES]; 6], usize),
     ) -> Polished {
         newton::<L>(frames, target, start, steps)
     }
@@ -57,7 +58,7 @@ impl InLanes<(&[Pose; 7], &Pose, &[[f64; LANES]; 6], usize)> for Newton {
 
 #[inline(always)]
 fn newton<L: Lanes>(
-    frames: &[Pose; 7],
+    frames: &Frames,
     target: &Pose,
     start: &[[f64; LANES]; 6],
     steps: usize,
@@ -115,7 +116,7 @@ fn newton<L: Lanes>(
 /// I, 1985, chapter I). H(v, v) is a second difference.
 #[inline(never)]
 pub(super) fn split(
-    frames: &[Pose; 7],
+    frames: &Frames,
     target: &Pose,
     q: &[[f64; LANES]; 6],
 ) -> [[[f64; LANES]; 6]; 2] {
@@ -124,18 +125,18 @@ pub(super) fn split(
 
 struct Split;
 
-impl InLanes<(&[Pose; 7], &Pose, &[[f64; LANES]; 6])> for Split {
+impl InLanes<(&Frames, &Pose, &[[f64; LANES]; 6])> for Split {
     type Output = [[[f64; LANES]; 6]; 2];
 
     #[inline(always)]
-    fn run<L: Lanes>((frames, target, q): (&[Pose; 7], &Pose, &[[f64; LANES]; 6])) -> Self::Output {
+    fn run<L: Lanes>((frames, target, q): (&Frames, &Pose, &[[f64; LANES]; 6])) -> Self::Output {
         apart::<L>(frames, target, q)
     }
 }
 
 #[inline(always)]
 fn apart<L: Lanes>(
-    frames: &[Pose; 7],
+    frames: &Frames,
     target: &Pose,
     q: &[[f64; LANES]; 6],
 ) -> [[[f64; LANES]; 6]; 2] {
@@ -196,22 +197,32 @@ struct System<L: Lanes> {
 }
 
 #[inline(always)]
-fn linearized<L: Lanes>(frames: &[Pose; 7], target: &Pose, q: &Rows<L>) -> System<L> {
+fn linearized<L: Lanes>(frames: &Frames, target: &Pose, q: &Rows<L>) -> System<L> {
     let zero = L::ZERO;
     let (mut r, mut p) = ([[zero; 3]; 3], [zero; 3]);
     for row in 0..3 {
         for j in 0..3 {
-            r[row][j] = L::splat(frames[0].rotation[row][j]);
+            r[row][j] = L::splat(frames.fixed[0].rotation[row][j]);
         }
-        p[row] = L::splat(frames[0].translation[row]);
+        p[row] = L::splat(frames.fixed[0].translation[row]);
     }
     let mut axes = [[[zero; 3]; 2]; 6];
     for i in 0..6 {
         axes[i] = [[r[0][2], r[1][2], r[2][2]], p];
-        let [s, c] = q[i].sin_cos();
-        let (a, t) = (&frames[i + 1].rotation, &frames[i + 1].translation);
+        let slides = frames.slides(i);
+        let [s, c] = match slides {
+            true => [zero, L::ONE],
+            false => q[i].sin_cos(),
+        };
+        let Pose {
+            rotation: a,
+            translation: t,
+        } = &frames.fixed[i + 1];
         for row in 0..3 {
             let [x, y, z] = r[row];
+            if slides {
+                p[row] = p[row].plus(z, q[i]);
+            }
             let (x, y) = ((x * c).plus(y, s), (y * c).minus(x, s));
             for j in 0..3 {
                 r[row][j] = x
@@ -226,7 +237,12 @@ fn linearized<L: Lanes>(frames: &[Pose; 7], target: &Pose, q: &Rows<L>) -> Syste
         }
     }
     let mut columns = [[zero; 6]; 6];
-    for (column, [z, o]) in columns.iter_mut().zip(&axes) {
+    for (joint, (column, [z, o])) in columns.iter_mut().zip(&axes).enumerate() {
+        if frames.slides(joint) {
+            (column[0], column[1], column[2]) =
+                (z[0].scaled(0.5), z[1].scaled(0.5), z[2].scaled(0.5));
+            continue;
+        }
         let mut arm = [zero; 3];
         for i in 0..3 {
             arm[i] = (p[i] - o[i]).scaled(0.5);

@@ -1,7 +1,7 @@
 //! The other joints from a value of the kept one.
 
 use super::determinant::{Factors, Triangle};
-use super::elimination::{Elimination, Equations, Loop};
+use super::elimination::{EQUATIONS, Elimination, Equations, Loop};
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
@@ -10,11 +10,11 @@ use super::sharing::{SHARING, monomial_vectors};
 /// A null vector that misses zero by more than this was spoilt by a small pivot.
 const SPOILT: f64 = 1e-9;
 
-/// Configurations in lanes, radians, by joint of the arm.
+/// Configurations in lanes, by joint of the arm.
 #[derive(Clone, Copy)]
 pub(super) struct Starts {
     pub q: [[f64; LANES]; 6],
-    /// How far two cosines and sines are from being of an angle: what an
+    /// How far two cosines and sines are from being of an angle, or powers of a slide: what an
     /// extraneous root shows itself by.
     pub inconsistency: [f64; LANES],
 }
@@ -53,15 +53,22 @@ impl Recovery<'_> {
 
     #[inline(always)]
     fn of_null_vectors<L: Lanes>(&self, kept: L, null: &Vectors<L>) -> Starts {
-        let last = self.eliminated::<L, false>(null);
-        let before = self.eliminated::<L, true>(null);
+        let [_, _, _, _, before, last] = self.round.slides;
+        let last = match last {
+            true => self.slide::<L, false>(null),
+            false => self.angle::<L, false>(null),
+        };
+        let before = match before {
+            true => self.slide::<L, true>(null),
+            false => self.angle::<L, true>(null),
+        };
         self.rest(kept, before, last)
     }
 
     /// The last joint, or the last but one: tan of its half is the share of two
     /// neighbouring powers, and sine and cosine are had without dividing.
     #[inline(always)]
-    fn eliminated<L: Lanes, const BEFORE: bool>(&self, null: &Vectors<L>) -> L {
+    fn angle<L: Lanes, const BEFORE: bool>(&self, null: &Vectors<L>) -> L {
         let (mut y, mut x) = (L::ZERO, L::ZERO);
         for i in 0..3 {
             for j in 0..4 {
@@ -77,8 +84,50 @@ impl Recovery<'_> {
         L::angle(y, x)
     }
 
+    /// The same of a slide: its first power by the power before. Of higher ones there may be
+    /// none.
     #[inline(always)]
-    fn null_vectors<L: Lanes>(&self, places: &Places, equations: &[[L; 9]; 6]) -> Vectors<L> {
+    fn slide<L: Lanes, const BEFORE: bool>(&self, null: &Vectors<L>) -> L {
+        let (mut y, mut x) = (L::ZERO, L::ZERO);
+        let other_slides = self.round.slides[if BEFORE { 5 } else { 4 }];
+        for j in 0..if other_slides { 2 } else { 4 } {
+            let (low, high) = match BEFORE {
+                true => (self.column(j, 0), self.column(j, 1)),
+                false => (self.column(0, j), self.column(1, j)),
+            };
+            let (low, high) = (null[low], null[high]);
+            y = y.plus(low, high);
+            x = x.plus(low, low);
+        }
+        y * x.inverse()
+    }
+
+    /// By what a joint, by its place in the loop, moves a line: its sine and cosine, or
+    /// the square of its slide and the slide.
+    #[inline(always)]
+    fn functions<L: Lanes>(&self, place: usize, value: L) -> [L; 2] {
+        match self.round.slides[place] {
+            true => [value * value, value],
+            false => value.sin_cos(),
+        }
+    }
+
+    /// The joint's value by these, and how far they are from being of one.
+    #[inline(always)]
+    fn value<L: Lanes>(&self, place: usize, [s, c]: [L; 2]) -> [L; 2] {
+        let square = c * c;
+        match self.round.slides[place] {
+            true => [c, (square - s) * (L::ONE + square).inverse()],
+            false => [L::angle(s, c), square.plus(s, s) - L::ONE],
+        }
+    }
+
+    #[inline(always)]
+    fn null_vectors<L: Lanes>(
+        &self,
+        places: &Places,
+        equations: &[[L; 9]; EQUATIONS],
+    ) -> Vectors<L> {
         let mut factors = Factors::EMPTY;
         factors.factor(places, equations);
         let null = factors.null_vectors();
@@ -97,8 +146,8 @@ impl Recovery<'_> {
     #[inline(always)]
     fn rest<L: Lanes>(&self, kept: L, before: L, last: L) -> Starts {
         let [sk, ck] = kept.sin_cos();
-        let [sb, cb] = before.sin_cos();
-        let [sl, cl] = last.sin_cos();
+        let [sb, cb] = self.functions(4, before);
+        let [sl, cl] = self.functions(5, last);
         let mut line = [L::ZERO; ENTRIES];
         for (line, far) in line.iter_mut().zip(self.far_side) {
             let mut parts = [L::ZERO; 3];
@@ -121,13 +170,12 @@ impl Recovery<'_> {
             }
         }
         let [c2, s2, c3, s3] = pair;
-        let second_off = (c2 * c2).plus(s2, s2) - L::ONE;
-        let third_off = (c3 * c3).plus(s3, s3) - L::ONE;
-        let (second, third) = (L::angle(s2, c2), L::angle(s3, c3));
+        let [second, second_off] = self.value(1, [s2, c2]);
+        let [third, third_off] = self.value(2, [s3, c3]);
         let fourth = self.fourth([
             [sk, ck],
-            second.sin_cos(),
-            third.sin_cos(),
+            self.functions(1, second),
+            self.functions(2, third),
             [sb, cb],
             [sl, cl],
         ]);
@@ -137,9 +185,9 @@ impl Recovery<'_> {
             1.0
         };
         let mut q = [[0.0; LANES]; 6];
-        let angles = [kept, second, third, fourth, before, last];
-        for (joint, angle) in self.elimination.joints.iter().zip(angles) {
-            q[usize::from(*joint) % 6] = angle.scaled(sign).numbers();
+        let values = [kept, second, third, fourth, before, last];
+        for (joint, value) in self.elimination.joints.iter().zip(values) {
+            q[usize::from(*joint) % 6] = value.scaled(sign).numbers();
         }
         Starts {
             q,
@@ -148,12 +196,15 @@ impl Recovery<'_> {
     }
 
     /// The joint whose axis was followed: where its x axis goes the other way
-    /// round. Of the others, sine and cosine.
+    /// round. Of the others, sine and cosine; slides do not turn it.
     #[inline(always)]
     fn fourth<L: Lanes>(&self, [kept, second, third, before, last]: [[L; 2]; 5]) -> L {
         let mut x = [L::ONE, L::ZERO, L::ZERO];
         for (i, [s, c]) in [(3, before), (4, last), (5, kept), (0, second), (1, third)] {
             x = rotated_back(&self.round.behind[i].rotation, &x);
+            if self.round.slides[(i + 1) % 6] {
+                continue;
+            }
             (x[0], x[1]) = ((c * x[0]).plus(s, x[1]), (c * x[1]).minus(s, x[0]));
         }
         x = rotated_back(&self.round.behind[2].rotation, &x);

@@ -81,7 +81,7 @@ impl<'a> Search<'a> {
             arm,
             target,
             is_rotation: gap <= ORTHONORMAL,
-            found: Found::new(arm.size, gap),
+            found: Found::new(arm, gap),
             branch: 0,
             starts: Waiting::default(),
             stuck: Waiting::default(),
@@ -170,7 +170,7 @@ impl<'a> Search<'a> {
     pub fn ask(&mut self, elimination: &Elimination) -> Told {
         let round = Loop::new(elimination, &self.arm.frames, &self.target);
         let far_side = round.far_side();
-        let equations = Equations::new(elimination, &far_side);
+        let equations = Equations::new(elimination, &round, &far_side);
         let f = polynomial(elimination, &equations);
         let mut told = Told {
             roots: 0,
@@ -219,7 +219,7 @@ impl<'a> Search<'a> {
         for motion in [there, there.inverse()] {
             let mut beside = Self {
                 target: self.target * motion,
-                found: Found::new(self.arm.size, 0.0),
+                found: Found::new(self.arm, 0.0),
                 is_beside: true,
                 ..Self::new(self.arm, &Pose::IDENTITY)
             };
@@ -355,7 +355,9 @@ impl<'a> Search<'a> {
     /// Keeps where Newton's method has come near.
     fn stick(&mut self, arrived: &Polished, lane: usize) {
         if arrived.residual[lane] < NEARLY {
-            self.stuck.push_distinct(arrived.q.map(|q| q[lane]));
+            let prismatic = self.arm.frames.prismatic;
+            self.stuck
+                .push_distinct(prismatic, arrived.q.map(|q| q[lane]));
         }
     }
 
@@ -392,7 +394,7 @@ impl<'a> Search<'a> {
             elimination,
             round: &round,
             far_side: &far_side,
-            equations: &Equations::new(elimination, &far_side),
+            equations: &Equations::new(elimination, &round, &far_side),
         };
         let kept = core::array::from_fn(|k| TAU / LANES as f64 * k as f64);
         recovery.joints(&kept).q

@@ -24,21 +24,24 @@ pub(super) fn shortened<const N: usize>(
     target: &Pose,
     found: &Solutions<6>,
 ) -> Solutions<N> {
-    let first = |q: &[f64; 6]| core::array::from_fn(|i| q[i]);
     let free_turn = usize::from(arm.counts == Target::PositionAxis);
     let moving = N + free_turn;
     if moving == 6 {
-        return Solutions::build(|out| {
+        return Solutions::build_with_prismatic(arm.frames.prismatic, |out| {
             for solution in found {
-                out.push_if(true, with(solution, first(&solution.q), solution.residual));
+                out.push_if(
+                    true,
+                    with(solution, arm.metres(&solution.q), solution.residual),
+                );
             }
         });
     }
     let task = Task::new(arm, target, N);
     let problem = Problem {
         fk_jacobian: |q: &[f64; N]| {
-            let (pose, jacobian) = task.fk_jacobian(&lengthened(q));
-            let rows = jacobian.rows.map(|row| first(&row));
+            let all = core::array::from_fn(|i| q.get(i).copied().unwrap_or(0.0));
+            let (pose, jacobian) = task.fk_jacobian(&all);
+            let rows = jacobian.rows.map(|row| core::array::from_fn(|i| row[i]));
             (pose, Jacobian { rows })
         },
         target,
@@ -46,11 +49,15 @@ pub(super) fn shortened<const N: usize>(
         counts: arm.counts,
     };
     let at_zero = |solution: &&Solution<6>| solution.q[moving..].iter().all(|q| q.abs() < ZERO);
-    Solutions::build(|out| {
+    Solutions::build_with_prismatic(arm.frames.prismatic, |out| {
         for solution in found.iter().filter(at_zero) {
-            let arrived = levenberg(&problem, first(&solution.q), STEPS);
+            let arrived = levenberg(&problem, arm.metres(&solution.q), STEPS);
             if arrived.residual <= REACHED * arm.size {
-                let solution = with(solution, arrived.q.map(math::wrap), arrived.residual);
+                let q = core::array::from_fn(|i| match arm.frames.slides(i) {
+                    true => arrived.q[i],
+                    false => math::wrap(arrived.q[i]),
+                });
+                let solution = with(solution, q, arrived.residual);
                 out.insert_distinct(Solution {
                     singular: arrived.singular(),
                     ..solution
@@ -60,9 +67,27 @@ pub(super) fn shortened<const N: usize>(
     })
 }
 
-/// With the joints behind the tip at zero.
-pub(super) fn lengthened<const N: usize>(q: &[f64; N]) -> [f64; 6] {
-    core::array::from_fn(|i| q.get(i).copied().unwrap_or(0.0))
+impl Univariate<'_> {
+    /// All six in the units of the arm's frames, with the joints behind the tip at zero.
+    pub(super) fn lengthened<const N: usize>(&self, q: &[f64; N]) -> [f64; 6] {
+        let unit = 2.0 / self.size;
+        core::array::from_fn(|i| {
+            let q = q.get(i).copied().unwrap_or(0.0);
+            if self.frames.slides(i) { unit * q } else { q }
+        })
+    }
+
+    /// The first joints, with slides in metres.
+    pub(super) fn metres<const N: usize>(&self, q: &[f64; 6]) -> [f64; N] {
+        let unit = 0.5 * self.size;
+        core::array::from_fn(|i| {
+            if self.frames.slides(i) {
+                unit * q[i]
+            } else {
+                q[i]
+            }
+        })
+    }
 }
 
 /// The same solution in other joint values.

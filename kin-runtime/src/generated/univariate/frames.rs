@@ -1,0 +1,58 @@
+//! An arm of six joints as constant motions with the joints between them.
+
+use crate::{Pose, math};
+
+/// A₀ J₁ A₁ … J₆ A₆, where a joint J turns about z or slides along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frames {
+    /// A₀ … A₆; lengths, those of slides included, in units of half the arm's size.
+    pub fixed: [Pose; 7],
+    /// Bit i is set where joint i slides.
+    pub prismatic: u32,
+}
+
+impl Frames {
+    /// Whether a joint, from 0, slides.
+    #[inline(always)]
+    pub fn slides(&self, joint: usize) -> bool {
+        slides(self.prismatic, joint)
+    }
+
+    /// The pose of the tip.
+    pub fn forward(&self, q: &[f64; 6]) -> Pose {
+        (0..6).fold(self.fixed[0], |pose, i| {
+            pose * self.motion(i, q[i]) * self.fixed[i + 1]
+        })
+    }
+
+    /// J of a joint.
+    pub(super) fn motion(&self, joint: usize, q: f64) -> Pose {
+        match self.slides(joint) {
+            true => Pose {
+                translation: [0.0, 0.0, q],
+                ..Pose::IDENTITY
+            },
+            false => Pose::from_axis_angle([0.0, 0.0, 1.0], q, [0.0; 3]),
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) fn slides(prismatic: u32, joint: usize) -> bool {
+    prismatic >> joint & 1 == 1
+}
+
+/// Values of joints, angles in (−π, π].
+pub(super) fn wrapped(prismatic: u32, q: [f64; 6]) -> [f64; 6] {
+    core::array::from_fn(|i| match slides(prismatic, i) {
+        true => q[i],
+        false => math::wrap(q[i]),
+    })
+}
+
+/// Whether no joint is farther from where it is in the other configuration.
+pub(super) fn within(distance: f64, prismatic: u32, a: &[f64; 6], b: &[f64; 6]) -> bool {
+    let apart = core::array::from_fn(|i| a[i] - b[i]);
+    let apart = wrapped(prismatic, apart);
+    apart.iter().all(|apart| apart.abs() <= distance)
+}
