@@ -3,7 +3,7 @@
 use crate::compiled::Compiled;
 use crate::geometry::structure;
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
-use crate::model::Model;
+use crate::model::{JointKind, Model};
 use crate::plan::Target;
 use crate::solver::{Lack, NoClosedForm};
 use crate::spec::{Diagnostic, Source, list_names, one_line};
@@ -108,13 +108,17 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
         }
         NoClosedForm::OnlyInDouble(lack) => only_in_double(*lack).to_owned(),
         NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
-        NoClosedForm::Singular { rank, coaxial } => {
-            let coaxial = coaxial.as_ref().map_or_else(String::new, |[a, b]| {
-                format!("; joints `{a}` and `{b}` turn about one line")
+        NoClosedForm::Singular { rank, alike } => {
+            let alike = alike.as_ref().map_or_else(String::new, |([a, b], kind)| {
+                let what = match kind {
+                    JointKind::Revolute => "turn about one line",
+                    JointKind::Prismatic => "slide along one direction",
+                };
+                format!("; joints `{a}` and `{b}` {what}")
             });
             format!(
                 "they move the tip in {rank} independent ways at most, so that the chain is \
-                 singular in every configuration{coaxial}"
+                 singular in every configuration{alike}"
             )
         }
         NoClosedForm::Redundant(target) => format!(

@@ -7,7 +7,7 @@ use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
 use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, Swivel, axes, idealize, rank, relate, size,
 };
-use crate::model::Model;
+use crate::model::{JointKind, Model};
 use crate::plan::{Atom, Plan, Plans, Step, Subproblem, Target};
 use crate::scalar::Scalar;
 use crate::single;
@@ -80,8 +80,8 @@ pub enum NoClosedForm {
     Singular {
         /// In how many independent ways they move the tip at most.
         rank: usize,
-        /// Two neighbours that turn about one line, by name.
-        coaxial: Option<[String; 2]>,
+        /// Two neighbours that turn about one line, or slide along one direction, by name.
+        alike: Option<([String; 2], JointKind)>,
     },
     /// More joints than the target has coordinates.
     Redundant(Target),
@@ -120,8 +120,8 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
     let joints = model.joints.len() - linkage.parameters();
     let rank = rank_without(model, &linkage.locked);
     if rank < joints.min(6) {
-        let coaxial = coaxial(model);
-        return Err(NoClosedForm::Singular { rank, coaxial });
+        let alike = alike(model);
+        return Err(NoClosedForm::Singular { rank, alike });
     }
     if joints > target.coordinates() {
         return Err(NoClosedForm::Redundant(target));
@@ -261,13 +261,20 @@ fn last_resort(
     }
 }
 
-/// Two neighbours on one axis.
-fn coaxial(model: &Model) -> Option<[String; 2]> {
+/// Two neighbours that do the same.
+fn alike(model: &Model) -> Option<([String; 2], JointKind)> {
     let axes = axes(model);
-    let coincide =
-        |i: &usize| relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9) == AxisRelation::Coincident;
-    let i = (0..axes.len().saturating_sub(1)).find(coincide)?;
-    Some([i, i + 1].map(|j| model.joints[j].name.clone()))
+    let is_alike = |i: &usize| {
+        let slides = [*i, i + 1].map(|i| model.joints[i].kind == JointKind::Prismatic);
+        match (slides, relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9)) {
+            ([true, true], AxisRelation::Parallel { .. }) => true,
+            ([a, b], AxisRelation::Coincident) => a == b,
+            _ => false,
+        }
+    };
+    let i = (0..axes.len().saturating_sub(1)).find(is_alike)?;
+    let names = [i, i + 1].map(|j| model.joints[j].name.clone());
+    Some((names, model.joints[i].kind))
 }
 
 /// The one that loses fewer regular targets, then fewer singular ones.

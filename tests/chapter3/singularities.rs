@@ -395,10 +395,10 @@ fn six_revolutes_that_meet_a_line_have_rank_5() {
     assert_eq!((rank(&twists), conditions(&twists, 1.0)), (6, vec![]));
 }
 
-/// Two coaxial joints in a row.
+/// Two joints in a row that do the same.
 #[test]
 fn chains_singular_everywhere_are_refused() {
-    let text = "\
+    let coaxial = "\
 robot: doubled
 units: {angle: rad, length: m}
 screws:
@@ -408,17 +408,31 @@ screws:
   - {name: twist, axis: [1, 0, 0], point: [0.5, 0, 0.3]}
 home: {xyz: [0.7, 0, 0.3]}
 ";
-    let source = Source {
-        path: "doubled.yaml".into(),
-        text: text.into(),
-    };
-    let refused = kin_codegen::compile(&source, &Options::default()).unwrap_err();
-    let told = refused.to_string();
-    assert!(told.contains("singular in every configuration"), "{told}");
-    assert!(
-        told.contains("joints `roll` and `twist` turn about one line"),
-        "{told}"
-    );
+    let telescope = coaxial
+        .replace("roll, axis", "roll, type: prismatic, axis")
+        .replace("twist, axis", "twist, type: prismatic, axis")
+        .replace(
+            ", point: [0, 0, 0.3]}\n  - {name: twist",
+            "}\n  - {name: twist",
+        )
+        .replace(", point: [0.5, 0, 0.3]", "");
+    let expected = [
+        (coaxial, "joints `roll` and `twist` turn about one line"),
+        (
+            &telescope,
+            "joints `roll` and `twist` slide along one direction",
+        ),
+    ];
+    for (text, alike) in expected {
+        let source = Source {
+            path: "doubled.yaml".into(),
+            text: text.into(),
+        };
+        let refused = kin_codegen::compile(&source, &Options::default()).unwrap_err();
+        let told = refused.to_string();
+        assert!(told.contains("singular in every configuration"), "{told}");
+        assert!(told.contains(alike), "{told}");
+    }
 }
 
 /// What a robot knows of its singularities is asked of any arm, and of one with

@@ -3,11 +3,13 @@
 use super::eliminate::eliminate;
 use crate::random::Random;
 use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
-use kin_runtime::{Pose, Target};
+use kin_runtime::Target;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Targets that every joint is tried on.
 const TARGETS: usize = 128;
+/// A solution that is so near is the one.
+const SAME: f64 = 1e-5;
 /// Eliminations at most: the next is asked where one is not sure of its
 /// answer.
 const MOST: usize = 3;
@@ -17,6 +19,8 @@ const MOST: usize = 3;
 pub struct Kept {
     /// Its constants.
     pub elimination: Elimination,
+    /// How many targets it lost.
+    pub lost: usize,
     /// On how many targets of a hundred it was not sure to have all solutions.
     pub unsure: f64,
     /// The noise of its polynomial, relative to the largest coefficient, at 95 of
@@ -30,8 +34,9 @@ pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
     let mut kept = each(frames, joints, TARGETS);
     kept.retain(|kept| kept.unsure < 100.0);
     let by_quality = |a: &Kept, b: &Kept| {
-        a.unsure
-            .total_cmp(&b.unsure)
+        a.lost
+            .cmp(&b.lost)
+            .then(a.unsure.total_cmp(&b.unsure))
             .then(a.noise.total_cmp(&b.noise))
     };
     kept.sort_by(by_quality);
@@ -50,29 +55,35 @@ pub fn each(frames: &Frames, joints: usize, targets: usize) -> Vec<Kept> {
             q[random.below(6)] = round + 10f64.powf(random.between(-8.0, -1.0));
         }
         q[joints..].fill(0.0);
-        frames.forward(&q)
+        q
     };
-    let targets: Vec<Pose> = (0..targets).map(target).collect();
-    let eliminations = (0..joints).filter_map(|joint| eliminate(frames, joint));
+    let targets: Vec<[f64; 6]> = (0..targets).map(target).collect();
+    let eliminations = (0..joints).flat_map(|joint| eliminate(frames, joint));
     eliminations
         .map(|elimination| tried(frames, elimination, &targets))
         .collect()
 }
 
-fn tried(frames: &Frames, elimination: Elimination, targets: &[Pose]) -> Kept {
+fn tried(frames: &Frames, elimination: Elimination, targets: &[[f64; 6]]) -> Kept {
     let arm = Univariate {
         frames: *frames,
         size: 2.0,
         counts: Target::Pose,
         eliminations: &[],
     };
-    let told = targets.iter().map(|target| arm.told(&elimination, target));
+    let mut lost = 0;
+    let told = targets.iter().map(|q| {
+        let (told, found) = arm.told(&elimination, &frames.forward(q));
+        lost += usize::from(!found.iter().any(|found| frames.within(SAME, &found.q, q)));
+        told
+    });
     let told: Vec<_> = told.collect();
     let unsure = told.iter().filter(|told| !told.certain).count();
     let mut noises: Vec<f64> = told.iter().map(|told| told.noise).collect();
     noises.sort_by(f64::total_cmp);
     Kept {
         elimination,
+        lost,
         unsure: 100.0 * unsure as f64 / targets.len() as f64,
         noise: noises[noises.len() * 95 / 100],
     }

@@ -1,6 +1,6 @@
 //! The constants of an elimination: what vanishes on one side of the loop.
 
-use super::order::order;
+use super::order::orders;
 use super::turning::turns;
 use kin_runtime::__private::Span;
 use kin_runtime::__private::univariate::{ENTRIES, Elimination, Frames, Z_AXIS, gone_back, moved};
@@ -17,12 +17,12 @@ const DEPENDENT: f64 = 1e-9;
 
 type Functional = [f64; ENTRIES];
 
-/// The elimination that keeps a joint, from 0; none where two joints do not move
+/// The eliminations that keep a joint, from 0; none where two joints do not move
 /// the axis behind them in nine independent ways, or where the joint or that axis slides.
 ///
 /// The first three joints are kept on the way from base to tip, the others on the
 /// way back, so that the target never stands between the three.
-pub fn eliminate(frames: &Frames, kept: usize) -> Option<Elimination> {
+pub fn eliminate(frames: &Frames, kept: usize) -> Vec<Elimination> {
     let backwards = kept >= 3;
     let joints: [usize; 6] = std::array::from_fn(|i| match backwards {
         false => (kept + i) % 6,
@@ -34,7 +34,7 @@ pub fn eliminate(frames: &Frames, kept: usize) -> Option<Elimination> {
     };
     let slides = joints.map(|joint| frames.slides(joint));
     if slides[0] || slides[3] {
-        return None;
+        return Vec::new();
     }
     let near_side = near_side([behind(0), behind(1), behind(2)], [slides[1], slides[2]]);
     let column = |j: usize| near_side.map(|entry| entry[j]);
@@ -45,20 +45,20 @@ pub fn eliminate(frames: &Frames, kept: usize) -> Option<Elimination> {
         (NEAR_SIDE, false) => split::<6, 12>(&vanishing),
         (NEAR_SIDE, true) => split_by_square(&vanishing),
         (TWO_SLIDES, _) if slides[1] && slides[2] => split::<9, 18>(&vanishing),
-        _ => return None,
+        _ => return Vec::new(),
     };
-    let mut elimination = Elimination {
+    let elimination = Elimination {
         joints: joints.map(|joint| joint as u8),
         backwards,
         degree: 0,
         functionals: array(|i| functionals[i]),
         half: half.min(FUNCTIONALS) as u8,
         pair: pair(&span),
+        powers: [3, 3],
         rows: [[0; 2]; 16],
         columns: std::array::from_fn(|i| i as u8),
     };
-    order(&mut elimination, frames)?;
-    Some(elimination)
+    orders(&elimination, frames)
 }
 
 /// The line of the fourth joint as the two before it move it, in the frame of the

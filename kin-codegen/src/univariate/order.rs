@@ -25,32 +25,51 @@ const ROUNDING: f64 = 1e-11;
 /// which monomial alone.
 type Row = [u8; 2];
 
-/// The monomials that are there, by power of the last joint and of the last but one.
-type Monomials = fn(usize, usize) -> bool;
+/// The monomials that are there, by power of the last joint and of the last but one, and up to
+/// which powers there are all.
+struct Monomials {
+    has: fn(usize, usize) -> bool,
+    powers: [u8; 2],
+}
 
 /// Chooses rows and columns by elimination at sample targets: next is always the
 /// pivot that is largest on the average, of the functionals that raise the degree
 /// least.
 ///
-/// Where these are too few, as with slides, whose high powers have solutions at infinity, they
-/// may be enough for fewer monomials.
-pub fn order(elimination: &mut Elimination, frames: &Frames) -> Option<()> {
+/// The high powers of slides have solutions at infinity: with two slides there are not rows
+/// enough for all monomials, but for fewer of them, of which some sets tell more than others.
+pub fn orders(elimination: &Elimination, frames: &Frames) -> Vec<Elimination> {
     let [before, last] = [4, 5].map(|i| frames.slides(elimination.joints[i].into()));
-    let fewer: &[Monomials] = match (before, last) {
-        (false, false) => &[],
-        (false, true) => &[|i, _| i < 3],
-        (true, false) => &[|_, j| j < 3],
-        (true, true) => &[|i, j| i + j < 3],
+    let set = |has, powers| Monomials { has, powers };
+    let mut sets = vec![set(|_, _| true, [3, 3])];
+    sets.extend(match (before, last) {
+        (false, false) => Vec::new(),
+        (false, true) => vec![set(|i, _| i < 3, [2, 3]), set(|i, _| i < 2, [1, 3])],
+        (true, false) => vec![set(|_, j| j < 3, [3, 2]), set(|_, j| j < 2, [3, 1])],
+        (true, true) => vec![
+            set(|i, j| i + j < 3, [1, 1]),
+            set(|i, j| i + j < 4, [2, 1]),
+            set(|i, j| i + j < 5, [2, 2]),
+        ],
+    });
+    let of = |set: Monomials| {
+        let mut elimination = Elimination {
+            powers: set.powers,
+            ..*elimination
+        };
+        order(&mut elimination, frames, set.has).map(|()| elimination)
     };
-    let all: Monomials = |_, _| true;
-    let mut sets = std::iter::once(&all).chain(fewer);
-    sets.find_map(|set| order_of(elimination, frames, *set))
+    sets.into_iter().filter_map(of).collect()
 }
 
 /// The same for a set of monomials.
-fn order_of(elimination: &mut Elimination, frames: &Frames, set: Monomials) -> Option<()> {
+fn order(
+    elimination: &mut Elimination,
+    frames: &Frames,
+    has: fn(usize, usize) -> bool,
+) -> Option<()> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let missing = (0..SIZE as u8).filter(|&c| !set(usize::from(c % 4), usize::from(c / 4)));
+    let missing = (0..SIZE as u8).filter(|&c| !has(usize::from(c % 4), usize::from(c / 4)));
     let missing: Vec<u8> = missing.collect();
     let mut candidates: Vec<Row> = (0..EQUATIONS as u8 - 1)
         .flat_map(|f| (0..4).map(move |shift| [f, shift]))
@@ -169,7 +188,7 @@ impl Order<'_> {
             self.next(shifted, |column| power(column) == 3)?;
         }
         for _ in 0..8 {
-            self.next(|_| true, |column| power(column) % 3 != 0)?;
+            self.next(|_| true, |column| matches!(power(column), 1 | 2))?;
         }
         Some((self.rows, self.columns))
     }

@@ -76,7 +76,7 @@ fn functionals_vanish_along_the_loop() {
             prismatic: if k < 36 { 0 } else { slides.next().unwrap() },
             ..random_arm(&pattern, &mut random)
         };
-        for elimination in (0..6).filter_map(|kept| eliminate(&frames, kept)) {
+        for elimination in (0..6).flat_map(|kept| eliminate(&frames, kept)) {
             let q = anywhere(&mut random);
             let joints = elimination.joints.map(usize::from);
             let along = joints.map(|joint| {
@@ -109,7 +109,7 @@ fn harmonics_above_the_degree_vanish() {
     let mut random = Random(12);
     for pattern in [GENERAL].into_iter().chain(patterns().step_by(7)) {
         let frames = random_arm(&pattern, &mut random);
-        for elimination in (0..6).filter_map(|kept| eliminate(&frames, kept)) {
+        for elimination in (0..6).flat_map(|kept| eliminate(&frames, kept)) {
             let arm = Univariate {
                 frames,
                 size: 2.0,
@@ -119,6 +119,7 @@ fn harmonics_above_the_degree_vanish() {
             let mut noises: Vec<f64> = (0..9)
                 .map(|_| {
                     arm.told(&elimination, &frames.forward(&anywhere(&mut random)))
+                        .0
                         .noise
                 })
                 .collect();

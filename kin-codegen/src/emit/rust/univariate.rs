@@ -96,6 +96,7 @@ fn elimination(elimination: &Elimination) -> TokenStream {
         functionals,
         half,
         pair,
+        powers,
         rows,
         columns,
     } = elimination;
@@ -105,6 +106,7 @@ fn elimination(elimination: &Elimination) -> TokenStream {
     };
     let [degree, half] = [degree, half].map(|&x| Literal::u8_unsuffixed(x));
     let (joints, columns) = (integers(joints), integers(columns));
+    let powers = integers(powers);
     let rows = rows.iter().map(|row| integers(row));
     let functionals = functionals.iter().map(|functional| numbers(functional));
     let pair = pair.iter().map(|functional| numbers(functional));
@@ -116,6 +118,7 @@ fn elimination(elimination: &Elimination) -> TokenStream {
             functionals: [#(#functionals),*],
             half: #half,
             pair: [#(#pair),*],
+            powers: #powers,
             rows: [#(#rows),*],
             columns: #columns,
         }

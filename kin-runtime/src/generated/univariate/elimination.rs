@@ -35,6 +35,9 @@ pub struct Elimination {
     /// Functionals that give the cosine and sine of the second joint, and of the
     /// third.
     pub pair: [[f64; ENTRIES]; 4],
+    /// Up to these powers of the last joint's half tangent, or slide, and the last but one's
+    /// all monomials are there.
+    pub powers: [u8; 2],
     /// Rows of the matrix: which functional, and by which half tangents, or slides, it
     /// is multiplied: bit 0 of the last joint, bit 1 of
     /// the last but one. Of the first eight, four are not multiplied by the last joint's,

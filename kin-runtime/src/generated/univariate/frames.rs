@@ -18,6 +18,11 @@ impl Frames {
         slides(self.prismatic, joint)
     }
 
+    /// Whether no joint is farther from where it is in the other configuration.
+    pub fn within(&self, distance: f64, a: &[f64; 6], b: &[f64; 6]) -> bool {
+        within(distance, self.prismatic, a, b)
+    }
+
     /// The pose of the tip.
     pub fn forward(&self, q: &[f64; 6]) -> Pose {
         (0..6).fold(self.fixed[0], |pose, i| {

@@ -117,9 +117,12 @@ impl Univariate<'_> {
         })
     }
 
-    /// What one elimination says of a target.
-    pub fn told(&self, elimination: &Elimination, target: &Pose) -> Told {
-        Search::new(self, target).ask(elimination)
+    /// What one elimination says of a target, and the solutions that it finds, lengths as in
+    /// the frames.
+    pub fn told(&self, elimination: &Elimination, target: &Pose) -> (Told, Solutions<6>) {
+        let mut search = Search::new(self, target);
+        let told = search.ask(elimination);
+        (told, search.found())
     }
 }
 

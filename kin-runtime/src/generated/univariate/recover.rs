@@ -84,13 +84,12 @@ impl Recovery<'_> {
         L::angle(y, x)
     }
 
-    /// The same of a slide: its first power by the power before. Of higher ones there may be
-    /// none.
+    /// The same of a slide: its first power by the power before.
     #[inline(always)]
     fn slide<L: Lanes, const BEFORE: bool>(&self, null: &Vectors<L>) -> L {
         let (mut y, mut x) = (L::ZERO, L::ZERO);
-        let other_slides = self.round.slides[if BEFORE { 5 } else { 4 }];
-        for j in 0..if other_slides { 2 } else { 4 } {
+        let [last, before] = self.elimination.powers;
+        for j in 0..=usize::from(if BEFORE { last } else { before }.min(3)) {
             let (low, high) = match BEFORE {
                 true => (self.column(j, 0), self.column(j, 1)),
                 false => (self.column(0, j), self.column(1, j)),
@@ -239,7 +238,11 @@ impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES])> for Several<N> {
         let equations = recovery.equations.at(cosine, sine);
         let matrices = Places::new(recovery.elimination).matrices(&equations);
         let space = Triangle::new(matrices).null_space::<N>();
-        let vectors = monomial_vectors(&space, &|i, j| recovery.column(i, j));
+        let powers = recovery
+            .elimination
+            .powers
+            .map(|power| usize::from(power.min(3)));
+        let vectors = monomial_vectors(&space, &|i, j| recovery.column(i, j), powers);
         let mut out = [recovery.of_null_vectors(kept, &vectors[0]); N];
         for (out, null) in out.iter_mut().zip(&vectors).skip(1) {
             *out = recovery.of_null_vectors(kept, null);

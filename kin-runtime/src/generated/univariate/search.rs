@@ -106,6 +106,11 @@ impl<'a> Search<'a> {
                 .is_some_and(|next| !self.ask(next).certain)
             {}
         }
+        self.found()
+    }
+
+    /// What was found so far.
+    pub fn found(&self) -> Solutions<6> {
         let first = self.arm.eliminations.first();
         let joint = first.map_or(0, |first| usize::from(first.joints[0] % 6));
         self.found.by_joint(joint)

@@ -24,15 +24,17 @@ const ABOVE: [f64; 4] = [0.31, 0.83, -0.57, 0.44];
 const BELOW: [f64; 4] = [0.92, -0.38, 0.29, 0.71];
 
 /// The vectors of monomials in a space; where two are complex, one of a pair their real
-/// part, of more something else. `column` tells the place of a monomial by its powers.
+/// part, of more something else. `column` tells the place of a monomial by its powers; all up to
+/// `powers` are there.
 #[inline(always)]
 pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
     space: &[Vectors<L>; N],
     column: &impl Fn(usize, usize) -> usize,
+    powers: [usize; 2],
 ) -> [Vectors<L>; N] {
     let weights = match N {
-        2 => of_pair(multiplication(space, column)),
-        _ => eigenvectors(multiplication(space, column)),
+        2 => of_pair(multiplication(space, column, powers)),
+        _ => eigenvectors(multiplication(space, column, powers)),
     };
     let mut out = [[L::ZERO; SIZE]; N];
     for (out, weights) in out.iter_mut().zip(&weights) {
@@ -51,11 +53,12 @@ pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
 fn multiplication<L: Lanes, const N: usize>(
     space: &[Vectors<L>; N],
     column: &impl Fn(usize, usize) -> usize,
+    powers: [usize; 2],
 ) -> Square<L, N> {
     let mut gram = [[L::ZERO; N]; N];
     let mut image = gram;
-    for i in 0..3 {
-        for j in 0..3 {
+    for i in 0..powers[0] {
+        for j in 0..powers[1] {
             let corners = [
                 column(i, j),
                 column(i + 1, j),
