@@ -1,7 +1,7 @@
 //! One generator, three interfaces: the macro, build scripts and `kin generate`
 //! take the same options and give the same code, header included.
 
-use kin_codegen::build::Config;
+use kin_codegen::build::{Config, generate_all};
 use kin_codegen::{Ik, Options, Source, Target, generate};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -131,4 +131,28 @@ fn targets_of_position() {
     let options = ["--name", "Elbow", "--target", "position"];
     assert_eq!(command_line(PLANAR, &options), code);
     assert_eq!(macros::Elbow::BRANCHES, 2);
+}
+
+#[test]
+fn several_robots_of_a_build_script_are_those_of_one() {
+    let half = |name: &str, tip: &str| Config::new(ROBOT).name(name).tip(tip).ik(Ik::None);
+    let both = [half("Upper", "forearm_link"), Config::new(PLANAR)];
+    let file = generate_all(temporary("both.rs"), &both).unwrap();
+    let [upper, planar] = both.map(|one| build_script(one, "one.rs"));
+    assert_eq!(
+        fs::read_to_string(file).unwrap(),
+        format!("{upper}\n{planar}\n")
+    );
+
+    let twins = [half("Arm", "forearm_link"), half("Arm", "tool0")];
+    let file = temporary("twins.rs");
+    let error = generate_all(&file, &twins).unwrap_err().to_string();
+    assert!(error.contains("two robots have the name `Arm`"), "{error}");
+    let wrong = [half("A", "left"), half("B", "right"), Config::new(PLANAR)];
+    let error = generate_all(&file, &wrong).unwrap_err().to_string();
+    assert!(
+        error.contains("`left`") && error.contains("`right`"),
+        "{error}"
+    );
+    assert!(!file.exists());
 }

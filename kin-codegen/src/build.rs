@@ -16,13 +16,19 @@
 //! ```ignore
 //! include!(concat!(env!("OUT_DIR"), "/arm.rs"));
 //! ```
+//!
+//! Several robots, the arms of one file among them, go to one file by
+//! [`generate_all`].
 
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
 use crate::scalar::Scalar;
 use crate::spec::Source;
+use std::collections::BTreeSet;
 use std::fmt;
+use std::panic;
 use std::path::{Path, PathBuf};
+use std::thread::{self, ScopedJoinHandle};
 
 /// One robot file to generate from, with the options of the macro.
 #[derive(Clone, Debug)]
@@ -117,6 +123,15 @@ impl Config {
     /// What is wrong with the file or the options, or why the arm has no
     /// closed form; the file cannot be written; this is no build script.
     pub fn generate(&self) -> Result<PathBuf, Error> {
+        let (_, code) = self.code()?;
+        let default = || Path::new(file_name(&self.path)).with_extension("rs");
+        let file = output(self.file.clone().unwrap_or_else(default))?;
+        write(&file, &code)?;
+        Ok(file)
+    }
+
+    /// The name of the robot's type, and its code.
+    fn code(&self) -> Result<(String, String), Error> {
         let root = variable("CARGO_MANIFEST_DIR")?;
         let robot = root.join(&self.path);
         // Also if it is missing or broken: mending it must run this again.
@@ -127,19 +142,64 @@ impl Config {
             // Cargo takes one line for each.
             println!("cargo::warning={}: {}", self.path, warning.reason);
         }
-        let file = self.output()?;
-        write(&file, &generated.code())?;
-        Ok(file)
+        Ok((generated.name.clone(), generated.code()))
     }
+}
 
-    fn output(&self) -> Result<PathBuf, Error> {
-        let default = || Path::new(file_name(&self.path)).with_extension("rs");
-        let file = self.file.clone().unwrap_or_else(default);
-        if file.is_absolute() {
-            return Ok(file);
+/// Generates several robots into one file, side by side on all cores: the arms of a robot with
+/// two, or of a cell. [`Config::file`] of each is not asked.
+///
+/// ```no_run
+/// use kin_codegen::build::{Config, Error, generate_all};
+///
+/// fn main() -> Result<(), Error> {
+///     let arm = |name, tip| Config::new("robot.urdf").name(name).base("torso").tip(tip);
+///     generate_all("arms.rs", &[arm("Left", "left_tool0"), arm("Right", "right_tool0")])?;
+///     Ok(())
+/// }
+/// ```
+///
+/// # Errors
+///
+/// What is wrong with any of them, all at once, each as [`Config::generate`] says it; two have
+/// the same name.
+pub fn generate_all(file: impl Into<PathBuf>, robots: &[Config]) -> Result<PathBuf, Error> {
+    let all = thread::scope(|scope| {
+        let start = |robot| scope.spawn(move || Config::code(robot));
+        let all: Vec<_> = robots.iter().map(start).collect();
+        let ended = |robot: ScopedJoinHandle<_>| match robot.join() {
+            Ok(generated) => generated,
+            Err(panic) => panic::resume_unwind(panic),
+        };
+        all.into_iter().map(ended).collect::<Vec<_>>()
+    });
+    let (mut code, mut names, mut errors) = (String::new(), BTreeSet::new(), Vec::new());
+    for generated in all {
+        match generated {
+            Err(Error(text)) => errors.push(text),
+            Ok((name, _)) if names.contains(&name) => errors.push(format!(
+                "two robots have the name `{name}`: choose others by `Config::name`"
+            )),
+            Ok((name, robot)) => {
+                code += &(robot + "\n");
+                names.insert(name);
+            }
         }
-        Ok(variable("OUT_DIR")?.join(file))
     }
+    if !errors.is_empty() {
+        return Err(Error(errors.join("\n\n")));
+    }
+    let file = output(file.into())?;
+    write(&file, &code)?;
+    Ok(file)
+}
+
+/// A relative path is relative to `$OUT_DIR`.
+fn output(file: PathBuf) -> Result<PathBuf, Error> {
+    if file.is_absolute() {
+        return Ok(file);
+    }
+    Ok(variable("OUT_DIR")?.join(file))
 }
 
 fn variable(name: &str) -> Result<PathBuf, Error> {

@@ -15,6 +15,22 @@
 //! | `std` (default) | the processor's square root instead of `libm`'s; implies `alloc` |
 //! | `nalgebra` (default), `glam`, `mint` | conversions |
 //! | `rayon` | batches on all cores; implies `std` |
+//! | `serde` | serialization, see below; without an allocator |
+//!
+//! # Serialized
+//!
+//! The form is that of the types: fields by their names, radians and metres, arrays of fixed
+//! length, numbers to the last bit where the format keeps them.
+//!
+//! | | in JSON |
+//! |---|---|
+//! | [`Pose`] | `{"rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "translation": [0, 0, 0.5]}` |
+//! | [`Twist`], [`Wrench`] | `{"linear": [0, 0, 0], "angular": [0, 0, 1]}`, `{"force": .., "moment": ..}` |
+//! | [`Jacobian`] | `{"rows": [[..], ..]}`, six of N numbers |
+//! | [`Solution`] | `{"q": [..], "residual": 0, "branch": 3, "singular": false}` |
+//! | [`Solutions`] | a sequence of these; to be read into any collection |
+//! | [`JointLimit`] | `{"revolute": {"lower": -1, "upper": null}}`, also `prismatic`; `"continuous"`; `null` where there is no stop |
+//! | [`Target`] | its word in options: `"position_axis"` |
 #![no_std]
 
 #[cfg(feature = "alloc")]

@@ -21,6 +21,7 @@ struct Rest {
 
 /// One solution; see [`Solution`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Answer<'a> {
     /// Joint values, radians and metres.
     pub q: &'a [f64],
@@ -57,6 +58,14 @@ impl Answers {
     /// One after the other.
     pub fn iter(&self) -> impl Iterator<Item = Answer<'_>> {
         (0..self.len()).filter_map(|place| self.get(place))
+    }
+}
+
+/// As a sequence of [`Answer`], which has the form of a [`Solution`].
+#[cfg(feature = "serde")]
+impl serde::Serialize for Answers {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
     }
 }
 

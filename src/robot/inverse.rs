@@ -173,6 +173,7 @@ impl Robot {
 
 /// The one solution that was asked for.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearestAnswer {
     /// Joint values within the limits, radians and metres.
     pub q: Vec<f64>,

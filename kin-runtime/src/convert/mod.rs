@@ -7,3 +7,7 @@ mod glam;
 mod mint;
 #[cfg(feature = "nalgebra")]
 mod nalgebra;
+#[cfg(feature = "serde")]
+mod serde;
+#[cfg(feature = "serde")]
+pub(crate) use serde::{array, rows};

@@ -1,5 +1,9 @@
 //! Poses from one precision to the other.
 
+#[cfg(feature = "serde")]
+#[path = "../convert/serde.rs"]
+mod serde;
+
 use super::Pose;
 
 impl From<crate::Pose> for Pose {

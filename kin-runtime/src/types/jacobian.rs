@@ -16,8 +16,10 @@ use super::super::{Pose, Twist, Wrench};
 /// assert_eq!(jacobian.torques(&load), [4.0, 3.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Jacobian<const N: usize> {
     /// Rows (v, ω); columns follow the joints.
+    #[cfg_attr(feature = "serde", serde(with = "crate::convert::rows"))]
     pub rows: [[Real; N]; 6],
 }
 

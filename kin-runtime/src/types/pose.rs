@@ -17,6 +17,7 @@ use super::super::{Twist, Wrench, math};
 /// assert_eq!(up * up.inverse(), Pose::IDENTITY);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose {
     /// The columns are the moving frame's axes in fixed coordinates; row-major.
     pub rotation: [[Real; 3]; 3],

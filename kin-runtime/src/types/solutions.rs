@@ -8,9 +8,11 @@ use super::super::types::limits::JointLimit;
 
 /// One configuration that reaches the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Solution<const N: usize> {
     /// Joint values: radians in (−π, π] for revolute joints, metres for
     /// prismatic ones.
+    #[cfg_attr(feature = "serde", serde(with = "crate::convert::array"))]
     pub q: [Real; N],
     /// How far the forward kinematics of `q` is from the target, metres, as far
     /// as the target counts: the root of the squares of the translation error

@@ -17,6 +17,8 @@ use super::super::{Jacobian, Pose, Twist, math};
 /// assert!(Target::Pose.distance(&spun, &Pose::IDENTITY, 1.0) > 0.29);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Target {
     /// All of it: six coordinates.
     #[default]

@@ -17,6 +17,7 @@ use super::super::linear::vector::{add, cross, scale, sub};
 /// assert_eq!((hinge * 2.0).angular, [0.0, 0.0, 2.0]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Twist {
     /// v: for a revolute axis ω through the point r, v = −ω × r.
     pub linear: [Real; 3],

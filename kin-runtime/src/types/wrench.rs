@@ -16,6 +16,7 @@ use super::super::{Pose, Twist};
 /// assert!((weight.power(&lift) + 0.981).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wrench {
     /// f.
     pub force: [Real; 3],
