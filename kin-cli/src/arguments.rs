@@ -34,6 +34,7 @@ pub enum Command {
     Fk(Fk),
     Ik(InverseOfMany),
     View(View),
+    Plot(Plot),
 }
 
 /// Write a robot's forward kinematics, Jacobians and closed-form inverse
@@ -135,6 +136,41 @@ pub struct View {
     pub options: RobotOptions,
     /// Where to write the page
     #[arg(short, long, value_name = "HTML")]
+    pub output: PathBuf,
+}
+
+/// Plot the joints of an arm along a straight line of its tip: all branches, limits, the solution
+/// taken, and how far it is from singular
+#[derive(Debug, Args)]
+pub struct Plot {
+    /// The robot file, URDF or YAML
+    pub file: String,
+    #[command(flatten)]
+    pub options: RobotOptions,
+    /// The configuration at whose pose the line begins, and that the arm is in there; radians
+    /// and metres
+    #[arg(
+        long,
+        value_name = "Q1,Q2,..",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        required = true
+    )]
+    pub from: Vec<f64>,
+    /// The configuration at whose pose it ends
+    #[arg(
+        long,
+        value_name = "Q1,Q2,..",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        required = true
+    )]
+    pub to: Vec<f64>,
+    /// Steps along the line
+    #[arg(long, value_name = "COUNT", default_value_t = 400, value_parser = at_least_one)]
+    pub steps: usize,
+    /// The picture: .svg or .png
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 }
 

@@ -14,6 +14,7 @@ pub mod explain;
 mod generate;
 mod json;
 mod many;
+mod plot;
 pub mod sweep;
 pub mod table;
 pub mod view;
@@ -75,5 +76,6 @@ pub fn run<A: Into<OsString> + Clone>(arguments: impl IntoIterator<Item = A>) ->
         Command::Fk(arguments) => many::forward(&arguments),
         Command::Ik(arguments) => many::inverse(&arguments),
         Command::View(arguments) => view::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     }
 }

@@ -14,8 +14,8 @@ struct Maps {
     share: Vec<f64>,
     /// Manipulability, or a mechanism's distance from actuator singularities.
     measure: Vec<f64>,
-    /// Of the slices, metres.
-    centre: [f64; 3],
+    /// By slice, metres.
+    centres: [[f64; 3]; 3],
     /// Between points, metres.
     step: f64,
 }
@@ -37,9 +37,9 @@ impl Maps {
         let json: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(json["cells"], shape[1]);
         Maps {
-            centre: std::array::from_fn(|i| {
-                let centre = &json["slices"][0]["centre"];
-                centre[i].as_f64().unwrap()
+            centres: std::array::from_fn(|slice| {
+                let centre = &json["slices"][slice]["centre"];
+                std::array::from_fn(|i| centre[i].as_f64().unwrap())
             }),
             step: json["cell_size"].as_f64().unwrap(),
             cells: shape[1],
@@ -64,7 +64,7 @@ impl Maps {
     fn point(&self, slice: usize, row: usize, column: usize) -> [f64; 3] {
         let [across, up] = [[0, 2], [1, 2], [0, 1]][slice];
         let [x, y] = self.place(row, column);
-        let mut point = self.centre;
+        let mut point = self.centres[slice];
         point[across] += x;
         point[up] += y;
         point
@@ -107,16 +107,17 @@ fn read_npy(path: &Path) -> (Vec<usize>, Vec<f64>) {
     (shape, values)
 }
 
-/// Width, height and palette indices.
-fn read_png(path: &Path) -> (usize, usize, Vec<u8>) {
+/// Width, height and colours.
+fn read_png(path: &Path) -> (usize, usize, Vec<[u8; 3]>) {
     let file = std::io::BufReader::new(fs::File::open(path).unwrap());
     let mut decoder = png::Decoder::new(file);
     decoder.set_transformations(png::Transformations::IDENTITY);
     let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
-    assert_eq!(info.color_type, png::ColorType::Indexed);
-    (info.width as usize, info.height as usize, pixels)
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    let pixels = pixels.chunks_exact(3).map(|it| it.try_into().unwrap());
+    (info.width as usize, info.height as usize, pixels.collect())
 }
 
 /// The annuli of the planar 3R arm: 0.1 m to 0.9 m in reach, 0.3 m to 0.7 m at
@@ -169,19 +170,42 @@ fn pictures_show_the_numbers() {
     let maps = Maps::of("planar_3r", &["--samples", "8", "--cells", "21"]);
     let path = maps.folder.join(format!("{}_xy.png", maps.robot));
     let (width, height, pixels) = read_png(&path);
-    assert_eq!((width, height), (84, 84));
+    // The square between the axes.
+    let (left, top, side) = (62, 36, 326.0);
+    assert_eq!((width, height), (left + 326 + 12 + 96, top + 326 + 48));
+    let (mut outside, mut everywhere) = (0, 0);
     for (row, column) in maps.all() {
-        let pixel = pixels[(4 * (20 - row) + 2) * width + 4 * column + 1];
+        // Not where the arm is drawn.
+        if row == 10 {
+            continue;
+        }
+        let [right, down] = [column, 20 - row].map(|i| (i as f64 + 0.3) * side / 21.0);
+        let pixel = pixels[(top + down as usize) * width + left + right as usize];
         let share = maps.at(&maps.share, 2, row, column);
-        let expected = if share == 0.0 {
-            0.0
-        } else {
-            1.0 + (share * 254.0).round()
-        };
-        assert_eq!(f64::from(pixel), expected);
+        assert_eq!(share == 0.0, pixel.iter().all(|x| *x > 220), "{pixel:?}");
+        assert_eq!(share == 1.0, pixel == [253, 231, 37], "{pixel:?}");
+        outside += usize::from(share == 0.0);
+        everywhere += usize::from(share == 1.0);
     }
+    assert!(outside > 50 && everywhere > 50);
     let (width, height, _) = read_png(&maps.folder.join("planar_3r_workspace.png"));
-    assert_eq!((width, height), (3 * 84 + 24, 2 * 84 + 12));
+    assert_eq!((width, height), (3 * 400 + 96, 2 * 410));
+}
+
+/// The same as vectors, with what a reader needs, and with names that stay text.
+#[test]
+fn vectors_say_what_they_show() {
+    let maps = Maps::of("planar_3r", &["--samples", "3", "--cells", "12"]);
+    let svg = fs::read_to_string(maps.folder.join("planar_3r_workspace.svg")).unwrap();
+    for text in [
+        "planar_3r: share of 3 orientations reached, regardless of limits",
+        "x in m",
+        "z in m",
+        "100 %",
+        "|det J| of the best branch, mean",
+    ] {
+        assert!(svg.contains(text), "{text}");
+    }
 }
 
 /// |det J| of a SCARA is l1 l2 |s2|, and s2 follows from the distance.
@@ -245,8 +269,10 @@ fn delta_is_where_its_rods_allow() {
         }
     }
     assert!(inside > 500 && outside > 500, "{inside}, {outside}");
-    // At home, and as far from it as the map goes.
-    assert_eq!(maps.at(&maps.share, 0, 20, 20), 1.0);
+    // The platform's home is on the map, whose window is about what is in reach.
+    let half = 20.0 * maps.step;
+    let home = -0.0968671142;
+    assert!((home - maps.centres[0][2]).abs() < half && maps.centres[0][2].abs() < 0.05);
     assert_eq!(maps.at(&maps.share, 2, 40, 40), 0.0);
 }
 

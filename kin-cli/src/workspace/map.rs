@@ -148,18 +148,29 @@ impl Sampling<'_> {
         [share, sum / f64::from(reached.max(1))]
     }
 
-    /// The farthest that a point of `map` with anything in reach is from the
-    /// middle, along an axis of its slice; metres.
-    pub fn extent(&self, map: &Map) -> f64 {
+    /// Moves the slices in their planes to the middle of what of `map` is in reach, and gives
+    /// back half the side, metres, of squares that hold it.
+    pub fn look_at(&mut self, map: &Map) -> f64 {
         let middle = (self.cells as f64 - 1.0) / 2.0;
-        let from_middle = |number: usize| {
-            let place = number % (self.cells * self.cells);
-            [place / self.cells, place % self.cells]
-                .map(|i| (i as f64 - middle).abs())
-                .into_iter()
-                .fold(0.0, f64::max)
-        };
-        let reached = (0..self.points()).filter(|number| map.share[*number] > 0.0);
-        self.step * reached.map(from_middle).fold(0.0, f64::max)
+        let mut half = 0.0_f64;
+        for number in 0..self.slices.len() {
+            let share = map.slice(&map.share, number);
+            let reached = (0..share.len()).filter(|cell| share[*cell] > 0.0);
+            let places: Vec<[usize; 2]> = reached
+                .map(|cell| [cell % self.cells, cell / self.cells])
+                .collect();
+            let slice = &mut self.slices[number];
+            for (i, axis) in [slice.across, slice.up].into_iter().enumerate() {
+                let ends = places.iter().map(|place| place[i] as f64);
+                let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+                    (a.min(x), b.max(x))
+                });
+                if low <= high {
+                    slice.centre[axis] += self.step * (0.5 * (low + high) - middle);
+                    half = half.max(self.step * (0.5 * (high - low) + 1.0));
+                }
+            }
+        }
+        half
     }
 }

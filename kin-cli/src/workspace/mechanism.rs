@@ -61,8 +61,8 @@ pub fn sampling<'a>(
         limited: arguments.limits,
     };
     // What one chain alone can reach is much; what all of them can is found.
-    let found = sampling.extent(&sampling.map(&|_| ()));
-    let half = (found + sampling.step).min(farthest);
+    let found = sampling.map(&|_| ());
+    let half = sampling.look_at(&found).min(farthest);
     sampling.cells = arguments.cells;
     sampling.step = 2.0 * half / arguments.cells as f64;
     Some(sampling)

@@ -8,6 +8,8 @@ mod picture;
 
 use crate::arguments::{self, read};
 use crate::bar::Bar;
+use crate::plot::canvas;
+use crate::view::Skeleton;
 use crate::{Done, Exit};
 use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Ik, compile};
@@ -31,19 +33,35 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         Ok(robot) => robot,
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
-    let (name, sampling) = match &robot {
-        Compiled::Arm(arm) => (&arm.model.name, arm::sampling(arm, arguments)),
-        Compiled::Mechanism(compiled) => (
-            &compiled.mechanism.name,
-            mechanism::sampling(compiled, arguments),
-        ),
+    let sampling = match &robot {
+        Compiled::Arm(arm) => arm::sampling(arm, arguments),
+        Compiled::Mechanism(compiled) => mechanism::sampling(compiled, arguments),
     };
     match sampling {
-        Some(sampling) => draw(arguments, name, &sampling),
+        Some(sampling) => draw(arguments, &drawn(&robot), &sampling),
         None => Done::failing(
             Exit::Usage,
             format!("{}: {}", one_line(&arguments.file), placeless(&robot)),
         ),
+    }
+}
+
+/// What of a robot is drawn.
+fn drawn(robot: &Compiled) -> picture::Robot {
+    let (name, models) = match robot {
+        Compiled::Arm(arm) => (&arm.model.name, vec![&arm.model]),
+        Compiled::Mechanism(compiled) => {
+            let legs = compiled.mechanism.legs.iter();
+            let models = legs.map(|leg| &leg.model).collect();
+            (&compiled.mechanism.name, models)
+        }
+    };
+    let chains = models
+        .iter()
+        .map(|model| Skeleton::new(model).at_home(model));
+    picture::Robot {
+        name: name.clone(),
+        chains: chains.collect(),
     }
 }
 
@@ -60,11 +78,11 @@ fn placeless(robot: &Compiled) -> String {
     }
 }
 
-fn draw(arguments: &arguments::Workspace, name: &str, sampling: &Sampling) -> Done {
+fn draw(arguments: &arguments::Workspace, robot: &picture::Robot, sampling: &Sampling) -> Done {
     let bar = Bar::new(&arguments.file, sampling.points(), "points");
     let map = sampling.map(&|points| bar.advance(points));
     drop(bar);
-    match write(arguments, name, sampling, &map) {
+    match write(arguments, robot, sampling, &map) {
         Ok(files) => Done::printing(report(sampling, &map, &files)),
         Err((path, error)) => Done::failing(
             Exit::Broken,
@@ -91,15 +109,15 @@ fn shown(path: &Path) -> String {
 /// Writes all files and tells which.
 fn write(
     arguments: &arguments::Workspace,
-    robot: &str,
+    robot: &picture::Robot,
     sampling: &Sampling,
     map: &Map,
 ) -> Result<Vec<PathBuf>, (PathBuf, io::Error)> {
-    let (folder, robot) = (&arguments.out, in_file_name(robot));
+    let (folder, stem) = (&arguments.out, in_file_name(&robot.name));
     fs::create_dir_all(folder).map_err(|error| (folder.clone(), error))?;
     let mut files = Vec::new();
     let mut file = |name: &str, content: io::Result<Vec<u8>>| {
-        let path = folder.join(format!("{robot}_{name}"));
+        let path = folder.join(format!("{stem}_{name}"));
         let written = content.and_then(|content| fs::write(&path, content));
         match written {
             Ok(()) => files.push(path),
@@ -108,10 +126,22 @@ fn write(
         Ok(())
     };
     let shape = [3, map.cells, map.cells];
-    for (i, slice) in sampling.slices.iter().enumerate() {
-        file(&format!("{}.png", slice.name), picture::slice(map, i))?;
+    let shown = picture::Robot {
+        name: one_line(&robot.name),
+        chains: robot.chains.clone(),
+    };
+    let names = sampling.slices.iter().map(|slice| slice.name);
+    let parts = names.enumerate().map(|(i, name)| (name, Some(i)));
+    for (name, only) in parts.chain([("workspace", None)]) {
+        let maps = picture::Maps {
+            sampling,
+            map,
+            robot: &shown,
+            only,
+        };
+        file(&format!("{name}.svg"), canvas::svg(&maps))?;
+        file(&format!("{name}.png"), canvas::png(&maps))?;
     }
-    file("workspace.png", picture::all(map))?;
     file("reachability.npy", Ok(npy::encode(&shape, &map.share)))?;
     let [measure, _] = sampling.robot.measure();
     file(

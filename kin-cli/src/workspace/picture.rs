@@ -1,114 +1,266 @@
 //! Maps as pictures.
 
-use super::map::Map;
-use std::io;
+use super::map::{Map, Sampling, Slice};
+use crate::plot::canvas::{Area, Drawn, FAINT, INK, LINK, Picture, TYPEFACE, label, viridis};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::ops::Range;
 
-/// Pixels along a side of a cell.
-const SCALE: usize = 4;
-/// Pixels between slices.
-const GAP: usize = 12;
-/// The colour of what is out of reach, by its place in the palette.
-const OUTSIDE: u8 = 0;
-/// Colours from the least to the greatest value: anchors of Viridis (S. van der
-/// Walt, N. Smith, 2015), which is read alike in grey and by all eyes.
-const ANCHORS: [[u8; 3]; 5] = [
-    [68, 1, 84],
-    [59, 82, 139],
-    [33, 145, 140],
-    [94, 201, 98],
-    [253, 231, 37],
-];
+/// Pixels: of a panel with its axes, of a colour bar with its numbers, of a title.
+const PANEL: (u32, u32) = (400, 376);
+const BAR: u32 = 96;
+const TITLE: u32 = 34;
+/// Colours told apart; neighbours of one colour are drawn as one.
+const SHADES: f64 = 32.0;
 
-/// One slice: the share of orientations reached.
-pub fn slice(map: &Map, slice: usize) -> io::Result<Vec<u8>> {
-    let side = map.cells * SCALE;
-    let mut canvas = Canvas::new(side, side);
-    canvas.draw(map, map.slice(&map.share, slice), 1.0, [0, 0]);
-    canvas.encode()
+/// What is drawn on a map beside its values: points of the robot at home, base coordinates.
+pub struct Robot {
+    /// Its name, as it may be shown.
+    pub name: String,
+    /// Lines from the base to the tip.
+    pub chains: Vec<Vec<[f64; 3]>>,
 }
 
-/// All slices, side by side: above the share of orientations, below the
-/// measure of how well it moves, relative to its greatest value.
-pub fn all(map: &Map) -> io::Result<Vec<u8>> {
-    let side = map.cells * SCALE;
-    let mut canvas = Canvas::new(3 * side + 2 * GAP, 2 * side + GAP);
-    let greatest = map
-        .measure
-        .iter()
-        .copied()
-        .fold(f64::MIN_POSITIVE, f64::max);
-    for i in 0..3 {
-        let left = i * (side + GAP);
-        canvas.draw(map, map.slice(&map.share, i), 1.0, [left, 0]);
-        let measure = map.slice(&map.measure, i);
-        let shown: Vec<f64> = (measure.iter().zip(map.slice(&map.share, i)))
-            .map(|(value, share)| {
-                if *share > 0.0 {
-                    value.max(1e-3 * greatest)
-                } else {
-                    0.0
-                }
-            })
-            .collect();
-        canvas.draw(map, &shown, greatest, [left, side + GAP]);
+/// Values of a map.
+#[derive(Clone, Copy)]
+enum Layer {
+    Share,
+    Measure,
+}
+
+/// One slice: the share of orientations reached; or all of them side by side, below them the
+/// measure of how well the robot moves.
+pub struct Maps<'a> {
+    pub sampling: &'a Sampling<'a>,
+    pub map: &'a Map,
+    pub robot: &'a Robot,
+    /// Of one slice, or of all.
+    pub only: Option<usize>,
+}
+
+impl Picture for Maps<'_> {
+    fn size(&self) -> (u32, u32) {
+        let (columns, rows) = if self.only.is_some() { (1, 1) } else { (3, 2) };
+        (columns * PANEL.0 + BAR, rows * (PANEL.1 + TITLE))
     }
-    canvas.encode()
+
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        let rows = match self.only {
+            Some(_) => vec![Layer::Share],
+            None => vec![Layer::Share, Layer::Measure],
+        };
+        let slices = match self.only {
+            Some(slice) => vec![slice],
+            None => vec![0, 1, 2],
+        };
+        let strips = area.split_evenly((rows.len(), 1));
+        for (strip, layer) in strips.iter().zip(rows) {
+            let (head, rest) = strip.split_vertically(TITLE);
+            let style = (TYPEFACE, 17).into_font().color(&INK);
+            let style = style.pos(Pos::new(HPos::Left, VPos::Center));
+            head.draw_text(&self.title(layer), &style, (18, TITLE as i32 / 2 + 3))?;
+            let (panels, bar) = rest.split_horizontally(PANEL.0 * slices.len() as u32);
+            let panels = panels.split_evenly((1, slices.len()));
+            for (panel, &slice) in panels.iter().zip(&slices) {
+                self.panel(panel, slice, layer)?;
+            }
+            self.bar(&bar, layer)?;
+        }
+        Ok(())
+    }
 }
 
-struct Canvas {
-    width: usize,
-    height: usize,
-    pixels: Vec<u8>,
-}
-
-impl Canvas {
-    fn new(width: usize, height: usize) -> Self {
-        Self {
-            width,
-            height,
-            pixels: vec![OUTSIDE; width * height],
+impl Maps<'_> {
+    fn title(&self, layer: Layer) -> String {
+        let limits = match self.sampling.limited {
+            true => "within limits",
+            false => "regardless of limits",
+        };
+        let [_, measure] = self.sampling.robot.measure();
+        match layer {
+            Layer::Share => format!(
+                "{}: {}, {limits}",
+                self.robot.name,
+                match self.sampling.orientations.len() {
+                    1 => "reached in one orientation".to_owned(),
+                    count => format!("share of {count} orientations reached"),
+                }
+            ),
+            Layer::Measure => format!("{}: {measure}, mean", self.robot.name),
         }
     }
 
-    /// Draws values from 0, which is out of reach, to `greatest`. The first row
-    /// is the lowest.
-    fn draw(&mut self, map: &Map, values: &[f64], greatest: f64, [left, top]: [usize; 2]) {
-        for y in 0..map.cells * SCALE {
-            let row = map.cells - 1 - y / SCALE;
-            for x in 0..map.cells * SCALE {
-                let value = values[row * map.cells + x / SCALE] / greatest;
-                self.pixels[(top + y) * self.width + left + x] = match value > 0.0 {
-                    true => 1 + (value * 254.0).round() as u8,
-                    false => OUTSIDE,
-                };
+    /// The values of a slice between 0 and 1, NaN out of reach.
+    fn values(&self, slice: usize, layer: Layer) -> Vec<f64> {
+        let share = self.map.slice(&self.map.share, slice);
+        let shown = match layer {
+            Layer::Share => share,
+            Layer::Measure => self.map.slice(&self.map.measure, slice),
+        };
+        let greatest = self.greatest(layer);
+        let value = |(value, share): (&f64, &f64)| match *share > 0.0 {
+            true => value / greatest,
+            false => f64::NAN,
+        };
+        shown.iter().zip(share).map(value).collect()
+    }
+
+    fn greatest(&self, layer: Layer) -> f64 {
+        match layer {
+            Layer::Share => 1.0,
+            Layer::Measure => (self.map.measure.iter().copied()).fold(f64::MIN_POSITIVE, f64::max),
+        }
+    }
+
+    /// What of the slices is shown, in metres from their centres: as much of all, so that they
+    /// have one scale.
+    fn window(&self, slice: &Slice) -> [Range<f64>; 2] {
+        let half = 0.5 * self.sampling.step * self.map.cells as f64;
+        [slice.across, slice.up].map(|axis| slice.centre[axis] - half..slice.centre[axis] + half)
+    }
+
+    fn panel<B: DrawingBackend>(&self, area: &Area<B>, number: usize, layer: Layer) -> Drawn<B> {
+        let slice = &self.sampling.slices[number];
+        let [across, up] = self.window(slice);
+        let step = self.sampling.step;
+        let mut chart = ChartBuilder::on(area)
+            .margin_right(12)
+            .margin_top(2)
+            .margin_bottom(4)
+            .x_label_area_size(44)
+            .y_label_area_size(62)
+            .build_cartesian_2d(across.clone(), up.clone())?;
+        let names = ["x", "y", "z"];
+        let axis = |axis: usize| format!("{} in m", names[axis]);
+        let [x_axis, y_axis] = [axis(slice.across), axis(slice.up)];
+        let digits = usize::from(step * self.map.cells as f64 <= 6.0)
+            + usize::from(step * self.map.cells as f64 <= 0.6);
+        let number_of = |x: &f64| label(*x, digits);
+        chart
+            .configure_mesh()
+            .x_labels(7)
+            .y_labels(7)
+            .x_desc(x_axis)
+            .y_desc(y_axis)
+            .light_line_style(WHITE)
+            .bold_line_style(FAINT)
+            .axis_style(INK)
+            .label_style((TYPEFACE, 13).into_font().color(&INK))
+            .axis_desc_style((TYPEFACE, 14).into_font().color(&INK))
+            .x_label_formatter(&number_of)
+            .y_label_formatter(&number_of)
+            .draw()?;
+        let values = self.values(number, layer);
+        let corner = [across.start, up.start];
+        let cells = self.map.cells;
+        for row in 0..cells {
+            let low = corner[1] + row as f64 * step;
+            for (columns, shade) in runs(&values[row * cells..(row + 1) * cells]) {
+                let ends = [columns.start, columns.end].map(|i| corner[0] + i as f64 * step);
+                let cell = [(ends[0], low), (ends[1], low + step)];
+                let colour = viridis(shade / SHADES).filled();
+                chart.draw_series([Rectangle::new(cell, colour)])?;
             }
         }
+        let seen = |point: &[f64; 3]| (point[slice.across], point[slice.up]);
+        for (colour, width) in [(WHITE, 6), (LINK, 3)] {
+            let style = colour.stroke_width(width);
+            // One by one: a corner of a thick line at a link seen from its end would be a spike.
+            for ends in self.robot.chains.iter().flat_map(|chain| chain.windows(2)) {
+                let [from, to] = [seen(&ends[0]), seen(&ends[1])];
+                if (from.0 - to.0).hypot(from.1 - to.1) > 0.1 * step {
+                    chart.draw_series([PathElement::new([from, to], style)])?;
+                }
+            }
+        }
+        for chain in &self.robot.chains {
+            let joints = chain
+                .iter()
+                .map(|point| Circle::new(seen(point), 3, LINK.filled()));
+            chart.draw_series(joints)?;
+        }
+        let base = [(8, WHITE), (5, LINK)].map(|(size, colour)| {
+            TriangleMarker::new(
+                (seen(&[0.0; 3]).0, seen(&[0.0; 3]).1),
+                size,
+                colour.filled(),
+            )
+        });
+        chart.draw_series(base)?;
+        Ok(())
     }
 
-    fn encode(&self) -> io::Result<Vec<u8>> {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
-        encoder.set_color(png::ColorType::Indexed);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
-        encoder.set_palette(palette());
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(&self.pixels)?;
-        writer.finish()?;
-        Ok(bytes)
+    /// The colours and their numbers.
+    fn bar<B: DrawingBackend>(&self, area: &Area<B>, layer: Layer) -> Drawn<B> {
+        let (_, height) = area.dim_in_pixel();
+        let (top, bottom) = (6, height as i32 - 50);
+        let greatest = self.greatest(layer);
+        let steps = 128;
+        let place = |share: f64| bottom - (share * f64::from(bottom - top)).round() as i32;
+        for k in 0..steps {
+            let [low, high] = [k, k + 1].map(|k| f64::from(k) / f64::from(steps));
+            let colour = viridis(low).filled();
+            area.draw(&Rectangle::new(
+                [(4, place(high)), (20, place(low))],
+                colour,
+            ))?;
+        }
+        area.draw(&Rectangle::new([(4, top), (20, bottom)], INK))?;
+        let style = (TYPEFACE, 13).into_font().color(&INK);
+        let style = style.pos(Pos::new(HPos::Left, VPos::Center));
+        for k in 0..=4 {
+            let share = f64::from(k) / 4.0;
+            let text = match layer {
+                Layer::Share => format!("{:.0} %", 100.0 * share),
+                Layer::Measure => number(share * greatest),
+            };
+            area.draw_text(&text, &style, (26, place(share)))?;
+        }
+        Ok(())
     }
 }
 
-fn palette() -> Vec<u8> {
-    let mut colours = vec![255, 255, 255];
-    for i in 0..255 {
-        let place = f64::from(i) / 254.0 * (ANCHORS.len() - 1) as f64;
-        let from = (place as usize).min(ANCHORS.len() - 2);
-        let share = place - from as f64;
-        for channel in 0..3 {
-            let [a, b] = [ANCHORS[from], ANCHORS[from + 1]].map(|c| f64::from(c[channel]));
-            colours.push((a + share * (b - a)).round() as u8);
+/// With three digits that say something.
+fn number(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".into(),
+        ..1e-3 | 1e4.. => format!("{x:.2e}"),
+        size => format!("{x:.*}", (2 - size.log10().floor() as i32).max(0) as usize),
+    }
+}
+
+/// Neighbours of one shade, and the shade; nothing where nothing is in reach.
+fn runs(values: &[f64]) -> Vec<(Range<usize>, f64)> {
+    let shade = |value: &f64| (value * SHADES).round();
+    let mut runs: Vec<(Range<usize>, f64)> = Vec::new();
+    for (column, value) in values
+        .iter()
+        .enumerate()
+        .filter(|(_, value)| !value.is_nan())
+    {
+        match runs.last_mut() {
+            Some((columns, last)) if columns.end == column && *last == shade(value) => {
+                columns.end += 1;
+            }
+            _ => runs.push((column..column + 1, shade(value))),
         }
     }
-    colours
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_of_one_shade_are_one() {
+        let found = runs(&[f64::NAN, 0.5, 0.5, 1.0, f64::NAN, 1.0]);
+        assert_eq!(found, [(1..3, 16.0), (3..4, 32.0), (5..6, 32.0)]);
+    }
+
+    #[test]
+    fn numbers_have_three_digits() {
+        let shown = [0.0, 0.05, 0.1234, 1.0, 56.78, 1e-5].map(number);
+        assert_eq!(shown, ["0", "0.0500", "0.123", "1.00", "56.8", "1.00e-5"]);
+    }
 }
