@@ -2,7 +2,7 @@
 //! take the same options and give the same code, header included.
 
 use kin_codegen::build::{Config, generate_all};
-use kin_codegen::{Ik, Options, Source, Target, generate};
+use kin_codegen::{Ik, Options, Scalar, Source, Target, generate};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +27,7 @@ mod macros {
         debug = true,
         name = Elbow,
         target = position,
+        scalar = f32,
     );
 }
 
@@ -118,18 +119,25 @@ fn forward_alone_of_part_of_the_arm() {
 }
 
 #[test]
-fn targets_of_position() {
+fn targets_of_position_in_single_precision() {
     let options = Options {
         name: Some("Elbow".into()),
         target: Some(Target::Position),
+        scalar: Scalar::F32,
         ..Options::default()
     };
     let code = library(PLANAR, &options);
     assert_eq!(macro_file("Elbow"), code);
-    let config = Config::new(PLANAR).name("Elbow").target(Target::Position);
+    let config = Config::new(PLANAR)
+        .name("Elbow")
+        .target(Target::Position)
+        .scalar(Scalar::F32);
     assert_eq!(build_script(config, "elbow.rs"), code);
-    let options = ["--name", "Elbow", "--target", "position"];
+    let options = "--name Elbow --target position --scalar f32"
+        .split(' ')
+        .collect::<Vec<_>>();
     assert_eq!(command_line(PLANAR, &options), code);
+    assert!(code.contains("target = position, scalar = f32"), "{code}");
     assert_eq!(macros::Elbow::BRANCHES, 2);
 }
 

@@ -5,6 +5,7 @@ use crate::compiled::Compiled;
 use crate::emit::{header, js};
 use crate::error::Error;
 use crate::options::{Options, stem};
+use crate::scalar::Scalar;
 use crate::spec::{Diagnostic, Diagnostics, Source};
 
 /// The generated robot as JavaScript.
@@ -46,6 +47,9 @@ pub fn generate_js(source: &Source, options: &Options) -> Result<GeneratedJs, Er
     };
     if options.krate.is_some() {
         return refused("crate");
+    }
+    if options.scalar != Scalar::default() {
+        return refused("scalar");
     }
     if options.name.is_some() {
         return refused("name");

@@ -1,6 +1,6 @@
 //! What single precision lacks is said with a place, a reason and a remedy.
 
-use kin_codegen::{Options, Scalar, Source, compile, generate_c};
+use kin_codegen::{Options, Scalar, Source, compile, generate_c, generate_js};
 use std::path::Path;
 
 fn read(file: &str) -> (Source, Options) {
@@ -49,7 +49,7 @@ fn arms_that_are_solved_otherwise() {
 }
 
 #[test]
-fn mechanisms_and_c() {
+fn mechanisms_and_other_languages() {
     let said = said("../robots/delta.yaml");
     assert!(
         said.contains("a parallel mechanism is computed in f64 alone"),
@@ -63,4 +63,9 @@ fn mechanisms_and_c() {
         "{said}"
     );
     assert!(said.contains("leave out the option `scalar`"), "{said}");
+    let said = generate_js(&source, &options).unwrap_err().to_string();
+    assert!(
+        said.contains("`scalar` has no meaning in JavaScript"),
+        "{said}"
+    );
 }

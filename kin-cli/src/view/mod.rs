@@ -8,7 +8,9 @@ use crate::arguments::{self, read};
 use crate::{Done, Exit};
 use kin_codegen::geometry::size;
 use kin_codegen::spec::one_line;
-use kin_codegen::{Compiled, Diagnostics, Error, GeneratedJs, Ik, Options, Source, compile};
+use kin_codegen::{
+    Compiled, Diagnostics, Error, GeneratedJs, Ik, Options, Scalar, Source, compile,
+};
 use serde_json::json;
 use std::fs;
 
@@ -28,7 +30,11 @@ const SCRIPTS: [&str; 9] = [
 ];
 
 pub(crate) fn run(arguments: &arguments::View) -> Done {
-    let options = arguments.options.options();
+    // A page computes in the numbers that JavaScript has.
+    let options = Options {
+        scalar: Scalar::F64,
+        ..arguments.options.options()
+    };
     let source = match read(&arguments.file) {
         Ok(source) => source,
         Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),

@@ -97,6 +97,8 @@ where
 #[inline(always)]
 pub fn sin_cos<const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
     match N {
+        // No vectors: Rust uses none of 32-bit Arm, whose subnormal numbers are zeros.
+        _ if cfg!(target_arch = "arm") => each_sin_cos(angles),
         3 => filled_up::<N, 4>(angles),
         5..=7 => filled_up::<N, 8>(angles),
         9..=15 => filled_up::<N, 16>(angles),

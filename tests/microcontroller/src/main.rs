@@ -35,6 +35,8 @@ fn nearest(target: &Pose, seed: &[f32; 6]) -> Option<Solution<6>> {
 }
 
 /// Whether a pose is reached again.
+#[inline(never)]
+#[unsafe(no_mangle)]
 fn comes_back() -> bool {
     let q = black_box([0.3, -1.2, 1.5, -0.7, 1.1, 0.4]);
     let target = pose(&q);
