@@ -80,6 +80,8 @@ fn poses_are_rounded_and_come_back() {
     assert!(rounded.rotation_error() < 1e-6);
     let back = Pose::from(rounded);
     assert_eq!(single::Pose::from(back), rounded);
+    let isometry: nalgebra::Isometry3<f32> = rounded.into();
+    assert!(single::Pose::from(isometry).rotation_distance(&rounded) < 1e-6);
     assert!(back.rotation_distance(&exact) < 1e-7);
     assert!(back.translation_distance(&exact) < 0.05);
 }

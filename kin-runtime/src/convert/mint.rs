@@ -2,33 +2,34 @@
 
 use mint::{ColumnMatrix4, RowMatrix4};
 
-use crate::Pose;
+use super::super::Pose;
+use super::super::scalar::Real;
 
-impl From<Pose> for RowMatrix4<f64> {
+impl From<Pose> for RowMatrix4<Real> {
     fn from(pose: Pose) -> Self {
         pose.to_matrix().into()
     }
 }
 
-impl From<RowMatrix4<f64>> for Pose {
+impl From<RowMatrix4<Real>> for Pose {
     /// Takes the upper three rows as they are.
-    fn from(matrix: RowMatrix4<f64>) -> Self {
+    fn from(matrix: RowMatrix4<Real>) -> Self {
         Pose::from_matrix(&matrix.into())
     }
 }
 
-impl From<Pose> for ColumnMatrix4<f64> {
+impl From<Pose> for ColumnMatrix4<Real> {
     fn from(pose: Pose) -> Self {
         let rows = pose.to_matrix();
         let column = |j: usize| core::array::from_fn(|i| rows[i][j]);
-        core::array::from_fn::<[f64; 4], 4, _>(column).into()
+        core::array::from_fn::<[Real; 4], 4, _>(column).into()
     }
 }
 
-impl From<ColumnMatrix4<f64>> for Pose {
+impl From<ColumnMatrix4<Real>> for Pose {
     /// Takes the upper three rows as they are.
-    fn from(matrix: ColumnMatrix4<f64>) -> Self {
-        let columns: [[f64; 4]; 4] = matrix.into();
+    fn from(matrix: ColumnMatrix4<Real>) -> Self {
+        let columns: [[Real; 4]; 4] = matrix.into();
         let row = |i: usize| core::array::from_fn(|j| columns[j][i]);
         Pose::from_matrix(&core::array::from_fn(row))
     }

@@ -1,4 +1,11 @@
-//! Poses from one precision to the other.
+//! Poses from one precision to the other, and to and from other crates.
+
+#[cfg(feature = "mint")]
+#[path = "../convert/mint.rs"]
+mod mint;
+#[cfg(feature = "nalgebra")]
+#[path = "../convert/nalgebra.rs"]
+mod nalgebra;
 
 #[cfg(feature = "serde")]
 #[path = "../convert/serde.rs"]

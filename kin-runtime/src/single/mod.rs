@@ -8,11 +8,12 @@
 //! | | `f64` | `f32` |
 //! |---|---|---|
 //! | a solution misses its target by at most, relative to the arm's size | 1e-9 | 2e-5 |
-//! | a target's rotation may be off one by | 1e-9 | 1e-5 |
+//! | a target's rotation may be off one by | 1e-9 | 2e-5 |
 //! | a value this far beyond a stop rests on it, radians or metres | 1e-9 | 1e-5 |
 //! | two roots nearer than this are one, flagged as singular, radians | 3e-7 | 1.4e-3 |
 //!
-//! Nothing here computes in `f64`. `From` converts poses from one precision to the other.
+//! Nothing here computes in `f64`. `From` converts poses from one precision to the other, and to
+//! and from nalgebra and mint (features of these names).
 //!
 //! ```
 //! use kin_runtime::{Pose, single};

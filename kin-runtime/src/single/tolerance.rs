@@ -14,7 +14,7 @@ pub const STOP: Real = 1e-5;
 /// Configurations whose joints are all as near are one, radians or metres.
 pub const SAME: Real = 2e-3;
 /// A target's rotation is none if it is off one by more.
-pub const ROTATION: Real = 1e-5;
+pub const ROTATION: Real = 2e-5;
 /// What is smaller than this, relative to the largest, adds no rank.
 pub const RANK: Real = 1e-5;
 
