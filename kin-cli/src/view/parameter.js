@@ -2,7 +2,7 @@
 // exists.
 
 /** Values looked at between the ends. */
-const SAMPLES = 240;
+const SAMPLES = 180;
 
 class Parameter {
     /** `solve` has the solutions of the target at a value. */
@@ -38,7 +38,7 @@ class Parameter {
         const at = (k) => this.lower + ((this.upper - this.lower) * k) / SAMPLES;
         const end = (k) => {
             let [inside, outside] = is(samples[k]) ? [at(k), at(k + 1)] : [at(k + 1), at(k)];
-            for (let step = 0; step < 24; ++step) {
+            for (let step = 0; step < 14; ++step) {
                 const middle = (inside + outside) / 2;
                 [inside, outside] = is(this.states(middle)) ? [middle, outside] : [inside, middle];
             }
