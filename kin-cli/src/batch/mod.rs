@@ -11,7 +11,7 @@
 //! let folder = std::env::temp_dir().join("kin-batch-example");
 //! std::fs::create_dir_all(&folder)?;
 //! let (input, output) = (folder.join("joints.csv"), folder.join("poses.csv"));
-//! std::fs::write(&input, "theta1,theta2,theta3,theta4\n0.4,0.9,-0.2,0.1\n")?;
+//! std::fs::write(&input, "shoulder,elbow,wrist,lift\n0.4,0.9,-0.2,0.1\n")?;
 //!
 //! let robot = kinematics::Robot::from_yaml("../robots/scara.yaml")?;
 //! let task = Forward::new(&robot, Written::Quaternion);
