@@ -192,3 +192,60 @@ home: {xyz: [0.8, 0, 0.5]}
         );
     }
 }
+
+/// As other programs write Parquet: compressed, of other kinds of numbers, with values missing.
+#[test]
+fn values_that_parquet_leaves_out_are_missing() {
+    use parquet::basic::{Compression, ZstdLevel};
+    use parquet::data_type::{ByteArrayType, FloatType, Int32Type};
+    use parquet::file::properties::WriterProperties;
+    use parquet::file::writer::SerializedFileWriter;
+    let folder = folder("nulls");
+    let path = folder.join("numbers.parquet");
+    let schema = "message numbers { optional float a; optional int32 b; optional binary c; }";
+    let schema = parquet::schema::parser::parse_message_type(schema).unwrap();
+    for compression in [
+        Compression::UNCOMPRESSED,
+        Compression::SNAPPY,
+        Compression::LZ4_RAW,
+        Compression::GZIP(Default::default()),
+        Compression::ZSTD(ZstdLevel::default()),
+    ] {
+        let properties = WriterProperties::builder().set_compression(compression);
+        let file = fs::File::create(&path).unwrap();
+        let (schema, properties) = (schema.clone().into(), properties.build().into());
+        let mut file = SerializedFileWriter::new(file, schema, properties).unwrap();
+        let mut group = file.next_row_group().unwrap();
+        let levels = [1, 0, 1, 1, 0];
+        let mut column = group.next_column().unwrap().unwrap();
+        let floats = [0.5, -1.0, 2.0];
+        column
+            .typed::<FloatType>()
+            .write_batch(&floats, Some(&levels), None)
+            .unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        let integers = [7, 8, 9, 10, 11];
+        column
+            .typed::<Int32Type>()
+            .write_batch(&integers, Some(&[1; 5]), None)
+            .unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        column
+            .typed::<ByteArrayType>()
+            .write_batch(&[], Some(&[0; 5]), None)
+            .unwrap();
+        column.close().unwrap();
+        group.close().unwrap();
+        file.close().unwrap();
+
+        let columns = read(&path, &[0, 1]).unwrap();
+        let expected = [0.5, f64::NAN, -1.0, 2.0, f64::NAN];
+        let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&columns[0]), bits(&expected));
+        assert_eq!(columns[1], [7.0, 8.0, 9.0, 10.0, 11.0]);
+        let text = read(&path, &[2]).unwrap_err();
+        assert_eq!(text.reason, "has no numbers");
+    }
+}
