@@ -66,6 +66,11 @@ fn a_calibrated_arm() {
 }
 
 #[test]
+fn an_arm_without_a_closed_form() {
+    check("robots/xarm6.yaml", "xarm6.rs");
+}
+
+#[test]
 fn seven_joints_of_which_one_is_given() {
     check("robots/panda.yaml", "panda.rs");
 }

@@ -14,7 +14,7 @@ use kin_codegen::spec::ArmSpec;
 use kin_codegen::univariate::{Arm, choose, eliminate};
 use kin_codegen::{Options, Source, compile};
 use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
-use kin_runtime::{Pose, SearchOptions, Solutions, Target};
+use kin_runtime::{Pose, SearchOptions, Solution, Solutions, Target};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GENERAL: [Neighbour; 5] = [Neighbour::General; 5];
@@ -372,6 +372,42 @@ home: {xyz: [0.93, -0.185, 1.32]}
             .iter()
             .any(|solution| apart(&arm.frames, &solution.q, &q) < 1e-6);
         assert!(known && found.len() == 12, "{q:?}: {found:?}");
+    }
+}
+
+/// At home one step of this elimination is zero for all angles, and what is left of it by
+/// rounding the same for all: a smooth polynomial with wrong roots.
+#[test]
+fn a_smooth_polynomial_may_be_rounding() {
+    let source = Source {
+        path: "arm.yaml".into(),
+        text: "\
+robot: wrist_on_a_slide
+units: {angle: rad, length: m}
+screws:
+  - {name: a, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: b, axis: [0.3, 0.5, 0.81], point: [0.2, 0.3, 0.1]}
+  - {name: c, axis: [0.8, 0.1, 0.59], point: [0.1, 0.4, 0.4]}
+  - {name: d, type: prismatic, axis: [0.1, -0.3, 0.95]}
+  - {name: e, axis: [0.4, 0.8, -0.45], point: [0.1, 0.4, 0.4]}
+  - {name: f, type: prismatic, axis: [0.4, 0.8, -0.45]}
+home: {xyz: [0.9, 0.2, 0.3]}
+"
+        .into(),
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let arm = Arm::new(&Linkage::new(&model)).unwrap();
+    let chain = model.chain();
+    let mut random = Random(22);
+    for k in 0..100 {
+        let off = match k {
+            0 => 0.0,
+            _ => 10_f64.powf(random.between(-14.0, -4.0)),
+        };
+        let q: [f64; 6] = std::array::from_fn(|_| off * random.between(-1.0, 1.0));
+        let found: Solutions<6> = arm.solutions(&chain.fk(&q));
+        let known = |found: &&Solution<6>| arm.frames.within(1e-5, &found.q, &q);
+        assert!(found.iter().any(|found| known(&found)), "{q:?}: {found:?}");
     }
 }
 

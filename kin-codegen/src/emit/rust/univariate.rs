@@ -93,6 +93,7 @@ fn elimination(elimination: &Elimination) -> TokenStream {
         joints,
         backwards,
         degree,
+        size,
         functionals,
         half,
         pair,
@@ -105,6 +106,7 @@ fn elimination(elimination: &Elimination) -> TokenStream {
         quote!([#(#all),*])
     };
     let [degree, half] = [degree, half].map(|&x| Literal::u8_unsuffixed(x));
+    let size = literal(*size);
     let (joints, columns) = (integers(joints), integers(columns));
     let powers = integers(powers);
     let rows = rows.iter().map(|row| integers(row));
@@ -115,6 +117,7 @@ fn elimination(elimination: &Elimination) -> TokenStream {
             joints: #joints,
             backwards: #backwards,
             degree: #degree,
+            size: #size,
             functionals: [#(#functionals),*],
             half: #half,
             pair: [#(#pair),*],
