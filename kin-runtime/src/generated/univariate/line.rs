@@ -65,8 +65,8 @@ pub fn moved<const L: usize>(pose: &Pose, lines: &Lines<L>) -> Lines<L> {
     out
 }
 
-/// What a joint that goes back makes of the lines: of a turn see [`turned_back`], of a slide
-/// [`slid_back`].
+/// What a joint that goes back makes of the lines: of a turn see `turned_back`, of a slide
+/// `slid_back`.
 #[inline(always)]
 pub fn gone_back<const A: usize, const B: usize>(slides: bool, lines: &Lines<A>) -> Lines<B> {
     match slides {
