@@ -54,7 +54,7 @@ fn a_sweep_tells_what_it_counted() {
 
 #[test]
 fn a_sweep_serves_programs() {
-    let files = ["robots/scara.yaml", "tests/ui/robots/general.yaml"];
+    let files = ["robots/scara.yaml", "tests/ui/robots/singular.yaml"];
     let swept = check(&[&["--json", "--targets", "50", "--seed", "7"], &files[..]].concat());
     assert_eq!(swept.status.code(), Some(3), "the second file is refused");
     let json: Value = serde_json::from_slice(&swept.stdout).unwrap();

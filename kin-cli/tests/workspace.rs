@@ -372,8 +372,8 @@ fn linkages_are_mapped_or_refused() {
 
 #[test]
 fn arms_without_closed_form_are_refused() {
-    let general = ["kin", "workspace", "../tests/ui/robots/general.yaml"];
-    assert_eq!(kin_cli::run(general).exit, Exit::Refused);
+    let singular = ["kin", "workspace", "../tests/ui/robots/singular.yaml"];
+    assert_eq!(kin_cli::run(singular).exit, Exit::Refused);
     let broken = ["kin", "workspace", "../tests/ui/robots/broken.urdf"];
     assert_eq!(kin_cli::run(broken).exit, Exit::Broken);
     let none = run("scara", Path::new("nowhere"), &["--cells", "0"]);
