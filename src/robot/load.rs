@@ -10,7 +10,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 /// An arm that is known when the program runs: from a URDF or a YAML file as
-/// [`kinematics!`](crate::kinematics) takes it, with the same options, refusals and methods, on
+/// [`kinematics!`](crate::kinematics!) takes it, with the same options, refusals and methods, on
 /// slices.
 ///
 /// Reading one compiles it, which takes as long as in a build: some tens of milliseconds for an

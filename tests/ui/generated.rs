@@ -6,10 +6,10 @@ use kin_codegen::{Options, Source, Target, generate};
 use std::fs;
 use std::path::Path;
 
-kinematics::kinematics!("../robots/ur5e.urdf");
-kinematics::kinematics!("../robots/kr6_r900.yaml");
+kinematics::kinematics!("../../robots/ur5e.urdf");
+kinematics::kinematics!("../../robots/kr6_r900.yaml");
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn code(robot: &str, options: &Options) -> String {
     let source = Source::read(robot, Path::new(ROOT)).unwrap();

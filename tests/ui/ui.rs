@@ -1,5 +1,5 @@
 //! Programs that must not compile, and what the compiler says about each.
-//! `TRYBUILD=overwrite cargo test --package kinematics-tests --test ui` writes
+//! `TRYBUILD=overwrite cargo test --package kinematics-ui --test ui` writes
 //! the messages anew, for review.
 
 use std::fs;
@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 
 #[test]
 fn ui() {
-    stage(Path::new("ui/robots"));
+    stage(Path::new("robots"));
     let programs = trybuild::TestCases::new();
     // One that compiles makes trybuild build instead of check: what a robot
     // without inverse kinematics says about `ik` is found only then.
-    programs.pass("ui/neighbours.rs");
-    programs.compile_fail("ui/arguments/*.rs");
-    programs.compile_fail("ui/*_*.rs");
+    programs.pass("neighbours.rs");
+    programs.compile_fail("arguments/*.rs");
+    programs.compile_fail("*_*.rs");
 }
 
 /// Puts robot files where the macro looks for them: trybuild compiles the
@@ -22,7 +22,7 @@ fn stage(robots: &Path) {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
         .parent()
         .expect("a folder in the target directory");
-    let folder: PathBuf = target.join("tests/trybuild/kinematics-tests/robots");
+    let folder: PathBuf = target.join("tests/trybuild/kinematics-ui/robots");
     fs::create_dir_all(&folder).unwrap();
     for robot in fs::read_dir(robots).unwrap() {
         let robot = robot.unwrap();
