@@ -123,23 +123,24 @@ fn split<const N: usize, const M: usize>(vanishing: &[Functional]) -> (Vec<Funct
 }
 
 /// The six again, the one last that sees the square of a slide on the other side: with a
-/// slide on this side too, the others do not.
+/// slide on this side too, the others do not. Where these slides are nearly dependent on other
+/// joints, rounding does not tell them apart, and none is last.
 fn split_by_square(vanishing: &[Functional]) -> (Vec<Functional>, usize) {
+    const BLIND: usize = FUNCTIONALS - 1;
     let seen = |i: usize| -> [f64; FUNCTIONALS] { array(|j| vanishing[j][i]) };
     let sees = Span::of(4, |i| seen(9 + i), SEEN);
-    let sees_none: Vec<Functional> = sees
-        .complement()
-        .map(|weights| without_square(combination(&weights, vanishing)))
+    let blind: Vec<[f64; FUNCTIONALS]> = sees.complement().take(BLIND).collect();
+    if blind.len() < BLIND {
+        return split::<6, 12>(vanishing);
+    }
+    let combined = |weights: &[f64; FUNCTIONALS]| combination(weights, vanishing);
+    let without: Vec<_> = blind
+        .iter()
+        .map(|it| without_square(combined(it)))
         .collect();
-    let (mut rows, half) = split::<5, 10>(&sees_none);
-    let mut taken: Vec<[f64; FUNCTIONALS]> = sees.complement().collect();
-    taken.truncate(5);
-    let square = Span::of(taken.len(), |j| taken[j], SEEN);
-    rows.extend(
-        square
-            .complement()
-            .map(|weights| combination(&weights, vanishing)),
-    );
+    let (mut rows, half) = split::<BLIND, { 2 * BLIND }>(&without);
+    let last = Span::of(BLIND, |j| blind[j], SEEN);
+    rows.extend(last.complement().map(|weights| combined(&weights)));
     (rows, half)
 }
 
