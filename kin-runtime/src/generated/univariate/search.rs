@@ -26,7 +26,7 @@ const ASKED: usize = 3;
 
 /// A polynomial that is smaller than others of the arm by so much may be made of rounding,
 /// however smooth: of a pivot that is zero for all angles the same may be left for all.
-const VANISHING: f64 = 1e-10;
+const VANISHING: f64 = 1e-12;
 
 /// Noise of which nothing stands out.
 const DROWNED: f64 = 1e-3;
