@@ -6,7 +6,6 @@
 //! RUSTFLAGS="-C target-cpu=native" cargo run --release --bin compare
 //! cargo run --release --bin batch         # a million at once
 //! cargo run --release --bin c             # the same robots as C
-//! cargo run --release --bin count         # instructions, in valgrind
 //! cargo run --release --bin generate      # what compiling a robot costs
 //! cargo run --release --bin tail          # the slowest calls
 //! ```
