@@ -81,13 +81,8 @@ fn tried(frames: &Frames, elimination: Elimination, targets: &[[f64; 6]]) -> Kep
     let unsure = told.iter().filter(|told| !told.certain).count();
     let mut noises: Vec<f64> = told.iter().map(|told| told.noise).collect();
     noises.sort_by(f64::total_cmp);
-    let mut sizes: Vec<f64> = told.iter().map(|told| told.size).collect();
-    sizes.sort_by(f64::total_cmp);
     Kept {
-        elimination: Elimination {
-            size: sizes[sizes.len() / 2],
-            ..elimination
-        },
+        elimination,
         lost,
         unsure: 100.0 * unsure as f64 / targets.len() as f64,
         noise: noises[noises.len() * 95 / 100],

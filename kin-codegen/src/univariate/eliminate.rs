@@ -51,7 +51,6 @@ pub fn eliminate(frames: &Frames, kept: usize) -> Vec<Elimination> {
         joints: joints.map(|joint| joint as u8),
         backwards,
         degree: 0,
-        size: 0.0,
         functionals: array(|i| functionals[i]),
         half: half.min(FUNCTIONALS) as u8,
         pair: pair(&span),

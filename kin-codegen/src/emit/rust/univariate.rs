@@ -93,7 +93,6 @@ fn elimination(elimination: &Elimination) -> TokenStream {
         joints,
         backwards,
         degree,
-        size,
         functionals,
         half,
         pair,
@@ -106,7 +105,6 @@ fn elimination(elimination: &Elimination) -> TokenStream {
         quote!([#(#all),*])
     };
     let [degree, half] = [degree, half].map(|&x| Literal::u8_unsuffixed(x));
-    let size = literal(*size);
     let (joints, columns) = (integers(joints), integers(columns));
     let powers = integers(powers);
     let rows = rows.iter().map(|row| integers(row));
@@ -117,7 +115,6 @@ fn elimination(elimination: &Elimination) -> TokenStream {
             joints: #joints,
             backwards: #backwards,
             degree: #degree,
-            size: #size,
             functionals: [#(#functionals),*],
             half: #half,
             pair: [#(#pair),*],

@@ -89,14 +89,14 @@ impl<L: Lanes> Factors<L> {
         if k < 2 * BLOCK { k % BLOCK } else { k - BLOCK }
     }
 
-    /// The product of the pivots.
+    /// Their product is the determinant.
     #[inline(always)]
-    pub fn determinants(&self) -> L {
-        let mut product = L::ONE;
+    pub fn pivots(&self) -> Vectors<L> {
+        let mut pivots = [L::ZERO; SIZE];
         for (k, row) in self.rows.iter().enumerate() {
-            product *= row[Self::column(k)];
+            pivots[k] = row[Self::column(k)];
         }
-        product
+        pivots
     }
 
     /// The vector that L U nearly takes to zero, of length 1: inverse iteration
@@ -190,14 +190,14 @@ impl<L: Lanes> Triangle<L> {
         Self { rows: m, inverses }
     }
 
-    /// The product of the diagonal.
+    /// The diagonal of R: their product is minus the determinant.
     #[inline(always)]
-    pub fn determinants(&self) -> L {
-        let mut product = L::ONE;
+    pub fn pivots(&self) -> Vectors<L> {
+        let mut pivots = [L::ZERO; SIZE];
         for (k, row) in self.rows.iter().enumerate() {
-            product *= row[k];
+            pivots[k] = row[k];
         }
-        product
+        pivots
     }
 
     /// An orthonormal basis of what Q R nearly takes to zero: the least right singular

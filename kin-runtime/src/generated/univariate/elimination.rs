@@ -26,8 +26,6 @@ pub struct Elimination {
     pub backwards: bool,
     /// The degree of the polynomial in the kept joint.
     pub degree: u8,
-    /// The largest harmonic of the polynomial of a target, in the middle of many.
-    pub size: f64,
     /// Six functionals in the frame of the kept joint, whose axis is z. The first
     /// ones are the real and imaginary parts, in turn, of those that do not see what
     /// turns with e^{−iθ}.

@@ -65,8 +65,6 @@ pub struct Univariate<'a> {
 pub struct Told {
     /// Real roots.
     pub roots: usize,
-    /// The polynomial's largest harmonic.
-    pub size: f64,
     /// Of the polynomial, relative to its largest coefficient.
     pub noise: f64,
     /// Whether all solutions are sure to be among those found.

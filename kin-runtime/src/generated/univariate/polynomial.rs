@@ -1,10 +1,10 @@
 //! The determinant as a polynomial in the joint that is kept.
 
 use super::determinant::{Factors, Triangle};
-use super::elimination::{Elimination, Equations};
+use super::elimination::{Elimination, Equations, SIZE};
 use super::harmonics::{HALF_ANGLES, Harmonics, MOST_SAMPLES, samples};
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
-use super::matrix::Places;
+use super::matrix::{Places, Vectors};
 
 /// Above this noise, relative to the largest harmonic, no pivot can be trusted that was
 /// not chosen for the target.
@@ -33,6 +33,7 @@ impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFL
         let mut factors = Factors::<L>::EMPTY;
         let mut values = [0.0; MOST_SAMPLES];
         let values = &mut values[..samples(degree)];
+        let mut largest: Vectors<L> = [L::ZERO; SIZE];
         let step = HALF_ANGLES.len() / values.len();
         for (chunk, values) in values.chunks_exact_mut(LANES).enumerate() {
             let (mut cosine, mut sine) = ([0.0; LANES], [0.0; LANES]);
@@ -40,15 +41,33 @@ impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFL
                 [cosine[k], sine[k]] = HALF_ANGLES[step * (LANES * chunk + k)];
             }
             let equations = equations.at(L::of(cosine), L::of(sine));
-            let determinants = match REFLECTED {
-                true => Triangle::new(places.matrices(&equations)).determinants(),
+            let pivots = match REFLECTED {
+                true => Triangle::new(places.matrices(&equations)).pivots(),
                 false => {
                     factors.factor(&places, &equations);
-                    factors.determinants()
+                    factors.pivots()
                 }
             };
+            let mut determinants = L::ONE;
+            for (largest, pivot) in largest.iter_mut().zip(pivots) {
+                determinants *= pivot;
+                *largest = largest.max(pivot.abs());
+            }
             values.copy_from_slice(&determinants.numbers());
         }
-        Harmonics::new(degree, values)
+        let mut f = Harmonics::new(degree, values);
+        // What rounding leaves of a pivot that is zero for all angles may be the same for
+        // all, so that the harmonics that have to vanish do.
+        for pivot in largest {
+            let largest = pivot.numbers().into_iter().fold(0.0, f64::max);
+            f.noise = larger(f.noise, f64::EPSILON / largest);
+        }
+        f
     }
+}
+
+/// The first where it is not a number.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a < b { b } else { a }
 }

@@ -24,10 +24,6 @@ const ORTHONORMAL: f64 = 1e-9;
 /// the next is.
 const ASKED: usize = 3;
 
-/// A polynomial that is smaller than others of the arm by so much may be made of rounding,
-/// however smooth: of a pivot that is zero for all angles the same may be left for all.
-const VANISHING: f64 = 1e-12;
-
 /// Noise of which nothing stands out.
 const DROWNED: f64 = 1e-3;
 
@@ -183,14 +179,10 @@ impl<'a> Search<'a> {
         let f = polynomial(elimination, &equations);
         let mut told = Told {
             roots: 0,
-            size: f.size,
             noise: f.noise,
             certain: false,
         };
-        if !f.noise.is_finite() {
-            return told;
-        }
-        if f.noise >= DROWNED {
+        if f.noise.is_nan() || f.noise >= DROWNED {
             self.ask_beside(elimination);
             return told;
         }
@@ -205,14 +197,12 @@ impl<'a> Search<'a> {
         self.found.again = 0;
         let unclear = self.one_each(&recovery, &roots);
         self.several_each(&recovery, &roots, &unclear);
-        let is_vanishing = f.size < VANISHING * elimination.size;
-        if roots.incomplete || is_vanishing {
+        if roots.incomplete {
             self.ask_beside(elimination);
         }
         self.meet();
         let mut unclear = unclear.all();
         told.certain = !roots.incomplete
-            && !is_vanishing
             && f.noise < NOISY
             && unclear.all(|candidate| self.resolves(elimination, &roots, candidate))
             && self.found.all_again();
