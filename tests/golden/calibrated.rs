@@ -805,7 +805,6 @@ mod __Calibrated {
                     joints: [3, 2, 1, 0, 5, 4],
                     backwards: true,
                     degree: 10,
-                    size: 0.04966967528351595,
                     functionals: [
                         [
                             -0.05015462355309416,

@@ -5,9 +5,9 @@
 //! the circle and parts along it: two solutions more.
 
 use super::Univariate;
-use super::elimination::{Equations, Loop};
 use super::harmonics::{DEGREE, Harmonics};
 use super::polynomial::polynomial;
+use super::recover::Recovery;
 use super::search::Search;
 use crate::{Pose, math};
 
@@ -38,9 +38,8 @@ impl Univariate<'_> {
     pub fn margins(&self, target: &Pose) -> Option<[f64; 16]> {
         let elimination = self.eliminations.first()?;
         let search = Search::new(self, target);
-        let round = Loop::new(elimination, &self.frames, search.target());
-        let equations = Equations::new(elimination, &round, &round.far_side());
-        let f = polynomial(elimination, &equations);
+        let recovery = Recovery::new(elimination, &self.frames, search.target());
+        let f = polynomial(elimination, &recovery.equations);
         f.noise.is_finite().then(|| margins(&f))
     }
 }

@@ -2,10 +2,12 @@
 
 use super::determinant::{Factors, Triangle};
 use super::elimination::{EQUATIONS, Elimination, Equations, Loop};
+use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
 use super::sharing::{SHARING, monomial_vectors};
+use crate::Pose;
 
 /// A null vector that misses zero by more than this was spoilt by a small pivot.
 const SPOILT: f64 = 1e-9;
@@ -22,12 +24,23 @@ pub(super) struct Starts {
 /// One elimination at one target.
 pub(super) struct Recovery<'a> {
     pub elimination: &'a Elimination,
-    pub round: &'a Loop,
-    pub far_side: &'a Lines<9>,
-    pub equations: &'a Equations,
+    pub equations: Equations,
+    round: Loop,
+    far_side: Lines<9>,
 }
 
-impl Recovery<'_> {
+impl<'a> Recovery<'a> {
+    pub fn new(elimination: &'a Elimination, frames: &Frames, target: &Pose) -> Self {
+        let round = Loop::new(elimination, frames, target);
+        let far_side = round.far_side();
+        Self {
+            elimination,
+            equations: Equations::new(elimination, &round, &far_side),
+            round,
+            far_side,
+        }
+    }
+
     /// The joints that go with values of the kept one.
     #[inline(never)]
     pub fn joints(&self, kept: &[f64; LANES]) -> Starts {
@@ -148,7 +161,7 @@ impl Recovery<'_> {
         let [sb, cb] = self.functions(4, before);
         let [sl, cl] = self.functions(5, last);
         let mut line = [L::ZERO; ENTRIES];
-        for (line, far) in line.iter_mut().zip(self.far_side) {
+        for (line, far) in line.iter_mut().zip(&self.far_side) {
             let mut parts = [L::ZERO; 3];
             for (part, far) in parts.iter_mut().zip(far.chunks_exact(3)) {
                 *part = L::splat(far[0])

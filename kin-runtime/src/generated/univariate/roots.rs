@@ -77,6 +77,11 @@ impl Roots {
         self.several >> i & 1 == 1
     }
 
+    /// Whether every candidate is one, or two.
+    pub fn are_told_apart(&self) -> bool {
+        self.several == 0 && !self.incomplete
+    }
+
     /// Whether another candidate is near one.
     pub fn has_neighbour(&self, i: usize) -> bool {
         let near = |j: usize| math::wrap(self.angles[j] - self.angles[i]).abs() < CLUSTER;

@@ -1,6 +1,6 @@
 //! The search for the solutions of one target.
 
-use super::elimination::{Elimination, Equations, Loop};
+use super::elimination::Elimination;
 use super::found::{Found, Waiting};
 use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
@@ -97,14 +97,25 @@ impl<'a> Search<'a> {
         &self.target
     }
 
-    /// Asks the eliminations in turn until one is sure of its answer.
+    /// Asks the eliminations in turn until one is sure of its answer. Where roots are not told
+    /// apart that costs more than the next polynomial, which is looked at before.
     pub fn run(mut self) -> Solutions<6> {
-        if self.is_rotation {
-            let mut eliminations = self.arm.eliminations.iter().take(ASKED);
-            while eliminations
-                .next()
-                .is_some_and(|next| !self.ask(next).certain)
-            {}
+        if !self.is_rotation {
+            return self.found();
+        }
+        let mut unclear = [const { None }; ASKED];
+        for (elimination, unclear) in self.arm.eliminations.iter().zip(&mut unclear) {
+            let asked = self.asked(elimination);
+            if !asked.is_clear() {
+                *unclear = Some(asked);
+            } else if self.answered(&asked).certain {
+                return self.found();
+            }
+        }
+        for asked in unclear.iter().flatten() {
+            if self.answered(asked).certain {
+                break;
+            }
         }
         self.found()
     }
@@ -173,38 +184,47 @@ impl<'a> Search<'a> {
 
     /// Adds what one elimination finds.
     pub fn ask(&mut self, elimination: &Elimination) -> Told {
-        let round = Loop::new(elimination, &self.arm.frames, &self.target);
-        let far_side = round.far_side();
-        let equations = Equations::new(elimination, &round, &far_side);
-        let f = polynomial(elimination, &equations);
+        self.answered(&self.asked(elimination))
+    }
+
+    fn asked<'e>(&self, elimination: &'e Elimination) -> Asked<'e> {
+        let recovery = Recovery::new(elimination, &self.arm.frames, &self.target);
+        let f = polynomial(elimination, &recovery.equations);
+        Asked {
+            recovery,
+            noise: f.noise,
+            roots: (f.noise < DROWNED).then(|| roots(&f)),
+        }
+    }
+
+    fn answered(&mut self, asked: &Asked) -> Told {
+        let Asked {
+            recovery,
+            noise,
+            roots,
+        } = asked;
+        let elimination = recovery.elimination;
         let mut told = Told {
             roots: 0,
-            noise: f.noise,
+            noise: *noise,
             certain: false,
         };
-        if f.noise.is_nan() || f.noise >= DROWNED {
+        let Some(roots) = roots else {
             self.ask_beside(elimination);
             return told;
-        }
-        let roots = roots(&f);
-        let recovery = Recovery {
-            elimination,
-            round: &round,
-            far_side: &far_side,
-            equations: &equations,
         };
         told.roots = roots.count;
         self.found.again = 0;
-        let unclear = self.one_each(&recovery, &roots);
-        self.several_each(&recovery, &roots, &unclear);
+        let unclear = self.one_each(recovery, roots);
+        self.several_each(recovery, roots, &unclear);
         if roots.incomplete {
             self.ask_beside(elimination);
         }
         self.meet();
         let mut unclear = unclear.all();
         told.certain = !roots.incomplete
-            && f.noise < NOISY
-            && unclear.all(|candidate| self.resolves(elimination, &roots, candidate))
+            && *noise < NOISY
+            && unclear.all(|candidate| self.resolves(elimination, roots, candidate))
             && self.found.all_again();
         told
     }
@@ -390,20 +410,30 @@ impl<'a> Search<'a> {
     /// Configurations that nearly close the loop, if any do, at values of the kept joint
     /// all round.
     pub fn all_round(&self, elimination: &Elimination) -> [[f64; LANES]; 6] {
-        let round = Loop::new(elimination, &self.arm.frames, &self.target);
-        let far_side = round.far_side();
-        let recovery = Recovery {
-            elimination,
-            round: &round,
-            far_side: &far_side,
-            equations: &Equations::new(elimination, &round, &far_side),
-        };
+        let recovery = Recovery::new(elimination, &self.arm.frames, &self.target);
         let kept = core::array::from_fn(|k| TAU / LANES as f64 * k as f64);
         recovery.joints(&kept).q
     }
 
     fn polished(&self, start: &[[f64; LANES]; 6], steps: usize) -> Polished {
         polished(&self.arm.frames, &self.target, start, steps)
+    }
+}
+
+/// What one elimination says of the target, before any solution is computed.
+struct Asked<'e> {
+    recovery: Recovery<'e>,
+    /// Of the polynomial.
+    noise: f64,
+    /// None where it drowns in its noise.
+    roots: Option<Roots>,
+}
+
+impl Asked<'_> {
+    /// Whether every root is known to be one, or two.
+    fn is_clear(&self) -> bool {
+        let told_apart = |roots: &Roots| roots.are_told_apart();
+        self.noise < NOISY && self.roots.as_ref().is_some_and(told_apart)
     }
 }
 
