@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use kinematics::{Pose, Robot};
+use kinematics::{Pose, Robot, Solutions};
 use std::f64::consts::{PI, TAU};
 
 kinematics::kinematics!("robots/ur5e.urdf");
@@ -41,14 +41,34 @@ fn main() -> Result<(), kinematics::LoadError> {
         fastest(&poses, |pose| Ur5e.ik(pose).len() as f64),
     ];
     println!("all solutions {here:8.0} ns   {there:8.0} ns");
+    println!("many at once");
+    let (flat, count) = (all.concat(), COUNT as f64);
+    let mut filled = vec![Pose::IDENTITY; COUNT];
+    let mut answers = vec![Solutions::new(); COUNT];
+    let [here, there] = [
+        fastest(&[()], |()| arm.fk_batch(&flat).len() as f64) / count,
+        fastest(&[()], |()| {
+            Ur5e.fk_batch(&all, &mut filled);
+            filled[0].translation[0]
+        }) / count,
+    ];
+    println!("pose          {here:8.0} ns   {there:8.0} ns");
+    let [here, there] = [
+        fastest(&[()], |()| arm.ik_batch(&poses).len() as f64) / count,
+        fastest(&[()], |()| {
+            Ur5e.ik_batch(&poses, &mut answers);
+            answers.len() as f64
+        }) / count,
+    ];
+    println!("all solutions {here:8.0} ns   {there:8.0} ns");
     Ok(())
 }
 
 /// Nanoseconds for one of some inputs.
-fn fastest<T>(inputs: &[T], run: impl Fn(&T) -> f64) -> f64 {
+fn fastest<T>(inputs: &[T], mut run: impl FnMut(&T) -> f64) -> f64 {
     let round = |_| {
         let clock = Instant::now();
-        let sum: f64 = inputs.iter().map(&run).sum();
+        let sum: f64 = inputs.iter().map(&mut run).sum();
         std::hint::black_box(sum);
         1e9 * clock.elapsed().as_secs_f64() / inputs.len() as f64
     };

@@ -44,7 +44,9 @@ mod robot;
 #[cfg(feature = "runtime")]
 pub use kin_codegen::{Error as LoadError, Ik, Options as RobotOptions, Source as RobotSource};
 #[cfg(feature = "runtime")]
-pub use robot::{Answer, Answers, Arm, NearestAnswer, OfSlices, Robot};
+pub use robot::{
+    AlongParameter, Answer, Answers, Arm, Interval, NamedPosture, NearestAnswer, OfSlices, Robot,
+};
 
 /// What `kinematics!("robots/ur5e.urdf")` leaves: a sample, in this
 /// documentation alone.

@@ -61,6 +61,9 @@ pub struct Forward {
     pub dot: Option<Columns>,
 }
 
+/// A spatial Jacobian of more multiplications is taken from the pose and it together.
+const LONGEST: usize = 80;
+
 impl Forward {
     fn new(model: &Model, linkage: &Linkage) -> Self {
         let mut g = Graph::new();
@@ -87,6 +90,13 @@ impl Forward {
             both,
             dot,
         }
+    }
+
+    /// The spatial Jacobian by itself; none where it is long: of a noisy arm, together with the
+    /// pose it costs nothing more.
+    pub fn spatial_alone(&self) -> Option<&Columns> {
+        let cost = self.cost(&self.spatial.expressions());
+        (cost.multiplications <= LONGEST).then_some(&self.spatial)
     }
 
     /// What it takes to compute some of the expressions.

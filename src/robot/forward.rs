@@ -3,6 +3,7 @@
 use super::Robot;
 use kin_codegen::expr::{Lanes, Tape};
 use kin_runtime::{Chain, JointLimit, Pose, Target, Twist};
+use std::ops::Range;
 
 impl Robot {
     /// What the file calls the robot.
@@ -117,20 +118,30 @@ impl Robot {
         }
     }
 
+    /// The pose of the tip and the columns of the spatial Jacobian, which share most of the work.
+    pub fn fk_jacobian(&self, q: &[f64]) -> (Pose, Vec<Twist>) {
+        self.check(q);
+        let values = self.both.run::<1>(q, 0);
+        (pose(&values, 0), columns(&values, 12..self.both.outputs()))
+    }
+
     /// The columns of the spatial Jacobian (MLS section 3.4).
     pub fn spatial_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        self.columns(&self.jacobians[0], q)
+        match &self.spatial {
+            Some(tape) => self.columns(tape, q),
+            None => self.fk_jacobian(q).1,
+        }
     }
 
     /// The columns of the body Jacobian (MLS section 3.4).
     pub fn body_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        self.columns(&self.jacobians[1], q)
+        self.columns(&self.body, q)
     }
 
     /// The columns of the geometric Jacobian: the velocity of the tip's origin and the angular
     /// velocity, both in base axes. What ROS calls the Jacobian.
     pub fn geometric_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        self.columns(&self.jacobians[2], q)
+        self.columns(&self.geometric, q)
     }
 
     /// The determinant of the Jacobian, or of its rows that count for targets, 0 where the robot
@@ -171,19 +182,28 @@ impl Robot {
 
     fn columns(&self, tape: &Tape, q: &[f64]) -> Vec<Twist> {
         self.check(q);
-        let values = tape.run::<1>(q, 0);
-        let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[0]);
-        let column = |first: usize| Twist {
-            linear: part(first),
-            angular: part(first + 3),
-        };
-        (0..tape.outputs()).step_by(6).map(column).collect()
+        columns(&tape.run::<1>(q, 0), 0..tape.outputs())
     }
 }
 
+/// The twists whose entries are some outputs.
+fn columns(values: &Lanes<1>, outputs: Range<usize>) -> Vec<Twist> {
+    let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[0]);
+    let column = |first: usize| Twist {
+        linear: part(first),
+        angular: part(first + 3),
+    };
+    outputs.step_by(6).map(column).collect()
+}
+
 /// The pose whose entries begin with this output.
-fn pose(values: &Lanes<1>, first: usize) -> Pose {
-    let at = |i: usize| values.output(first + i)[0];
+pub(super) fn pose(values: &Lanes<1>, first: usize) -> Pose {
+    pose_of(values, first, 0)
+}
+
+/// The same of one lane.
+pub(super) fn pose_of<const L: usize>(values: &Lanes<L>, first: usize, lane: usize) -> Pose {
+    let at = |i: usize| values.output(first + i)[lane];
     Pose {
         rotation: std::array::from_fn(|i| std::array::from_fn(|j| at(3 * i + j))),
         translation: std::array::from_fn(|i| at(9 + i)),

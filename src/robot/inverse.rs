@@ -1,63 +1,110 @@
 //! Inverse kinematics of a robot.
 
+use super::of_joints::{OfJoints, array, with_constant};
 use super::{Answers, Robot};
 use kin_codegen::closed_form::ClosedForm;
-use kin_codegen::redundancy::Redundancy;
 use kin_runtime::__private::Locked;
-use kin_runtime::{JointLimit, Nearest, Pose, Solution, Solutions};
-
-/// Evaluates an expression with a number that is known at run time, 1 to 8, as a constant.
-macro_rules! with_constant {
-    ($n:expr, $constant:ident => $body:expr) => {
-        with_constant!($n, $constant => $body, 1 2 3 4 5 6 7 8)
-    };
-    ($n:expr, $constant:ident => $body:expr, $($value:literal)*) => {
-        match $n {
-            $($value => {
-                const $constant: usize = $value;
-                $body
-            })*
-            _ => Default::default(),
-        }
-    };
-}
+use kin_runtime::{
+    Kinematics, Nearest, NoSolution, Pose, RedundantKinematics, Solution, Solutions,
+};
 
 impl Robot {
-    /// How many branches inverse kinematics looks at; 0 without it.
+    /// How many branches [`Robot::ik`] looks at; 0 of a robot with
+    /// [parameters](Robot::parameters), or without inverse kinematics.
     pub fn branches(&self) -> usize {
-        self.arm.form().map_or(0, |form| form.plan.branches())
-    }
-
-    /// How many numbers [`Robot::ik_at`] is given beside a target; 0 where a target has isolated
-    /// solutions.
-    pub fn parameters(&self) -> usize {
-        self.arm
-            .redundancy
-            .as_ref()
-            .map_or(0, Redundancy::parameters)
-    }
-
-    /// What these numbers are: the names of joints, `swivel` for the swivel angle, `turn` for the
-    /// turn of the tool about the tip's z axis; in the order in which they are given.
-    pub fn parameter_names(&self) -> Vec<&str> {
-        let Some(redundancy) = &self.arm.redundancy else {
-            return Vec::new();
-        };
-        let names = self.joint_names();
-        let joints = redundancy.joints.iter().map(|&joint| names[joint]);
-        let swivel = redundancy.swivel.is_some().then_some("swivel");
-        let turn = redundancy.turn.then_some("turn");
-        joints.chain(swivel).chain(turn).collect()
+        self.arm.branches()
     }
 
     /// All solutions for a pose of the tip in the base frame, as far as it counts. Limits are not
     /// applied. Empty for a robot with [parameters](Robot::parameters), or loaded without
     /// inverse kinematics.
     pub fn ik(&self, pose: &Pose) -> Answers {
-        match self.parameters() {
-            0 => self.ik_at(pose, &[]),
-            _ => Answers::default(),
-        }
+        with_constant!(self.joints(), N => (&OfJoints::<N>::new(self).ik(pose)).into())
+            .unwrap_or_default()
+    }
+
+    /// The same; an angle that a singular target leaves free keeps its value in `seed`, so that
+    /// solutions along a path are continuous.
+    pub fn ik_seeded(&self, pose: &Pose, seed: &[f64]) -> Answers {
+        self.check(seed);
+        with_constant!(self.joints(), N => {
+            (&OfJoints::<N>::new(self).ik_seeded(pose, array(seed))).into()
+        })
+        .unwrap_or_default()
+    }
+
+    /// All solutions for each of many poses, as [`Robot::ik`] has them: eight of an arm with a
+    /// closed form are computed side by side.
+    pub fn ik_batch(&self, poses: &[Pose]) -> Vec<Answers> {
+        let Some(form) = self.arm.form().filter(|_| self.parameters() == 0) else {
+            return vec![Answers::default(); poses.len()];
+        };
+        let mut all = Vec::with_capacity(poses.len());
+        with_constant!(self.joints(), N => {
+            form.solved_each::<N>(poses, |_, solutions| all.push((&solutions).into()));
+        });
+        all
+    }
+
+    /// A solution if there is one, and for a target out of reach what comes nearest, with its
+    /// distance as the residual. None if the target is not a number, and of a robot with
+    /// [parameters](Robot::parameters).
+    pub fn ik_approximate(&self, pose: &Pose) -> Option<NearestAnswer> {
+        with_constant!(self.joints(), N => {
+            let found = OfJoints::<N>::new(self).ik_approximate(pose);
+            found.as_ref().map(NearestAnswer::of)
+        })?
+    }
+
+    /// The solution that moves the joints least from `seed`, inside the limits and with full
+    /// turns where these lead there; an angle that a singular target leaves free keeps its value
+    /// in `seed`. None if there is none.
+    pub fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<NearestAnswer> {
+        self.check(seed);
+        with_constant!(self.joints(), N => {
+            let found = OfJoints::<N>::new(self).ik_nearest(pose, array(seed));
+            found.as_ref().map(NearestAnswer::of)
+        })?
+    }
+
+    /// As [`Robot::ik_nearest`], by limits, weights of the joints and bounds on their steps that
+    /// are given, with the reason if there is none.
+    ///
+    /// ```
+    /// use kinematics::{Nearest, NoSolution, Robot};
+    /// let arm = Robot::from_urdf("robots/ur5e.urdf")?;
+    /// let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    /// let limits = arm.limits().try_into().expect("six joints");
+    /// let mut nearest = Nearest::<6>::new(q, limits);
+    /// nearest.step = [0.1; 6]; // radians
+    /// let mut pose = arm.fk(&q);
+    /// assert!(arm.try_ik_nearest(&pose, &nearest).is_ok());
+    /// pose.translation[2] += 3.0;
+    /// let far = arm.try_ik_nearest(&pose, &nearest);
+    /// assert!(matches!(far, Err(NoSolution::OutOfReach { .. })));
+    /// # Ok::<(), kinematics::LoadError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Out of reach, no rotation, outside limits, or beyond a step. The reason takes some
+    /// microseconds.
+    ///
+    /// # Panics
+    ///
+    /// N is not the number of [joints](Robot::joints).
+    pub fn try_ik_nearest<const N: usize>(
+        &self,
+        pose: &Pose,
+        nearest: &Nearest<N>,
+    ) -> Result<Solution<N>, NoSolution<N>> {
+        self.check(&nearest.seed);
+        OfJoints::new(self).try_ik_nearest(pose, nearest)
+    }
+
+    /// Whether [`Robot::ik`] has a solution.
+    pub fn is_reachable_pose(&self, pose: &Pose) -> bool {
+        !self.ik(pose).is_empty()
     }
 
     /// All solutions with these values of the joints that stay free, of the swivel angle and of
@@ -67,21 +114,11 @@ impl Robot {
     ///
     /// There are not as many as [`Robot::parameters`].
     pub fn ik_at(&self, pose: &Pose, parameters: &[f64]) -> Answers {
-        let n = self.joints();
-        with_constant!(n, N => (&self.solutions::<N>(pose, parameters, None)).into())
+        with_constant!(self.joints(), N => (&self.solutions::<N>(pose, parameters, None)).into())
+            .unwrap_or_default()
     }
 
-    /// The solution that moves the joints least from `seed`, inside the limits and with full
-    /// turns where these lead there; an angle that a singular target leaves free keeps its value
-    /// in `seed`. None if there is none.
-    pub fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<NearestAnswer> {
-        match self.parameters() {
-            0 => self.ik_nearest_at(pose, &[], seed),
-            _ => None,
-        }
-    }
-
-    /// The same among the solutions with these parameters.
+    /// As [`Robot::ik_nearest`], among the solutions with these parameters.
     pub fn ik_nearest_at(
         &self,
         pose: &Pose,
@@ -90,30 +127,56 @@ impl Robot {
     ) -> Option<NearestAnswer> {
         self.check(seed);
         with_constant!(self.joints(), N => {
-            let seed: [f64; N] = std::array::from_fn(|i| seed[i]);
-            let limits: [JointLimit; N] = std::array::from_fn(|i| self.limits[i]);
-            let solutions = self.solutions::<N>(pose, parameters, Some(&seed));
-            let nearest = solutions.nearest_by(&Nearest::new(seed, &limits));
+            let seed: &[f64; N] = array(seed);
+            let limits = OfJoints::<N>::new(self).own_limits();
+            let solutions = self.solutions::<N>(pose, parameters, Some(seed));
+            let nearest = solutions.nearest_by(&Nearest::new(*seed, &limits));
             nearest.as_ref().map(NearestAnswer::of)
-        })
+        })?
     }
 
-    /// What [`Robot::ik_at`] has to be given with `pose` to have `q` among its solutions, if that
-    /// puts the tip there.
-    pub fn redundancy(&self, pose: &Pose, q: &[f64]) -> Vec<f64> {
-        self.check(q);
-        let (Some(form), Some(redundancy)) = (self.arm.form(), &self.arm.redundancy) else {
-            return Vec::new();
-        };
-        let (mut parameters, _) = form.split(q);
-        if redundancy.turn {
-            parameters.push(pose.turn_to(&self.fk(q)));
+    /// As [`Robot::try_ik_nearest`], among the solutions with a parameter.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none: no solution at this parameter, none within limits, or none that a
+    /// step leads to.
+    ///
+    /// # Panics
+    ///
+    /// N is not the number of [joints](Robot::joints), or the robot has not one
+    /// [parameter](Robot::parameters).
+    pub fn try_ik_nearest_at<const N: usize>(
+        &self,
+        pose: &Pose,
+        parameter: f64,
+        nearest: &Nearest<N>,
+    ) -> Result<Solution<N>, NoSolution<N>> {
+        self.check(&nearest.seed);
+        assert_eq!(self.parameters(), 1, "a robot with one parameter");
+        OfJoints::new(self).try_ik_nearest_at(pose, parameter, nearest)
+    }
+
+    /// The solutions of a robot of N joints without parameters.
+    pub(super) fn isolated<const N: usize>(
+        &self,
+        pose: &Pose,
+        seed: Option<&[f64; N]>,
+    ) -> Solutions<N> {
+        let form = self.arm.form().filter(|_| self.parameters() == 0);
+        form.map_or_else(Solutions::new, |form| form.solved_near(pose, &[], seed))
+    }
+
+    /// The target with the turn of the tool, if that is a parameter, and the others.
+    pub(super) fn turned<'a>(&self, pose: &Pose, parameters: &'a [f64]) -> (Pose, &'a [f64]) {
+        match parameters.split_last() {
+            Some((&turn, others)) if self.has_turn() => (pose.turned(turn), others),
+            _ => (*pose, parameters),
         }
-        parameters
     }
 
     /// The solutions of a robot of N joints.
-    fn solutions<const N: usize>(
+    pub(super) fn solutions<const N: usize>(
         &self,
         pose: &Pose,
         parameters: &[f64],
@@ -124,16 +187,10 @@ impl Robot {
             self.parameters(),
             "what is given beside a target"
         );
-        let Some(form) = self.arm.form() else {
-            return Solutions::new();
+        let Some((form, redundancy)) = self.arm.form().zip(self.arm.redundancy.as_ref()) else {
+            return self.isolated(pose, seed);
         };
-        let Some(redundancy) = &self.arm.redundancy else {
-            return form.solved_near(pose, &[], seed);
-        };
-        let (parameters, pose) = match parameters.split_last() {
-            Some((&turn, rest)) if redundancy.turn => (rest, pose.turned(turn)),
-            _ => (parameters, *pose),
-        };
+        let (pose, parameters) = self.turned(pose, parameters);
         match redundancy.joints[..] {
             [] if redundancy.swivel.is_some() => {
                 self.widened([], form.solved_at_swivel(&pose, parameters), parameters)
@@ -155,6 +212,7 @@ impl Robot {
         with_constant!(N - K, M => {
             self.widened(joints, form.solved::<M>(pose, parameters), parameters)
         })
+        .unwrap_or_default()
     }
 
     /// Solutions of M joints with the K that are given among them.
@@ -186,7 +244,7 @@ pub struct NearestAnswer {
 }
 
 impl NearestAnswer {
-    fn of<const N: usize>(solution: &Solution<N>) -> Self {
+    pub(super) fn of<const N: usize>(solution: &Solution<N>) -> Self {
         Self {
             q: solution.q.to_vec(),
             residual: solution.residual,

@@ -1,6 +1,8 @@
 //! From a robot file to a robot.
 
+use super::NamedPosture;
 use kin_codegen::arm::CompiledArm;
+use kin_codegen::closed_form::Domain;
 use kin_codegen::expr::forward::Outputs;
 use kin_codegen::expr::{Expr, Graph, Tape};
 use kin_codegen::spec::{Diagnostic, Diagnostics};
@@ -8,6 +10,7 @@ use kin_codegen::{Error, Options, Scalar, Source, compile};
 use kin_runtime::{Chain, JointLimit};
 use std::path::Path;
 use std::str::FromStr;
+use std::sync::OnceLock;
 
 /// An arm that is known when the program runs: from a URDF or a YAML file as
 /// [`kinematics!`](crate::kinematics!) takes it, with the same options, refusals and methods, on
@@ -34,10 +37,20 @@ pub struct Robot {
     pub(super) limits: Vec<JointLimit>,
     pub(super) tip: Tape,
     pub(super) links: Tape,
-    /// The spatial, body and geometric Jacobian.
-    pub(super) jacobians: [Tape; 3],
+    /// The tip, and behind it the spatial Jacobian.
+    pub(super) both: Tape,
+    /// The spatial Jacobian alone, where it is not taken from these.
+    pub(super) spatial: Option<Tape>,
+    pub(super) body: Tape,
+    pub(super) geometric: Tape,
+    /// The time derivative of the spatial Jacobian, of q and its rates, where joints mimic others.
+    pub(super) dot: Option<Tape>,
     /// The determinant of the Jacobian, and how far singularities are.
     pub(super) singular: Option<Tape>,
+    /// Of a robot with parameters.
+    pub(super) domain: Option<Domain>,
+    /// What its branches are called, as soon as somebody asks.
+    pub(super) postures: OnceLock<Vec<NamedPosture>>,
 }
 
 impl Robot {
@@ -117,12 +130,14 @@ impl Robot {
             limits: (0..model.variables.len()).map(limit).collect(),
             tip: of(&forward.tip),
             links: of(&forward.links),
-            jacobians: [
-                of(&forward.spatial),
-                of(&forward.body),
-                of(&forward.geometric),
-            ],
+            both: of(&forward.both),
+            spatial: forward.spatial_alone().map(|spatial| of(spatial)),
+            body: of(&forward.body),
+            geometric: of(&forward.geometric),
+            dot: forward.dot.as_ref().map(|dot| of(dot)),
             singular,
+            domain: arm.redundancy.as_ref().and(arm.form()).map(Domain::of),
+            postures: OnceLock::new(),
             arm,
         }
     }

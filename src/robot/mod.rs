@@ -5,11 +5,18 @@
 
 mod answers;
 mod arm;
+mod batch;
 mod forward;
 mod inverse;
 mod load;
+mod motion;
+mod of_joints;
+mod posture;
+mod redundant;
 
 pub use answers::{Answer, Answers};
 pub use arm::{Arm, OfSlices};
 pub use inverse::NearestAnswer;
 pub use load::Robot;
+pub use posture::NamedPosture;
+pub use redundant::{AlongParameter, Interval};

@@ -37,6 +37,7 @@ mod random;
 mod subject;
 
 mod answers;
+mod at_run_time;
 mod best;
 mod chosen;
 mod feasible;

@@ -9,6 +9,8 @@ use kinematics::{Chain, ChainSolution, Parameter, Pose, RedundantKinematics, Sea
 use std::f64::consts::{PI, TAU};
 
 pub struct Subject<K, const N: usize> {
+    /// Where the file is.
+    pub path: &'static str,
     /// What the macro made of the file.
     pub arm: K,
     /// The product of exponentials that the file describes.
@@ -22,16 +24,20 @@ pub struct Subject<K, const N: usize> {
 }
 
 impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
-    pub fn new(arm: K, path: &str, counts: Target) -> Self {
+    pub fn new(arm: K, path: &'static str, counts: Target) -> Self {
         let text = std::fs::read_to_string(path).unwrap();
-        let path = path.into();
-        let spec = ArmSpec::parse(&Source { path, text }).unwrap();
+        let source = Source {
+            path: path.into(),
+            text,
+        };
+        let spec = ArmSpec::parse(&source).unwrap();
         let model = Model::new(&spec, None, None).unwrap();
         let slides = |i: usize| {
             let slides = model.joints[i].kind == JointKind::Prismatic;
             slides.then(|| model.variables[i].limits.unwrap())
         };
         Subject {
+            path,
             arm,
             chain: model.chain(),
             counts,

@@ -1,29 +1,40 @@
 //! The same robots read while the program runs: what generated code computes, to the last bit.
 
+use crate::random::Random;
 use crate::subject::Subject;
 use crate::zoo::EXACT;
-use kinematics::{Kinematics, Pose, Robot, RobotOptions, RobotSource, Twist};
+use kinematics::{
+    Kinematics, Nearest, Pose, Posture, Robot, RobotOptions, RobotSource, Twist, Wrench,
+};
+use std::mem::discriminant;
 use std::path::Path;
 
 for_every_robot!(forward_kinematics_is_the_same);
 for_every_robot!(solutions_are_the_same);
+for_every_robot!(the_rest_is_the_same);
+for_every_robot!(batches_are_single_calls);
 
 mod noisy {
     use super::*;
     for_every_noisy_robot!(forward_kinematics_is_the_same);
     for_every_noisy_robot!(solutions_are_the_same);
+    for_every_noisy_robot!(the_rest_is_the_same);
+    for_every_noisy_robot!(batches_are_single_calls);
 }
 
 mod table {
     use super::*;
     for_every_table_row!(forward_kinematics_is_the_same);
     for_every_table_row!(solutions_are_the_same);
+    for_every_table_row!(the_rest_is_the_same);
+    for_every_table_row!(batches_are_single_calls);
 }
 
 mod targets {
     use super::*;
     for_every_aimed_robot!(forward_kinematics_is_the_same);
     for_every_aimed_robot!(solutions_are_the_same);
+    for_every_aimed_robot!(the_rest_is_the_same);
 }
 
 /// Of a few dozen operations.
@@ -64,7 +75,11 @@ pub fn forward_kinematics_is_the_same<K: Kinematics<N>, const N: usize>(robot: &
         let links = arm.fk_links(&q).map(|pose| entries(&pose));
         let there: Vec<_> = loaded.fk_links(&q).iter().map(entries).collect();
         assert_eq!(there, links, "{q:?}");
+        let (pose, spatial) = loaded.fk_jacobian(&q);
+        assert_eq!(pose, arm.fk_jacobian(&q).0, "{q:?}");
         for (columns, jacobian) in [
+            (spatial, arm.fk_jacobian(&q).1),
+            (loaded.spatial_jacobian(&q), arm.spatial_jacobian(&q)),
             (loaded.body_jacobian(&q), arm.body_jacobian(&q)),
             (loaded.geometric_jacobian(&q), arm.geometric_jacobian(&q)),
         ] {
@@ -73,14 +88,6 @@ pub fn forward_kinematics_is_the_same<K: Kinematics<N>, const N: usize>(robot: &
                 of_columns(&jacobian.columns()),
                 "{q:?}"
             );
-        }
-        // Generated code takes long ones from what it shares with the pose.
-        let (columns, jacobian) = (loaded.spatial_jacobian(&q), arm.spatial_jacobian(&q));
-        let pairs = of_columns(&columns)
-            .into_iter()
-            .zip(of_columns(&jacobian.columns()));
-        for (a, b) in pairs {
-            assert!((a - b).abs() < 1e-14 * robot.size.max(1.0), "{a} {b} {q:?}");
         }
         for frame in K::FRAMES {
             let (a, b) = (
@@ -108,6 +115,201 @@ pub fn forward_kinematics_is_the_same<K: Kinematics<N>, const N: usize>(robot: &
     }
 }
 
+/// What is made of Jacobians, postures, and what comes nearest.
+pub fn the_rest_is_the_same<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let (arm, loaded) = (&robot.arm, loaded(robot));
+    let mut random = Random::new(29);
+    for q in robot.random(6).chain(robot.structured().take(8)) {
+        let rates: [f64; N] = random.unit_cube();
+        let wrench = Wrench::from_array(random.unit_cube());
+        for (there, here) in [
+            (
+                loaded.jacobian_dot(&q, &rates),
+                arm.jacobian_dot(&q, &rates),
+            ),
+            (
+                loaded.body_jacobian_dot(&q, &rates),
+                arm.body_jacobian_dot(&q, &rates),
+            ),
+            (
+                loaded.geometric_jacobian_dot(&q, &rates),
+                arm.geometric_jacobian_dot(&q, &rates),
+            ),
+        ] {
+            assert_eq!(there, here.columns(), "{q:?}");
+        }
+        for (there, here) in [
+            (loaded.hessian(&q), arm.hessian(&q)),
+            (loaded.body_hessian(&q), arm.body_hessian(&q)),
+            (loaded.geometric_hessian(&q), arm.geometric_hessian(&q)),
+        ] {
+            assert_eq!(
+                there,
+                here.derivatives.map(|it| it.columns().to_vec()),
+                "{q:?}"
+            );
+        }
+        for (there, here) in [
+            (
+                loaded.spatial_velocity(&q, &rates),
+                arm.spatial_velocity(&q, &rates),
+            ),
+            (
+                loaded.body_velocity(&q, &rates),
+                arm.body_velocity(&q, &rates),
+            ),
+            (
+                loaded.geometric_velocity(&q, &rates),
+                arm.geometric_velocity(&q, &rates),
+            ),
+        ] {
+            assert_eq!(there, here, "{q:?}");
+        }
+        for (there, here) in [
+            (
+                loaded.spatial_torques(&q, &wrench),
+                arm.spatial_torques(&q, &wrench),
+            ),
+            (
+                loaded.body_torques(&q, &wrench),
+                arm.body_torques(&q, &wrench),
+            ),
+            (
+                loaded.geometric_torques(&q, &wrench),
+                arm.geometric_torques(&q, &wrench),
+            ),
+            (
+                loaded.manipulability_gradient(&q),
+                arm.manipulability_gradient(&q),
+            ),
+            (
+                loaded.translational_manipulability_gradient(&q),
+                arm.translational_manipulability_gradient(&q),
+            ),
+            (
+                loaded.rotational_manipulability_gradient(&q),
+                arm.rotational_manipulability_gradient(&q),
+            ),
+            (
+                loaded.null_space_projection(&q, &rates),
+                arm.null_space_projection(&q, &rates),
+            ),
+        ] {
+            assert_eq!(there, here, "{q:?}");
+        }
+        assert_eq!(loaded.manipulability(&q), arm.manipulability(&q));
+        assert_eq!(
+            loaded.translational_manipulability(&q),
+            arm.translational_manipulability(&q)
+        );
+        assert_eq!(
+            loaded.rotational_manipulability(&q),
+            arm.rotational_manipulability(&q)
+        );
+        assert_eq!(
+            loaded.structural_wrenches(&q)[..],
+            arm.structural_wrenches(&q)[..]
+        );
+        let internal = arm.internal_motions(&q);
+        assert_eq!(
+            loaded.internal_motions(&q),
+            internal.iter().collect::<Vec<_>>()
+        );
+        let told = |posture: Posture| posture.to_string();
+        let there = loaded.posture(&q).map(ToString::to_string);
+        assert_eq!(there, arm.posture(&q).map(told), "{q:?}");
+        approximates_alike(robot, &loaded, &q);
+    }
+    let postures: Vec<String> = loaded.postures().iter().map(ToString::to_string).collect();
+    assert_eq!(
+        postures,
+        K::POSTURES
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+    );
+}
+
+/// Of a target in reach, one out of it, and one that is no number.
+fn approximates_alike<K: Kinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+    loaded: &Robot,
+    q: &[f64; N],
+) {
+    let arm = &robot.arm;
+    let there = arm.fk(q);
+    let scaled = |x: f64| Pose {
+        translation: there.translation.map(|t| x * (t + 0.1 * robot.size)),
+        ..there
+    };
+    for target in [there, scaled(1.1), scaled(5.0), scaled(f64::NAN)] {
+        let limits = std::array::from_fn(|i| loaded.limits()[i]);
+        let mut nearest = Nearest::new(*q, &limits);
+        nearest.step = [0.3; N];
+        let [there, here] = [
+            loaded.try_ik_nearest(&target, &nearest),
+            arm.try_ik_nearest(&target, &nearest),
+        ];
+        assert_eq!(
+            discriminant(&there),
+            discriminant(&here),
+            "{there:?} {here:?}"
+        );
+        if let (Err(there), Err(here)) = (there, here) {
+            assert_eq!(
+                discriminant(&there),
+                discriminant(&here),
+                "{there:?} {here:?}"
+            );
+        }
+        assert_eq!(
+            loaded.is_reachable_pose(&target),
+            arm.is_reachable_pose(&target)
+        );
+        let [there, here] = [
+            loaded.ik_approximate(&target).map(|it| (it.q, it.residual)),
+            arm.ik_approximate(&target)
+                .map(|it| (it.q.to_vec(), it.residual)),
+        ];
+        assert_eq!(there.is_some(), here.is_some());
+        if let (Some(there), Some(here)) = (there, here) {
+            assert!(
+                (there.1 - here.1).abs() < 1e-9 * robot.size,
+                "{there:?} {here:?} of {q:?}"
+            );
+            if EXACT.contains(&robot.path) && here.1 > 1e-6 * robot.size {
+                assert_eq!(there, here, "{q:?}");
+            }
+        }
+    }
+}
+
+/// Many at once, of every number of leftovers.
+pub fn batches_are_single_calls<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
+    let loaded = loaded(robot);
+    let all: Vec<[f64; N]> = robot
+        .random(13)
+        .chain(robot.structured().take(32))
+        .collect();
+    for count in [0, 1, 7, 8, 9, all.len()] {
+        let (some, flat) = (&all[..count], all[..count].concat());
+        let poses = loaded.fk_batch(&flat);
+        assert_eq!(poses, some.iter().map(|q| loaded.fk(q)).collect::<Vec<_>>());
+        let both = loaded.fk_jacobian_batch(&flat);
+        assert_eq!(
+            both,
+            some.iter()
+                .map(|q| loaded.fk_jacobian(q))
+                .collect::<Vec<_>>()
+        );
+        let answers = loaded.ik_batch(&poses);
+        assert_eq!(
+            answers,
+            poses.iter().map(|pose| loaded.ik(pose)).collect::<Vec<_>>()
+        );
+    }
+}
+
 pub fn solutions_are_the_same<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     let loaded = loaded(robot);
     let mut compared = 0;
@@ -128,6 +330,16 @@ pub fn solutions_are_the_same<K: Kinematics<N>, const N: usize>(robot: &Subject<
             assert!(apart <= tolerance, "{apart} of {q:?}");
             assert_eq!((there.branch, there.singular), (here.branch, here.singular));
             compared += 1;
+        }
+        let (there, here) = (
+            loaded.ik_seeded(&target, &q),
+            robot.arm.ik_seeded(&target, &q),
+        );
+        assert_eq!(there.len(), here.len(), "seeded at {q:?}");
+        if EXACT.contains(&robot.path) {
+            for (there, here) in there.iter().zip(&here).filter(|(_, here)| !here.singular) {
+                assert_eq!(there.q, here.q);
+            }
         }
         let (there, here) = (
             loaded.ik_nearest(&target, &q),

@@ -69,3 +69,20 @@ fn mechanisms_and_other_languages() {
         "{said}"
     );
 }
+
+#[test]
+fn robots_that_are_read_at_run_time() {
+    let (source, options) = read("../robots/ur5e.urdf");
+    let said = kinematics::Robot::load(&source, &options)
+        .unwrap_err()
+        .to_string();
+    assert!(said.starts_with("../robots/ur5e.urdf"), "{said}");
+    assert!(
+        said.contains("a robot that is read at run time computes in f64 alone"),
+        "{said}"
+    );
+    assert!(
+        said.contains("leave out `scalar = f32`, or generate its code"),
+        "{said}"
+    );
+}

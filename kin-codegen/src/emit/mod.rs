@@ -9,7 +9,7 @@ mod headings;
 pub(crate) mod js;
 mod lanes;
 mod language;
-mod postures;
+pub mod postures;
 mod refused;
 pub mod rust;
 mod straight;

@@ -26,7 +26,7 @@ enum Instruction {
     Div(Place, [Place; 2]),
     Max(Place, [Place; 2]),
     Atan2(Place, [Place; 2]),
-    /// The same angle in all lanes: generated code has another polynomial for it.
+    /// The same angle in all lanes of some inputs: generated code has another polynomial for it.
     OneAtan2(Place, [Place; 2]),
     Neg(Place, Place),
     Sqrt(Place, Place),
@@ -95,11 +95,21 @@ impl Tape {
 
     /// Computes `L` lanes from `first` on: bit i of a lane's number tells that choice i is −1.
     pub fn run<const L: usize>(&self, inputs: &[f64], first: Lane) -> Lanes<'_, L> {
+        self.run_each::<L, 1>([inputs], first)
+    }
+
+    /// The same for several inputs side by side: of `L` lanes those of the first inputs come
+    /// first, `L / T` of them, from `first` on.
+    pub fn run_each<const L: usize, const T: usize>(
+        &self,
+        inputs: [&[f64]; T],
+        first: Lane,
+    ) -> Lanes<'_, L> {
         let mut values = vec![[0.0; L]; self.places];
         let input = (self, inputs, first, &mut values[..]);
         match self.scalar {
-            Scalar::F64 => dispatch::<Running<L, false>, _>(input),
-            Scalar::F32 => Running::<L, true>::run(input),
+            Scalar::F64 => dispatch::<Running<L, T, false>, _>(input),
+            Scalar::F32 => Running::<L, T, true>::run(input),
         }
         Lanes { tape: self, values }
     }
@@ -109,41 +119,56 @@ impl Tape {
 const ANGLES: usize = 8;
 
 /// What is compiled for several instruction sets.
-struct Running<const L: usize, const SINGLE: bool>;
+struct Running<const L: usize, const T: usize, const SINGLE: bool>;
 
-impl<const L: usize, const SINGLE: bool> Dispatched<(&Tape, &[f64], Lane, &mut [[f64; L]])>
-    for Running<L, SINGLE>
+type Input<'a, const L: usize, const T: usize> =
+    (&'a Tape, [&'a [f64]; T], Lane, &'a mut [[f64; L]]);
+
+impl<const L: usize, const T: usize, const SINGLE: bool> Dispatched<Input<'_, L, T>>
+    for Running<L, T, SINGLE>
 {
     type Output = ();
 
     #[inline(always)]
-    fn run((tape, inputs, first, values): (&Tape, &[f64], Lane, &mut [[f64; L]])) {
+    fn run((tape, inputs, first, values): Input<'_, L, T>) {
+        // How many lanes one of the inputs has.
+        let each = L / T;
+        let of_each = |x: [f64; T]| -> [f64; L] { std::array::from_fn(|k| x[k / each]) };
         for &(place, x) in &tape.constants {
             values[usize::from(place)] = [tape.scalar.rounded(x); L];
         }
         for &(place, input) in &tape.inputs {
-            values[usize::from(place)] = [tape.scalar.rounded(inputs[usize::from(input)]); L];
+            let x = inputs.map(|inputs| tape.scalar.rounded(inputs[usize::from(input)]));
+            values[usize::from(place)] = of_each(x);
         }
         for &(place, choice) in &tape.signs {
-            let sign = |k: usize| 1.0 - 2.0 * f64::from(((first + k as u32) >> choice) & 1);
+            let lane = |k: usize| first + (k % each) as u32;
+            let sign = |k: usize| 1.0 - 2.0 * f64::from((lane(k) >> choice) & 1);
             values[usize::from(place)] = std::array::from_fn(sign);
         }
         for angles in tape.angles.chunks(ANGLES) {
-            let mut inputs_of = [0.0; ANGLES];
-            for (x, (_, input)) in inputs_of.iter_mut().zip(angles) {
-                *x = inputs[*input as usize];
+            let mut sines = [[0.0; T]; ANGLES];
+            let mut cosines = [[0.0; T]; ANGLES];
+            for t in 0..T {
+                let mut inputs_of = [0.0; ANGLES];
+                for (x, (_, input)) in inputs_of.iter_mut().zip(angles) {
+                    *x = inputs[t][*input as usize];
+                }
+                let (sine, cosine) = match SINGLE {
+                    true => in_single(inputs_of),
+                    false => lanes::sin_cos(inputs_of),
+                };
+                for k in 0..ANGLES {
+                    (sines[k][t], cosines[k][t]) = (sine[k], cosine[k]);
+                }
             }
-            let (sines, cosines) = match SINGLE {
-                true => in_single(inputs_of),
-                false => lanes::sin_cos(inputs_of),
-            };
             for (k, ([sin, cos], _)) in angles.iter().enumerate() {
-                values[*sin as usize] = [sines[k]; L];
-                values[*cos as usize] = [cosines[k]; L];
+                values[*sin as usize] = of_each(sines[k]);
+                values[*cos as usize] = of_each(cosines[k]);
             }
         }
         for instruction in &tape.instructions {
-            tape.step::<L, SINGLE>(*instruction, values);
+            tape.step::<L, T, SINGLE>(*instruction, values);
         }
     }
 }
@@ -160,7 +185,7 @@ fn in_single<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
 
 impl Tape {
     #[inline(always)]
-    fn step<const L: usize, const SINGLE: bool>(
+    fn step<const L: usize, const T: usize, const SINGLE: bool>(
         &self,
         instruction: Instruction,
         values: &mut [[f64; L]],
@@ -192,11 +217,13 @@ impl Tape {
                 });
             }
             Instruction::OneAtan2(to, [y, x]) => {
-                let [y, x] = [y, x].map(|place| values[at(place)][0]);
-                values[at(to)] = [match SINGLE {
-                    true => single::atan2(y as f32, x as f32).into(),
-                    false => math::atan2(y, x),
-                }; L];
+                let [y, x] = [y, x].map(|place| values[at(place)]);
+                let each = L / T;
+                let angles: [f64; T] = std::array::from_fn(|t| match SINGLE {
+                    true => single::atan2(y[t * each] as f32, x[t * each] as f32).into(),
+                    false => math::atan2(y[t * each], x[t * each]),
+                });
+                values[at(to)] = std::array::from_fn(|k| angles[k / each]);
             }
             Instruction::Neg(to, a) => lane_by_lane!(to, [a], k => -a[k]),
             Instruction::Sqrt(to, a) => lane_by_lane!(to, [a], k => a[k].sqrt()),
@@ -445,12 +472,15 @@ mod tests {
         let inputs = [0.7, 2.3];
         let four = tape.run::<4>(&inputs, 0);
         let rest = tape.run::<2>(&inputs, 2);
+        // Beside other inputs.
+        let beside = tape.run_each::<8, 2>([&[-0.4, 1.9], &inputs], 0);
         for lane in 0..4 {
             let mut values = Vec::new();
             g.evaluate(&inputs, lane, &mut values);
             for (number, output) in outputs.iter().enumerate() {
                 let expected = values[output.index()].to_bits();
                 assert_eq!(four.output(number)[lane as usize].to_bits(), expected);
+                assert_eq!(beside.output(number)[lane as usize + 4].to_bits(), expected);
                 if lane >= 2 {
                     assert_eq!(rest.output(number)[lane as usize - 2].to_bits(), expected);
                 }

@@ -93,6 +93,16 @@ impl Arm {
         self.with(|arm| arm.solutions_near(target, seed))
     }
 
+    /// What generated code has for a target out of reach.
+    pub fn closest<const N: usize>(&self, target: &Pose) -> Option<Solution<N>> {
+        self.with(|arm| arm.closest(target))
+    }
+
+    /// By pair of roots, how near they are to being real.
+    pub fn margins(&self, target: &Pose) -> Option<[f64; 16]> {
+        self.with(|arm| arm.margins(target))
+    }
+
     fn with<T>(&self, run: impl FnOnce(&Univariate) -> T) -> T {
         let eliminations: Vec<Elimination> =
             self.kept.iter().map(|kept| kept.elimination).collect();

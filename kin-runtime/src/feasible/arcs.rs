@@ -45,7 +45,7 @@ pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     let Some((&first, rest)) = values.split_first() else {
         return Vec::new();
     };
-    let turns = task.turns(Task::<K, N>::PARAMETER);
+    let turns = task.turns(task.parameter);
     let first = task.sample(first);
     let mut tracker = Tracker::new(task, &first, !turns);
     let mut before = first.clone();
@@ -58,7 +58,7 @@ pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         let mut last = first.clone();
         last.parameter += TAU;
         for place in &mut last.places {
-            place.x[Task::<K, N>::PARAMETER] = last.parameter;
+            place.x[task.parameter] = last.parameter;
         }
         tracker.cell(&before, &last, HALVINGS);
     }
@@ -84,7 +84,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let [from, to] = self.range();
         let at = |i: usize| from + (to - from) * (i as f64 + OFFSET) / SAMPLES as f64;
         let mut values: Vec<f64> = (0..SAMPLES).map(at).collect();
-        if !self.turns(Self::PARAMETER) {
+        if !self.turns(self.parameter) {
             values.insert(0, from);
             values.push(to);
         }
@@ -93,10 +93,10 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The range of the parameter: a turn, or a slide's travel.
     pub fn range(&self) -> [f64; 2] {
-        match self.turns(Self::PARAMETER) {
+        match self.turns(self.parameter) {
             true => [-PI, PI],
             false => {
-                let limit = K::LIMITS[Self::PARAMETER];
+                let limit = self.limits[self.parameter];
                 [limit.lower().max(-FARTHEST), limit.upper().min(FARTHEST)]
             }
         }
@@ -177,7 +177,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         sense: f64,
         [from, to]: [f64; 2],
     ) -> Option<Vec<Point>> {
-        let parameter = Task::<K, N>::PARAMETER;
+        let parameter = self.task.parameter;
         let slack = 1e-12;
         let find = |&k: &usize| {
             let fold = self.task.extremum(parameter, &sample.places[k], sense)?;
@@ -217,7 +217,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
                 used[here] = true;
                 let own = core::mem::take(&mut self.arcs[here].points);
                 let shifted = own.into_iter().map(|mut x| {
-                    x[Task::<K, N>::PARAMETER] += turns;
+                    x[self.task.parameter] += turns;
                     x
                 });
                 // What joins two of them is in both.

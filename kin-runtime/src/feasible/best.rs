@@ -93,7 +93,7 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     stops: &[JointLimit; N],
     criterion: &Criterion<N>,
 ) -> Vec<(f64, [f64; N])> {
-    let parameter = Task::<K, N>::PARAMETER;
+    let parameter = task.parameter;
     let ends = arc.points.first().zip(arc.points.last());
     let Some([from, to]) = ends.map(|(a, b)| [a[parameter], b[parameter]]) else {
         return Vec::new();

@@ -34,7 +34,7 @@ impl<const N: usize> FeasibleInterval<N> {
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// What an arc is to a caller; none if nothing of it is left.
     pub fn interval(&self, arc: &Arc) -> Option<FeasibleInterval<N>> {
-        let parameter = Self::PARAMETER;
+        let parameter = self.parameter;
         let (first, last) = (arc.points.first()?, arc.points.last()?);
         let (from, to) = (first[parameter], last[parameter]);
         let middle = self.on(arc, 0.5 * (from + to))?;
@@ -48,7 +48,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The same with its lower end in (−π, π], if the parameter is an angle.
     pub fn wound(&self, interval: FeasibleInterval<N>) -> FeasibleInterval<N> {
-        let turns = match self.turns(Self::PARAMETER) {
+        let turns = match self.turns(self.parameter) {
             true => TAU * libm::ceil((interval.from - PI) / TAU),
             false => 0.0,
         };
@@ -69,7 +69,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The point of an arc at a value of the parameter.
     pub fn on(&self, arc: &Arc, value: f64) -> Option<Point> {
-        let parameter = Self::PARAMETER;
+        let parameter = self.parameter;
         let behind = arc.points.partition_point(|x| x[parameter] < value);
         let behind = behind.clamp(1, arc.points.len().max(2) - 1);
         let (from, to) = (arc.points.get(behind - 1)?, arc.points.get(behind)?);

@@ -20,20 +20,20 @@ const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The intervals of all branches; none where no plan tells them.
     pub fn intervals_of_lanes(&self) -> Option<Vec<FeasibleInterval<N>>> {
-        if K::ROOTS == 0 {
+        if self.roots == 0 {
             return None;
         }
-        let turns = self.turns(Self::PARAMETER);
+        let turns = self.turns(self.parameter);
         let ends = self.ends();
         let mut found = Vec::new();
         let mut middle = None;
         // The sign of the last root changes nothing.
-        let lanes = 1 << (K::ROOTS - 1);
+        let lanes = 1 << (self.roots - 1);
         for signs in 0..lanes {
             let own = ends.iter().filter(|end| end.is_of(signs));
             let own = own.map(|end| self.round(end.value));
             let parts = self.parts(own.collect(), turns, signs);
-            for lane in (signs..K::BRANCHES_AT).step_by(lanes) {
+            for lane in (signs..self.branches).step_by(lanes) {
                 for &[from, to] in &parts {
                     let is_closed = turns && to - from == TAU;
                     found.extend(self.of_lane(lane, from, to, is_closed, &mut middle));
@@ -46,7 +46,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// Values of the parameter between which no branch begins or ends, one of each interval
     /// between neighbouring ends.
     pub fn values_between_ends(&self) -> Option<Vec<f64>> {
-        if K::ROOTS == 0 {
+        if self.roots == 0 {
             return None;
         }
         let ends = self.ends().into_iter().map(|end| self.round(end.value));
@@ -62,7 +62,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// Within the first turn, if the parameter turns.
     fn round(&self, value: f64) -> f64 {
-        match self.turns(Self::PARAMETER) {
+        match self.turns(self.parameter) {
             true => crate::math::wrap(value),
             false => value,
         }
@@ -73,7 +73,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     fn parts(&self, mut ends: Vec<f64>, turns: bool, signs: usize) -> Vec<[f64; 2]> {
         let exists = |value: f64| {
             let arguments = self.robot.root_arguments(self.target, value);
-            arguments[..K::ROOTS]
+            arguments[..self.roots]
                 .iter()
                 .all(|root| root[signs] >= -ZERO)
         };

@@ -16,7 +16,7 @@ pub(super) fn within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     arc: &Arc,
     stops: &[JointLimit; N],
 ) -> Vec<Arc> {
-    let parameter = Task::<K, N>::PARAMETER;
+    let parameter = task.parameter;
     let points = monotone(task, arc);
     let mut crossings: Vec<Point> = Vec::new();
     for (joint, stop) in stops.iter().enumerate() {
@@ -102,7 +102,7 @@ fn monotone<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
     arc: &Arc,
 ) -> Vec<Point> {
-    let parameter = Task::<K, N>::PARAMETER;
+    let parameter = task.parameter;
     let mut points: Vec<Point> = Vec::new();
     for pair in arc.points.windows(2) {
         let (from, to) = (pair[0], pair[1]);

@@ -33,7 +33,7 @@ pub(crate) fn feasible<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     robot: &K,
     target: &Pose,
 ) -> Vec<FeasibleInterval<N>> {
-    let task = Task { robot, target };
+    let task = Task::new(robot, target);
     task.intervals_of_lanes().unwrap_or_else(|| {
         let arcs = arcs::arcs(&task);
         arcs.iter().filter_map(|arc| task.interval(arc)).collect()
@@ -46,7 +46,7 @@ pub(crate) fn feasible_within<K: RedundantKinematics<N> + ?Sized, const N: usize
     target: &Pose,
     stops: &[JointLimit; N],
 ) -> Vec<FeasibleInterval<N>> {
-    let task = Task { robot, target };
+    let task = Task::new(robot, target);
     let arcs = arcs::arcs(&task);
     let parts = arcs
         .iter()
@@ -61,7 +61,7 @@ pub(crate) fn best<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     stops: &[JointLimit; N],
     criterion: &Criterion<N>,
 ) -> Option<[f64; N]> {
-    let task = Task { robot, target };
+    let task = Task::new(robot, target);
     let arcs = arcs::arcs(&task);
     let parts = arcs
         .iter()

@@ -60,9 +60,9 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     fn leads(&self, from: &Place, to: &Place) -> bool {
         let way = self.way(&from.x, &to.x);
         let length = norm(way);
-        let across = way[Self::PARAMETER];
+        let across = way[self.parameter];
         // By the trapezoidal rule over the parameter.
-        let share = |place: &Place| 0.5 * across / place.tangent[Self::PARAMETER];
+        let share = |place: &Place| 0.5 * across / place.tangent[self.parameter];
         let expected = along(&[0.0; 8], &from.tangent, share(from));
         let expected = along(&expected, &to.tangent, share(to));
         let off = norm(along(&way, &expected, -1.0));

@@ -41,7 +41,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     fn suspects(&self, samples: &[Margins]) -> Vec<f64> {
         let mut found = Vec::new();
         let n = samples.len();
-        let turns = self.turns(Self::PARAMETER);
+        let turns = self.turns(self.parameter);
         let round = self.range()[1] - self.range()[0];
         // Around the circle, or between the ends.
         let at = |i: usize| match i {
@@ -53,7 +53,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         for i in cells {
             let four = [i - 1, i, i + 1, i + 2].map(at);
             let mut seen: Vec<[f64; 4]> = Vec::new();
-            for lane in 0..K::BRANCHES_AT {
+            for lane in 0..self.branches {
                 let own = four.map(|sample| sample.1[lane]);
                 let same_sign = (own[1] < 0.0) == (own[2] < 0.0);
                 let sign = if own[1] < 0.0 { 1.0 } else { -1.0 };

@@ -2,7 +2,7 @@
 
 use crate::linear::span::Span;
 use crate::linear::vector::{dot, norm};
-use crate::{Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Target, math};
+use crate::{JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Target, math};
 
 /// Coordinates of a point: all joint values, and behind them the parameter where it is none
 /// of these; the rest is zero.
@@ -20,6 +20,20 @@ const MET: f64 = 1e-12;
 pub(super) struct Task<'a, K: ?Sized, const N: usize> {
     pub robot: &'a K,
     pub target: &'a Pose,
+    /// Which coordinate the parameter is.
+    pub parameter: usize,
+    pub limits: [JointLimit; N],
+    /// Branches of the plan, and how many roots of it each takes.
+    pub branches: usize,
+    pub roots: usize,
+    /// How many coordinates there are.
+    coordinates: usize,
+    /// Those that rest, in front: those that there are not, and joints that are held.
+    resting: ([usize; WIDTH], usize),
+    /// What the parameter is.
+    of: Parameter,
+    /// What counts: with a turn of the tool, a target is a whole pose.
+    counts: Target,
 }
 
 /// A point of a curve, and the unit vector along it, to where the parameter grows.
@@ -29,44 +43,47 @@ pub(super) struct Place {
     pub tangent: Point,
 }
 
-impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// Which coordinate the parameter is.
-    pub const PARAMETER: usize = match K::PARAMETER {
-        Parameter::Joint(joint) => joint,
-        Parameter::Turn | Parameter::Swivel(_) => N,
-    };
-    /// How many coordinates there are.
-    pub const COORDINATES: usize = {
+impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
+    /// Stops the compilation for arms with too many joints.
+    const FITS: () = {
         let beside = !matches!(K::PARAMETER, Parameter::Joint(_)) as usize;
         assert!(
             N + beside <= WIDTH,
             "arms of eight joints at most, seven with a tool that turns"
         );
-        N + beside
     };
 
-    /// The coordinates that rest: those that there are not, and joints that are held.
-    const RESTING: ([usize; WIDTH], usize) = {
-        let (mut resting, mut count, mut i) = ([0; WIDTH], 0, 0);
-        while i < WIDTH {
-            if i >= Self::COORDINATES || K::HELD >> i & 1 == 1 {
-                resting[count] = i;
-                count += 1;
-            }
-            i += 1;
+    pub fn new(robot: &'a K, target: &'a Pose) -> Self {
+        let () = Self::FITS;
+        let of = robot.parameter();
+        let (parameter, counts) = match of {
+            Parameter::Joint(joint) => (joint, robot.counting()),
+            Parameter::Swivel(_) => (N, robot.counting()),
+            Parameter::Turn => (N, Target::Pose),
+        };
+        let coordinates = N.max(parameter + 1);
+        let (mut resting, mut count) = ([0; WIDTH], 0);
+        for i in (0..WIDTH).filter(|&i| i >= coordinates || robot.held() >> i & 1 == 1) {
+            resting[count] = i;
+            count += 1;
         }
-        (resting, count)
-    };
-
-    /// What counts: with a turn of the tool, a target is a whole pose.
-    const COUNTS: Target = match K::PARAMETER {
-        Parameter::Joint(_) | Parameter::Swivel(_) => K::TARGET,
-        Parameter::Turn => Target::Pose,
-    };
+        Task {
+            robot,
+            target,
+            parameter,
+            limits: robot.own_limits(),
+            branches: robot.branches_at(),
+            roots: robot.roots(),
+            coordinates,
+            resting: (resting, count),
+            of,
+            counts,
+        }
+    }
 
     /// Whether a coordinate is an angle.
     pub fn turns(&self, i: usize) -> bool {
-        i >= N || K::LIMITS[i].is_revolute()
+        i >= N || self.limits[i].is_revolute()
     }
 
     /// The joint values of a point.
@@ -78,7 +95,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     pub fn point(&self, q: &[f64; N], parameter: f64) -> Point {
         let mut x = [0.0; WIDTH];
         x[..N].copy_from_slice(q);
-        x[Self::PARAMETER] = parameter;
+        x[self.parameter] = parameter;
         x
     }
 
@@ -86,7 +103,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     pub fn way(&self, from: &Point, to: &Point) -> Point {
         core::array::from_fn(|i| {
             let way = to[i] - from[i];
-            match i < Self::COORDINATES && self.turns(i) && i != Self::PARAMETER {
+            match i < self.coordinates && self.turns(i) && i != self.parameter {
                 true => math::wrap(way),
                 false => way,
             }
@@ -97,24 +114,24 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     fn equations(&self, x: &Point) -> ([Point; EQUATIONS], [f64; EQUATIONS]) {
         let (pose, spatial) = self.robot.fk_jacobian(&self.q(x));
         let geometric = spatial.spatial_to_geometric(&pose);
-        let target = match K::PARAMETER {
+        let target = match self.of {
             Parameter::Joint(_) | Parameter::Swivel(_) => *self.target,
             Parameter::Turn => self.target.turned(x[N]),
         };
-        let own = Self::COUNTS.counting_rows(&pose, &geometric).rows;
+        let own = self.counts.counting_rows(&pose, &geometric).rows;
         let mut rows = [[0.0; WIDTH]; EQUATIONS];
         for (row, own) in rows.iter_mut().zip(own) {
             row[..N].copy_from_slice(&own);
         }
         let mut missing = [0.0; EQUATIONS];
-        missing[..6].copy_from_slice(&Self::COUNTS.missing(&pose, &target).to_array());
-        if let Parameter::Swivel(swivel) = K::PARAMETER {
+        missing[..6].copy_from_slice(&self.counts.missing(&pose, &target).to_array());
+        if let Parameter::Swivel(swivel) = self.of {
             let (row, angle) = swivel.row(&self.robot.fk_links(&self.q(x)), &pose, &spatial);
             rows[6][..N].copy_from_slice(&row);
             rows[6][N] = -1.0;
             missing[6] = math::wrap(x[N] - angle);
         }
-        if let Parameter::Turn = K::PARAMETER {
+        if let Parameter::Turn = self.of {
             // The target turns about its z axis.
             for i in 0..3 {
                 rows[3 + i][N] = -target.rotation[i][2];
@@ -125,7 +142,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// Of the equations and one more, which are independent, and what rests.
     fn span(&self, rows: &[Point; EQUATIONS], more: Option<&Point>) -> Span<WIDTH> {
-        let (resting, rest) = Self::RESTING;
+        let (resting, rest) = self.resting;
         let row = |i: usize| match i {
             0..EQUATIONS => rows[i],
             _ if i < EQUATIONS + rest => unit(resting[i - EQUATIONS]),
@@ -144,7 +161,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         if ways.next().is_some() {
             return None;
         }
-        let sign = 1.0_f64.copysign(tangent[Self::PARAMETER]);
+        let sign = 1.0_f64.copysign(tangent[self.parameter]);
         let tangent = tangent.map(|t| sign * t);
         Some(Place { x, tangent })
     }
@@ -153,7 +170,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// it does not get there.
     pub fn meet(&self, normal: &Point, through: &Point, guess: Point) -> Option<Point> {
         let size = norm(self.target.translation).max(1.0);
-        let (_, rest) = Self::RESTING;
+        let (_, rest) = self.resting;
         let mut x = guess;
         for _ in 0..NEWTON_STEPS {
             let (rows, missing) = self.equations(&x);

@@ -138,7 +138,7 @@ impl Curve {
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// Where branches begin and end; the parameter is anything modulo a turn, if it turns.
     pub fn ends(&self) -> Vec<End> {
-        let turns = self.turns(Self::PARAMETER);
+        let turns = self.turns(self.parameter);
         let [from, to] = match turns {
             true => [CUT - PI, CUT + PI],
             false => self.range(),
@@ -157,7 +157,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     fn explore(&self, curve: Curve, cosines: &Cosines, ends: &mut Vec<End>) {
         let root = curve.roots;
-        if root == K::ROOTS {
+        if root == self.roots {
             return;
         }
         let argument = |t: f64| {
@@ -174,7 +174,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             let (value, signs) = curve.at(zero);
             End { value, root, signs }
         }));
-        if root + 1 == K::ROOTS {
+        if root + 1 == self.roots {
             return;
         }
         let unfolded = curve.unfolded(&zeros, |t| argument(t) >= 0.0);

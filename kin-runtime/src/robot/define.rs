@@ -82,6 +82,18 @@ macro_rules! define_kinematics {
             /// of isolated solutions; 0 for an arm generated with `ik = none`.
             const BRANCHES: usize;
 
+            /// [`Kinematics::LIMITS`], or those of a robot that is known when the program runs.
+            #[doc(hidden)]
+            fn own_limits(&self) -> [JointLimit; $n] {
+                Self::LIMITS
+            }
+
+            /// [`Kinematics::TARGET`], in the same way.
+            #[doc(hidden)]
+            fn counting(&self) -> Target {
+                Self::TARGET
+            }
+
             $(
                 $(#[$required_attribute])*
                 fn $required(&$this $(, $given: $of)*) -> $answer;

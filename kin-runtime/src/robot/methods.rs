@@ -145,7 +145,7 @@ macro_rules! kinematics_methods {
                 fn ik_nearest(&self, target: &$($root)*::Pose, seed: &[$real; $n])
                     -> ::core::option::Option<$($root)*::Solution<$n>>
                 {
-                    self.ik_nearest_by(target, &Nearest::new(*seed, &Self::LIMITS))
+                    self.ik_nearest_by(target, &Nearest::new(*seed, &self.own_limits()))
                 }
 
                 /// As [`Self::ik_nearest`], by limits, weights of the joints and

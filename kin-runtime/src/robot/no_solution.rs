@@ -52,8 +52,9 @@ impl<const N: usize> NoSolution<N> {
         nearest: &Nearest<N>,
     ) -> Self {
         let solutions = robot.ik_seeded(target, &nearest.seed);
-        Self::among(&solutions, nearest)
-            .unwrap_or_else(|| Self::of_target(K::TARGET, target, || robot.ik_approximate(target)))
+        Self::among(&solutions, nearest).unwrap_or_else(|| {
+            Self::of_target(robot.counting(), target, || robot.ik_approximate(target))
+        })
     }
 
     /// Why none of some solutions is wanted; none if there are none.

@@ -58,6 +58,31 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// parameters ([`Along`](crate::Along)).
     const HELD: u32 = 0;
 
+    /// [`RedundantKinematics::PARAMETER`], or that of a robot that is known when the program
+    /// runs.
+    #[doc(hidden)]
+    fn parameter(&self) -> Parameter {
+        Self::PARAMETER
+    }
+
+    /// [`RedundantKinematics::BRANCHES_AT`], in the same way.
+    #[doc(hidden)]
+    fn branches_at(&self) -> usize {
+        Self::BRANCHES_AT
+    }
+
+    /// [`RedundantKinematics::ROOTS`], in the same way.
+    #[doc(hidden)]
+    fn roots(&self) -> usize {
+        Self::ROOTS
+    }
+
+    /// [`RedundantKinematics::HELD`], in the same way.
+    #[doc(hidden)]
+    fn held(&self) -> u32 {
+        Self::HELD
+    }
+
     /// All configurations with this parameter that put the tip at the target, as far as
     /// the target counts: every isolated one once, and none if the target is out of
     /// reach.
@@ -82,13 +107,13 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         let solutions = self.ik_at(target, parameter);
         solutions.nearest_by(nearest).ok_or_else(|| {
             NoSolution::among(&solutions, nearest)
-                .unwrap_or_else(|| NoSolution::of_target(Self::TARGET, target, || None))
+                .unwrap_or_else(|| NoSolution::of_target(self.counting(), target, || None))
         })
     }
 
     /// The same within the robot's own limits, by steps of every length; none if there is none.
     fn ik_nearest_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Option<Solution<N>> {
-        let nearest = Nearest::new(*seed, &Self::LIMITS);
+        let nearest = Nearest::new(*seed, &self.own_limits());
         self.ik_at(target, parameter).nearest_by(&nearest)
     }
 
@@ -114,7 +139,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// The parameter of a configuration that puts the tip at the target.
     fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
-        match Self::PARAMETER {
+        match self.parameter() {
             Parameter::Joint(joint) => q[joint],
             Parameter::Turn => target.turn_to(&self.fk(q)),
             Parameter::Swivel(swivel) => swivel.angle(&self.fk_links(q), &self.fk(q)),
@@ -124,9 +149,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// The solutions at so many values of the parameter, evenly spaced over a turn, or
     /// over the travel of a prismatic joint; nothing is allocated.
     fn ik_sweep(&self, target: &Pose, count: usize) -> impl Iterator<Item = Solutions<N>> {
-        let [from, to] = match Self::PARAMETER {
-            Parameter::Joint(joint) if !Self::LIMITS[joint].is_revolute() => {
-                [Self::LIMITS[joint].lower(), Self::LIMITS[joint].upper()]
+        let limits = self.own_limits();
+        let [from, to] = match self.parameter() {
+            Parameter::Joint(joint) if !limits[joint].is_revolute() => {
+                [limits[joint].lower(), limits[joint].upper()]
             }
             _ => [-PI, PI],
         };
@@ -189,6 +215,6 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// within limits.
     #[cfg(feature = "alloc")]
     fn ik_best(&self, target: &Pose, criterion: &Criterion<N>) -> Option<[f64; N]> {
-        best(self, target, &Self::LIMITS, criterion)
+        best(self, target, &self.own_limits(), criterion)
     }
 }

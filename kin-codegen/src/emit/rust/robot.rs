@@ -116,9 +116,6 @@ pub(super) fn generated_by(runtime: &TokenStream) -> TokenStream {
     quote!(#(#runtime::__private::generated_by!(#version);)*)
 }
 
-/// A spatial Jacobian of more multiplications is left to `fk_jacobian`.
-const LONGEST: usize = 80;
-
 fn constants(compiled: &CompiledArm, n: &Literal, postures: Option<&Postures>) -> TokenStream {
     let model = &compiled.model;
     let names = model
@@ -241,10 +238,9 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
             forward::jacobian(w, columns)
         })
     };
-    // Of a noisy arm it is long, and inlined, the pose costs nothing.
-    let spatial = match f.cost(&f.spatial.expressions()).multiplications {
-        ..=LONGEST => jacobian(&f.spatial),
-        _ => quote!(self.fk_jacobian(q).1),
+    let spatial = match f.spatial_alone() {
+        Some(spatial) => jacobian(spatial),
+        None => quote!(self.fk_jacobian(q).1),
     };
     let body = jacobian(&f.body);
     let geometric = jacobian(&f.geometric);

@@ -1,12 +1,16 @@
 //! The closed form of an arm: the relations that were read into its axes, the
 //! plan, its expressions, and the refinement onto the arm as given.
 
-use crate::expr::Lanes;
-use crate::expr::inverse::{FreeAngle, InverseGraph};
+mod branches;
+mod roots;
+
+pub use roots::Domain;
+
+use crate::expr::inverse::InverseGraph;
 use crate::geometry::{Carried, Idealized, Linkage};
 use crate::model::JointKind;
 use crate::plan::Plan;
-use crate::scalar::{Scalar, Tolerances};
+use crate::scalar::Tolerances;
 use crate::single;
 use crate::univariate;
 use kin_runtime::__private::Acceptance;
@@ -144,6 +148,17 @@ impl ClosedForm {
         seed: Option<&[f64; N]>,
     ) -> Solutions<N> {
         let branches = self.branches::<N>(target, parameters, seed.unwrap_or(&[0.0; N]));
+        self.sorted(target, parameters, seed, &branches)
+    }
+
+    /// The solutions, from the branches of the plan that exist.
+    fn sorted<const N: usize>(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: Option<&[f64; N]>,
+        branches: &[Solution<N>],
+    ) -> Solutions<N> {
         let starts = branches.iter().copied();
         match (&self.inverse, &self.refinement) {
             _ if self.plan.target.is_projected() => {
@@ -215,41 +230,6 @@ impl ClosedForm {
             7 => told(&self.branches::<7>(target, parameters, &[0.0; 7])),
             _ => told(&self.branches::<6>(target, parameters, &[0.0; 6])),
         }
-    }
-
-    /// The branches of the plan that exist, if it is run by expressions.
-    pub(crate) fn branches<const N: usize>(
-        &self,
-        target: &Pose,
-        parameters: &[f64],
-        seed: &[f64; N],
-    ) -> Vec<Solution<N>> {
-        let Some(inverse) = self.expressions() else {
-            return Vec::new();
-        };
-        let at = Question {
-            inverse,
-            target,
-            parameters,
-            seed,
-            branches: self.plan.branches() as u32,
-            scalar: self.linkage.scalar,
-        };
-        let values = at.evaluate(self.tolerances().free_below);
-        let exists = |branch: u32| {
-            let turned = inverse.free_angle.and_then(|free| {
-                let no_root = values.at(NO_ROOT, branch) > 0.0;
-                no_root.then(|| at.turned(branch, free))
-            });
-            let values = turned.as_ref().unwrap_or(&values);
-            (values.at(INVALID, branch) <= 0.0).then(|| Solution {
-                q: std::array::from_fn(|i| values.joint(i, branch)),
-                residual: values.at(RESIDUAL, branch),
-                singular: values.at(SINGULAR, branch) > 0.0,
-                branch,
-            })
-        };
-        (0..at.branches).filter_map(exists).collect()
     }
 
     /// The branches, corrected or refined onto the arm as given.
@@ -329,80 +309,4 @@ impl ClosedForm {
 
 fn told<const N: usize>(found: &Solutions<N>) -> Vec<BranchSolution> {
     found.iter().map(BranchSolution::of).collect()
-}
-
-/// What expressions are evaluated for.
-struct Question<'a> {
-    inverse: &'a InverseGraph,
-    target: &'a Pose,
-    parameters: &'a [f64],
-    /// What free angles keep.
-    seed: &'a [f64],
-    branches: u32,
-    scalar: Scalar,
-}
-
-/// Lanes that are computed at once: most plans have so many branches.
-const LANES: usize = 8;
-
-/// Outputs of [`InverseGraph::outputs`] behind the joint values.
-const RESIDUAL: usize = 0;
-const INVALID: usize = 1;
-const SINGULAR: usize = 2;
-const LEVEL: usize = 3;
-const NO_ROOT: usize = 4;
-
-/// All branches of a plan.
-struct Values<'a> {
-    joints: usize,
-    lanes: Vec<Lanes<'a, LANES>>,
-}
-
-impl Values<'_> {
-    fn joint(&self, coordinate: usize, branch: u32) -> f64 {
-        let branch = branch as usize;
-        self.lanes[branch / LANES].output(coordinate)[branch % LANES]
-    }
-
-    /// Of an output behind the joint values.
-    fn at(&self, output: usize, branch: u32) -> f64 {
-        self.joint(self.joints + output, branch)
-    }
-}
-
-impl<'a> Question<'a> {
-    /// The values with the free angle of a branch turned.
-    fn turned(&self, branch: u32, free: FreeAngle) -> Values<'a> {
-        let nearly_free = self.scalar.tolerances().nearly_free;
-        let turned = |turn: f64| self.evaluate_with(nearly_free, Some((free.coordinate, turn)));
-        let level = |turn| turned(turn).at(LEVEL, branch);
-        turned(self.scalar.roomiest_turn(level))
-    }
-
-    /// The values with angles free below a threshold.
-    fn evaluate(&self, free_below: f64) -> Values<'a> {
-        self.evaluate_with(free_below, None)
-    }
-
-    /// The same with one coordinate of the seed turned.
-    fn evaluate_with(&self, free_below: f64, turned: Option<(usize, f64)>) -> Values<'a> {
-        let inverse = self.inverse;
-        let mut inputs: Vec<f64> = Vec::with_capacity(24);
-        inputs.extend(self.target.rotation.iter().flatten());
-        inputs.extend(self.target.translation);
-        let seed = inputs.len();
-        inputs.extend(self.seed);
-        if let Some((coordinate, turn)) = turned {
-            inputs[seed + coordinate] += turn;
-        }
-        inputs.extend(self.parameters);
-        inputs.push(free_below);
-        let blocks = (0..self.branches).step_by(LANES);
-        Values {
-            joints: inverse.q.len(),
-            lanes: blocks
-                .map(|first| inverse.tape.run(&inputs, first))
-                .collect(),
-        }
-    }
 }

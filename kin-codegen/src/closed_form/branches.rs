@@ -1,0 +1,219 @@
+//! The branches of a plan by its tape: of one target, or of several side by side.
+
+use super::ClosedForm;
+use crate::expr::Lanes;
+use crate::expr::inverse::{FreeAngle, InverseGraph};
+use crate::scalar::Scalar;
+use kin_runtime::{Pose, Solution, Solutions};
+
+/// Lanes that are computed at once for a target: most plans have so many branches.
+const LANES: usize = 8;
+/// Targets that are computed side by side.
+const TARGETS: usize = 8;
+const WIDTH: usize = LANES * TARGETS;
+
+/// Outputs of [`InverseGraph::outputs`] behind the joint values.
+const RESIDUAL: usize = 0;
+const INVALID: usize = 1;
+const SINGULAR: usize = 2;
+const LEVEL: usize = 3;
+const NO_ROOT: usize = 4;
+
+impl ClosedForm {
+    /// The branches of the plan that exist, if it is run by expressions.
+    pub(crate) fn branches<const N: usize>(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: &[f64; N],
+    ) -> Vec<Solution<N>> {
+        let Some(at) = self.question(target, parameters, seed) else {
+            return Vec::new();
+        };
+        at.existing(&at.evaluate(self.tolerances().free_below))
+    }
+
+    /// All branches of the plan, also those that do not exist.
+    pub(super) fn all_branches<const N: usize>(&self, target: &Pose) -> Vec<Solution<N>> {
+        let seed = [0.0; N];
+        let Some(at) = self.question(target, &[], &seed) else {
+            return Vec::new();
+        };
+        let values = at.evaluate(self.tolerances().free_below);
+        (0..at.branches).map(|it| at.told(&values, it).1).collect()
+    }
+
+    /// The solutions for each of many targets that come with nothing else, as
+    /// [`ClosedForm::solved`] has them.
+    pub fn solved_each<const N: usize>(
+        &self,
+        targets: &[Pose],
+        mut answer: impl FnMut(usize, Solutions<N>),
+    ) {
+        let seed = [0.0; N];
+        for (block, targets) in targets.chunks(TARGETS).enumerate() {
+            let first = block * TARGETS;
+            let questions: Option<Vec<Question>> = targets
+                .iter()
+                .map(|target| self.question(target, &[], &seed))
+                .collect();
+            let whole = questions.and_then(|all| <[Question; TARGETS]>::try_from(all).ok());
+            let Some(all) = whole else {
+                for (i, target) in targets.iter().enumerate() {
+                    answer(first + i, self.solved(target, &[]));
+                }
+                continue;
+            };
+            let lanes = evaluate_each(&all, self.tolerances().free_below);
+            for (place, at) in all.iter().enumerate() {
+                let values = Values {
+                    joints: at.inverse.q.len(),
+                    of: Of::Several(&lanes, place),
+                };
+                let branches = at.existing(&values);
+                answer(first + place, self.sorted(at.target, &[], None, &branches));
+            }
+        }
+    }
+
+    fn question<'a>(
+        &'a self,
+        target: &'a Pose,
+        parameters: &'a [f64],
+        seed: &'a [f64],
+    ) -> Option<Question<'a>> {
+        Some(Question {
+            inverse: self.expressions()?,
+            target,
+            parameters,
+            seed,
+            branches: self.plan.branches() as u32,
+            scalar: self.linkage.scalar,
+        })
+    }
+}
+
+/// What expressions are evaluated for.
+struct Question<'a> {
+    inverse: &'a InverseGraph,
+    target: &'a Pose,
+    parameters: &'a [f64],
+    /// What free angles keep.
+    seed: &'a [f64],
+    branches: u32,
+    scalar: Scalar,
+}
+
+/// All branches of a plan.
+struct Values<'a> {
+    joints: usize,
+    of: Of<'a>,
+}
+
+enum Of<'a> {
+    One(Vec<Lanes<'a, LANES>>),
+    /// The target at a place among several.
+    Several(&'a [Lanes<'a, WIDTH>], usize),
+}
+
+impl Values<'_> {
+    fn joint(&self, coordinate: usize, branch: u32) -> f64 {
+        let branch = branch as usize;
+        let (block, lane) = (branch / LANES, branch % LANES);
+        match &self.of {
+            Of::One(blocks) => blocks[block].output(coordinate)[lane],
+            Of::Several(blocks, place) => blocks[block].output(coordinate)[place * LANES + lane],
+        }
+    }
+
+    /// Of an output behind the joint values.
+    fn at(&self, output: usize, branch: u32) -> f64 {
+        self.joint(self.joints + output, branch)
+    }
+}
+
+/// What expressions are computed from.
+pub(super) fn inputs(target: &Pose, seed: &[f64], parameters: &[f64], free_below: f64) -> Vec<f64> {
+    let mut inputs: Vec<f64> = Vec::with_capacity(24);
+    inputs.extend(target.rotation.iter().flatten());
+    inputs.extend(target.translation);
+    inputs.extend(seed);
+    inputs.extend(parameters);
+    inputs.push(free_below);
+    inputs
+}
+
+/// The branches of several targets side by side, with angles free below a threshold.
+fn evaluate_each<'a>(all: &[Question<'a>; TARGETS], free_below: f64) -> Vec<Lanes<'a, WIDTH>> {
+    let Question {
+        inverse, branches, ..
+    } = all[0];
+    let of = |at: &Question| inputs(at.target, at.seed, at.parameters, free_below);
+    let inputs = all.each_ref().map(of);
+    let blocks = (0..branches).step_by(LANES);
+    blocks
+        .map(|first| {
+            inverse
+                .tape
+                .run_each(inputs.each_ref().map(|x| &x[..]), first)
+        })
+        .collect()
+}
+
+impl<'a> Question<'a> {
+    /// Whether a branch exists, and what it is.
+    fn told<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
+        let turned = self.inverse.free_angle.and_then(|free| {
+            let no_root = values.at(NO_ROOT, branch) > 0.0;
+            no_root.then(|| self.turned(branch, free))
+        });
+        let values = turned.as_ref().unwrap_or(values);
+        let solution = Solution {
+            q: std::array::from_fn(|i| values.joint(i, branch)),
+            residual: values.at(RESIDUAL, branch),
+            singular: values.at(SINGULAR, branch) > 0.0,
+            branch,
+        };
+        (values.at(INVALID, branch) <= 0.0, solution)
+    }
+
+    fn existing<const N: usize>(&self, values: &Values) -> Vec<Solution<N>> {
+        let exists = |branch| {
+            let (exists, solution) = self.told(values, branch);
+            exists.then_some(solution)
+        };
+        (0..self.branches).filter_map(exists).collect()
+    }
+
+    /// The values with the free angle of a branch turned.
+    fn turned(&self, branch: u32, free: FreeAngle) -> Values<'a> {
+        let nearly_free = self.scalar.tolerances().nearly_free;
+        let turned = |turn: f64| self.evaluate_with(nearly_free, Some((free.coordinate, turn)));
+        let level = |turn| turned(turn).at(LEVEL, branch);
+        turned(self.scalar.roomiest_turn(level))
+    }
+
+    /// The values with angles free below a threshold.
+    fn evaluate(&self, free_below: f64) -> Values<'a> {
+        self.evaluate_with(free_below, None)
+    }
+
+    /// The same with one coordinate of the seed turned.
+    fn evaluate_with(&self, free_below: f64, turned: Option<(usize, f64)>) -> Values<'a> {
+        let inverse = self.inverse;
+        let mut seed = self.seed.to_vec();
+        if let Some((coordinate, turn)) = turned {
+            seed[coordinate] += turn;
+        }
+        let inputs = inputs(self.target, &seed, self.parameters, free_below);
+        let blocks = (0..self.branches).step_by(LANES);
+        Values {
+            joints: inverse.q.len(),
+            of: Of::One(
+                blocks
+                    .map(|first| inverse.tape.run(&inputs, first))
+                    .collect(),
+            ),
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Of an arm with a parameter, what tells where its branches exist; and what comes nearest to
+//! targets out of reach.
+
+use super::branches::inputs;
+use super::{ClosedForm, Inverse};
+use crate::expr::Tape;
+use crate::expr::inverse::InverseGraph;
+use crate::geometry::Carried;
+use kin_runtime::{Pose, Solution};
+
+/// Where the branches of an arm with a parameter exist, by functions of the parameter.
+#[derive(Clone, Debug)]
+pub struct Domain {
+    /// What the roots of an exact arm's plan are the roots of.
+    arguments: Option<Arguments>,
+    /// Of other plans, how far they are from having no root.
+    margin: Option<Margin>,
+}
+
+#[derive(Clone, Debug)]
+struct Arguments {
+    tape: Tape,
+    /// By root, whether it can be out of domain; outputs of the tape are those of these.
+    roots: Vec<bool>,
+    /// Branches that differ in the choices that count.
+    branches: usize,
+}
+
+#[derive(Clone, Debug)]
+struct Margin {
+    tape: Tape,
+    branches: usize,
+}
+
+/// All lanes of a tape: no plan of an arm with a parameter has more branches.
+const LANES: usize = 16;
+
+impl Domain {
+    /// Of an arm with a parameter.
+    pub fn of(form: &ClosedForm) -> Self {
+        let exact = form.expressions().filter(|_| form.is_exact());
+        let arguments = exact.and_then(InverseGraph::of_arguments);
+        let arguments = arguments.map(|(inverse, roots)| Arguments {
+            tape: Tape::new(&inverse.graph, &inverse.q),
+            roots: roots.iter().map(Option::is_some).collect(),
+            branches: 1 << inverse.graph.choices(),
+        });
+        let margin = match arguments {
+            Some(_) => None,
+            None => form.expressions().and_then(InverseGraph::of_margin),
+        };
+        let margin = margin.map(|inverse| Margin {
+            tape: Tape::new(&inverse.graph, &[inverse.residual]),
+            branches: 1 << inverse.graph.choices(),
+        });
+        Self { arguments, margin }
+    }
+
+    /// How many roots there are that have arguments.
+    pub fn roots(&self) -> usize {
+        self.arguments.as_ref().map_or(0, |it| it.roots.len())
+    }
+
+    /// See [`root_arguments`](kin_runtime::RedundantKinematics::root_arguments).
+    pub fn arguments(
+        &self,
+        form: &ClosedForm,
+        target: &Pose,
+        parameters: &[f64],
+    ) -> [[f64; 16]; 4] {
+        let mut all = [[f64::INFINITY; 16]; 4];
+        if let Some(arguments) = &self.arguments {
+            let inputs = form.inputs(target, parameters);
+            let values = arguments.tape.run::<LANES>(&inputs, 0);
+            let own = all.iter_mut().zip(&arguments.roots);
+            for (number, (to, _)) in own.filter(|(_, is_own)| **is_own).enumerate() {
+                let lanes = ..arguments.branches;
+                to[lanes].copy_from_slice(&values.output(number)[lanes]);
+            }
+        }
+        all
+    }
+
+    /// See [`margins_at`](kin_runtime::RedundantKinematics::margins_at).
+    pub fn margins(
+        &self,
+        form: &ClosedForm,
+        target: &Pose,
+        parameters: &[f64],
+    ) -> Option<[f64; 16]> {
+        if let Inverse::Univariate(arm) = &form.inverse {
+            let carried = Carried::new(&form.given).target(target, parameters);
+            return arm.margins(&carried);
+        }
+        let Margin { tape, branches } = self.margin.as_ref()?;
+        let values = tape.run::<LANES>(&form.inputs(target, parameters), 0);
+        let mut margins = [0.0; 16];
+        for (k, margin) in margins[..form.plan.branches()].iter_mut().enumerate() {
+            *margin = values.output(0)[k % branches];
+        }
+        Some(margins)
+    }
+}
+
+impl ClosedForm {
+    /// What its expressions are computed from, with free angles at 0.
+    fn inputs(&self, target: &Pose, parameters: &[f64]) -> Vec<f64> {
+        let seed = vec![0.0; self.given.variables()];
+        inputs(target, &seed, parameters, self.tolerances().free_below)
+    }
+
+    /// A solution, or for a target out of reach what comes nearest, with its distance as the
+    /// residual; none if the target is not a number. The arm is given by its forward kinematics.
+    pub fn approximate<const N: usize>(
+        &self,
+        target: &Pose,
+        fk: impl Fn(&[f64; N]) -> Pose,
+    ) -> Option<Solution<N>> {
+        if let Inverse::Univariate(arm) = &self.inverse {
+            return arm.closest(target);
+        }
+        let counts = self.plan.target;
+        let exact = self.is_exact() || counts.is_projected();
+        let reached = || self.solved::<N>(target, &[]).first().copied();
+        let solution = if exact { None } else { reached() };
+        solution.or_else(|| {
+            let distance = |solution: &Solution<N>| match counts.is_projected() {
+                true => solution.residual,
+                false => counts.distance(&fk(&solution.q), target, self.linkage.size),
+            };
+            let mut nearest = None;
+            let mut least = f64::INFINITY;
+            for solution in self.all_branches(target) {
+                let residual = distance(&solution);
+                if residual < least {
+                    least = residual;
+                    nearest = Some(Solution {
+                        residual,
+                        ..solution
+                    });
+                }
+            }
+            nearest
+        })
+    }
+}

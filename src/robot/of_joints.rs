@@ -1,0 +1,216 @@
+//! A robot as one of N joints: what generated types do is there by the same traits, and so by the
+//! same code.
+
+use super::Robot;
+use super::forward::pose;
+use kin_codegen::closed_form::Domain;
+use kin_codegen::expr::Tape;
+use kin_runtime::{
+    Hessian, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solution,
+    Solutions, Target, Twist,
+};
+
+/// Evaluates an expression with a number that is known at run time, 1 to 8, as a constant; none
+/// of other numbers.
+macro_rules! with_constant {
+    ($n:expr, $constant:ident => $body:expr) => {
+        with_constant!($n, $constant => $body, 1 2 3 4 5 6 7 8)
+    };
+    ($n:expr, $constant:ident => $body:expr, $($value:literal)*) => {
+        match $n {
+            $($value => {
+                const $constant: usize = $value;
+                Some($body)
+            })*
+            _ => None,
+        }
+    };
+}
+pub(super) use with_constant;
+
+/// A robot that has N joints, and of several parameters one that moves.
+///
+/// What a robot has is asked of methods: of the constants that the traits want, none is read.
+#[derive(Clone, Copy)]
+pub(super) struct OfJoints<'a, const N: usize> {
+    robot: &'a Robot,
+    /// The place of the parameter that moves.
+    moving: usize,
+    /// All parameters; that one is not read.
+    held: &'a [f64],
+}
+
+impl<'a, const N: usize> OfJoints<'a, N> {
+    pub fn new(robot: &'a Robot) -> Self {
+        Self::along(robot, 0, &[])
+    }
+
+    pub fn along(robot: &'a Robot, moving: usize, held: &'a [f64]) -> Self {
+        Self {
+            robot,
+            moving,
+            held,
+        }
+    }
+
+    fn with(&self, parameter: f64) -> Vec<f64> {
+        let mut parameters = self.held.to_vec();
+        parameters.resize(self.robot.parameters(), 0.0);
+        parameters[self.moving] = parameter;
+        parameters
+    }
+
+    fn jacobian(tape: &Tape, inputs: &[f64]) -> Jacobian<N> {
+        let values = tape.run::<1>(inputs, 0);
+        let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[0]);
+        let column = |joint: usize| Twist {
+            linear: part(6 * joint),
+            angular: part(6 * joint + 3),
+        };
+        Jacobian::from_columns(std::array::from_fn(column))
+    }
+}
+
+/// The values of N joints.
+///
+/// # Panics
+///
+/// There are more or fewer.
+pub(super) fn array<const N: usize>(q: &[f64]) -> &[f64; N] {
+    q.try_into().expect("one value for each joint")
+}
+
+impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
+    const JOINT_NAMES: [&'static str; N] = [""; N];
+    const LIMITS: [JointLimit; N] = [JointLimit::Continuous; N];
+    const BASE: &'static str = "";
+    const TIP: &'static str = "";
+    const BRANCHES: usize = 0;
+
+    fn own_limits(&self) -> [JointLimit; N] {
+        std::array::from_fn(|i| self.robot.limits[i])
+    }
+
+    fn counting(&self) -> Target {
+        match (self.robot.parameter(self.moving), self.robot.has_turn()) {
+            (Some(Parameter::Turn), _) | (_, false) => self.robot.target(),
+            _ => Target::Pose,
+        }
+    }
+
+    fn fk(&self, q: &[f64; N]) -> Pose {
+        self.robot.fk(q)
+    }
+
+    fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
+        let values = self.robot.links.run::<1>(q, 0);
+        std::array::from_fn(|i| pose(&values, 12 * i))
+    }
+
+    fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
+        let values = self.robot.both.run::<1>(q, 0);
+        let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[0]);
+        let column = |joint: usize| Twist {
+            linear: part(12 + 6 * joint),
+            angular: part(15 + 6 * joint),
+        };
+        let jacobian = Jacobian::from_columns(std::array::from_fn(column));
+        (pose(&values, 0), jacobian)
+    }
+
+    fn spatial_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        match &self.robot.spatial {
+            Some(tape) => Self::jacobian(tape, q),
+            None => self.fk_jacobian(q).1,
+        }
+    }
+
+    fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        Self::jacobian(&self.robot.body, q)
+    }
+
+    fn geometric_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        Self::jacobian(&self.robot.geometric, q)
+    }
+
+    fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        match &self.robot.dot {
+            Some(tape) => Self::jacobian(tape, &[*q, *rates].concat()),
+            None => self.spatial_jacobian(q).spatial_dot(rates),
+        }
+    }
+
+    fn hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        let unit = |k| std::array::from_fn(|j| if j == k { 1.0 } else { 0.0 });
+        match self.robot.dot {
+            Some(_) => Hessian {
+                derivatives: std::array::from_fn(|k| self.jacobian_dot(q, &unit(k))),
+            },
+            None => self.spatial_jacobian(q).spatial_hessian(),
+        }
+    }
+
+    fn ik(&self, target: &Pose) -> Solutions<N> {
+        self.robot.isolated(target, None)
+    }
+
+    fn ik_seeded(&self, target: &Pose, seed: &[f64; N]) -> Solutions<N> {
+        self.robot.isolated(target, Some(seed))
+    }
+
+    fn ik_approximate(&self, target: &Pose) -> Option<Solution<N>> {
+        let form = self.robot.arm.form();
+        let form = form.filter(|_| self.robot.parameters() == 0)?;
+        form.approximate(target, |q| self.robot.fk(q))
+    }
+}
+
+impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
+    const PARAMETER: Parameter = Parameter::Joint(0);
+    const BRANCHES_AT: usize = 0;
+
+    fn parameter(&self) -> Parameter {
+        let parameter = self.robot.parameter(self.moving);
+        parameter.expect("a robot with so many parameters")
+    }
+
+    fn branches_at(&self) -> usize {
+        self.robot.branches_at()
+    }
+
+    fn roots(&self) -> usize {
+        self.robot.domain.as_ref().map_or(0, Domain::roots)
+    }
+
+    fn held(&self) -> u32 {
+        let others = (0..self.robot.parameters()).filter(|&i| i != self.moving);
+        others.fold(0, |held, i| match self.robot.parameter(i) {
+            Some(Parameter::Joint(joint)) => held | 1 << joint,
+            _ => held,
+        })
+    }
+
+    fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
+        self.robot.solutions(target, &self.with(parameter), None)
+    }
+
+    fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+        let Some((form, domain)) = self.robot.arm.form().zip(self.robot.domain.as_ref()) else {
+            return [[f64::INFINITY; 16]; 4];
+        };
+        let parameters = self.with(parameter);
+        let (target, given) = self.robot.turned(target, &parameters);
+        domain.arguments(form, &target, given)
+    }
+
+    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
+        let (form, domain) = self.robot.arm.form().zip(self.robot.domain.as_ref())?;
+        // Generated robots with several parameters tell none.
+        if self.robot.parameters() > 1 {
+            return None;
+        }
+        let parameters = self.with(parameter);
+        let (target, given) = self.robot.turned(target, &parameters);
+        domain.margins(form, &target, given)
+    }
+}
