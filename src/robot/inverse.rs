@@ -33,7 +33,7 @@ impl Robot {
         .unwrap_or_default()
     }
 
-    /// All solutions for each of many poses, as [`Robot::ik`] has them: eight of an arm with a
+    /// All solutions for each of many poses, as [`Robot::ik`] has them: four of an arm with a
     /// closed form are computed side by side.
     pub fn ik_batch(&self, poses: &[Pose]) -> Vec<Answers> {
         let Some(form) = self.arm.form().filter(|_| self.parameters() == 0) else {

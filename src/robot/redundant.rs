@@ -106,7 +106,7 @@ impl Robot {
 /// assert!(intervals.iter().any(|interval| interval.contains(0.6)));
 /// assert!(along.ik_sweep(&pose, 16).iter().any(|solutions| !solutions.is_empty()));
 /// let best = along.ik_best(&pose, &Criterion::<7>::FarthestFromLimits).unwrap();
-/// assert!(arm.limits().iter().zip(best).all(|(limit, x)| limit.contains(x)));
+/// assert!(arm.limits().iter().zip(best).all(|(it, x)| (it.lower()..=it.upper()).contains(&x)));
 /// # Ok::<(), kinematics::LoadError>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -9,7 +9,7 @@ use kin_runtime::{Pose, Solution, Solutions};
 /// Lanes that are computed at once for a target: most plans have so many branches.
 const LANES: usize = 8;
 /// Targets that are computed side by side.
-const TARGETS: usize = 8;
+const TARGETS: usize = 4;
 const WIDTH: usize = LANES * TARGETS;
 
 /// Outputs of [`InverseGraph::outputs`] behind the joint values.
