@@ -348,7 +348,7 @@ fn solve_idealized(
         .collect();
     if exact && linkage.variables() == target.coordinates() + usize::from(linkage.swivel.is_some())
     {
-        first.sort_by_key(|form| {
+        first.sort_by_cached_key(|form| {
             let inverse = form.expressions();
             inverse.map(|inverse| inverse.all_branches().weight())
         });

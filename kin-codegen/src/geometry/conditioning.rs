@@ -75,38 +75,35 @@ pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
 /// those before it, longest first, relative to the longest. Lengths are in
 /// units of the arm's size. `row` is one more below the Jacobian.
 fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> Vec<f64> {
-    let z = [0, 1, 2].map(|i| chain.fk(q).rotation[i][2]);
+    let z = match target {
+        Target::PositionAxis | Target::Direction => chain.fk(q).rotation.map(|row| row[2]),
+        _ => [0.0; 3],
+    };
     let yaw = chain
         .twists()
         .first()
         .map_or([0.0; 3], |twist| twist.angular);
-    let rows = |twist: &Twist| -> Vec<f64> {
+    let rows = |twist: &Twist| -> Column {
         let v = twist.linear.map(|x| x / size);
         let w = twist.angular;
         let about = dot(w, yaw);
         match target {
-            Target::Pose => [v, w].concat(),
-            Target::Position => v.to_vec(),
-            Target::PositionAxis => [v, cross(w, z)].concat(),
-            Target::Direction => cross(w, z).to_vec(),
-            Target::Orientation => w.to_vec(),
-            Target::PositionYaw => [v[0], v[1], v[2], about].to_vec(),
-            Target::Planar => {
-                let across = along(v, -dot(v, yaw), yaw);
-                [across[0], across[1], across[2], about].to_vec()
-            }
+            Target::Pose => column([v, w]),
+            Target::Position => column([v, [0.0; 3]]),
+            Target::PositionAxis => column([v, cross(w, z)]),
+            Target::Direction => column([cross(w, z), [0.0; 3]]),
+            Target::Orientation => column([w, [0.0; 3]]),
+            Target::PositionYaw => column([v, [about, 0.0, 0.0]]),
+            Target::Planar => column([along(v, -dot(v, yaw), yaw), [about, 0.0, 0.0]]),
         }
     };
-    let norm = |v: &Vec<f64>| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let mut columns: Vec<Vec<f64>> = chain.geometric_jacobian(q).iter().map(rows).collect();
+    let mut columns: Vec<Column> = chain.geometric_jacobian(q).iter().map(rows).collect();
     for (column, &entry) in columns.iter_mut().zip(row) {
-        column.push(entry);
+        column[6] = entry;
     }
-    let mut lengths: Vec<f64> = Vec::new();
-    while !columns.is_empty() {
-        columns.sort_by(|a, b| norm(a).total_cmp(&norm(b)));
-        let Some(next) = columns.pop() else { break };
-        let length = norm(&next);
+    let mut lengths: Vec<f64> = Vec::with_capacity(columns.len());
+    while let Some((place, length)) = longest(&columns) {
+        let next = columns.remove(place);
         lengths.push(length);
         for column in columns.iter_mut().filter(|_| length > 0.0) {
             let along: f64 = column.iter().zip(&next).map(|(x, y)| x * y).sum();
@@ -117,4 +114,21 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> 
     }
     let longest = lengths.first().copied().unwrap_or(0.0).max(NOTHING);
     lengths.into_iter().map(|x| x / longest).collect()
+}
+
+/// A column of the Jacobian: the rows that count, one more below them, and zeros.
+type Column = [f64; 7];
+
+fn column([[a, b, c], [d, e, f]]: [[f64; 3]; 2]) -> Column {
+    [a, b, c, d, e, f, 0.0]
+}
+
+/// The place of the longest one, of equals the last, and its length.
+fn longest(columns: &[Column]) -> Option<(usize, f64)> {
+    let all = columns.iter().map(norm).enumerate();
+    all.max_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
+fn norm(column: &Column) -> f64 {
+    column.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
