@@ -4,7 +4,7 @@
 //! `BLESS=1 cargo test --package kin-codegen --test golden` writes the files
 //! anew.
 
-use kin_codegen::{Options, Scalar, Source, generate};
+use kin_codegen::{Options, Scalar, Source, generate, generate_js};
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
@@ -29,14 +29,23 @@ fn check(robot: &str, golden: &str) {
 }
 
 fn check_with(robot: &str, options: &Options, golden: &str) {
+    compare(robot, &generated(robot, options), golden);
+}
+
+fn check_js(robot: &str, golden: &str) {
+    let source = Source::read(robot, &root()).unwrap();
+    let code = generate_js(&source, &Options::default()).unwrap().source;
+    compare(robot, &code, golden);
+}
+
+fn compare(robot: &str, code: &str, golden: &str) {
     let file = root().join("tests/golden").join(golden);
-    let code = generated(robot, options);
     if std::env::var_os("BLESS").is_some() {
-        std::fs::write(&file, &code).unwrap();
+        std::fs::write(&file, code).unwrap();
     }
     let golden = std::fs::read_to_string(&file).unwrap_or_default();
     if code != golden {
-        let (line, old, new) = first_difference(&golden, &code);
+        let (line, old, new) = first_difference(&golden, code);
         panic!(
             "the code of {robot} is not that of {}, first in line {line}:\n- {old}\n+ {new}\n\
              BLESS=1 writes the file anew, if the change is meant",
@@ -92,4 +101,19 @@ fn single_precision_without_a_token_of_double() {
 #[test]
 fn a_parallel_mechanism() {
     check("robots/delta.yaml", "delta.rs");
+}
+
+#[test]
+fn javascript_of_three_parallel_axes() {
+    check_js("robots/ur5e.urdf", "ur5e.js");
+}
+
+#[test]
+fn javascript_of_an_arm_with_a_parameter() {
+    check_js("robots/panda.yaml", "panda.js");
+}
+
+#[test]
+fn javascript_of_a_mechanism() {
+    check_js("robots/delta.yaml", "delta.js");
 }
