@@ -157,10 +157,12 @@ pub enum Kind {
 
 /// Values of a column, of the [`Kind`] that it has.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs)]
 pub enum Values {
+    /// Of a column of [`Kind::Real`]; NaN where there is none.
     Real(Vec<f64>),
+    /// Of a column of [`Kind::Integer`].
     Integer(Vec<i64>),
+    /// Of a column of [`Kind::Truth`].
     Truth(Vec<bool>),
 }
 

@@ -5,6 +5,8 @@ mod columns;
 mod faults;
 mod folders;
 mod hostile;
+#[cfg(unix)]
+mod killed;
 mod resume;
 
 use kin_cli::table::{Fault, Format, Header};
