@@ -50,12 +50,12 @@ impl<'a> Recovery<'a> {
     /// Two configurations at each of some values of the kept joint, which share it or
     /// have nearly met there: of what is nearly taken to zero, the vectors that are monomials.
     pub fn pairs(&self, kept: &[f64; LANES]) -> [Starts; 2] {
-        in_lanes::<Several<2>, _>((self, kept))
+        in_lanes::<Pairs, _>((self, kept))
     }
 
-    /// The same of up to [`SHARING`].
-    pub fn sharing(&self, kept: &[f64; LANES]) -> [Starts; SHARING] {
-        in_lanes::<Several<SHARING>, _>((self, kept))
+    /// The same, and of more that share it up to [`SHARING`].
+    pub fn sharing(&self, kept: &[f64; LANES]) -> ([Starts; 2], [Starts; SHARING]) {
+        in_lanes::<Sharing, _>((self, kept))
     }
 
     /// Where a monomial of the half tangents stands.
@@ -155,6 +155,28 @@ impl<'a> Recovery<'a> {
         null
     }
 
+    /// Of what is nearly taken to zero at values of the kept joint.
+    #[inline(always)]
+    fn null_space<L: Lanes, const N: usize>(&self, kept: L) -> [Vectors<L>; N] {
+        let [sine, cosine] = kept.scaled(0.5).sin_cos();
+        let equations = self.equations.at(cosine, sine);
+        let matrices = Places::new(self.elimination).matrices(&equations);
+        Triangle::new(matrices).null_space()
+    }
+
+    /// The configurations of the vectors in a space that are monomials.
+    #[inline(always)]
+    fn of_space<L: Lanes, const N: usize>(&self, kept: L, space: &[Vectors<L>; N]) -> [Starts; N] {
+        let powers = self.elimination.powers;
+        let powers = powers.map(|power| usize::from(power.min(3)));
+        let vectors = monomial_vectors(space, &|i, j| self.column(i, j), powers);
+        let mut out = [self.of_null_vectors(kept, &vectors[0]); N];
+        for (out, null) in out.iter_mut().zip(&vectors).skip(1) {
+            *out = self.of_null_vectors(kept, null);
+        }
+        out
+    }
+
     #[inline(always)]
     fn rest<L: Lanes>(&self, kept: L, before: L, last: L) -> Starts {
         let [sk, ck] = kept.sin_cos();
@@ -225,7 +247,8 @@ impl<'a> Recovery<'a> {
 }
 
 struct One;
-struct Several<const N: usize>;
+struct Pairs;
+struct Sharing;
 
 impl InLanes<(&Recovery<'_>, &[f64; LANES])> for One {
     type Output = Starts;
@@ -241,26 +264,29 @@ impl InLanes<(&Recovery<'_>, &[f64; LANES])> for One {
     }
 }
 
-impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES])> for Several<N> {
-    type Output = [Starts; N];
+impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Pairs {
+    type Output = [Starts; 2];
 
     #[inline(always)]
-    fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> [Starts; N] {
+    fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> [Starts; 2] {
         let kept = L::of(*kept);
-        let [sine, cosine] = kept.scaled(0.5).sin_cos();
-        let equations = recovery.equations.at(cosine, sine);
-        let matrices = Places::new(recovery.elimination).matrices(&equations);
-        let space = Triangle::new(matrices).null_space::<N>();
-        let powers = recovery
-            .elimination
-            .powers
-            .map(|power| usize::from(power.min(3)));
-        let vectors = monomial_vectors(&space, &|i, j| recovery.column(i, j), powers);
-        let mut out = [recovery.of_null_vectors(kept, &vectors[0]); N];
-        for (out, null) in out.iter_mut().zip(&vectors).skip(1) {
-            *out = recovery.of_null_vectors(kept, null);
-        }
-        out
+        let space = recovery.null_space::<L, 2>(kept);
+        recovery.of_space(kept, &space)
+    }
+}
+
+impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Sharing {
+    type Output = ([Starts; 2], [Starts; SHARING]);
+
+    #[inline(always)]
+    fn run<L: Lanes>(
+        (recovery, kept): (&Recovery, &[f64; LANES]),
+    ) -> ([Starts; 2], [Starts; SHARING]) {
+        let kept = L::of(*kept);
+        let space = recovery.null_space::<L, SHARING>(kept);
+        // The first of more are those of fewer.
+        let pairs = recovery.of_space(kept, &[space[0], space[1]]);
+        (pairs, recovery.of_space(kept, &space))
     }
 }
 

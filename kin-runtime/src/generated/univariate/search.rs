@@ -298,15 +298,19 @@ impl<'a> Search<'a> {
         for chunk in unclear.chunks() {
             let at = |k: usize| roots.angles[usize::from(chunk[k.min(chunk.len() - 1)])];
             let kept = core::array::from_fn(at);
-            for starts in recovery.pairs(&kept) {
+            let shared = |k: &usize| roots.is_several(chunk[*k].into());
+            if !(0..chunk.len()).any(|k| shared(&k)) {
+                for starts in recovery.pairs(&kept) {
+                    (0..chunk.len()).for_each(|k| self.start_of(&starts, k));
+                }
+                continue;
+            }
+            let (pairs, more) = recovery.sharing(&kept);
+            for starts in pairs {
                 (0..chunk.len()).for_each(|k| self.start_of(&starts, k));
             }
-            let shared = |k: &usize| roots.is_several(chunk[*k].into());
-            if (0..chunk.len()).any(|k| shared(&k)) {
-                let sharing = recovery.sharing(&kept);
-                for k in (0..chunk.len()).filter(shared) {
-                    sharing.iter().for_each(|starts| self.start_of(starts, k));
-                }
+            for k in (0..chunk.len()).filter(shared) {
+                more.iter().for_each(|starts| self.start_of(starts, k));
             }
         }
         self.arrive();
