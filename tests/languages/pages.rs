@@ -3,7 +3,7 @@
 use crate::js::{JsRobot, NAMES, is_no_markup, named};
 use crate::read;
 use kin_cli::view::page;
-use kin_codegen::Options;
+use kin_codegen::{Compiled, Options, compile};
 
 /// Where the scripts that need a page begin.
 const PAGE: &str = "// The page: what is shown";
@@ -67,6 +67,62 @@ fn arms_and_mechanisms_follow_their_target() {
         assert!(drawn < 1e-9, "{path}: drawn {drawn} m from its tip");
         assert!(branches >= least && here == 1.0, "{path}: {said}");
         assert!(measures == 1.0 && reached == 1.0, "{path}: {said}");
+    }
+}
+
+/// What stands in the page's place moves the driven joints, and says the two measures and all joint
+/// values.
+const MEASURED: &str = "
+globalThis.matchMedia = () => ({ matches: false });
+const subject = new MechanismView(robot, view);
+export default { ask() {
+    return [0.05, -0.11, 0.17].flatMap((by, k) => {
+        subject.setJoint(k % subject.joints.length, subject.q[k % subject.joints.length]
+            + by * (subject.joints[0].turns ? 1 : view.size));
+        const measure = (name) => subject.measures().find((it) => it.name === name).value;
+        return [measure('actuator singularity'), measure('kinematic singularity'), ...subject.whole];
+    });
+} };
+";
+
+#[test]
+fn mechanisms_tell_their_singularities() {
+    for path in [
+        "robots/delta.yaml",
+        "robots/stewart.yaml",
+        "robots/five_bar.yaml",
+    ] {
+        let source = read(path);
+        let compiled = compile(&source, &Options::default()).unwrap();
+        let Compiled::Mechanism(mechanism) = &compiled else {
+            panic!("{path} is a mechanism")
+        };
+        let generic = mechanism.mechanism.generic();
+        let (page, _) = page(&source, &Options::default()).unwrap();
+        let (before, _) = script(&page).split_once(PAGE).unwrap();
+        let before = before.replace("export default robot;", "");
+        let said = JsRobot::new(&format!("{before}{MEASURED}")).call("ask_of", "");
+        let numbers: Vec<f64> = said.split(' ').map(|x| x.parse().unwrap()).collect();
+        let each = numbers.chunks(2 + generic.joints());
+        assert_eq!(each.len(), 3, "{path}: {said}");
+        for told in each {
+            let (measures, q) = told.split_at(2);
+            let known = [
+                generic.actuator_singularity(q),
+                generic.kinematic_singularity(q, mechanism.freedom.mobility),
+            ];
+            assert!(
+                known.into_iter().all(|x| x > 1e-4),
+                "{path}: {known:?} tell little"
+            );
+            // Square roots of sums of squares, near zero of rounding.
+            for (told, known) in measures.iter().zip(known) {
+                assert!(
+                    (told - known).abs() < 1e-7,
+                    "{path}: {measures:?} {known:?}"
+                );
+            }
+        }
     }
 }
 

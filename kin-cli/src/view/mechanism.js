@@ -117,6 +117,42 @@ class MechanismView {
         return [];
     }
 
+    /** By chain, how its joints move the platform: columns at its origin, in metres. */
+    columns() {
+        const { chains, length } = this.mechanism;
+        const parts = this.mechanism.split(this.whole);
+        return chains.map(({ arm }, i) => {
+            const n = arm.joints.length;
+            const entries = arm.geometric_jacobian(parts[i]);
+            return arm.joints.map((_, joint) => [0, 1, 2, 3, 4, 5].map((row) =>
+                (row < 3 ? 1 : length) * entries[row * n + joint]));
+        });
+    }
+
+    /** How well the chains hold the platform while the driven joints are locked: the least singular
+     * value of the wrenches that they bear. */
+    held(columns) {
+        let first = 0;
+        const rows = columns.flatMap((chain) => {
+            const passive = chain.filter((_, joint) => !this.mechanism.actuated.includes(first + joint));
+            first += chain.length;
+            return perpendicular(passive);
+        });
+        return singularValues(rows)[5];
+    }
+
+    /** How far the loops are from allowing more motions than the mobility: of their equations the
+     * least singular value that has to stay above zero, relative to the largest. */
+    looped(columns) {
+        const rows = columns.slice(1).flatMap((_, k) => [0, 1, 2, 3, 4, 5].map((row) => columns.flatMap((chain, i) => {
+            const sign = i === 0 ? 1 : i === k + 1 ? -1 : 0;
+            return chain.map((column) => sign * column[row]);
+        })));
+        const values = singularValues(rows);
+        const least = values[this.all.length - this.mechanism.mobility - 1] ?? 0;
+        return values[0] > 0 ? least / values[0] : 0;
+    }
+
     measures() {
         const gap = this.mechanism.gap(this.whole);
         const told = gap < 1e-9 ? "closed to less than 1 nm" : `open by ${rounded(1e6 * gap, 3)} µm`;
@@ -124,6 +160,14 @@ class MechanismView {
             name: "loops", value: gap, text: told,
             title: "how far the chains' ends are apart, angles at the distance of the mechanism's length",
         }];
+        const columns = this.columns();
+        measures.push({
+            name: "actuator singularity", value: this.held(columns),
+            title: "0 where the platform can move while the driven joints are locked: least singular value of the wrenches of length 1 that the chains bear",
+        }, {
+            name: "kinematic singularity", value: this.looped(columns),
+            title: "0 where the loops allow more motions than the mobility: singular value of their equations, by the largest",
+        });
         const postures = this.postures();
         this.mechanism.chains.forEach(({ name }, i) => {
             if (postures[i]) {

@@ -97,3 +97,27 @@ const singularValues = (matrix) => {
     }
     return rows.map((row) => Math.hypot(...row)).sort((a, b) => b - a);
 };
+
+/** Six rows that project on what is perpendicular to some vectors of six numbers. */
+const perpendicular = (vectors) => {
+    const inner = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+    const without = (vector, unit) => {
+        const along = inner(vector, unit);
+        return vector.map((x, i) => x - along * unit[i]);
+    };
+    const most = Math.max(0, ...vectors.map((vector) => Math.hypot(...vector)));
+    let rest = vectors;
+    let rows = [0, 1, 2, 3, 4, 5].map((i) => [0, 1, 2, 3, 4, 5].map((j) => (i === j ? 1 : 0)));
+    while (rest.length > 0) {
+        const longest = rest.reduce((best, it) => (Math.hypot(...it) > Math.hypot(...best) ? it : best));
+        const length = Math.hypot(...longest);
+        // What the rounding of a long chain leaves of a vector that depends on others.
+        if (!(length > 1e-10 * most)) {
+            break;
+        }
+        const unit = longest.map((x) => x / length);
+        rows = rows.map((row) => without(row, unit));
+        rest = rest.filter((it) => it !== longest).map((it) => without(it, unit));
+    }
+    return rows;
+};
