@@ -6,8 +6,8 @@
 // Forward kinematics: 108 multiplications, 69 additions, 6 sines with cosines.
 // With the spatial Jacobian: 165 multiplications, 99 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 189 multiplications, 135 additions, 12 divisions, 14 roots, 4
-// sines with cosines, 6 arctangents, 45 selections.
+// branches; one branch: 195 multiplications, 136 additions, 12 divisions, 14 roots, 4
+// sines with cosines, 6 arctangents, 46 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
@@ -1437,24 +1437,23 @@ mod __Calibrated {
             let mut c1_ = [[0.0; T]; 4];
             let mut t64_ = [[0.0; T]; 4];
             let mut t65_ = [[0.0; T]; 4];
-            let mut t70_ = [[0.0; T]; 4];
-            let mut t77_ = [[0.0; T]; 4];
             let mut invalid_ = [[0.0; T]; 4];
-            let mut t79_ = [[0.0; T]; 4];
+            let mut t80_ = [[0.0; T]; 4];
             let mut t81_ = [[0.0; T]; 4];
-            let mut c3_ = [[0.0; T]; 4];
-            let mut t82_ = [[0.0; T]; 4];
-            let mut t84_ = [[0.0; T]; 4];
             let mut t85_ = [[0.0; T]; 4];
             let mut t86_ = [[0.0; T]; 4];
             let mut t87_ = [[0.0; T]; 4];
+            let mut t88_ = [[0.0; T]; 4];
             let mut t89_ = [[0.0; T]; 4];
-            let mut t103_ = [[0.0; T]; 4];
-            let mut t104_ = [[0.0; T]; 4];
+            let mut singular_ = [[0.0; T]; 4];
+            let mut t91_ = [[0.0; T]; 4];
+            let mut t105_ = [[0.0; T]; 4];
             let mut t106_ = [[0.0; T]; 4];
-            let mut t107_ = [[0.0; T]; 4];
-            let mut t118_ = [[0.0; T]; 4];
+            let mut t108_ = [[0.0; T]; 4];
+            let mut t109_ = [[0.0; T]; 4];
+            let mut t120_ = [[0.0; T]; 4];
             let mut q1_ = [[0.0; T]; 4];
+            let mut t121_ = [[0.0; T]; 4];
             let mut q5_ = [[0.0; T]; 4];
             let mut q6_ = [[0.0; T]; 4];
             for k in 0..4 {
@@ -1522,7 +1521,7 @@ mod __Calibrated {
                     // 3. q2+q3+q4 by SP1, given q5 and q6
                     let t64 = r31[t] * s6 + r32[t] * c6;
                     let t65 = r33[t] * s5 + c5 * (r32[t] * s6 - r31[t] * c6);
-                    // 4. q3 by SP3, given q6 (what several branches share)
+                    // 4. q3 by SP3, given q6
                     let t66 = 0.099747579771028 * c6;
                     let t67 = 0.099747579771028 * s6 - 0.000038951164947;
                     let t68 = px[t] + (r11[t] * t67 + r12[t] * t66 - t10_[t]);
@@ -1534,87 +1533,93 @@ mod __Calibrated {
                     let t74 = 0.02776733395938961 - t73 * t73;
                     let t75 = 13.221941635117346 * t62;
                     let t76 = t75 * math::max(t75, 0.16663533226596816);
-                    let t77 = math::max(t61, math::select(t74 < t76, 1.0, 0.0));
                     let invalid = math::max(
                         math::max(t47, math::select(t44 < 1e-24, -e2[k], 0.0)),
                         math::select(t74 < -t76, 1.0, 0.0),
                     );
-                    let t78 = math::max(t74, 0.00002324472133116559);
-                    let t79 = math::sqrt(t78);
-                    let t80 = math::max(
+                    let t77 = math::max(t74, 0.00002324472133116559);
+                    let t78 = math::sqrt(t77);
+                    let t79 = math::max(
                         -0.16663533226596816,
                         -math::max(-0.16663533226596816, t72 - 0.17606709553354122),
                     );
-                    let t81 = 6.0011282505434735 * t80;
+                    let t80 = 6.0011282505434735 * t78;
+                    let t81 = 6.0011282505434735 * t79;
                     let c3 = -t81;
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
                     let t82 = c1 * t68 + s1 * t69;
-                    let t83 = 0.424760013934646 - 2.3542705697195427 * t80;
-                    let t84 = t70 * t83;
-                    let t85 = t82 * t83;
-                    let t86 = t71 + t82 * t82;
-                    let t87 = t83 * t83;
-                    let t88 = 10.0 * (t62 + t62 / math::sqrt(36.01354027947097 * t78));
-                    let t89 = 1.3221941635117347 * (t88 * t88);
+                    let t83 = 2.3542705697195427 * t78;
+                    let t84 = 0.424760013934646 - 2.3542705697195427 * t79;
+                    let t85 = t70 * t84;
+                    let t86 = t82 * t83;
+                    let t87 = t82 * t84;
+                    let t88 = t70 * t83;
+                    let t89 = math::sqrt((t71 + t82 * t82) * (t84 * t84 + t83 * t83));
+                    let t90 = 10.0 * (t62 + t62 / math::sqrt(36.01354027947097 * t77));
+                    let singular = math::max(
+                        math::max(t61, math::select(t74 < t76, 1.0, 0.0)),
+                        math::select(t89 < 1.3221941635117347 * (t90 * t90), 1.0, 0.0),
+                    );
+                    let t91 = 1.0 / t89;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t90 = s6 * c5;
-                    let t91 = s6 * s5;
-                    let t92 = t65 * t90 + c6 * t64;
-                    let t93 = c6 * t65 - t64 * t90;
-                    let t94 = c1 * t93 - s1 * t91;
-                    let t95 = s1 * t93 + c1 * t91;
-                    let t96 = s5 * t65;
-                    let t97 = s5 * t64;
-                    let t98 = s1 * c5 - c1 * t97;
-                    let t99 = s1 * t97 + c1 * c5;
-                    let t100 = 0.000038951164947 * c6;
-                    let t101 = c5 * t100 - 0.099599986933972 * s5;
-                    let t102 = 0.000038951164947 * s6 - 0.099747579771028;
-                    let t103 = t64 * t102 - t65 * t101;
-                    let t104 = t64 * t101 + t65 * t102;
-                    let t105 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t100);
-                    let t106 = c1 * t105;
-                    let t107 = s1 * t105;
-                    let t108 = t95 * t96 + t92 * t99 - r11[t];
-                    let t109 = t94 - r12[t];
-                    let t110 = t98 - r13[t];
-                    let t111 = t92 * t98 - t94 * t96 - r21[t];
-                    let t112 = t95 - r22[t];
-                    let t113 = r23[t] + t99;
-                    let t114 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111
-                        + t112 * t112 + t113 * t113;
-                    let t115 = r31[t] + (t94 * t99 + t95 * t98);
-                    let t116 = t92 - r32[t];
-                    let t117 = t96 - r33[t];
-                    let t118 = 0.6610970817558673
-                        * (t114 + t115 * t115 + t116 * t116 + t117 * t117);
+                    let t92 = s6 * c5;
+                    let t93 = s6 * s5;
+                    let t94 = t65 * t92 + c6 * t64;
+                    let t95 = c6 * t65 - t64 * t92;
+                    let t96 = c1 * t95 - s1 * t93;
+                    let t97 = s1 * t95 + c1 * t93;
+                    let t98 = s5 * t65;
+                    let t99 = s5 * t64;
+                    let t100 = s1 * c5 - c1 * t99;
+                    let t101 = s1 * t99 + c1 * c5;
+                    let t102 = 0.000038951164947 * c6;
+                    let t103 = c5 * t102 - 0.099599986933972 * s5;
+                    let t104 = 0.000038951164947 * s6 - 0.099747579771028;
+                    let t105 = t64 * t104 - t65 * t103;
+                    let t106 = t64 * t103 + t65 * t104;
+                    let t107 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t102);
+                    let t108 = c1 * t107;
+                    let t109 = s1 * t107;
+                    let t110 = t97 * t98 + t94 * t101 - r11[t];
+                    let t111 = t96 - r12[t];
+                    let t112 = t100 - r13[t];
+                    let t113 = t94 * t100 - t96 * t98 - r21[t];
+                    let t114 = t97 - r22[t];
+                    let t115 = r23[t] + t101;
+                    let t116 = t110 * t110 + t111 * t111 + t112 * t112 + t113 * t113
+                        + t114 * t114 + t115 * t115;
+                    let t117 = r31[t] + (t96 * t101 + t97 * t100);
+                    let t118 = t94 - r32[t];
+                    let t119 = t98 - r33[t];
+                    let t120 = 0.6610970817558673
+                        * (t116 + t117 * t117 + t118 * t118 + t119 * t119);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
+                    let t121 = lanes::angle(-t80, c3);
                     let q5 = lanes::angle(s5, c5);
                     let q6 = lanes::angle(s6, c6);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
                     t64_[k][t] = t64;
                     t65_[k][t] = t65;
-                    t70_[k][t] = t70;
-                    t77_[k][t] = t77;
                     invalid_[k][t] = invalid;
-                    t79_[k][t] = t79;
+                    t80_[k][t] = t80;
                     t81_[k][t] = t81;
-                    c3_[k][t] = c3;
-                    t82_[k][t] = t82;
-                    t84_[k][t] = t84;
                     t85_[k][t] = t85;
                     t86_[k][t] = t86;
                     t87_[k][t] = t87;
+                    t88_[k][t] = t88;
                     t89_[k][t] = t89;
-                    t103_[k][t] = t103;
-                    t104_[k][t] = t104;
+                    singular_[k][t] = singular;
+                    t91_[k][t] = t91;
+                    t105_[k][t] = t105;
                     t106_[k][t] = t106;
-                    t107_[k][t] = t107;
-                    t118_[k][t] = t118;
+                    t108_[k][t] = t108;
+                    t109_[k][t] = t109;
+                    t120_[k][t] = t120;
                     q1_[k][t] = q1;
+                    t121_[k][t] = t121;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
@@ -1624,85 +1629,78 @@ mod __Calibrated {
             let c1_ = widen::<4, 8, T, _>(&c1_);
             let t64_ = widen::<4, 8, T, _>(&t64_);
             let t65_ = widen::<4, 8, T, _>(&t65_);
-            let t70_ = widen::<4, 8, T, _>(&t70_);
-            let t77_ = widen::<4, 8, T, _>(&t77_);
             let invalid_ = widen::<4, 8, T, _>(&invalid_);
-            let t79_ = widen::<4, 8, T, _>(&t79_);
+            let t80_ = widen::<4, 8, T, _>(&t80_);
             let t81_ = widen::<4, 8, T, _>(&t81_);
-            let c3_ = widen::<4, 8, T, _>(&c3_);
-            let t82_ = widen::<4, 8, T, _>(&t82_);
-            let t84_ = widen::<4, 8, T, _>(&t84_);
             let t85_ = widen::<4, 8, T, _>(&t85_);
             let t86_ = widen::<4, 8, T, _>(&t86_);
             let t87_ = widen::<4, 8, T, _>(&t87_);
+            let t88_ = widen::<4, 8, T, _>(&t88_);
             let t89_ = widen::<4, 8, T, _>(&t89_);
-            let t103_ = widen::<4, 8, T, _>(&t103_);
-            let t104_ = widen::<4, 8, T, _>(&t104_);
+            let singular_ = widen::<4, 8, T, _>(&singular_);
+            let t91_ = widen::<4, 8, T, _>(&t91_);
+            let t105_ = widen::<4, 8, T, _>(&t105_);
             let t106_ = widen::<4, 8, T, _>(&t106_);
-            let t107_ = widen::<4, 8, T, _>(&t107_);
-            let t118_ = widen::<4, 8, T, _>(&t118_);
+            let t108_ = widen::<4, 8, T, _>(&t108_);
+            let t109_ = widen::<4, 8, T, _>(&t109_);
+            let t120_ = widen::<4, 8, T, _>(&t120_);
             let q1_ = widen::<4, 8, T, _>(&q1_);
+            let t121_ = widen::<4, 8, T, _>(&t121_);
             let q5_ = widen::<4, 8, T, _>(&q5_);
             let q6_ = widen::<4, 8, T, _>(&q6_);
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-            let mut singular_ = [[0.0; T]; 8];
             let mut residual_ = [[0.0; T]; 8];
             let mut q2_ = [[0.0; T]; 8];
             let mut q3_ = [[0.0; T]; 8];
             let mut q4_ = [[0.0; T]; 8];
             for k in 0..8 {
                 for t in 0..T {
-                    // 4. q3 by SP3, given q6
-                    let t119 = e3[k] * t79_[k][t];
-                    let t120 = 6.0011282505434735 * t119;
-                    let s3 = -t120;
                     // 5. q2 by SP1, given q1, q3 and q6
-                    let t121 = 2.3542705697195427 * t119;
-                    let t122 = math::sqrt(t86_[k][t] * (t87_[k][t] + t121 * t121));
-                    let singular = math::max(
-                        t77_[k][t],
-                        math::select(t122 < t89_[k][t], 1.0, 0.0),
-                    );
-                    let t123 = 1.0 / t122;
                     let s2 = math::select(
-                        t122 < 1.3221941635117346e-24,
+                        t89_[k][t] < 1.3221941635117346e-24,
                         t5,
-                        (t70_[k][t] * t121 - t85_[k][t]) * t123,
+                        (e3[k] * t88_[k][t] - t87_[k][t]) * t91_[k][t],
                     );
                     let c2 = math::select(
-                        t122 < 1.3221941635117346e-24,
+                        t89_[k][t] < 1.3221941635117346e-24,
                         t9,
-                        (t84_[k][t] + t82_[k][t] * t121) * t123,
+                        (t85_[k][t] + e3[k] * t86_[k][t]) * t91_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t124 = t65_[k][t] * s2 - t64_[k][t] * c2;
-                    let t125 = t65_[k][t] * c2 + t64_[k][t] * s2;
+                    let t122 = t65_[k][t] * s2 - t64_[k][t] * c2;
+                    let t123 = t65_[k][t] * c2 + t64_[k][t] * s2;
                     // Residual: forward kinematics against the target
-                    let t126 = t104_[k][t]
+                    let t124 = 0.424760013934646 * c2
+                        + 0.392304658629206
+                            * (e3[k] * (t80_[k][t] * s2) - t81_[k][t] * c2)
+                        + t105_[k][t];
+                    let t125 = t106_[k][t]
                         - (0.424760013934646 * s2
-                            - 0.392304658629206 * (t81_[k][t] * s2 + t120 * c2));
-                    let t127 = 0.424760013934646 * c2
-                        + 0.392304658629206 * (t120 * s2 - t81_[k][t] * c2) + t103_[k][t]
-                        + 0.1626;
-                    let t128 = c1_[k][t] * t126 - t107_[k][t] - px[t];
-                    let t129 = s1_[k][t] * t126 + t106_[k][t] - py[t];
-                    let t130 = t127 - pz[t];
+                            - 0.392304658629206
+                                * (t81_[k][t] * s2 + e3[k] * (t80_[k][t] * c2)));
+                    let t126 = c1_[k][t] * t125 - t109_[k][t] - px[t];
+                    let t127 = s1_[k][t] * t125 + t108_[k][t] - py[t];
+                    let t128 = t124 + 0.1626 - pz[t];
                     let residual = math::sqrt(
-                        t39_[t] + (t130 * t130 + (t128 * t128 + t129 * t129))
-                            + t118_[k][t],
+                        t39_[t] + (t128 * t128 + (t126 * t126 + t127 * t127))
+                            + t120_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
+                    let t129 = e3[k] * t121_[k][t];
                     let q3 = math::wrap(
-                        lanes::angle(s3, c3_[k][t]) - 0.00044313587806694065,
+                        math::select(
+                            -3.141592653589793 < t129,
+                            t129,
+                            t129 + 6.283185307179586,
+                        ) - 0.00044313587806694065,
                     );
-                    let t131 = lanes::angle(
-                        -(t81_[k][t] * t124 + t120 * t125),
-                        t81_[k][t] * t125 - t120 * t124,
-                    ) - 3.1412434523052912;
-                    let q4 = math::wrap(t131);
-                    singular_[k][t] = singular;
+                    let t130 = lanes::angle(
+                        -(t81_[k][t] * t122 + e3[k] * (t80_[k][t] * t123)),
+                        t81_[k][t] * t123 - e3[k] * (t80_[k][t] * t122),
+                    );
+                    let q4 = math::wrap(t130 - 3.1412434523052912);
                     residual_[k][t] = residual;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;
@@ -1713,7 +1711,7 @@ mod __Calibrated {
                 q: [q1_.all(), q2_, q3_, q4_, q5_.all(), q6_.all()],
                 residual: residual_,
                 invalid: invalid_.all(),
-                singular: singular_,
+                singular: singular_.all(),
                 level: [[0.0; T]; 8],
                 no_root: [[0.0; T]; 8],
             }

@@ -6,8 +6,8 @@
 // Forward kinematics: 44 multiplications, 24 additions, 6 sines with cosines.
 // With the spatial Jacobian: 79 multiplications, 42 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6), 8 branches; one
-// branch: 159 multiplications, 109 additions, 3 divisions, 6 roots, 3 sines with
-// cosines, 6 arctangents, 29 selections.
+// branch: 162 multiplications, 114 additions, 3 divisions, 6 roots, 3 sines with
+// cosines, 6 arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
@@ -863,27 +863,18 @@ mod __Kr6R900 {
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut s1_ = [[0.0; T]; 4];
-            let mut c1_ = [[0.0; T]; 4];
             let mut t39_ = [[0.0; T]; 4];
-            let mut t52_ = [[0.0; T]; 4];
-            let mut t55_ = [[0.0; T]; 4];
-            let mut t56_ = [[0.0; T]; 4];
-            let mut c5_ = [[0.0; T]; 4];
-            let mut t58_ = [[0.0; T]; 4];
-            let mut t59_ = [[0.0; T]; 4];
             let mut singular_ = [[0.0; T]; 4];
             let mut t60_ = [[0.0; T]; 4];
-            let mut t61_ = [[0.0; T]; 4];
-            let mut t62_ = [[0.0; T]; 4];
-            let mut t63_ = [[0.0; T]; 4];
-            let mut t64_ = [[0.0; T]; 4];
-            let mut t65_ = [[0.0; T]; 4];
-            let mut t67_ = [[0.0; T]; 4];
-            let mut t68_ = [[0.0; T]; 4];
+            let mut residual_ = [[0.0; T]; 4];
             let mut q1_ = [[0.0; T]; 4];
             let mut q2_ = [[0.0; T]; 4];
             let mut q3_ = [[0.0; T]; 4];
+            let mut t104_ = [[0.0; T]; 4];
+            let mut t105_ = [[0.0; T]; 4];
+            let mut t106_ = [[0.0; T]; 4];
+            let mut t107_ = [[0.0; T]; 4];
+            let mut t108_ = [[0.0; T]; 4];
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
@@ -963,141 +954,132 @@ mod __Kr6R900 {
                     let t58 = r33[t] * t56 - t51 * t57;
                     let t59 = t52 * t52 + t58 * t58;
                     let singular = math::max(t49, math::select(t59 < 1e-13, 1.0, 0.0));
-                    let t60 = math::sqrt(math::select(t59 < 1e-24, 0.0, t59));
-                    let t61 = 1.0 / t59;
-                    // Residual: forward kinematics against the target (what several
-                    // branches share)
-                    let t62 = 0.455 * c2;
-                    let t63 = 0.455 * s2;
-                    let t64 = t56 * c5;
-                    let t65 = t55 * c5;
-                    let t66 = 0.08 * c5 + 0.42;
-                    let t67 = t56 * t66;
-                    let t68 = t55 * t66;
+                    let t60 = math::select(t59 < 1e-24, -1.0, 0.0);
+                    let t61 = math::sqrt(math::select(t59 < 1e-24, 0.0, t59));
+                    let t62 = 1.0 / t59;
+                    let t63 = math::select(t59 < 1e-24, t3, t52 * t61 * t62);
+                    let t64 = math::select(t59 < 1e-24, t6, -(t58 * t61 * t62));
+                    // 5. q6 by SP1, given q1, q4 and q2+q3
+                    let t65 = t56 * t63;
+                    let t66 = t55 * t63;
+                    let t67 = c1 * t66 + s1 * t64;
+                    let t68 = c1 * t64 - s1 * t66;
+                    let t69 = r22[t] * t68 - r12[t] * t67 - r32[t] * t65;
+                    let t70 = r31[t] * t65 - (r21[t] * t68 - r11[t] * t67);
+                    // Residual: forward kinematics against the target
+                    let t71 = c5 * t70;
+                    let t72 = t61 * t70;
+                    let t73 = t64 * t69 - t63 * t71;
+                    let t74 = t63 * t69 + t64 * t71;
+                    let t75 = t55 * t72 - t56 * t74;
+                    let t76 = t55 * t74 + t56 * t72;
+                    let t77 = c1 * t76 + s1 * t73;
+                    let t78 = c1 * t73 - s1 * t76;
+                    let t79 = t61 * t64;
+                    let t80 = t61 * t63;
+                    let t81 = t56 * t79 + t55 * c5;
+                    let t82 = t56 * c5 - t55 * t79;
+                    let t83 = c1 * t82 + s1 * t80;
+                    let t84 = s1 * t82 - c1 * t80;
+                    let t85 = 0.08 * t61;
+                    let t86 = t63 * t85;
+                    let t87 = 0.035 - t64 * t85;
+                    let t88 = 0.08 * c5 + 0.42;
+                    let t89 = 0.455 * c2 + (t55 * t87 + t56 * t88) + 0.025;
+                    let t90 = c1 * t89 + s1 * t86 - px[t];
+                    let t91 = s1 * t89 - c1 * t86 - py[t];
+                    let t92 = t56 * t87 - t55 * t88 - 0.455 * s2 + 0.4 - pz[t];
+                    let t93 = r11[t] + (t78 * t81 + t75 * t84);
+                    let t94 = r12[t] + t77;
+                    let t95 = t83 - r13[t];
+                    let t96 = t75 * t83 - t77 * t81 - r21[t];
+                    let t97 = t78 - r22[t];
+                    let t98 = t84 - r23[t];
+                    let t99 = t93 * t93 + t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97
+                        + t98 * t98;
+                    let t100 = r31[t] + (t77 * t84 + t78 * t83);
+                    let t101 = t75 - r32[t];
+                    let t102 = r33[t] + t81;
+                    let t103 = t30_[t] + (t92 * t92 + (t90 * t90 + t91 * t91))
+                        + 0.5151125000000001
+                            * (t99 + t100 * t100 + t101 * t101 + t102 * t102);
+                    let residual = math::sqrt(t103);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(-s1, c1);
                     let q2 = lanes::angle(s2, c2);
                     let q3 = lanes::angle(s3, c3);
-                    s1_[k][t] = s1;
-                    c1_[k][t] = c1;
+                    let t104 = lanes::angle(t63, t64);
+                    let t105 = math::select(
+                        t104 < 0.0,
+                        -3.141592653589793,
+                        3.141592653589793,
+                    ) - t104;
+                    let t106 = lanes::angle(t61, c5);
+                    let t107 = lanes::angle(t70, t69);
+                    let t108 = math::select(
+                        t107 < 0.0,
+                        -3.141592653589793,
+                        3.141592653589793,
+                    ) - t107;
                     t39_[k][t] = t39;
-                    t52_[k][t] = t52;
-                    t55_[k][t] = t55;
-                    t56_[k][t] = t56;
-                    c5_[k][t] = c5;
-                    t58_[k][t] = t58;
-                    t59_[k][t] = t59;
                     singular_[k][t] = singular;
                     t60_[k][t] = t60;
-                    t61_[k][t] = t61;
-                    t62_[k][t] = t62;
-                    t63_[k][t] = t63;
-                    t64_[k][t] = t64;
-                    t65_[k][t] = t65;
-                    t67_[k][t] = t67;
-                    t68_[k][t] = t68;
+                    residual_[k][t] = residual;
                     q1_[k][t] = q1;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;
+                    t104_[k][t] = t104;
+                    t105_[k][t] = t105;
+                    t106_[k][t] = t106;
+                    t107_[k][t] = t107;
+                    t108_[k][t] = t108;
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let s1_ = widen::<4, 8, T, _>(&s1_);
-            let c1_ = widen::<4, 8, T, _>(&c1_);
             let t39_ = widen::<4, 8, T, _>(&t39_);
-            let t52_ = widen::<4, 8, T, _>(&t52_);
-            let t55_ = widen::<4, 8, T, _>(&t55_);
-            let t56_ = widen::<4, 8, T, _>(&t56_);
-            let c5_ = widen::<4, 8, T, _>(&c5_);
-            let t58_ = widen::<4, 8, T, _>(&t58_);
-            let t59_ = widen::<4, 8, T, _>(&t59_);
             let singular_ = widen::<4, 8, T, _>(&singular_);
             let t60_ = widen::<4, 8, T, _>(&t60_);
-            let t61_ = widen::<4, 8, T, _>(&t61_);
-            let t62_ = widen::<4, 8, T, _>(&t62_);
-            let t63_ = widen::<4, 8, T, _>(&t63_);
-            let t64_ = widen::<4, 8, T, _>(&t64_);
-            let t65_ = widen::<4, 8, T, _>(&t65_);
-            let t67_ = widen::<4, 8, T, _>(&t67_);
-            let t68_ = widen::<4, 8, T, _>(&t68_);
+            let residual_ = widen::<4, 8, T, _>(&residual_);
             let q1_ = widen::<4, 8, T, _>(&q1_);
             let q2_ = widen::<4, 8, T, _>(&q2_);
             let q3_ = widen::<4, 8, T, _>(&q3_);
+            let t104_ = widen::<4, 8, T, _>(&t104_);
+            let t105_ = widen::<4, 8, T, _>(&t105_);
+            let t106_ = widen::<4, 8, T, _>(&t106_);
+            let t107_ = widen::<4, 8, T, _>(&t107_);
+            let t108_ = widen::<4, 8, T, _>(&t108_);
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
             let mut invalid_ = [[0.0; T]; 8];
-            let mut residual_ = [[0.0; T]; 8];
             let mut q4_ = [[0.0; T]; 8];
             let mut q5_ = [[0.0; T]; 8];
             let mut q6_ = [[0.0; T]; 8];
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q4 and q5 by SP2, given q1 and q2+q3
-                    let invalid = math::max(
-                        t39_[k][t],
-                        math::select(t59_[k][t] < 1e-24, -e3[k], 0.0),
-                    );
-                    let s5 = e3[k] * t60_[k][t];
-                    let s4 = math::select(
-                        t59_[k][t] < 1e-24,
-                        t3,
-                        t52_[k][t] * s5 * t61_[k][t],
-                    );
-                    let c4 = math::select(
-                        t59_[k][t] < 1e-24,
-                        t6,
-                        -(t58_[k][t] * s5 * t61_[k][t]),
-                    );
-                    // 5. q6 by SP1, given q1, q4 and q2+q3
-                    let t69 = t56_[k][t] * s4;
-                    let t70 = t55_[k][t] * s4;
-                    let t71 = c1_[k][t] * t70 + s1_[k][t] * c4;
-                    let t72 = c1_[k][t] * c4 - s1_[k][t] * t70;
-                    let c6 = r22[t] * t72 - r12[t] * t71 - r32[t] * t69;
-                    let s6 = r31[t] * t69 - (r21[t] * t72 - r11[t] * t71);
-                    // Residual: forward kinematics against the target
-                    let t73 = c5_[k][t] * s6;
-                    let t74 = s5 * s6;
-                    let t75 = c4 * c6 - s4 * t73;
-                    let t76 = s4 * c6 + c4 * t73;
-                    let t77 = t55_[k][t] * t74 - t56_[k][t] * t76;
-                    let t78 = t55_[k][t] * t76 + t56_[k][t] * t74;
-                    let t79 = c1_[k][t] * t78 + s1_[k][t] * t75;
-                    let t80 = c1_[k][t] * t75 - s1_[k][t] * t78;
-                    let t81 = s5 * c4;
-                    let t82 = s5 * s4;
-                    let t83 = t56_[k][t] * t81 + t65_[k][t];
-                    let t84 = t64_[k][t] - t55_[k][t] * t81;
-                    let t85 = c1_[k][t] * t84 + s1_[k][t] * t82;
-                    let t86 = s1_[k][t] * t84 - c1_[k][t] * t82;
-                    let t87 = 0.08 * s5;
-                    let t88 = s4 * t87;
-                    let t89 = 0.035 - c4 * t87;
-                    let t90 = t62_[k][t] + (t55_[k][t] * t89 + t67_[k][t]) + 0.025;
-                    let t91 = c1_[k][t] * t90 + s1_[k][t] * t88 - px[t];
-                    let t92 = s1_[k][t] * t90 - c1_[k][t] * t88 - py[t];
-                    let t93 = t56_[k][t] * t89 - t68_[k][t] - t63_[k][t] + 0.4 - pz[t];
-                    let t94 = r11[t] + (t80 * t83 + t77 * t86);
-                    let t95 = r12[t] + t79;
-                    let t96 = t85 - r13[t];
-                    let t97 = t77 * t85 - t79 * t83 - r21[t];
-                    let t98 = t80 - r22[t];
-                    let t99 = t86 - r23[t];
-                    let t100 = t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97 + t98 * t98
-                        + t99 * t99;
-                    let t101 = r31[t] + (t79 * t86 + t80 * t85);
-                    let t102 = t77 - r32[t];
-                    let t103 = r33[t] + t83;
-                    let t104 = t30_[t] + (t93 * t93 + (t91 * t91 + t92 * t92))
-                        + 0.5151125000000001
-                            * (t100 + t101 * t101 + t102 * t102 + t103 * t103);
-                    let residual = math::sqrt(t104);
+                    let invalid = math::max(t39_[k][t], e3[k] * t60_[k][t]);
                     // Joint values: angles from sines and cosines, in (−π, π]
-                    let q4 = lanes::angle(s4, c4);
-                    let q5 = lanes::angle(s5, c5_[k][t]);
-                    let q6 = lanes::angle(s6, c6);
+                    let t109 = e3[k]
+                        * math::select(e3[k] < 0.0, t105_[k][t], t104_[k][t]);
+                    let q4 = math::select(
+                        -3.141592653589793 < t109,
+                        t109,
+                        t109 + 6.283185307179586,
+                    );
+                    let t110 = e3[k] * t106_[k][t];
+                    let q5 = math::select(
+                        -3.141592653589793 < t110,
+                        t110,
+                        t110 + 6.283185307179586,
+                    );
+                    let t111 = e3[k]
+                        * math::select(e3[k] < 0.0, t108_[k][t], t107_[k][t]);
+                    let q6 = math::select(
+                        -3.141592653589793 < t111,
+                        t111,
+                        t111 + 6.283185307179586,
+                    );
                     invalid_[k][t] = invalid;
-                    residual_[k][t] = residual;
                     q4_[k][t] = q4;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
@@ -1105,7 +1087,7 @@ mod __Kr6R900 {
             }
             Lanes {
                 q: [q1_.all(), q2_.all(), q3_.all(), q4_, q5_, q6_],
-                residual: residual_,
+                residual: residual_.all(),
                 invalid: invalid_,
                 singular: singular_.all(),
                 level: [[0.0; T]; 8],

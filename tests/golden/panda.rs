@@ -6,8 +6,8 @@
 // Forward kinematics: 68 multiplications, 36 additions, 7 sines with cosines.
 // With the spatial Jacobian: 112 multiplications, 61 additions, 7 sines with cosines.
 // Inverse kinematics: SP3(q4) SP2(q5,q6) SP2(q1,q2) SP1(q3), 8 branches; one branch:
-// 215 multiplications, 141 additions, 3 divisions, 6 roots, 4 sines with cosines, 6
-// arctangents, 29 selections.
+// 218 multiplications, 146 additions, 3 divisions, 6 roots, 4 sines with cosines, 6
+// arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate panda.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
@@ -60,7 +60,7 @@ mod __Panda {
     ///
     /// # Inverse kinematics
     ///
-    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. It makes the plan for the others cheapest, in operations of all branches (q7: 2727, q4: 2768, q6: 3636, q5: 3685).
+    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. It makes the plan for the others cheapest, in operations of all branches (q7: 1979, q4: 2020, q6: 2888, q5: 2937).
     ///
     /// Where it is singular, and how it moves while the tip rests: the documentation of `RedundantKinematics` tells the methods.
     ///
@@ -814,32 +814,15 @@ mod __Panda {
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut s4_ = [[0.0; T]; 4];
-            let mut t43_ = [[0.0; T]; 4];
             let mut t50_ = [[0.0; T]; 4];
-            let mut s6_ = [[0.0; T]; 4];
-            let mut c6_ = [[0.0; T]; 4];
-            let mut s5_ = [[0.0; T]; 4];
-            let mut c5_ = [[0.0; T]; 4];
-            let mut t62_ = [[0.0; T]; 4];
-            let mut t63_ = [[0.0; T]; 4];
-            let mut c2_ = [[0.0; T]; 4];
-            let mut t64_ = [[0.0; T]; 4];
             let mut singular_ = [[0.0; T]; 4];
             let mut t65_ = [[0.0; T]; 4];
-            let mut t66_ = [[0.0; T]; 4];
-            let mut t70_ = [[0.0; T]; 4];
-            let mut t71_ = [[0.0; T]; 4];
-            let mut t72_ = [[0.0; T]; 4];
-            let mut t73_ = [[0.0; T]; 4];
-            let mut t75_ = [[0.0; T]; 4];
-            let mut t76_ = [[0.0; T]; 4];
-            let mut t77_ = [[0.0; T]; 4];
-            let mut t78_ = [[0.0; T]; 4];
-            let mut t80_ = [[0.0; T]; 4];
-            let mut t83_ = [[0.0; T]; 4];
-            let mut t84_ = [[0.0; T]; 4];
-            let mut t85_ = [[0.0; T]; 4];
+            let mut residual_ = [[0.0; T]; 4];
+            let mut t123_ = [[0.0; T]; 4];
+            let mut t124_ = [[0.0; T]; 4];
+            let mut t125_ = [[0.0; T]; 4];
+            let mut t126_ = [[0.0; T]; 4];
+            let mut t127_ = [[0.0; T]; 4];
             let mut q4_ = [[0.0; T]; 4];
             let mut q5_ = [[0.0; T]; 4];
             let mut q6_ = [[0.0; T]; 4];
@@ -911,169 +894,146 @@ mod __Panda {
                     let c2 = r33[t] * t58 + (r31[t] * t61 + r32[t] * t60);
                     let t64 = t62 * t62 + t63 * t63;
                     let singular = math::max(t53, math::select(t64 < 1e-13, 1.0, 0.0));
-                    let t65 = math::sqrt(math::select(t64 < 1e-24, 0.0, t64));
-                    let t66 = 1.0 / t64;
-                    // Residual: forward kinematics against the target (what several
-                    // branches share)
-                    let t67 = s7 * c6;
-                    let t68 = s7 * s6;
-                    let t69 = c5 * t67 - c7 * s5;
-                    let t70 = s5 * t67 + c7 * c5;
-                    let t71 = t43 * t68 - s4 * t69;
-                    let t72 = s4 * t68 + t43 * t69;
-                    let t73 = c2 * t71;
-                    let t74 = s6 * c5;
-                    let t75 = s6 * s5;
-                    let t76 = t57 + s4 * t74;
-                    let t77 = s4 * c6 - t43 * t74;
-                    let t78 = c2 * t76;
-                    let t79 = 0.107 * s6 + 0.088 * c6;
-                    let t80 = s5 * t79;
-                    let t81 = 0.088 * s6 - 0.107 * c6 + 0.384;
-                    let t82 = 0.0825 - c5 * t79;
-                    let t83 = t43 * t82 - s4 * t81 + 0.0825;
-                    let t84 = 0.316 - (t43 * t81 + s4 * t82);
-                    let t85 = c2 * t84;
+                    let t65 = math::select(t64 < 1e-24, -1.0, 0.0);
+                    let t66 = math::sqrt(math::select(t64 < 1e-24, 0.0, t64));
+                    let t67 = 1.0 / t64;
+                    let t68 = math::select(t64 < 1e-24, t3, t63 * t66 * t67);
+                    let t69 = math::select(t64 < 1e-24, t6, t62 * t66 * t67);
+                    // 4. q3 by SP1, given q1, q4, q5, q6 and q7
+                    let t70 = r11[t] * t68 - r21[t] * t69;
+                    let t71 = r12[t] * t68 - r22[t] * t69;
+                    let t72 = c7 * t70 - s7 * t71;
+                    let t73 = s7 * t70 + c7 * t71;
+                    let t74 = r13[t] * t68 - r23[t] * t69;
+                    let t75 = s6 * t74 + c6 * t72;
+                    let t76 = t43 * (c5 * t75 + s5 * t73) - s4 * (c6 * t74 - s6 * t72);
+                    let t77 = c5 * t73 - s5 * t75;
+                    // Residual: forward kinematics against the target
+                    let t78 = s7 * c6;
+                    let t79 = s7 * s6;
+                    let t80 = c5 * t78 - c7 * s5;
+                    let t81 = s5 * t78 + c7 * c5;
+                    let t82 = t43 * t79 - s4 * t80;
+                    let t83 = s4 * t79 + t43 * t80;
+                    let t84 = t77 * t83 + t76 * t81;
+                    let t85 = t76 * t83 - t77 * t81;
+                    let t86 = c2 * t82 - t66 * t84;
+                    let t87 = t66 * t82 + c2 * t84;
+                    let t88 = t69 * t87 - t68 * t85;
+                    let t89 = t68 * t87 + t69 * t85;
+                    let t90 = s6 * c5;
+                    let t91 = s6 * s5;
+                    let t92 = t57 + s4 * t90;
+                    let t93 = s4 * c6 - t43 * t90;
+                    let t94 = t77 * t93 - t76 * t91;
+                    let t95 = t76 * t93 + t77 * t91;
+                    let t96 = c2 * t92 - t66 * t94;
+                    let t97 = t66 * t92 + c2 * t94;
+                    let t98 = t69 * t97 - t68 * t95;
+                    let t99 = t68 * t97 + t69 * t95;
+                    let t100 = 0.107 * s6 + 0.088 * c6;
+                    let t101 = s5 * t100;
+                    let t102 = 0.088 * s6 - 0.107 * c6 + 0.384;
+                    let t103 = 0.0825 - c5 * t100;
+                    let t104 = t43 * t103 - s4 * t102 + 0.0825;
+                    let t105 = t77 * t104 - t76 * t101;
+                    let t106 = t76 * t104 + t77 * t101;
+                    let t107 = 0.316 - (t43 * t102 + s4 * t103);
+                    let t108 = t66 * t107 + c2 * t105;
+                    let t109 = t69 * t108 - t68 * t106 - px[t];
+                    let t110 = t68 * t108 + t69 * t106 - py[t];
+                    let t111 = c2 * t107 - t66 * t105 + 0.333 - pz[t];
+                    let t112 = t89 * t96 - t86 * t99 - r11[t];
+                    let t113 = t88 - r12[t];
+                    let t114 = t98 - r13[t];
+                    let t115 = t86 * t98 - t88 * t96 - r21[t];
+                    let t116 = t89 - r22[t];
+                    let t117 = t99 - r23[t];
+                    let t118 = t112 * t112 + t113 * t113 + t114 * t114 + t115 * t115
+                        + t116 * t116 + t117 * t117;
+                    let t119 = t88 * t99 - t89 * t98 - r31[t];
+                    let t120 = t86 - r32[t];
+                    let t121 = t96 - r33[t];
+                    let t122 = t39_[t] + (t111 * t111 + (t109 * t109 + t110 * t110))
+                        + 0.4881627724606311
+                            * (t118 + t119 * t119 + t120 * t120 + t121 * t121);
+                    let residual = math::sqrt(t122);
                     // Joint values: angles from sines and cosines, in (−π, π]
+                    let t123 = lanes::angle(t68, t69);
+                    let t124 = math::select(
+                        t123 < 0.0,
+                        -3.141592653589793,
+                        3.141592653589793,
+                    ) - t123;
+                    let t125 = lanes::angle(t66, c2);
+                    let t126 = lanes::angle(t76, t77);
+                    let t127 = math::select(
+                        t126 < 0.0,
+                        -3.141592653589793,
+                        3.141592653589793,
+                    ) - t126;
                     let q4 = lanes::angle(s4, c4);
                     let q5 = lanes::angle(s5, c5);
                     let q6 = lanes::angle(s6, c6);
-                    s4_[k][t] = s4;
-                    t43_[k][t] = t43;
                     t50_[k][t] = t50;
-                    s6_[k][t] = s6;
-                    c6_[k][t] = c6;
-                    s5_[k][t] = s5;
-                    c5_[k][t] = c5;
-                    t62_[k][t] = t62;
-                    t63_[k][t] = t63;
-                    c2_[k][t] = c2;
-                    t64_[k][t] = t64;
                     singular_[k][t] = singular;
                     t65_[k][t] = t65;
-                    t66_[k][t] = t66;
-                    t70_[k][t] = t70;
-                    t71_[k][t] = t71;
-                    t72_[k][t] = t72;
-                    t73_[k][t] = t73;
-                    t75_[k][t] = t75;
-                    t76_[k][t] = t76;
-                    t77_[k][t] = t77;
-                    t78_[k][t] = t78;
-                    t80_[k][t] = t80;
-                    t83_[k][t] = t83;
-                    t84_[k][t] = t84;
-                    t85_[k][t] = t85;
+                    residual_[k][t] = residual;
+                    t123_[k][t] = t123;
+                    t124_[k][t] = t124;
+                    t125_[k][t] = t125;
+                    t126_[k][t] = t126;
+                    t127_[k][t] = t127;
                     q4_[k][t] = q4;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let s4_ = widen::<4, 8, T, _>(&s4_);
-            let t43_ = widen::<4, 8, T, _>(&t43_);
             let t50_ = widen::<4, 8, T, _>(&t50_);
-            let s6_ = widen::<4, 8, T, _>(&s6_);
-            let c6_ = widen::<4, 8, T, _>(&c6_);
-            let s5_ = widen::<4, 8, T, _>(&s5_);
-            let c5_ = widen::<4, 8, T, _>(&c5_);
-            let t62_ = widen::<4, 8, T, _>(&t62_);
-            let t63_ = widen::<4, 8, T, _>(&t63_);
-            let c2_ = widen::<4, 8, T, _>(&c2_);
-            let t64_ = widen::<4, 8, T, _>(&t64_);
             let singular_ = widen::<4, 8, T, _>(&singular_);
             let t65_ = widen::<4, 8, T, _>(&t65_);
-            let t66_ = widen::<4, 8, T, _>(&t66_);
-            let t70_ = widen::<4, 8, T, _>(&t70_);
-            let t71_ = widen::<4, 8, T, _>(&t71_);
-            let t72_ = widen::<4, 8, T, _>(&t72_);
-            let t73_ = widen::<4, 8, T, _>(&t73_);
-            let t75_ = widen::<4, 8, T, _>(&t75_);
-            let t76_ = widen::<4, 8, T, _>(&t76_);
-            let t77_ = widen::<4, 8, T, _>(&t77_);
-            let t78_ = widen::<4, 8, T, _>(&t78_);
-            let t80_ = widen::<4, 8, T, _>(&t80_);
-            let t83_ = widen::<4, 8, T, _>(&t83_);
-            let t84_ = widen::<4, 8, T, _>(&t84_);
-            let t85_ = widen::<4, 8, T, _>(&t85_);
+            let residual_ = widen::<4, 8, T, _>(&residual_);
+            let t123_ = widen::<4, 8, T, _>(&t123_);
+            let t124_ = widen::<4, 8, T, _>(&t124_);
+            let t125_ = widen::<4, 8, T, _>(&t125_);
+            let t126_ = widen::<4, 8, T, _>(&t126_);
+            let t127_ = widen::<4, 8, T, _>(&t127_);
             let q4_ = widen::<4, 8, T, _>(&q4_);
             let q5_ = widen::<4, 8, T, _>(&q5_);
             let q6_ = widen::<4, 8, T, _>(&q6_);
             // 8 lanes, by the signs of the roots: e3 of step 3
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
             let mut invalid_ = [[0.0; T]; 8];
-            let mut residual_ = [[0.0; T]; 8];
             let mut q1_ = [[0.0; T]; 8];
             let mut q2_ = [[0.0; T]; 8];
             let mut q3_ = [[0.0; T]; 8];
             for k in 0..8 {
                 for t in 0..T {
                     // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
-                    let invalid = math::max(
-                        t50_[k][t],
-                        math::select(t64_[k][t] < 1e-24, -e3[k], 0.0),
-                    );
-                    let s2 = e3[k] * t65_[k][t];
-                    let s1 = math::select(
-                        t64_[k][t] < 1e-24,
-                        t3,
-                        t63_[k][t] * s2 * t66_[k][t],
-                    );
-                    let c1 = math::select(
-                        t64_[k][t] < 1e-24,
-                        t6,
-                        t62_[k][t] * s2 * t66_[k][t],
-                    );
-                    // 4. q3 by SP1, given q1, q4, q5, q6 and q7
-                    let t86 = r11[t] * s1 - r21[t] * c1;
-                    let t87 = r12[t] * s1 - r22[t] * c1;
-                    let t88 = c7 * t86 - s7 * t87;
-                    let t89 = s7 * t86 + c7 * t87;
-                    let t90 = r13[t] * s1 - r23[t] * c1;
-                    let t91 = s6_[k][t] * t90 + c6_[k][t] * t88;
-                    let s3 = t43_[k][t] * (c5_[k][t] * t91 + s5_[k][t] * t89)
-                        - s4_[k][t] * (c6_[k][t] * t90 - s6_[k][t] * t88);
-                    let c3 = c5_[k][t] * t89 - s5_[k][t] * t91;
-                    // Residual: forward kinematics against the target
-                    let t92 = c3 * t72_[k][t] + s3 * t70_[k][t];
-                    let t93 = s3 * t72_[k][t] - c3 * t70_[k][t];
-                    let t94 = t73_[k][t] - s2 * t92;
-                    let t95 = s2 * t71_[k][t] + c2_[k][t] * t92;
-                    let t96 = c1 * t95 - s1 * t93;
-                    let t97 = s1 * t95 + c1 * t93;
-                    let t98 = c3 * t77_[k][t] - s3 * t75_[k][t];
-                    let t99 = s3 * t77_[k][t] + c3 * t75_[k][t];
-                    let t100 = t78_[k][t] - s2 * t98;
-                    let t101 = s2 * t76_[k][t] + c2_[k][t] * t98;
-                    let t102 = c1 * t101 - s1 * t99;
-                    let t103 = s1 * t101 + c1 * t99;
-                    let t104 = c3 * t83_[k][t] - s3 * t80_[k][t];
-                    let t105 = s3 * t83_[k][t] + c3 * t80_[k][t];
-                    let t106 = s2 * t84_[k][t] + c2_[k][t] * t104;
-                    let t107 = c1 * t106 - s1 * t105 - px[t];
-                    let t108 = s1 * t106 + c1 * t105 - py[t];
-                    let t109 = t85_[k][t] - s2 * t104 + 0.333 - pz[t];
-                    let t110 = t97 * t100 - t94 * t103 - r11[t];
-                    let t111 = t96 - r12[t];
-                    let t112 = t102 - r13[t];
-                    let t113 = t94 * t102 - t96 * t100 - r21[t];
-                    let t114 = t97 - r22[t];
-                    let t115 = t103 - r23[t];
-                    let t116 = t110 * t110 + t111 * t111 + t112 * t112 + t113 * t113
-                        + t114 * t114 + t115 * t115;
-                    let t117 = t96 * t103 - t97 * t102 - r31[t];
-                    let t118 = t94 - r32[t];
-                    let t119 = t100 - r33[t];
-                    let t120 = t39_[t] + (t109 * t109 + (t107 * t107 + t108 * t108))
-                        + 0.4881627724606311
-                            * (t116 + t117 * t117 + t118 * t118 + t119 * t119);
-                    let residual = math::sqrt(t120);
+                    let invalid = math::max(t50_[k][t], e3[k] * t65_[k][t]);
                     // Joint values: angles from sines and cosines, in (−π, π]
-                    let q1 = lanes::angle(s1, c1);
-                    let q2 = lanes::angle(s2, c2_[k][t]);
-                    let q3 = lanes::angle(s3, c3);
+                    let t128 = e3[k]
+                        * math::select(e3[k] < 0.0, t124_[k][t], t123_[k][t]);
+                    let q1 = math::select(
+                        -3.141592653589793 < t128,
+                        t128,
+                        t128 + 6.283185307179586,
+                    );
+                    let t129 = e3[k] * t125_[k][t];
+                    let q2 = math::select(
+                        -3.141592653589793 < t129,
+                        t129,
+                        t129 + 6.283185307179586,
+                    );
+                    let t130 = e3[k]
+                        * math::select(e3[k] < 0.0, t127_[k][t], t126_[k][t]);
+                    let q3 = math::select(
+                        -3.141592653589793 < t130,
+                        t130,
+                        t130 + 6.283185307179586,
+                    );
                     invalid_[k][t] = invalid;
-                    residual_[k][t] = residual;
                     q1_[k][t] = q1;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;
@@ -1081,7 +1041,7 @@ mod __Panda {
             }
             Lanes {
                 q: [q1_, q2_, q3_, q4_.all(), q5_.all(), q6_.all()],
-                residual: residual_,
+                residual: residual_.all(),
                 invalid: invalid_,
                 singular: singular_.all(),
                 level: [[0.0; T]; 8],

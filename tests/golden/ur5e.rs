@@ -6,8 +6,8 @@
 // Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
 // With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 151 multiplications, 109 additions, 3 divisions, 6 roots, 3
-// sines with cosines, 6 arctangents, 33 selections.
+// branches; one branch: 158 multiplications, 110 additions, 3 divisions, 6 roots, 3
+// sines with cosines, 6 arctangents, 34 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
@@ -818,25 +818,25 @@ mod __Ur5e {
             let mut t39_ = [[0.0; T]; 4];
             let mut s234_ = [[0.0; T]; 4];
             let mut c234_ = [[0.0; T]; 4];
-            let mut t49_ = [[0.0; T]; 4];
             let mut level_ = [[0.0; T]; 4];
-            let mut t52_ = [[0.0; T]; 4];
-            let mut t53_ = [[0.0; T]; 4];
             let mut t54_ = [[0.0; T]; 4];
-            let mut t56_ = [[0.0; T]; 4];
-            let mut c3_ = [[0.0; T]; 4];
-            let mut no_root_ = [[0.0; T]; 4];
             let mut t57_ = [[0.0; T]; 4];
-            let mut t59_ = [[0.0; T]; 4];
-            let mut t60_ = [[0.0; T]; 4];
-            let mut t61_ = [[0.0; T]; 4];
+            let mut t58_ = [[0.0; T]; 4];
+            let mut no_root_ = [[0.0; T]; 4];
             let mut t62_ = [[0.0; T]; 4];
-            let mut t74_ = [[0.0; T]; 4];
-            let mut t75_ = [[0.0; T]; 4];
-            let mut t77_ = [[0.0; T]; 4];
-            let mut t78_ = [[0.0; T]; 4];
-            let mut t89_ = [[0.0; T]; 4];
+            let mut t63_ = [[0.0; T]; 4];
+            let mut t64_ = [[0.0; T]; 4];
+            let mut t65_ = [[0.0; T]; 4];
+            let mut t66_ = [[0.0; T]; 4];
+            let mut singular_ = [[0.0; T]; 4];
+            let mut t67_ = [[0.0; T]; 4];
+            let mut t79_ = [[0.0; T]; 4];
+            let mut t80_ = [[0.0; T]; 4];
+            let mut t82_ = [[0.0; T]; 4];
+            let mut t83_ = [[0.0; T]; 4];
+            let mut t94_ = [[0.0; T]; 4];
             let mut q1_ = [[0.0; T]; 4];
+            let mut t95_ = [[0.0; T]; 4];
             let mut q5_ = [[0.0; T]; 4];
             let mut q6_ = [[0.0; T]; 4];
             for k in 0..4 {
@@ -896,60 +896,70 @@ mod __Ur5e {
                         ),
                         math::select(t52 < 2.778388922499999e-15, 1.0, 0.0),
                     );
-                    let t54 = math::sqrt(
+                    let t54 = math::select(t52 < 2.778388922499999e-15, -1.0, 0.0);
+                    let t55 = math::sqrt(
                         math::select(t52 < 2.778388922499999e-15, 0.0, t52),
                     );
-                    let t55 = math::max(
+                    let t56 = math::max(
                         -0.16668499999999997,
                         -math::max(-0.16668499999999997, t51 - 0.17610736499999996),
                     );
-                    let t56 = 5.999340072592016 * t55;
-                    let c3 = -t56;
+                    let t57 = 5.999340072592016 * t55;
+                    let t58 = 5.999340072592016 * t56;
+                    let c3 = -t58;
                     let no_root = math::select(
                         t38 < 2.5e-19,
                         math::select(t52 < -2.778388922499999e-15, 1.0, 0.0),
                         0.0,
                     );
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t57 = c1 * t47 + s1 * t48;
-                    let t58 = 0.425 - 2.3529411764705883 * t55;
-                    let t59 = t57 * t58;
-                    let t60 = t49 * t58;
-                    let t61 = t50 + t57 * t57;
-                    let t62 = t58 * t58;
+                    let t59 = c1 * t47 + s1 * t48;
+                    let t60 = 2.3529411764705883 * t55;
+                    let t61 = 0.425 - 2.3529411764705883 * t56;
+                    let t62 = t49 * t60;
+                    let t63 = t59 * t61;
+                    let t64 = t59 * t60;
+                    let t65 = t49 * t61;
+                    let t66 = math::sqrt((t50 + t59 * t59) * (t60 * t60 + t61 * t61));
+                    let singular = math::max(
+                        t53,
+                        math::select(t66 < 1.7221312899999994e-24, 1.0, 0.0),
+                    );
+                    let t67 = 1.0 / t66;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t63 = c5 * s6;
-                    let t64 = s5 * s6;
-                    let t65 = c234 * c6 - s234 * t63;
-                    let t66 = s234 * c6 + c234 * t63;
-                    let t67 = c1 * t66 + s1 * t64;
-                    let t68 = c1 * t64 - s1 * t66;
-                    let t69 = s5 * c234;
-                    let t70 = s5 * s234;
-                    let t71 = c1 * t69 + s1 * t37;
-                    let t72 = c1 * t37 - s1 * t69;
-                    let t73 = 0.0996 * s5;
-                    let t74 = 0.0997 * c234 + s234 * t73;
-                    let t75 = c234 * t73 - 0.0997 * s234;
-                    let t76 = -0.1333 - 0.0996 * c5;
-                    let t77 = c1 * t76;
-                    let t78 = s1 * t76;
-                    let t79 = r11[t] + (t68 * t70 + t65 * t72);
-                    let t80 = r12[t] + t67;
-                    let t81 = r13[t] + t71;
-                    let t82 = r21[t] + (t65 * t71 + t67 * t70);
-                    let t83 = t68 - r22[t];
-                    let t84 = t72 - r23[t];
-                    let t85 = t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82 + t83 * t83
-                        + t84 * t84;
-                    let t86 = t68 * t71 - t67 * t72 - r31[t];
-                    let t87 = t65 - r32[t];
-                    let t88 = r33[t] + t70;
-                    let t89 = 0.8610656449999997
-                        * (t85 + t86 * t86 + t87 * t87 + t88 * t88);
+                    let t68 = c5 * s6;
+                    let t69 = s5 * s6;
+                    let t70 = c234 * c6 - s234 * t68;
+                    let t71 = s234 * c6 + c234 * t68;
+                    let t72 = c1 * t71 + s1 * t69;
+                    let t73 = c1 * t69 - s1 * t71;
+                    let t74 = s5 * c234;
+                    let t75 = s5 * s234;
+                    let t76 = c1 * t74 + s1 * t37;
+                    let t77 = c1 * t37 - s1 * t74;
+                    let t78 = 0.0996 * s5;
+                    let t79 = 0.0997 * c234 + s234 * t78;
+                    let t80 = c234 * t78 - 0.0997 * s234;
+                    let t81 = -0.1333 - 0.0996 * c5;
+                    let t82 = c1 * t81;
+                    let t83 = s1 * t81;
+                    let t84 = r11[t] + (t73 * t75 + t70 * t77);
+                    let t85 = r12[t] + t72;
+                    let t86 = r13[t] + t76;
+                    let t87 = r21[t] + (t70 * t76 + t72 * t75);
+                    let t88 = t73 - r22[t];
+                    let t89 = t77 - r23[t];
+                    let t90 = t84 * t84 + t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88
+                        + t89 * t89;
+                    let t91 = t73 * t76 - t72 * t77 - r31[t];
+                    let t92 = t70 - r32[t];
+                    let t93 = r33[t] + t75;
+                    let t94 = 0.8610656449999997
+                        * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
+                    let t95 = lanes::angle(-t57, c3);
                     let q5 = lanes::angle(s5, c5);
                     let q6 = lanes::angle(s6, c6);
                     s1_[k][t] = s1;
@@ -957,25 +967,25 @@ mod __Ur5e {
                     t39_[k][t] = t39;
                     s234_[k][t] = s234;
                     c234_[k][t] = c234;
-                    t49_[k][t] = t49;
                     level_[k][t] = level;
-                    t52_[k][t] = t52;
-                    t53_[k][t] = t53;
                     t54_[k][t] = t54;
-                    t56_[k][t] = t56;
-                    c3_[k][t] = c3;
-                    no_root_[k][t] = no_root;
                     t57_[k][t] = t57;
-                    t59_[k][t] = t59;
-                    t60_[k][t] = t60;
-                    t61_[k][t] = t61;
+                    t58_[k][t] = t58;
+                    no_root_[k][t] = no_root;
                     t62_[k][t] = t62;
-                    t74_[k][t] = t74;
-                    t75_[k][t] = t75;
-                    t77_[k][t] = t77;
-                    t78_[k][t] = t78;
-                    t89_[k][t] = t89;
+                    t63_[k][t] = t63;
+                    t64_[k][t] = t64;
+                    t65_[k][t] = t65;
+                    t66_[k][t] = t66;
+                    singular_[k][t] = singular;
+                    t67_[k][t] = t67;
+                    t79_[k][t] = t79;
+                    t80_[k][t] = t80;
+                    t82_[k][t] = t82;
+                    t83_[k][t] = t83;
+                    t94_[k][t] = t94;
                     q1_[k][t] = q1;
+                    t95_[k][t] = t95;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
@@ -986,31 +996,30 @@ mod __Ur5e {
             let t39_ = widen::<4, 8, T, _>(&t39_);
             let s234_ = widen::<4, 8, T, _>(&s234_);
             let c234_ = widen::<4, 8, T, _>(&c234_);
-            let t49_ = widen::<4, 8, T, _>(&t49_);
             let level_ = widen::<4, 8, T, _>(&level_);
-            let t52_ = widen::<4, 8, T, _>(&t52_);
-            let t53_ = widen::<4, 8, T, _>(&t53_);
             let t54_ = widen::<4, 8, T, _>(&t54_);
-            let t56_ = widen::<4, 8, T, _>(&t56_);
-            let c3_ = widen::<4, 8, T, _>(&c3_);
-            let no_root_ = widen::<4, 8, T, _>(&no_root_);
             let t57_ = widen::<4, 8, T, _>(&t57_);
-            let t59_ = widen::<4, 8, T, _>(&t59_);
-            let t60_ = widen::<4, 8, T, _>(&t60_);
-            let t61_ = widen::<4, 8, T, _>(&t61_);
+            let t58_ = widen::<4, 8, T, _>(&t58_);
+            let no_root_ = widen::<4, 8, T, _>(&no_root_);
             let t62_ = widen::<4, 8, T, _>(&t62_);
-            let t74_ = widen::<4, 8, T, _>(&t74_);
-            let t75_ = widen::<4, 8, T, _>(&t75_);
-            let t77_ = widen::<4, 8, T, _>(&t77_);
-            let t78_ = widen::<4, 8, T, _>(&t78_);
-            let t89_ = widen::<4, 8, T, _>(&t89_);
+            let t63_ = widen::<4, 8, T, _>(&t63_);
+            let t64_ = widen::<4, 8, T, _>(&t64_);
+            let t65_ = widen::<4, 8, T, _>(&t65_);
+            let t66_ = widen::<4, 8, T, _>(&t66_);
+            let singular_ = widen::<4, 8, T, _>(&singular_);
+            let t67_ = widen::<4, 8, T, _>(&t67_);
+            let t79_ = widen::<4, 8, T, _>(&t79_);
+            let t80_ = widen::<4, 8, T, _>(&t80_);
+            let t82_ = widen::<4, 8, T, _>(&t82_);
+            let t83_ = widen::<4, 8, T, _>(&t83_);
+            let t94_ = widen::<4, 8, T, _>(&t94_);
             let q1_ = widen::<4, 8, T, _>(&q1_);
+            let t95_ = widen::<4, 8, T, _>(&t95_);
             let q5_ = widen::<4, 8, T, _>(&q5_);
             let q6_ = widen::<4, 8, T, _>(&q6_);
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
             let mut invalid_ = [[0.0; T]; 8];
-            let mut singular_ = [[0.0; T]; 8];
             let mut residual_ = [[0.0; T]; 8];
             let mut q2_ = [[0.0; T]; 8];
             let mut q3_ = [[0.0; T]; 8];
@@ -1018,54 +1027,47 @@ mod __Ur5e {
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q3 by SP3, given q6
-                    let invalid = math::max(
-                        t39_[k][t],
-                        math::select(t52_[k][t] < 2.778388922499999e-15, -e3[k], 0.0),
-                    );
-                    let t90 = e3[k] * t54_[k][t];
-                    let t91 = 5.999340072592016 * t90;
-                    let s3 = -t91;
+                    let invalid = math::max(t39_[k][t], e3[k] * t54_[k][t]);
                     // 5. q2 by SP1, given q1, q3 and q6
-                    let t92 = 2.3529411764705883 * t90;
-                    let t93 = math::sqrt(t61_[k][t] * (t92 * t92 + t62_[k][t]));
-                    let singular = math::max(
-                        t53_[k][t],
-                        math::select(t93 < 1.7221312899999994e-24, 1.0, 0.0),
-                    );
-                    let t94 = 1.0 / t93;
                     let s2 = math::select(
-                        t93 < 1.7221312899999994e-24,
+                        t66_[k][t] < 1.7221312899999994e-24,
                         t3,
-                        -((t57_[k][t] * t92 + t60_[k][t]) * t94),
+                        -((t65_[k][t] + e3[k] * t64_[k][t]) * t67_[k][t]),
                     );
                     let c2 = math::select(
-                        t93 < 1.7221312899999994e-24,
+                        t66_[k][t] < 1.7221312899999994e-24,
                         t6,
-                        (t49_[k][t] * t92 - t59_[k][t]) * t94,
+                        (e3[k] * t62_[k][t] - t63_[k][t]) * t67_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t95 = s234_[k][t] * c2 - c234_[k][t] * s2;
-                    let t96 = c234_[k][t] * c2 + s234_[k][t] * s2;
+                    let t96 = s234_[k][t] * c2 - c234_[k][t] * s2;
+                    let t97 = c234_[k][t] * c2 + s234_[k][t] * s2;
                     // Residual: forward kinematics against the target
-                    let t97 = 0.425 * c2 + 0.3922 * (t91 * s2 - t56_[k][t] * c2)
-                        + t75_[k][t];
-                    let t98 = 0.3922 * (t56_[k][t] * s2 + t91 * c2) - 0.425 * s2
-                        - t74_[k][t] + 0.1625;
-                    let t99 = px[t] + (c1_[k][t] * t97 + t78_[k][t]);
-                    let t100 = t77_[k][t] - s1_[k][t] * t97 - py[t];
-                    let t101 = t98 - pz[t];
+                    let t98 = 0.3922 * (t58_[k][t] * s2 + e3[k] * (t57_[k][t] * c2))
+                        - 0.425 * s2 - t79_[k][t];
+                    let t99 = 0.425 * c2
+                        + 0.3922 * (e3[k] * (t57_[k][t] * s2) - t58_[k][t] * c2)
+                        + t80_[k][t];
+                    let t100 = px[t] + (c1_[k][t] * t99 + t83_[k][t]);
+                    let t101 = t82_[k][t] - s1_[k][t] * t99 - py[t];
+                    let t102 = t98 + 0.1625 - pz[t];
                     let residual = math::sqrt(
-                        t31_[t] + (t101 * t101 + (t99 * t99 + t100 * t100)) + t89_[k][t],
+                        t31_[t] + (t102 * t102 + (t100 * t100 + t101 * t101))
+                            + t94_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = lanes::angle(s2, c2);
-                    let q3 = lanes::angle(s3, c3_[k][t]);
+                    let t103 = e3[k] * t95_[k][t];
+                    let q3 = math::select(
+                        -3.141592653589793 < t103,
+                        t103,
+                        t103 + 6.283185307179586,
+                    );
                     let q4 = lanes::angle(
-                        t91 * t96 - t56_[k][t] * t95,
-                        -(t56_[k][t] * t96 + t91 * t95),
+                        e3[k] * (t57_[k][t] * t97) - t58_[k][t] * t96,
+                        -(t58_[k][t] * t97 + e3[k] * (t57_[k][t] * t96)),
                     );
                     invalid_[k][t] = invalid;
-                    singular_[k][t] = singular;
                     residual_[k][t] = residual;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;
@@ -1076,7 +1078,7 @@ mod __Ur5e {
                 q: [q1_.all(), q2_, q3_, q4_, q5_.all(), q6_.all()],
                 residual: residual_,
                 invalid: invalid_,
-                singular: singular_,
+                singular: singular_.all(),
                 level: level_.all(),
                 no_root: no_root_.all(),
             }

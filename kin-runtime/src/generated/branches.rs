@@ -170,8 +170,8 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     /// The branch that comes nearest to the target by its own residual; none
     /// if the target is not a number. Of equals the first.
     #[inline]
-    pub fn closest(&self) -> Option<Solution<N>> {
-        self.least(|lane| lane.residual)
+    pub fn closest(&self, accept: &Acceptance) -> Option<Solution<N>> {
+        self.least(|lane| lane.residual, accept)
     }
 
     /// The branch that comes nearest to the target by forward kinematics: out
@@ -185,18 +185,29 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         counts: Target,
         accept: &Acceptance,
     ) -> Option<Solution<N>> {
-        self.least(|lane| counts.distance(&fk(&lane.q), target, accept.size))
+        let distance = |lane: &Solution<N>| counts.distance(&fk(&lane.q), target, accept.size);
+        self.least(distance, accept)
     }
 
+    /// A branch that repeats another, as one more of its family, is no solution, however near
+    /// it comes.
     #[inline(always)]
-    fn least(&self, residual: impl Fn(&Solution<N>) -> Real) -> Option<Solution<N>> {
+    fn least(
+        &self,
+        residual: impl Fn(&Solution<N>) -> Real,
+        accept: &Acceptance,
+    ) -> Option<Solution<N>> {
         let mut best = None;
         let mut least = Real::INFINITY;
         for k in 0..L {
             let lane = self.lane(k);
             let residual = residual(&lane);
-            if residual < least {
-                least = residual;
+            let counted = match self.invalid[k] > 0.0 {
+                true => math::max(accept.tolerance, residual),
+                false => residual,
+            };
+            if counted < least {
+                least = counted;
                 best = Some(Solution { residual, ..lane });
             }
         }

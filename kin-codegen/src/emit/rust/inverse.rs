@@ -176,7 +176,7 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     let branches = quote!(self.branches(pose, &[0.0; #n]));
     let target = solver.plan.target;
     if target.is_projected() {
-        return quote!(#branches.closest());
+        return quote!(#branches.closest(&Self::ACCEPT));
     }
     let target = format_ident!("{target:?}");
     let closest = quote! {

@@ -10,6 +10,7 @@
 mod free;
 mod line;
 mod pair;
+mod parity;
 mod project;
 mod root;
 mod rotate;
@@ -483,6 +484,7 @@ impl<'a> Writer<'a> {
             graph: self.g,
             tape: Tape::default(),
         };
+        inverse = parity::signs_outwards(&inverse);
         inverse.tape = Tape::new(&inverse.graph, &inverse.outputs()).of(self.linkage.scalar);
         inverse
     }
