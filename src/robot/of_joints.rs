@@ -5,6 +5,7 @@ use super::Robot;
 use super::forward::pose;
 use kin_codegen::closed_form::Domain;
 use kin_codegen::expr::Tape;
+use kin_runtime::__private::Eliminant;
 use kin_runtime::{
     Hessian, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solution,
     Solutions, Target, Twist,
@@ -201,6 +202,16 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
         let parameters = self.with(parameter);
         let (target, given) = self.robot.turned(target, &parameters);
         domain.arguments(form, &target, given)
+    }
+
+    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
+        let form = self.robot.arm.form()?;
+        if self.robot.parameters() > 1 {
+            return None;
+        }
+        let parameters = self.with(parameter);
+        let (target, given) = self.robot.turned(target, &parameters);
+        form.eliminant(&target, given, which)
     }
 
     fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {

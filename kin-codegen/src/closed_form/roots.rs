@@ -6,6 +6,7 @@ use super::{ClosedForm, Inverse};
 use crate::expr::Tape;
 use crate::expr::inverse::InverseGraph;
 use crate::geometry::Carried;
+use kin_runtime::__private::Eliminant;
 use kin_runtime::{Pose, Solution};
 
 /// Where the branches of an arm with a parameter exist, by functions of the parameter.
@@ -88,10 +89,6 @@ impl Domain {
         target: &Pose,
         parameters: &[f64],
     ) -> Option<[f64; 16]> {
-        if let Inverse::Univariate(arm) = &form.inverse {
-            let carried = Carried::new(&form.given).target(target, parameters);
-            return arm.margins(&carried);
-        }
         let Margin { tape, branches } = self.margin.as_ref()?;
         let values = tape.run::<LANES>(&form.inputs(target, parameters), 0);
         let mut margins = [0.0; 16];
@@ -103,6 +100,15 @@ impl Domain {
 }
 
 impl ClosedForm {
+    /// What an elimination leaves of a target, if it is one that solves it.
+    pub fn eliminant(&self, target: &Pose, parameters: &[f64], which: usize) -> Option<Eliminant> {
+        let Inverse::Univariate(arm) = &self.inverse else {
+            return None;
+        };
+        let carried = Carried::new(&self.given).target(target, parameters);
+        arm.eliminant(&carried, which)
+    }
+
     /// What its expressions are computed from, with free angles at 0.
     fn inputs(&self, target: &Pose, parameters: &[f64]) -> Vec<f64> {
         let seed = vec![0.0; self.given.variables()];

@@ -4,7 +4,7 @@ use super::choose::{Kept, choose, each};
 use super::frames::frames;
 use crate::geometry::{Carried, Linkage};
 use crate::model::Model;
-use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
+use kin_runtime::__private::univariate::{Eliminant, Elimination, Frames, Univariate};
 use kin_runtime::{Pose, Solution, Solutions, Target};
 
 /// Targets that tell how noisy an elimination is.
@@ -98,9 +98,9 @@ impl Arm {
         self.with(|arm| arm.closest(target))
     }
 
-    /// By pair of roots, how near they are to being real.
-    pub fn margins(&self, target: &Pose) -> Option<[f64; 16]> {
-        self.with(|arm| arm.margins(target))
+    /// See [`Univariate::eliminant`].
+    pub fn eliminant(&self, target: &Pose, which: usize) -> Option<Eliminant> {
+        self.with(|arm| arm.eliminant(target, which))
     }
 
     fn with<T>(&self, run: impl FnOnce(&Univariate) -> T) -> T {

@@ -69,7 +69,8 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The values of the parameter to sample, ascending: evenly, and where a branch exists
     /// between two of them alone, or not there alone.
     fn samples(&self) -> Vec<f64> {
-        let Some(between) = self.values_between_ends() else {
+        let between = self.values_between_ends();
+        let Some(between) = between.or_else(|| self.values_between_meetings()) else {
             return self.margin_samples().unwrap_or_else(|| self.values());
         };
         let mut values = self.values();

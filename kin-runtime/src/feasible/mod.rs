@@ -6,15 +6,19 @@
 //! come from square roots, those are the zeros of the roots' arguments, and all of them are found
 //! (`unfold`, `zeros`). Otherwise the arcs
 //! are followed from sample to sample of the parameter, each sample with all of its
-//! solutions; what is not carried over by tangents has to end in a fold with another one
+//! solutions, and one between any two places where a polynomial has double roots (`eliminant`,
+//! `patch`) or a plan nearly ceases to have solutions (`suspects`); what is not carried over by tangents has to end in a fold with another one
 //! that is not, and is sampled more finely until it does.
 
 mod arcs;
 mod best;
+mod chebyshev;
+mod eliminant;
 mod fold;
 mod interval;
 mod lanes;
 mod limits;
+mod patch;
 mod sample;
 mod suspects;
 mod task;

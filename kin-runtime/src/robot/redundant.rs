@@ -1,6 +1,7 @@
 //! Arms with one joint more than their targets have coordinates.
 
 use super::follow::{Follow, PathStep, follow};
+use crate::__private::Eliminant;
 #[cfg(feature = "alloc")]
 use crate::{
     Criterion, FeasibleInterval, JointLimit,
@@ -119,12 +120,19 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// By branch, how far its plan is from having no root at this parameter: a continuous
     /// function of the parameter, without unit, that is positive where the branch exists:
-    /// the least argument of a square root, in units of the arm's size. Of an arm without a
-    /// closed form, by pair of roots, minus the square of the imaginary part of their angles.
+    /// the least argument of a square root, in units of the arm's size.
     ///
     /// Of an arm that is read as an ideal one, that of the ideal arm.
     fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
         let _ = (target, parameter);
+        None
+    }
+
+    /// Of an arm without a closed form, what an elimination leaves of the target at this
+    /// parameter; eliminations are counted from 0.
+    #[doc(hidden)]
+    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
+        let _ = (target, parameter, which);
         None
     }
 
@@ -190,11 +198,13 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// leave none of them out. Next to singular targets, where arguments vanish together,
     /// rounding decides.
     ///
-    /// Other arms are followed from sample to sample, 64 to begin with. Between them branches
-    /// are looked for by the complex roots of their polynomial
-    /// ([`RedundantKinematics::margins_at`]): where they come next to real ones. That is no
-    /// proof: of 3000 random targets of a Sawyer, six had a branch missed or doubled for less
-    /// than a twentieth of a radian.
+    /// Other arms are followed from sample to sample, 64 to begin with. Of an arm without closed
+    /// form the polynomial in one of its joints is one in the sine and cosine of the parameter as
+    /// well; ends are where it has double roots, all of which are found on rectangles of both, and
+    /// between any two of them there is a sample. What is shorter than 1e-4 of a turn may be left
+    /// out. Between samples of an arm that is read as an ideal one, whose branches are moved on to
+    /// it, they are looked for where those of the ideal arm nearly begin or end
+    /// ([`RedundantKinematics::margins_at`]), which is no proof.
     ///
     /// # Panics
     /// If the arm has more than eight joints, or seven and a tool that turns.

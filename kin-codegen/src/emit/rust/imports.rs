@@ -29,10 +29,11 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 18] = [
+const PRIVATE: [&str; 19] = [
     "Acceptance",
     "AtSwivel",
     "Branches",
+    "Eliminant",
     "Elimination",
     "FREE_BELOW",
     "Forward",

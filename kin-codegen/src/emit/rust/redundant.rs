@@ -427,7 +427,7 @@ fn turned(redundancy: &Redundancy) -> Option<TokenStream> {
 /// How far the branches are from having no root, if they come from a plan.
 fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
     let Inverse::Expressions(inverse) = &solver.inverse else {
-        return Some(margins_of_roots(solver, redundancy));
+        return Some(eliminant(solver, redundancy));
     };
     let margin = inverse.of_margin()?;
     let choices = margin.graph.choices();
@@ -455,8 +455,8 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
     })
 }
 
-/// The same of a polynomial's roots.
-fn margins_of_roots(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+/// What is left of a target by elimination.
+fn eliminant(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
     let turned = turned(redundancy);
     let given: Vec<TokenStream> = redundancy
         .joints
@@ -465,11 +465,11 @@ fn margins_of_roots(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream
         .collect();
     let target = carried(solver, &given);
     quote! {
-        fn margins_at(
-            &self, pose: &Pose, parameter: f64
-        ) -> ::core::option::Option<[f64; 16]> {
+        fn eliminant_at(
+            &self, pose: &Pose, parameter: f64, which: usize
+        ) -> ::core::option::Option<Eliminant> {
             #turned
-            Self::UNIVARIATE.margins(#target)
+            Self::UNIVARIATE.eliminant(#target, which)
         }
     }
 }

@@ -14,6 +14,8 @@ pub(super) struct Harmonics {
     pub degree: usize,
     pub cosines: [f64; DEGREE + 1],
     pub sines: [f64; DEGREE + 1],
+    /// The largest one, of which all are shares.
+    pub size: f64,
     /// How far values are off by rounding: as large as the harmonics are that
     /// have to vanish, or more.
     pub noise: f64,
@@ -88,6 +90,7 @@ impl Harmonics {
             degree,
             cosines: [0.0; DEGREE + 1],
             sines: [0.0; DEGREE + 1],
+            size: 0.0,
             noise: 0.0,
         };
         let [cosines, sines] = match values.len() < MOST_SAMPLES {
@@ -106,6 +109,7 @@ impl Harmonics {
             }
         }
         let scale = 1.0 / largest;
+        out.size = largest;
         for k in 0..=DEGREE {
             out.cosines[k] *= scale;
             out.sines[k] *= scale;

@@ -17,13 +17,13 @@ mod bernstein;
 mod branches;
 mod closest;
 mod determinant;
+mod eliminant;
 mod elimination;
 mod found;
 mod frames;
 mod harmonics;
 mod lanes;
 mod line;
-mod margins;
 mod matrix;
 mod polish;
 mod polynomial;
@@ -34,6 +34,7 @@ mod sharing;
 mod short;
 mod turn;
 
+pub use eliminant::Eliminant;
 pub use elimination::{EQUATIONS, Elimination};
 pub use frames::Frames;
 #[cfg(feature = "std")]

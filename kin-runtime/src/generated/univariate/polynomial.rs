@@ -48,7 +48,8 @@ impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFL
                     factors.pivots()
                 }
             };
-            let mut determinants = L::ONE;
+            // Fifteen reflections have the determinant −1.
+            let mut determinants = if REFLECTED { -L::ONE } else { L::ONE };
             for (largest, pivot) in largest.iter_mut().zip(pivots) {
                 determinants *= pivot;
                 *largest = largest.max(pivot.abs());
