@@ -29,13 +29,16 @@ const QUIET: f64 = 1e-11;
 const AMPLIFIED: f64 = 1e3;
 /// Parts of a rectangle that are looked at, at most.
 const PATCHES: usize = 400;
+/// And so many of all: of targets that are singular throughout, what rounding leaves has double
+/// roots everywhere.
+const MOST: usize = 20_000;
 /// Rectangles are not halved below these sides: shares of the parameter's range, and of t.
 const SHORTEST: [f64; 2] = [1e-4, 5e-4];
 /// Places that are nearer to each other are one.
 const SAME: f64 = 1e-9;
 /// Of places where solutions may touch, those that are nearer to each other are one: a share of
 /// the parameter's range.
-const NEAR: f64 = 2e-4;
+const NEAR: f64 = 5e-4;
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// Values of the parameter of which there is one between any two at which branches
@@ -48,6 +51,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             bernstein: bernstein(),
             ends: Vec::new(),
             touching: Vec::new(),
+            looked_at: 0,
             shortest: [SHORTEST[0] * (to - from), SHORTEST[1]],
         };
         let end = |i: usize| from + (to - from) * i as f64 / PIECES as f64;
@@ -80,6 +84,8 @@ struct Search<'a, K: ?Sized, const N: usize> {
     ends: Vec<f64>,
     /// Where they cross, or may meet and part.
     touching: Vec<f64>,
+    /// How many rectangles were looked at.
+    looked_at: usize,
     shortest: [f64; 2],
 }
 
@@ -163,8 +169,9 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Search<'_, K, N> {
     fn explore(&mut self, whole: Patch) {
         let mut waiting = alloc::vec![whole];
         let mut looked_at = 0;
-        while let Some(patch) = waiting.pop() {
+        while let Some(patch) = waiting.pop().filter(|_| self.looked_at < MOST) {
             looked_at += 1;
+            self.looked_at += 1;
             match patch.folds() {
                 Folds::None => {}
                 Folds::One(s) => self.ends.push(s),
