@@ -6,7 +6,7 @@
 // Forward kinematics: 108 multiplications, 69 additions, 6 sines with cosines.
 // With the spatial Jacobian: 165 multiplications, 99 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 195 multiplications, 136 additions, 12 divisions, 14 roots, 4
+// branches; one branch: 193 multiplications, 134 additions, 10 divisions, 14 roots, 4
 // sines with cosines, 6 arctangents, 46 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
@@ -75,20 +75,20 @@ mod __Calibrated {
     ///
     /// `Solution::branch` is the number of the solution's posture, as in `POSTURES`:
     ///
-    /// | branch | step 1 (bit 0) | step 2 (bit 1) | step 4 (bit 2) |
+    /// | branch | shoulder (bit 0) | elbow (bits 0 and 2) | wrist (bit 1) |
     /// |---|---|---|---|
-    /// | 0 | + | + | + |
-    /// | 1 | − | + | + |
-    /// | 2 | + | − | + |
-    /// | 3 | − | − | + |
-    /// | 4 | + | + | − |
-    /// | 5 | − | + | − |
-    /// | 6 | + | − | − |
-    /// | 7 | − | − | − |
+    /// | 0 | left | down | not flipped |
+    /// | 1 | right | up | not flipped |
+    /// | 2 | left | down | flipped |
+    /// | 3 | right | up | flipped |
+    /// | 4 | left | up | not flipped |
+    /// | 5 | right | down | not flipped |
+    /// | 6 | left | up | flipped |
+    /// | 7 | right | down | flipped |
     ///
-    /// - Step 1: the sign of the root that gives q1.
-    /// - Step 2: the sign of the root that gives q5 and q6.
-    /// - Step 4: the sign of the root that gives q3.
+    /// - Shoulder left or right: the side of axis 1 on which the plane of the upper arm and forearm is, seen from above and from axis 1 towards the wrist.
+    /// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to axis 4.
+    /// - Wrist not flipped: q5 is between 0° and 180°.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Calibrated;
     impl Calibrated {
@@ -141,14 +141,42 @@ mod __Calibrated {
         pub const TARGET: Target = Target::Pose;
         /// What the branches are called, by [`Solution::branch`](::kinematics::Solution).
         pub const POSTURES: &'static [Posture] = &[
-            Posture::new(0, &["step 1", "step 2", "step 4"], &["+", "+", "+"]),
-            Posture::new(1, &["step 1", "step 2", "step 4"], &["−", "+", "+"]),
-            Posture::new(2, &["step 1", "step 2", "step 4"], &["+", "−", "+"]),
-            Posture::new(3, &["step 1", "step 2", "step 4"], &["−", "−", "+"]),
-            Posture::new(4, &["step 1", "step 2", "step 4"], &["+", "+", "−"]),
-            Posture::new(5, &["step 1", "step 2", "step 4"], &["−", "+", "−"]),
-            Posture::new(6, &["step 1", "step 2", "step 4"], &["+", "−", "−"]),
-            Posture::new(7, &["step 1", "step 2", "step 4"], &["−", "−", "−"]),
+            Posture::new(
+                0,
+                &["shoulder", "elbow", "wrist"],
+                &["left", "down", "not flipped"],
+            ),
+            Posture::new(
+                1,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "up", "not flipped"],
+            ),
+            Posture::new(
+                2,
+                &["shoulder", "elbow", "wrist"],
+                &["left", "down", "flipped"],
+            ),
+            Posture::new(
+                3,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "up", "flipped"],
+            ),
+            Posture::new(
+                4,
+                &["shoulder", "elbow", "wrist"],
+                &["left", "up", "not flipped"],
+            ),
+            Posture::new(
+                5,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "down", "not flipped"],
+            ),
+            Posture::new(6, &["shoulder", "elbow", "wrist"], &["left", "up", "flipped"]),
+            Posture::new(
+                7,
+                &["shoulder", "elbow", "wrist"],
+                &["right", "down", "flipped"],
+            ),
         ];
 
         /// How many branches inverse kinematics looks at; 0 without it.
@@ -1358,7 +1386,8 @@ mod __Calibrated {
             let mut t14_ = [0.0; T];
             let mut t15_ = [0.0; T];
             let mut t19_ = [0.0; T];
-            let mut t22_ = [0.0; T];
+            let mut t21_ = [0.0; T];
+            let mut t24_ = [0.0; T];
             let mut t25_ = [0.0; T];
             let mut t26_ = [0.0; T];
             let mut t28_ = [0.0; T];
@@ -1379,26 +1408,25 @@ mod __Calibrated {
                 let t18 = 0.009625820932305094 * math::max(0.009625820932305094, t17);
                 let t19 = math::select(t16 < -t18, 1.0, 0.0);
                 let t20 = math::max(t16, 0.0008371247079450102 * t15);
-                let t21 = 0.0008371247079450102 / math::sqrt(t20 / t15)
-                    + 0.0008371247079450102;
-                let t22 = math::sqrt(t20);
-                let t23 = -t17;
-                let t24 = math::max(t23, -math::max(-0.13345477303994718, t23));
-                let t25 = t14 * t24;
-                let t26 = t13 * t24;
-                let t27 = 10.0 * t21;
-                let t28 = math::max(
+                let t21 = math::sqrt(t20);
+                let t22 = -t17;
+                let t23 = math::max(t22, -math::max(-0.13345477303994718, t22));
+                let t24 = t14 * t23;
+                let t25 = t13 * t23;
+                let t26 = math::max(
                     math::select(t16 < t18, 1.0, 0.0),
-                    math::select(t15 < 1.3221941635117347 * (t27 * t27), 1.0, 0.0),
+                    math::select(t15 < 0.00009265642862080287, 1.0, 0.0),
                 );
-                let t29 = t21
-                    + t21
-                        / math::sqrt(
+                let t27 = 0.0008371247079450102
+                    / (math::sqrt(t20 / t15)
+                        * math::sqrt(
                             0.7563185707491022 * math::max(t15, 1.3221941635117346e-24),
-                        );
-                let t30 = 1.0 / t15;
+                        ));
+                let t28 = t27 + 0.0008371247079450102;
+                let t29 = 1.0 / t15;
                 // 2. q5 and q6 by SP2, given q1 (what all branches share)
-                let t31 = 10.0 * t29;
+                let t30 = 10.0 * t28;
+                let t31 = t30 * t30;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t32 = 0.5
@@ -1421,7 +1449,8 @@ mod __Calibrated {
                 t14_[t] = t14;
                 t15_[t] = t15;
                 t19_[t] = t19;
-                t22_[t] = t22;
+                t21_[t] = t21;
+                t24_[t] = t24;
                 t25_[t] = t25;
                 t26_[t] = t26;
                 t28_[t] = t28;
@@ -1435,40 +1464,40 @@ mod __Calibrated {
             let e2 = [1.0, 1.0, -1.0, -1.0];
             let mut s1_ = [[0.0; T]; 4];
             let mut c1_ = [[0.0; T]; 4];
-            let mut t64_ = [[0.0; T]; 4];
-            let mut t65_ = [[0.0; T]; 4];
+            let mut t62_ = [[0.0; T]; 4];
+            let mut t63_ = [[0.0; T]; 4];
             let mut invalid_ = [[0.0; T]; 4];
-            let mut t80_ = [[0.0; T]; 4];
-            let mut t81_ = [[0.0; T]; 4];
+            let mut t78_ = [[0.0; T]; 4];
+            let mut t79_ = [[0.0; T]; 4];
+            let mut t83_ = [[0.0; T]; 4];
+            let mut t84_ = [[0.0; T]; 4];
             let mut t85_ = [[0.0; T]; 4];
             let mut t86_ = [[0.0; T]; 4];
             let mut t87_ = [[0.0; T]; 4];
-            let mut t88_ = [[0.0; T]; 4];
-            let mut t89_ = [[0.0; T]; 4];
             let mut singular_ = [[0.0; T]; 4];
-            let mut t91_ = [[0.0; T]; 4];
-            let mut t105_ = [[0.0; T]; 4];
+            let mut t89_ = [[0.0; T]; 4];
+            let mut t103_ = [[0.0; T]; 4];
+            let mut t104_ = [[0.0; T]; 4];
             let mut t106_ = [[0.0; T]; 4];
-            let mut t108_ = [[0.0; T]; 4];
-            let mut t109_ = [[0.0; T]; 4];
-            let mut t120_ = [[0.0; T]; 4];
+            let mut t107_ = [[0.0; T]; 4];
+            let mut t118_ = [[0.0; T]; 4];
             let mut q1_ = [[0.0; T]; 4];
-            let mut t121_ = [[0.0; T]; 4];
+            let mut t119_ = [[0.0; T]; 4];
             let mut q5_ = [[0.0; T]; 4];
             let mut q6_ = [[0.0; T]; 4];
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
-                    let t40 = e1[k] * t22_[t];
+                    let t40 = e1[k] * t21_[t];
                     let s1 = math::select(
                         t15_[t] < 1.3221941635117346e-24,
                         t4,
-                        (t26_[t] + t14_[t] * t40) * t30_[t],
+                        (t25_[t] + t14_[t] * t40) * t29_[t],
                     );
                     let c1 = math::select(
                         t15_[t] < 1.3221941635117346e-24,
                         t8,
-                        (t25_[t] - t13_[t] * t40) * t30_[t],
+                        (t24_[t] - t13_[t] * t40) * t29_[t],
                     );
                     // 2. q5 and q6 by SP2, given q1
                     let t41 = r13[t] * s1 - r23[t] * c1;
@@ -1476,7 +1505,7 @@ mod __Calibrated {
                     let t43 = r22[t] * c1 - r12[t] * s1;
                     let t44 = t43 * t43 + t42 * t42;
                     let t45 = math::sqrt(t44);
-                    let t46 = t31_[t] * math::max(t31_[t], t45);
+                    let t46 = t30_[t] * math::max(t30_[t], t45);
                     let t47 = math::max(
                         math::max(
                             t19_[t],
@@ -1485,141 +1514,142 @@ mod __Calibrated {
                         math::select(t44 < -t46, 1.0, 0.0),
                     );
                     let t48 = math::max(t44, 0.0008371247079450102 * t44);
-                    let t49 = t29_[t] + t29_[t] / math::sqrt(t48 / t44);
-                    let t50 = e2[k] * math::sqrt(t48);
-                    let t51 = -t45;
-                    let t52 = math::max(t51, -math::max(0.0, t51));
-                    let t53 = 10.0 * t49;
-                    let t54 = t49 + t49 / math::sqrt(math::max(1e-24, t44));
-                    let t55 = 1.0 / t44;
+                    let t49 = e2[k] * math::sqrt(t48);
+                    let t50 = -t45;
+                    let t51 = math::max(t50, -math::max(0.0, t50));
+                    let t52 = t28_[t]
+                        + t28_[t]
+                            / (math::sqrt(t48 / t44)
+                                * math::sqrt(math::max(1e-24, t44)));
+                    let t53 = 1.0 / t44;
                     let s6 = math::select(
                         t44 < 1e-24,
                         t3,
-                        (t42 * t52 + t43 * t50) * t55,
+                        (t42 * t51 + t43 * t49) * t53,
                     );
                     let c6 = math::select(
                         t44 < 1e-24,
                         t7,
-                        (t43 * t52 - t42 * t50) * t55,
+                        (t43 * t51 - t42 * t49) * t53,
                     );
-                    let t56 = t42 * c6;
-                    let t57 = t43 * s6;
-                    let t58 = t56 - t57;
-                    let t59 = math::sqrt(t41 * t41 + t58 * t58);
-                    let t60 = 10.0 * t54;
-                    let t61 = math::max(
+                    let t54 = t42 * c6;
+                    let t55 = t43 * s6;
+                    let t56 = t54 - t55;
+                    let t57 = math::sqrt(t41 * t41 + t56 * t56);
+                    let t58 = 10.0 * t52;
+                    let t59 = math::max(
                         math::max(
-                            math::max(t28_[t], math::select(t44 < t46, 1.0, 0.0)),
-                            math::select(t44 < t53 * t53, 1.0, 0.0),
+                            math::max(t26_[t], math::select(t44 < t46, 1.0, 0.0)),
+                            math::select(t44 < t31_[t], 1.0, 0.0),
                         ),
-                        math::select(t59 < t60 * t60, 1.0, 0.0),
+                        math::select(t57 < t58 * t58, 1.0, 0.0),
                     );
-                    let t62 = t54 + t54 / math::sqrt(math::max(1e-24, t59));
-                    let t63 = 1.0 / t59;
-                    let s5 = math::select(t59 < 1e-24, t2, (t57 - t56) * t63);
-                    let c5 = math::select(t59 < 1e-24, t6, t41 * t63);
+                    let t60 = t52 + t52 / math::sqrt(math::max(1e-24, t57));
+                    let t61 = 1.0 / t57;
+                    let s5 = math::select(t57 < 1e-24, t2, (t55 - t54) * t61);
+                    let c5 = math::select(t57 < 1e-24, t6, t41 * t61);
                     // 3. q2+q3+q4 by SP1, given q5 and q6
-                    let t64 = r31[t] * s6 + r32[t] * c6;
-                    let t65 = r33[t] * s5 + c5 * (r32[t] * s6 - r31[t] * c6);
+                    let t62 = r31[t] * s6 + r32[t] * c6;
+                    let t63 = r33[t] * s5 + c5 * (r32[t] * s6 - r31[t] * c6);
                     // 4. q3 by SP3, given q6
-                    let t66 = 0.099747579771028 * c6;
-                    let t67 = 0.099747579771028 * s6 - 0.000038951164947;
-                    let t68 = px[t] + (r11[t] * t67 + r12[t] * t66 - t10_[t]);
-                    let t69 = py[t] + (r21[t] * t67 + r22[t] * t66 - t11_[t]);
-                    let t70 = pz[t] + (r31[t] * t67 + r32[t] * t66 - t12_[t]) - 0.1626;
-                    let t71 = t70 * t70;
-                    let t72 = 0.5 * (t71 + (t68 * t68 + t69 * t69));
-                    let t73 = 0.17606709553354122 - t72;
-                    let t74 = 0.02776733395938961 - t73 * t73;
-                    let t75 = 13.221941635117346 * t62;
-                    let t76 = t75 * math::max(t75, 0.16663533226596816);
+                    let t64 = 0.099747579771028 * c6;
+                    let t65 = 0.099747579771028 * s6 - 0.000038951164947;
+                    let t66 = px[t] + (r11[t] * t65 + r12[t] * t64 - t10_[t]);
+                    let t67 = py[t] + (r21[t] * t65 + r22[t] * t64 - t11_[t]);
+                    let t68 = pz[t] + (r31[t] * t65 + r32[t] * t64 - t12_[t]) - 0.1626;
+                    let t69 = t68 * t68;
+                    let t70 = 0.5 * (t69 + (t66 * t66 + t67 * t67));
+                    let t71 = 0.17606709553354122 - t70;
+                    let t72 = 0.02776733395938961 - t71 * t71;
+                    let t73 = 13.221941635117346 * t60;
+                    let t74 = t73 * math::max(t73, 0.16663533226596816);
                     let invalid = math::max(
                         math::max(t47, math::select(t44 < 1e-24, -e2[k], 0.0)),
-                        math::select(t74 < -t76, 1.0, 0.0),
+                        math::select(t72 < -t74, 1.0, 0.0),
                     );
-                    let t77 = math::max(t74, 0.00002324472133116559);
-                    let t78 = math::sqrt(t77);
-                    let t79 = math::max(
+                    let t75 = math::max(t72, 0.00002324472133116559);
+                    let t76 = math::sqrt(t75);
+                    let t77 = math::max(
                         -0.16663533226596816,
-                        -math::max(-0.16663533226596816, t72 - 0.17606709553354122),
+                        -math::max(-0.16663533226596816, t70 - 0.17606709553354122),
                     );
-                    let t80 = 6.0011282505434735 * t78;
-                    let t81 = 6.0011282505434735 * t79;
-                    let c3 = -t81;
+                    let t78 = 6.0011282505434735 * t76;
+                    let t79 = 6.0011282505434735 * t77;
+                    let c3 = -t79;
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t82 = c1 * t68 + s1 * t69;
-                    let t83 = 2.3542705697195427 * t78;
-                    let t84 = 0.424760013934646 - 2.3542705697195427 * t79;
-                    let t85 = t70 * t84;
-                    let t86 = t82 * t83;
-                    let t87 = t82 * t84;
-                    let t88 = t70 * t83;
-                    let t89 = math::sqrt((t71 + t82 * t82) * (t84 * t84 + t83 * t83));
-                    let t90 = 10.0 * (t62 + t62 / math::sqrt(36.01354027947097 * t77));
+                    let t80 = c1 * t66 + s1 * t67;
+                    let t81 = 2.3542705697195427 * t76;
+                    let t82 = 0.424760013934646 - 2.3542705697195427 * t77;
+                    let t83 = t68 * t82;
+                    let t84 = t80 * t81;
+                    let t85 = t80 * t82;
+                    let t86 = t68 * t81;
+                    let t87 = math::sqrt((t69 + t80 * t80) * (t82 * t82 + t81 * t81));
+                    let t88 = 10.0 * (t60 + t60 / math::sqrt(36.01354027947097 * t75));
                     let singular = math::max(
-                        math::max(t61, math::select(t74 < t76, 1.0, 0.0)),
-                        math::select(t89 < 1.3221941635117347 * (t90 * t90), 1.0, 0.0),
+                        math::max(t59, math::select(t72 < t74, 1.0, 0.0)),
+                        math::select(t87 < 1.3221941635117347 * (t88 * t88), 1.0, 0.0),
                     );
-                    let t91 = 1.0 / t89;
+                    let t89 = 1.0 / t87;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t92 = s6 * c5;
-                    let t93 = s6 * s5;
-                    let t94 = t65 * t92 + c6 * t64;
-                    let t95 = c6 * t65 - t64 * t92;
-                    let t96 = c1 * t95 - s1 * t93;
-                    let t97 = s1 * t95 + c1 * t93;
-                    let t98 = s5 * t65;
-                    let t99 = s5 * t64;
-                    let t100 = s1 * c5 - c1 * t99;
-                    let t101 = s1 * t99 + c1 * c5;
-                    let t102 = 0.000038951164947 * c6;
-                    let t103 = c5 * t102 - 0.099599986933972 * s5;
-                    let t104 = 0.000038951164947 * s6 - 0.099747579771028;
-                    let t105 = t64 * t104 - t65 * t103;
-                    let t106 = t64 * t103 + t65 * t104;
-                    let t107 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t102);
-                    let t108 = c1 * t107;
-                    let t109 = s1 * t107;
-                    let t110 = t97 * t98 + t94 * t101 - r11[t];
-                    let t111 = t96 - r12[t];
-                    let t112 = t100 - r13[t];
-                    let t113 = t94 * t100 - t96 * t98 - r21[t];
-                    let t114 = t97 - r22[t];
-                    let t115 = r23[t] + t101;
-                    let t116 = t110 * t110 + t111 * t111 + t112 * t112 + t113 * t113
-                        + t114 * t114 + t115 * t115;
-                    let t117 = r31[t] + (t96 * t101 + t97 * t100);
-                    let t118 = t94 - r32[t];
-                    let t119 = t98 - r33[t];
-                    let t120 = 0.6610970817558673
-                        * (t116 + t117 * t117 + t118 * t118 + t119 * t119);
+                    let t90 = s6 * c5;
+                    let t91 = s6 * s5;
+                    let t92 = t63 * t90 + c6 * t62;
+                    let t93 = c6 * t63 - t62 * t90;
+                    let t94 = c1 * t93 - s1 * t91;
+                    let t95 = s1 * t93 + c1 * t91;
+                    let t96 = s5 * t63;
+                    let t97 = s5 * t62;
+                    let t98 = s1 * c5 - c1 * t97;
+                    let t99 = s1 * t97 + c1 * c5;
+                    let t100 = 0.000038951164947 * c6;
+                    let t101 = c5 * t100 - 0.099599986933972 * s5;
+                    let t102 = 0.000038951164947 * s6 - 0.099747579771028;
+                    let t103 = t62 * t102 - t63 * t101;
+                    let t104 = t62 * t101 + t63 * t102;
+                    let t105 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t100);
+                    let t106 = c1 * t105;
+                    let t107 = s1 * t105;
+                    let t108 = t95 * t96 + t92 * t99 - r11[t];
+                    let t109 = t94 - r12[t];
+                    let t110 = t98 - r13[t];
+                    let t111 = t92 * t98 - t94 * t96 - r21[t];
+                    let t112 = t95 - r22[t];
+                    let t113 = r23[t] + t99;
+                    let t114 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111
+                        + t112 * t112 + t113 * t113;
+                    let t115 = r31[t] + (t94 * t99 + t95 * t98);
+                    let t116 = t92 - r32[t];
+                    let t117 = t96 - r33[t];
+                    let t118 = 0.6610970817558673
+                        * (t114 + t115 * t115 + t116 * t116 + t117 * t117);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
-                    let t121 = lanes::angle(-t80, c3);
+                    let t119 = lanes::angle(-t78, c3);
                     let q5 = lanes::angle(s5, c5);
                     let q6 = lanes::angle(s6, c6);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
-                    t64_[k][t] = t64;
-                    t65_[k][t] = t65;
+                    t62_[k][t] = t62;
+                    t63_[k][t] = t63;
                     invalid_[k][t] = invalid;
-                    t80_[k][t] = t80;
-                    t81_[k][t] = t81;
+                    t78_[k][t] = t78;
+                    t79_[k][t] = t79;
+                    t83_[k][t] = t83;
+                    t84_[k][t] = t84;
                     t85_[k][t] = t85;
                     t86_[k][t] = t86;
                     t87_[k][t] = t87;
-                    t88_[k][t] = t88;
-                    t89_[k][t] = t89;
                     singular_[k][t] = singular;
-                    t91_[k][t] = t91;
-                    t105_[k][t] = t105;
+                    t89_[k][t] = t89;
+                    t103_[k][t] = t103;
+                    t104_[k][t] = t104;
                     t106_[k][t] = t106;
-                    t108_[k][t] = t108;
-                    t109_[k][t] = t109;
-                    t120_[k][t] = t120;
+                    t107_[k][t] = t107;
+                    t118_[k][t] = t118;
                     q1_[k][t] = q1;
-                    t121_[k][t] = t121;
+                    t119_[k][t] = t119;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
@@ -1627,25 +1657,25 @@ mod __Calibrated {
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             let s1_ = widen::<4, 8, T, _>(&s1_);
             let c1_ = widen::<4, 8, T, _>(&c1_);
-            let t64_ = widen::<4, 8, T, _>(&t64_);
-            let t65_ = widen::<4, 8, T, _>(&t65_);
+            let t62_ = widen::<4, 8, T, _>(&t62_);
+            let t63_ = widen::<4, 8, T, _>(&t63_);
             let invalid_ = widen::<4, 8, T, _>(&invalid_);
-            let t80_ = widen::<4, 8, T, _>(&t80_);
-            let t81_ = widen::<4, 8, T, _>(&t81_);
+            let t78_ = widen::<4, 8, T, _>(&t78_);
+            let t79_ = widen::<4, 8, T, _>(&t79_);
+            let t83_ = widen::<4, 8, T, _>(&t83_);
+            let t84_ = widen::<4, 8, T, _>(&t84_);
             let t85_ = widen::<4, 8, T, _>(&t85_);
             let t86_ = widen::<4, 8, T, _>(&t86_);
             let t87_ = widen::<4, 8, T, _>(&t87_);
-            let t88_ = widen::<4, 8, T, _>(&t88_);
-            let t89_ = widen::<4, 8, T, _>(&t89_);
             let singular_ = widen::<4, 8, T, _>(&singular_);
-            let t91_ = widen::<4, 8, T, _>(&t91_);
-            let t105_ = widen::<4, 8, T, _>(&t105_);
+            let t89_ = widen::<4, 8, T, _>(&t89_);
+            let t103_ = widen::<4, 8, T, _>(&t103_);
+            let t104_ = widen::<4, 8, T, _>(&t104_);
             let t106_ = widen::<4, 8, T, _>(&t106_);
-            let t108_ = widen::<4, 8, T, _>(&t108_);
-            let t109_ = widen::<4, 8, T, _>(&t109_);
-            let t120_ = widen::<4, 8, T, _>(&t120_);
+            let t107_ = widen::<4, 8, T, _>(&t107_);
+            let t118_ = widen::<4, 8, T, _>(&t118_);
             let q1_ = widen::<4, 8, T, _>(&q1_);
-            let t121_ = widen::<4, 8, T, _>(&t121_);
+            let t119_ = widen::<4, 8, T, _>(&t119_);
             let q5_ = widen::<4, 8, T, _>(&q5_);
             let q6_ = widen::<4, 8, T, _>(&q6_);
             // 8 lanes, by the signs of the roots: e3 of step 4
@@ -1658,49 +1688,49 @@ mod __Calibrated {
                 for t in 0..T {
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t89_[k][t] < 1.3221941635117346e-24,
+                        t87_[k][t] < 1.3221941635117346e-24,
                         t5,
-                        (e3[k] * t88_[k][t] - t87_[k][t]) * t91_[k][t],
+                        (e3[k] * t86_[k][t] - t85_[k][t]) * t89_[k][t],
                     );
                     let c2 = math::select(
-                        t89_[k][t] < 1.3221941635117346e-24,
+                        t87_[k][t] < 1.3221941635117346e-24,
                         t9,
-                        (t85_[k][t] + e3[k] * t86_[k][t]) * t91_[k][t],
+                        (t83_[k][t] + e3[k] * t84_[k][t]) * t89_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t122 = t65_[k][t] * s2 - t64_[k][t] * c2;
-                    let t123 = t65_[k][t] * c2 + t64_[k][t] * s2;
+                    let t120 = t63_[k][t] * s2 - t62_[k][t] * c2;
+                    let t121 = t63_[k][t] * c2 + t62_[k][t] * s2;
                     // Residual: forward kinematics against the target
-                    let t124 = 0.424760013934646 * c2
+                    let t122 = 0.424760013934646 * c2
                         + 0.392304658629206
-                            * (e3[k] * (t80_[k][t] * s2) - t81_[k][t] * c2)
-                        + t105_[k][t];
-                    let t125 = t106_[k][t]
+                            * (e3[k] * (t78_[k][t] * s2) - t79_[k][t] * c2)
+                        + t103_[k][t];
+                    let t123 = t104_[k][t]
                         - (0.424760013934646 * s2
                             - 0.392304658629206
-                                * (t81_[k][t] * s2 + e3[k] * (t80_[k][t] * c2)));
-                    let t126 = c1_[k][t] * t125 - t109_[k][t] - px[t];
-                    let t127 = s1_[k][t] * t125 + t108_[k][t] - py[t];
-                    let t128 = t124 + 0.1626 - pz[t];
+                                * (t79_[k][t] * s2 + e3[k] * (t78_[k][t] * c2)));
+                    let t124 = c1_[k][t] * t123 - t107_[k][t] - px[t];
+                    let t125 = s1_[k][t] * t123 + t106_[k][t] - py[t];
+                    let t126 = t122 + 0.1626 - pz[t];
                     let residual = math::sqrt(
-                        t39_[t] + (t128 * t128 + (t126 * t126 + t127 * t127))
-                            + t120_[k][t],
+                        t39_[t] + (t126 * t126 + (t124 * t124 + t125 * t125))
+                            + t118_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
-                    let t129 = e3[k] * t121_[k][t];
+                    let t127 = e3[k] * t119_[k][t];
                     let q3 = math::wrap(
                         math::select(
-                            -3.141592653589793 < t129,
-                            t129,
-                            t129 + 6.283185307179586,
+                            -3.141592653589793 < t127,
+                            t127,
+                            t127 + 6.283185307179586,
                         ) - 0.00044313587806694065,
                     );
-                    let t130 = lanes::angle(
-                        -(t81_[k][t] * t122 + e3[k] * (t80_[k][t] * t123)),
-                        t81_[k][t] * t123 - e3[k] * (t80_[k][t] * t122),
+                    let t128 = lanes::angle(
+                        -(t79_[k][t] * t120 + e3[k] * (t78_[k][t] * t121)),
+                        t79_[k][t] * t121 - e3[k] * (t78_[k][t] * t120),
                     );
-                    let q4 = math::wrap(t130 - 3.1412434523052912);
+                    let q4 = math::wrap(t128 - 3.1412434523052912);
                     residual_[k][t] = residual;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;

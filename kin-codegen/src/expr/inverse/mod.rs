@@ -223,6 +223,8 @@ struct Writer<'a> {
     swivel: Option<Trig>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
+    /// On an idealized arm, of the root taken last: √ of the discriminant by the amplitude.
+    share: Option<Expr>,
     /// See [`FreeAngles::Flagged`].
     flags_badly_told: bool,
     /// By joint: the sine and cosine of its motion.
@@ -318,6 +320,7 @@ impl<'a> Writer<'a> {
             parameters: Vec::new(),
             swivel: None,
             deviation,
+            share: None,
             flags_badly_told: false,
             trig: vec![None; n],
             slide: vec![None; n],

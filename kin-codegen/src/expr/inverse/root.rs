@@ -172,8 +172,7 @@ impl Writer<'_> {
         let kept = self.g.max(discriminant, apart);
         // The angle's error: shift / ρ, and √shift at a double root.
         let share = self.g.div(kept, amplitude);
-        let share = self.g.sqrt(share);
-        self.amplify(deviation, share);
+        self.share = Some(self.g.sqrt(share));
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
     }
@@ -190,9 +189,17 @@ impl Writer<'_> {
         self.g.mul(free, scale)
     }
 
-    /// From here on the idealized arm's values are off by 1 + 1/`share` times as
-    /// much as before.
-    fn amplify(&mut self, deviation: Deviation, share: Expr) {
+    /// What was just solved is told by the root that was taken, if one was, and by a vector,
+    /// of which `length` is the share of its unit: from here on the idealized arm's values
+    /// are off by 1 + 1/share times as much as before.
+    pub(super) fn amplify(&mut self, length: Option<Expr>) {
+        let share = match (self.share.take(), length) {
+            (Some(root), Some(length)) => Some(self.g.mul(root, length)),
+            (root, length) => root.or(length),
+        };
+        let (Some(deviation), Some(share)) = (self.deviation, share) else {
+            return;
+        };
         let more = self.g.div(deviation.shift, share);
         let shift = self.g.add(deviation.shift, more);
         self.deviation = Some(Deviation { shift, ..deviation });
@@ -237,6 +244,7 @@ impl Writer<'_> {
         scale: Expr,
     ) -> Trig {
         if self.g.value(factor).is_some() {
+            self.amplify(None);
             return Trig {
                 sin: self.g.div(trig.sin, factor),
                 cos: self.g.div(trig.cos, factor),
@@ -271,7 +279,7 @@ impl Writer<'_> {
             let share = self.g.max(factor, nothing);
             let share = self.g.div(share, scale);
             let share = self.g.sqrt(share);
-            self.amplify(deviation, share);
+            self.amplify(Some(share));
         } else if self.flags_badly_told {
             let badly_told = self.scaled(self.tolerances.badly_told, scale);
             self.watch(factor, badly_told);

@@ -47,6 +47,7 @@ impl Writer<'_> {
             noise: self.tolerances.noise,
         };
         let root = self.root(sign, discriminant, scale, self.linkage.size);
+        self.amplify(None);
         self.g.add(foot, root)
     }
 
