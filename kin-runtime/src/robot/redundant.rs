@@ -202,8 +202,9 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// form the polynomial in one of its joints is one in the sine and cosine of the parameter as
     /// well; ends are where it has double roots, all of which are found on rectangles of both, and
     /// between any two of them there is a sample. What is shorter than 1e-4 of a turn may be left
-    /// out, and more of next to singular targets, of which 20,000 rectangles are looked at. Between samples of an arm that is read as an ideal one, whose branches are moved on to
-    /// it, they are looked for where those of the ideal arm nearly begin or end
+    /// out, and more next to singular targets, since 20,000 rectangles are looked at. Between
+    /// samples of an arm that is read as an ideal one, whose branches are moved on to it, they
+    /// are looked for where those of the ideal arm nearly begin or end
     /// ([`RedundantKinematics::margins_at`]), which is no proof.
     ///
     /// # Panics
