@@ -42,7 +42,7 @@ impl Path {
         let mut path = Path {
             is_length,
             way: Vec::new(),
-            curves: vec![Vec::new(); robot.branches()],
+            curves: Vec::new(),
             taken: Vec::new(),
             least: Vec::new(),
         };
@@ -54,7 +54,11 @@ impl Path {
             let given: Vec<f64> = parameters[0].iter().zip(&parameters[1]).map(mix).collect();
             path.way.push(share * scale);
             for answer in robot.ik_at(&target, &given).iter() {
-                let pieces = &mut path.curves[answer.branch as usize];
+                let branch = answer.branch as usize;
+                if path.curves.len() <= branch {
+                    path.curves.resize(branch + 1, Vec::new());
+                }
+                let pieces = &mut path.curves[branch];
                 let turns = robot.limits();
                 let goes_on =
                     pieces
