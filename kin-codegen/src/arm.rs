@@ -15,6 +15,7 @@ use crate::redundancy::{self, Redundancy, solve_redundant};
 use crate::scalar::Scalar;
 use crate::singularity::Singular;
 use crate::solver::{Certified, Lack, NoClosedForm, solve};
+use crate::spec::bounds::JOINTS;
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
 
 /// A serial arm, compiled but not yet written as Rust.
@@ -127,6 +128,17 @@ pub(crate) fn compile(
 ) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
     let mut model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
     model.scalar = options.scalar;
+    let joints = model.joints.len();
+    if joints > JOINTS {
+        let reason = format!(
+            "the chain from `{}` to `{}` has {joints} joints, mimics included, and an arm has \
+             {JOINTS} at most",
+            model.base, model.tip
+        );
+        let remedy = "choose a shorter chain by `base` and `tip`";
+        let diagnostic = Diagnostic::whole(reason, remedy);
+        return Err(Diagnostics::one(&spec.source.path, diagnostic));
+    }
     let target = options.target.unwrap_or_else(|| natural_target(&model));
     let linkage = Linkage::new(&model);
     let free = redundancy::named(spec, &model, target, &options.free)?;

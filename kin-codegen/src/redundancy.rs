@@ -224,9 +224,7 @@ pub fn solve_redundant(
     }
     let asked = &asked.joints[..];
     let choices = choices(model.joints.len(), count, asked);
-    if choices.is_empty() || choices.len() > CHOICES {
-        return Err(NoClosedForm::Redundant(target));
-    }
+    let choices = choices.ok_or(NoClosedForm::Redundant(target))?;
     let weighed = match &choices[..] {
         [only] => vec![Weighed {
             joints: only.clone(),
@@ -284,17 +282,27 @@ pub fn solve_redundant(
     }
 }
 
-/// All sets of `count` of `n` joints that have those asked for among them.
-fn choices(n: usize, count: usize, asked: &[usize]) -> Vec<Vec<usize>> {
+/// All sets of `count` of `n` joints that have those asked for among them; none if they are more
+/// than are compared.
+fn choices(n: usize, count: usize, asked: &[usize]) -> Option<Vec<Vec<usize>>> {
     let mut all: Vec<Vec<usize>> = vec![Vec::new()];
     for joint in 0..n {
-        let longer: Vec<Vec<usize>> = (all.iter().filter(|set| set.len() < count))
-            .map(|set| [&set[..], &[joint]].concat())
-            .collect();
+        let asked_behind = asked.iter().filter(|&&other| other > joint).count();
+        // What is kept can be completed: of so many sets begun there are as many in the end.
+        let complete = |set: &Vec<usize>| {
+            let fits = (set.len() + asked_behind..set.len() + n - joint).contains(&count);
+            fits && (!asked.contains(&joint) || set.contains(&joint))
+        };
+        let longer = |set: &Vec<usize>| [&set[..], &[joint]].concat();
+        let longer: Vec<Vec<usize>> = all.iter().map(longer).collect();
         all.extend(longer);
+        all.retain(complete);
+        if all.len() > CHOICES {
+            return None;
+        }
     }
-    all.retain(|set| set.len() == count && asked.iter().all(|joint| set.contains(joint)));
-    all
+    all.sort_by(|a, b| a.iter().rev().cmp(b.iter().rev()));
+    Some(all).filter(|all| !all.is_empty())
 }
 
 /// The choices, the best first.
@@ -376,4 +384,22 @@ fn between(
         weight: None,
     });
     weighed.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn choices_are_all_sets_and_never_more_than_are_compared() {
+        let pairs = choices(4, 2, &[]).unwrap();
+        assert_eq!(pairs, [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3]]);
+        assert_eq!(choices(4, 2, &[1]).unwrap(), [[0, 1], [1, 2], [1, 3]]);
+        assert_eq!(choices(8, 1, &[5]).unwrap(), [[5]]);
+        assert_eq!(choices(8, 7, &[]).unwrap().len(), 8);
+        // Of all sets of 34 of 40 joints, or of their beginnings, no memory holds a list.
+        assert_eq!(choices(40, 34, &[]), None);
+        let asked: Vec<usize> = (0..33).collect();
+        assert_eq!(choices(40, 34, &asked).unwrap().len(), 7);
+    }
 }

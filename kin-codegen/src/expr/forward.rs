@@ -300,10 +300,11 @@ fn behind(
         stage.end_at(pose);
     }
     let base = g.motion(&linkage.base);
-    let forwards = stages.len() + 1;
+    let splits = compared(stages.len() + 1);
+    let forwards = splits.len();
     cheapest(g, forwards + 3, |g, variant| {
         let motion = if variant < forwards {
-            position_split(g, base, &stages, variant)
+            position_split(g, base, &stages, splits[variant])
         } else {
             from_the_tip(g, base, &stages, variant - forwards)
         };
@@ -315,8 +316,9 @@ fn behind(
 pub(super) fn tip_by_splitting(g: &mut Graph, linkage: &Linkage, trig: &JointTrig) -> Motion {
     let stages = stages(g, linkage, trig, linkage.links.len());
     let base = g.motion(&linkage.base);
-    cheapest(g, stages.len() + 1, |g, horner| {
-        position_split(g, base, &stages, horner)
+    let splits = compared(stages.len() + 1);
+    cheapest(g, splits.len(), |g, variant| {
+        position_split(g, base, &stages, splits[variant])
     })
 }
 
@@ -327,28 +329,28 @@ pub(super) fn tip_forwards(g: &mut Graph, linkage: &Linkage, trig: &JointTrig) -
     position_split(g, base, &stages, 0)
 }
 
-/// Builds every variant in a copy of the graph and keeps the cheapest.
+/// Places in a chain that are compared: all of an arm of nine joints, and about as many of a
+/// longer one, evenly, because what each of them takes grows with the chain as well.
+pub(super) fn compared(places: usize) -> Vec<usize> {
+    const MOST: usize = 32;
+    (0..places).step_by(places.div_ceil(MOST)).collect()
+}
+
+/// Builds every variant, counts what it costs, and keeps the cheapest.
 pub fn cheapest<T: Outputs>(
     g: &mut Graph,
     variants: usize,
     build: impl Fn(&mut Graph, usize) -> T,
 ) -> T {
-    let mut best: Option<(usize, Graph, T)> = None;
+    let before = g.mark();
+    let mut best = (usize::MAX, 0);
     for variant in 0..variants {
-        let mut trial = g.clone();
-        let outputs = build(&mut trial, variant);
-        let cost = trial.operations(&outputs.expressions()).weight();
-        if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
-            best = Some((cost, trial, outputs));
-        }
+        let outputs = build(g, variant);
+        let cost = g.operations(&outputs.expressions()).weight();
+        best = best.min((cost, variant));
+        g.back(before);
     }
-    match best {
-        Some((_, graph, outputs)) => {
-            *g = graph;
-            outputs
-        }
-        None => build(g, 0),
-    }
+    build(g, best.1)
 }
 
 /// Something whose cost can be counted.

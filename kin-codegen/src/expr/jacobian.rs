@@ -10,7 +10,7 @@
 
 use super::axes::{AxesInFrame, by_coordinate, frames, look_out};
 use super::forward::{
-    JointTrig, Outputs, Stage, cheapest, stages, tip, tip_by_splitting, tip_forwards,
+    JointTrig, Outputs, Stage, cheapest, compared, stages, tip, tip_by_splitting, tip_forwards,
 };
 use super::linear::{Motion, Vector, transpose};
 use super::{Expr, Graph};
@@ -56,8 +56,9 @@ impl Outputs for TipAndColumns {
 /// The Jacobian alone.
 pub fn jacobian(g: &mut Graph, linkage: &Linkage, q: &[Expr], which: Which) -> Columns {
     let trig = JointTrig::at(g, linkage, q);
-    cheapest(g, variants(linkage), |g, variant| {
-        let seen = Variant::new(g, linkage, &trig, q, variant);
+    let variants = variants(linkage);
+    cheapest(g, variants.len(), |g, variant| {
+        let seen = Variant::new(g, linkage, &trig, q, variants[variant]);
         seen.columns(g, linkage, which)
     })
 }
@@ -73,10 +74,11 @@ pub fn tip_and_jacobian(
     let trig = JointTrig::at(g, linkage, q);
     let tips = [tip, tip_by_splitting, tip_forwards].map(|build| build(g, linkage, &trig));
     let variants = variants(linkage);
-    cheapest(g, tips.len() * variants, |g, variant| {
-        let seen = Variant::new(g, linkage, &trig, q, variant % variants);
+    cheapest(g, tips.len() * variants.len(), |g, variant| {
+        let seen = variants[variant % variants.len()];
+        let seen = Variant::new(g, linkage, &trig, q, seen);
         TipAndColumns {
-            tip: tips[variant / variants],
+            tip: tips[variant / variants.len()],
             columns: seen.columns(g, linkage, which),
         }
     })
@@ -89,18 +91,21 @@ pub fn tip_and_jacobian(
 /// bracket with the velocity of the link before it.
 pub fn jacobian_dot(g: &mut Graph, linkage: &Linkage, q: &[Expr], rates: &[Expr]) -> Columns {
     let trig = JointTrig::at(g, linkage, q);
-    cheapest(g, variants(linkage), |g, variant| {
-        let seen = Variant::new(g, linkage, &trig, q, variant);
+    let variants = variants(linkage);
+    cheapest(g, variants.len(), |g, variant| {
+        let seen = Variant::new(g, linkage, &trig, q, variants[variant]);
         let changes = seen.changes(g, linkage, rates);
         let base = seen.axes.base;
         seen.moved(g, linkage, changes, &base.rotation, base.translation)
     })
 }
 
-/// Every middle frame, in both ways to count angles, and two places to shift
-/// the reference point.
-fn variants(linkage: &Linkage) -> usize {
-    2 * (linkage.runs.len() + 1 + frames(linkage))
+/// Middle frames, in both ways to count angles, each with both places to shift the reference
+/// point.
+fn variants(linkage: &Linkage) -> Vec<(usize, bool)> {
+    let frames = compared(linkage.runs.len() + 1 + frames(linkage));
+    let both = |frame| [(frame, false), (frame, true)];
+    frames.into_iter().flat_map(both).collect()
 }
 
 /// A frame in the middle of the chain in which columns are built.
@@ -112,14 +117,19 @@ struct Variant {
 
 impl Variant {
     /// One of [`variants`].
-    fn new(g: &mut Graph, linkage: &Linkage, trig: &JointTrig, q: &[Expr], variant: usize) -> Self {
-        let frame = variant / 2;
+    fn new(
+        g: &mut Graph,
+        linkage: &Linkage,
+        trig: &JointTrig,
+        q: &[Expr],
+        (frame, shift_last): (usize, bool),
+    ) -> Self {
         Self {
             axes: match frame.checked_sub(linkage.runs.len() + 1) {
                 None => look_around(g, linkage, trig, frame),
                 Some(frame) => AxesInFrame::new(g, linkage, q, frame),
             },
-            shift_last: variant % 2 == 1,
+            shift_last,
         }
     }
 

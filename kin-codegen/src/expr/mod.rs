@@ -140,6 +140,17 @@ pub struct Graph {
     nodes: Vec<Node>,
     index: NodeMap<Node, Expr>,
     names: NodeMap<Expr, String>,
+    /// The nodes that have names, in the order in which they got them.
+    named: Vec<Expr>,
+    inputs: u16,
+    choices: u8,
+}
+
+/// What a graph holds at some time.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark {
+    nodes: usize,
+    named: usize,
     inputs: u16,
     choices: u8,
 }
@@ -180,8 +191,9 @@ impl Graph {
     /// keep their own. Returns the node, to be used in passing.
     pub fn named(&mut self, e: Expr, name: impl Into<String>) -> Expr {
         let plain = matches!(self.node(e), Node::Constant(_) | Node::Input(_));
-        if !plain {
-            self.names.entry(e).or_insert_with(|| name.into());
+        if !plain && !self.names.contains_key(&e) {
+            self.names.insert(e, name.into());
+            self.named.push(e);
         }
         e
     }
@@ -191,7 +203,29 @@ impl Graph {
         let e = self.intern(Node::Input(self.inputs));
         self.inputs += 1;
         self.names.insert(e, name.into());
+        self.named.push(e);
         e
+    }
+
+    /// What the graph holds now, to go [back](Self::back) to.
+    pub fn mark(&self) -> Mark {
+        Mark {
+            nodes: self.nodes.len(),
+            named: self.named.len(),
+            inputs: self.inputs,
+            choices: self.choices,
+        }
+    }
+
+    /// Forgets what has come since a mark.
+    pub fn back(&mut self, mark: Mark) {
+        for e in self.named.drain(mark.named..) {
+            self.names.remove(&e);
+        }
+        for node in self.nodes.drain(mark.nodes..) {
+            self.index.remove(&node);
+        }
+        (self.inputs, self.choices) = (mark.inputs, mark.choices);
     }
 
     /// How many inputs there are.

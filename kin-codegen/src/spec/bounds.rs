@@ -25,6 +25,10 @@ pub const NAME: usize = 256;
 /// Chains, or joints that close loops, of one mechanism.
 pub const CHAINS: usize = 64;
 
+/// Joints of an arm, those that mimic others included: what is built of them takes time and code
+/// that grow with the square of their number.
+pub const JOINTS: usize = 64;
+
 /// Characters of what a message quotes; the rest is cut, and so is the line
 /// that is shown.
 pub const QUOTED: usize = 300;
