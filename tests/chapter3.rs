@@ -8,6 +8,7 @@ mod chapter3 {
     mod random;
 
     mod any_joints;
+    mod long_arms;
     mod manipulability;
     mod parallel;
     mod redundancy;

@@ -1,40 +1,43 @@
 //! Velocities, forces, and how Jacobians change.
 
 use super::Robot;
-use super::of_joints::{OfJoints, array, with_constant};
+use super::of_joints::{OfJoints, array, with_capacity, with_constant};
 use kin_runtime::{Basis, Hessian, Jacobian, Kinematics, Manipulability, Twist, Wrench};
 
-/// What an array of N joints is on slices.
+/// What an array of N joints is on slices, of a robot that may have fewer.
 trait OnSlices {
     type Told;
-    fn told(self) -> Self::Told;
+    fn told(self, joints: usize) -> Self::Told;
 }
 
 impl<const N: usize> OnSlices for Jacobian<N> {
     type Told = Vec<Twist>;
-    fn told(self) -> Vec<Twist> {
-        self.columns().to_vec()
+    fn told(self, joints: usize) -> Vec<Twist> {
+        (0..joints).map(|joint| self.column(joint)).collect()
     }
 }
 
 impl<const N: usize> OnSlices for Hessian<N> {
     type Told = Vec<Vec<Twist>>;
-    fn told(self) -> Vec<Vec<Twist>> {
-        self.derivatives.map(OnSlices::told).to_vec()
+    fn told(self, joints: usize) -> Vec<Vec<Twist>> {
+        let own = self.derivatives[..joints].iter();
+        own.map(|derivative| derivative.told(joints)).collect()
     }
 }
 
 impl<const N: usize> OnSlices for [f64; N] {
     type Told = Vec<f64>;
-    fn told(self) -> Vec<f64> {
-        self.to_vec()
+    fn told(self, joints: usize) -> Vec<f64> {
+        self[..joints].to_vec()
     }
 }
 
 impl<const N: usize> OnSlices for Basis<[f64; N], N> {
     type Told = Vec<Vec<f64>>;
-    fn told(self) -> Vec<Vec<f64>> {
-        self.iter().map(|vector| vector.to_vec()).collect()
+    /// The joints that a robot has not, each by itself, are the last motions.
+    fn told(self, joints: usize) -> Vec<Vec<f64>> {
+        let own = self.iter().take(self.len() + joints - N);
+        own.map(|vector| vector.told(joints)).collect()
     }
 }
 
@@ -42,7 +45,7 @@ macro_rules! same_on_slices {
     ($($type:ty)*) => { $(
         impl OnSlices for $type {
             type Told = Self;
-            fn told(self) -> Self {
+            fn told(self, _: usize) -> Self {
                 self
             }
         }
@@ -50,14 +53,24 @@ macro_rules! same_on_slices {
 }
 same_on_slices!(Twist Manipulability Basis<Wrench, 6>);
 
+/// Values of N joints, 0 of those that a robot has not.
+fn padded<const N: usize>(q: &[f64]) -> [f64; N] {
+    let mut all = [0.0; N];
+    all[..q.len()].copy_from_slice(q);
+    all
+}
+
+/// Why there is a number of joints for each robot.
+const COUNTED: &str = "1 to 64 joints: robots of more are refused when they are read";
+
 /// Methods of [`Kinematics`] on slices.
 macro_rules! on_slices {
     ($(
         $(#[$attribute:meta])*
         fn $method:ident(q $(, $slice:ident)? $(; $given:ident: $type:ty)?) -> $told:ty;
     )*) => {
-        /// Of robots of eight joints at most; others panic, as do slices that have not a value for
-        /// each joint.
+        /// Velocities, forces, and how Jacobians change. Slices that have not a value for each
+        /// joint panic.
         impl Robot { $(
             $(#[$attribute])*
             pub fn $method(
@@ -67,11 +80,12 @@ macro_rules! on_slices {
                 $($given: $type,)?
             ) -> $told {
                 self.check(q);
-                with_constant!(self.joints(), N => {
+                $(self.check($slice);)?
+                with_capacity!(self.joints(), N => {
                     let arm = OfJoints::<N>::new(self);
-                    arm.$method(array(q) $(, array($slice))? $(, $given)?).told()
+                    arm.$method(&padded(q) $(, &padded($slice))? $(, $given)?).told(self.joints())
                 })
-                .expect("a robot of eight joints at most")
+                .expect(COUNTED)
             }
         )* }
     };
@@ -84,12 +98,6 @@ on_slices! {
     fn body_jacobian_dot(q, rates) -> Vec<Twist>;
     /// That of the geometric Jacobian.
     fn geometric_jacobian_dot(q, rates) -> Vec<Twist>;
-    /// By joint, the derivatives of the spatial Jacobian's columns.
-    fn hessian(q) -> Vec<Vec<Twist>>;
-    /// The same of the body Jacobian.
-    fn body_hessian(q) -> Vec<Vec<Twist>>;
-    /// The same of the geometric Jacobian.
-    fn geometric_hessian(q) -> Vec<Vec<Twist>>;
     /// The tip's spatial velocity at the joint rates, in base axes.
     fn spatial_velocity(q, rates) -> Twist;
     /// The velocity of the tip's origin and the angular velocity, in tip axes.
@@ -112,14 +120,73 @@ on_slices! {
     fn translational_manipulability(q) -> Manipulability;
     /// The same for the angular velocity alone.
     fn rotational_manipulability(q) -> Manipulability;
-    /// How the volume of the manipulability changes with every joint; 0 at a singularity.
-    fn manipulability_gradient(q) -> Vec<f64>;
-    /// The same for the velocity of the tip's origin alone.
-    fn translational_manipulability_gradient(q) -> Vec<f64>;
-    /// The same for the angular velocity alone.
-    fn rotational_manipulability_gradient(q) -> Vec<f64>;
     /// The joint rates that leave the tip at rest: an orthonormal basis.
     fn internal_motions(q) -> Vec<Vec<f64>>;
     /// The internal motion nearest to some joint rates, rad/s and m/s.
     fn null_space_projection(q, rates) -> Vec<f64>;
+}
+
+/// What takes the derivatives by every joint. Of more joints than have inverse kinematics these
+/// are too many for the stack together, and come one by one.
+macro_rules! by_joint {
+    (
+        $($(#[$about:meta])* fn $hessian:ident by $dot:ident;)*
+        of geometric_jacobian: $($(#[$what:meta])* fn $gradient:ident by $one_by_one:ident;)*
+    ) => {
+        /// How Jacobians and their measures change by joint. Slices that have not a value for each
+        /// joint panic.
+        impl Robot {
+            $(
+                $(#[$about])*
+                pub fn $hessian(&self, q: &[f64]) -> Vec<Vec<Twist>> {
+                    let n = self.joints();
+                    self.check(q);
+                    with_constant!(n, N => {
+                        OfJoints::<N>::new(self).$hessian(array(q)).told(n)
+                    })
+                    .unwrap_or_else(|| (0..n).map(|k| self.$dot(q, &unit(n, k))).collect())
+                }
+            )*
+            $(
+                $(#[$what])*
+                pub fn $gradient(&self, q: &[f64]) -> Vec<f64> {
+                    let n = self.joints();
+                    self.check(q);
+                    with_constant!(n, N => {
+                        OfJoints::<N>::new(self).$gradient(array(q)).told(n)
+                    })
+                    .or_else(|| with_capacity!(n, N => {
+                        let (arm, q) = (OfJoints::<N>::new(self), padded(q));
+                        let one = |k| arm.geometric_jacobian_dot(&q, &padded(&unit(N, k)));
+                        arm.geometric_jacobian(&q).$one_by_one(one).told(n)
+                    }))
+                    .expect(COUNTED)
+                }
+            )*
+        }
+    };
+}
+
+by_joint! {
+    /// By joint, the derivatives of the spatial Jacobian's columns.
+    fn hessian by jacobian_dot;
+    /// The same of the body Jacobian.
+    fn body_hessian by body_jacobian_dot;
+    /// The same of the geometric Jacobian.
+    fn geometric_hessian by geometric_jacobian_dot;
+
+    of geometric_jacobian:
+    /// How the volume of the manipulability changes with every joint; 0 at a singularity.
+    fn manipulability_gradient by manipulability_gradient_by;
+    /// The same for the velocity of the tip's origin alone.
+    fn translational_manipulability_gradient by translational_manipulability_gradient_by;
+    /// The same for the angular velocity alone.
+    fn rotational_manipulability_gradient by rotational_manipulability_gradient_by;
+}
+
+/// One joint's rate is 1.
+fn unit(joints: usize, k: usize) -> Vec<f64> {
+    (0..joints)
+        .map(|joint| f64::from(u8::from(joint == k)))
+        .collect()
 }

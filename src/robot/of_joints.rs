@@ -4,11 +4,11 @@
 use super::Robot;
 use super::forward::pose;
 use kin_codegen::closed_form::Domain;
-use kin_codegen::expr::Tape;
+use kin_codegen::expr::{Lanes, Tape};
 use kin_runtime::__private::Eliminant;
 use kin_runtime::{
     Hessian, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solution,
-    Solutions, Target, Twist,
+    Solutions, Target,
 };
 
 /// Evaluates an expression with a number that is known at run time, 1 to 8, as a constant; none
@@ -29,7 +29,25 @@ macro_rules! with_constant {
 }
 pub(super) use with_constant;
 
-/// A robot that has N joints, and of several parameters one that moves.
+// Robots of more joints are refused by the compiler.
+const _: () = assert!(kin_codegen::spec::bounds::JOINTS == 64);
+
+/// The same with a number that is not less, up to 64: what is made of Jacobians needs
+/// no code of its own for each number of joints beyond those that have inverse kinematics.
+macro_rules! with_capacity {
+    ($n:expr, $constant:ident => $body:expr) => {
+        match $n {
+            ..=8 => with_constant!($n, $constant => $body),
+            9..=16 => with_constant!(16, $constant => $body, 16),
+            17..=32 => with_constant!(32, $constant => $body, 32),
+            _ => with_constant!(64, $constant => $body, 64),
+        }
+    };
+}
+pub(super) use with_capacity;
+
+/// A robot that has N joints, and of several parameters one that moves. One of fewer joints has
+/// others behind its last, which leave the tip where it is; inverse kinematics is not asked of it.
 ///
 /// What a robot has is asked of methods: of the constants that the traits want, none is read.
 #[derive(Clone, Copy)]
@@ -61,14 +79,24 @@ impl<'a, const N: usize> OfJoints<'a, N> {
         parameters
     }
 
-    fn jacobian(tape: &Tape, inputs: &[f64]) -> Jacobian<N> {
-        let values = tape.run::<1>(inputs, 0);
-        let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[0]);
-        let column = |joint: usize| Twist {
-            linear: part(6 * joint),
-            angular: part(6 * joint + 3),
-        };
-        Jacobian::from_columns(std::array::from_fn(column))
+    /// The values of the robot's own joints.
+    fn own<'q>(&self, q: &'q [f64; N]) -> &'q [f64] {
+        &q[..self.robot.joints()]
+    }
+
+    fn jacobian(&self, tape: &Tape, inputs: &[f64]) -> Jacobian<N> {
+        self.columns(&tape.run::<1>(inputs, 0), 0)
+    }
+
+    /// The Jacobian whose columns are the outputs from some on.
+    fn columns(&self, values: &Lanes<1>, first: usize) -> Jacobian<N> {
+        let mut jacobian = Jacobian::default();
+        for joint in 0..self.robot.joints() {
+            for (i, row) in jacobian.rows.iter_mut().enumerate() {
+                row[joint] = values.output(first + 6 * joint + i)[0];
+            }
+        }
+        jacobian
     }
 }
 
@@ -100,43 +128,42 @@ impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
     }
 
     fn fk(&self, q: &[f64; N]) -> Pose {
-        self.robot.fk(q)
+        self.robot.fk(self.own(q))
     }
 
     fn fk_links(&self, q: &[f64; N]) -> [Pose; N] {
-        let values = self.robot.links.run::<1>(q, 0);
-        std::array::from_fn(|i| pose(&values, 12 * i))
+        let mut links = [Pose::IDENTITY; N];
+        let own = self.robot.fk_links(self.own(q));
+        links
+            .iter_mut()
+            .zip(own)
+            .for_each(|(link, own)| *link = own);
+        links
     }
 
     fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
-        let values = self.robot.both.run::<1>(q, 0);
-        let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[0]);
-        let column = |joint: usize| Twist {
-            linear: part(12 + 6 * joint),
-            angular: part(15 + 6 * joint),
-        };
-        let jacobian = Jacobian::from_columns(std::array::from_fn(column));
-        (pose(&values, 0), jacobian)
+        let values = self.robot.both.run::<1>(self.own(q), 0);
+        (pose(&values, 0), self.columns(&values, 12))
     }
 
     fn spatial_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
         match &self.robot.spatial {
-            Some(tape) => Self::jacobian(tape, q),
+            Some(tape) => self.jacobian(tape, self.own(q)),
             None => self.fk_jacobian(q).1,
         }
     }
 
     fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
-        Self::jacobian(&self.robot.body, q)
+        self.jacobian(&self.robot.body, self.own(q))
     }
 
     fn geometric_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
-        Self::jacobian(&self.robot.geometric, q)
+        self.jacobian(&self.robot.geometric, self.own(q))
     }
 
     fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
         match &self.robot.dot {
-            Some(tape) => Self::jacobian(tape, &[*q, *rates].concat()),
+            Some(tape) => self.jacobian(tape, &[self.own(q), self.own(rates)].concat()),
             None => self.spatial_jacobian(q).spatial_dot(rates),
         }
     }

@@ -1,11 +1,9 @@
 //! A straight line of the tip, and all solutions along it.
 
 use kin_runtime::__private::math;
-use kin_runtime::{Jacobian, Pose};
+use kin_runtime::Pose;
 use kinematics::Robot;
 
-/// Joints that a robot at run time can have.
-const MOST: usize = 8;
 /// Solutions of one branch at neighbouring points this far apart, radians, are not one curve: one
 /// has gone through a turn, or the branch has ended and begun again.
 const APART: f64 = 0.5;
@@ -81,7 +79,7 @@ impl Path {
                 .ik_nearest_at(&target, &given, &seed)
                 .map(|found| found.q);
             path.least
-                .push(nearest.as_ref().map(|q| least_singular_value(robot, q)));
+                .push(nearest.as_ref().map(|q| robot.manipulability(q).sigma_min));
             if let Some(q) = &nearest {
                 seed.clone_from(q);
             }
@@ -100,18 +98,6 @@ impl Path {
         };
         (1..self.taken.len()).filter(jumps).collect()
     }
-}
-
-fn least_singular_value(robot: &Robot, q: &[f64]) -> f64 {
-    let columns = robot.geometric_jacobian(q);
-    let mut rows = [[0.0; MOST]; 6];
-    for (j, column) in columns.iter().enumerate().take(MOST) {
-        for (row, entry) in rows.iter_mut().zip(column.to_array()) {
-            row[j] = entry;
-        }
-    }
-    let values = Jacobian { rows }.singular_values();
-    values[columns.len().min(6) - 1]
 }
 
 /// A way between two poses.

@@ -148,19 +148,37 @@ impl<const N: usize> Jacobian<N> {
     /// [`Jacobian::manipulability`]; `hessian` is that of this Jacobian. At a
     /// singularity the volume has a kink and its least value; then this is 0.
     pub fn manipulability_gradient(&self, hessian: &Hessian<N>) -> [Real; N] {
-        gradient(&self.rows, |k| hessian.derivatives[k].rows)
+        self.manipulability_gradient_by(|k| hessian.derivatives[k])
     }
 
     /// As [`Jacobian::manipulability_gradient`], of the linear velocity.
     pub fn translational_manipulability_gradient(&self, hessian: &Hessian<N>) -> [Real; N] {
-        gradient(&self.translational(), |k| {
-            hessian.derivatives[k].translational()
-        })
+        self.translational_manipulability_gradient_by(|k| hessian.derivatives[k])
     }
 
     /// As [`Jacobian::manipulability_gradient`], of the angular velocity.
     pub fn rotational_manipulability_gradient(&self, hessian: &Hessian<N>) -> [Real; N] {
-        gradient(&self.rotational(), |k| hessian.derivatives[k].rotational())
+        self.rotational_manipulability_gradient_by(|k| hessian.derivatives[k])
+    }
+
+    /// As [`Jacobian::manipulability_gradient`], from one derivative after the
+    /// other: `by(k)` is that of this Jacobian by joint k. N of them together
+    /// may be more than a stack holds.
+    pub fn manipulability_gradient_by(&self, by: impl Fn(usize) -> Self) -> [Real; N] {
+        gradient(&self.rows, |k| by(k).rows)
+    }
+
+    /// As [`Jacobian::manipulability_gradient_by`], of the linear velocity.
+    pub fn translational_manipulability_gradient_by(
+        &self,
+        by: impl Fn(usize) -> Self,
+    ) -> [Real; N] {
+        gradient(&self.translational(), |k| by(k).translational())
+    }
+
+    /// As [`Jacobian::manipulability_gradient_by`], of the angular velocity.
+    pub fn rotational_manipulability_gradient_by(&self, by: impl Fn(usize) -> Self) -> [Real; N] {
+        gradient(&self.rotational(), |k| by(k).rotational())
     }
 
     /// The velocities (v, ω) that joint rates with |q̇| ≤ 1 give the tip. Its
