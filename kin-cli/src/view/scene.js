@@ -76,7 +76,12 @@ class Scene {
             if (piece.text !== undefined) {
                 context.font = "12px system-ui, sans-serif";
                 context.fillStyle = piece.colour;
-                context.fillText(piece.text, piece.place[0] + piece.dx, piece.place[1] + piece.dy);
+                // A place that is seen has its words in the picture, too.
+                const { clientWidth } = context.canvas;
+                const room = clientWidth - context.measureText(piece.text).width - 4;
+                const isSeen = piece.place[0] <= clientWidth;
+                const x = piece.place[0] + piece.dx;
+                context.fillText(piece.text, isSeen ? Math.min(x, room) : x, piece.place[1] + piece.dy);
             } else if (piece.place) {
                 context.beginPath();
                 context.arc(piece.place[0], piece.place[1], piece.radius, 0, 2 * Math.PI);
