@@ -68,4 +68,5 @@ static void run_kin_robot(void)
 #endif
     }
 #endif
+    puts("end");
 }

@@ -6,6 +6,7 @@ mod random;
 
 mod js;
 mod mechanisms;
+mod mistakes;
 mod moveit;
 #[path = "../../kin-codegen/tests/named/mod.rs"]
 mod named;
@@ -72,9 +73,17 @@ fn subjects() -> (Vec<Subject>, Program) {
     let mut program = Program::new("c");
     let mut subjects = Vec::new();
     for (asked, c, js, rust) in compiled() {
-        let mut input = String::new();
         program.add(&c);
-        let configurations = targets::configurations(rust.joints());
+        subjects.push(Subject::new(asked.path, &c, js, rust));
+    }
+    (subjects, program)
+}
+
+impl Subject {
+    fn new(path: &'static str, c: &GeneratedC, js: String, rust: Robot) -> Self {
+        let mut input = String::new();
+        let mut configurations = targets::configurations(rust.joints());
+        configurations.extend(targets::at_limits(rust.limits()));
         let has_inverse = c.source.contains("compute_lanes");
         let targets = match has_inverse {
             true => targets::targets(&rust, &configurations),
@@ -90,17 +99,16 @@ fn subjects() -> (Vec<Subject>, Program) {
                 write(&mut input, &rust.redundancy(pose, seed));
             }
         }
-        subjects.push(Subject {
-            path: asked.path,
+        Subject {
+            path,
             rust,
             js,
             input,
             has_inverse,
             configurations,
             targets,
-        });
+        }
     }
-    (subjects, program)
 }
 
 fn write(out: &mut String, numbers: &[f64]) {
@@ -152,6 +160,7 @@ fn compare(subjects: &[Subject], written: &str) {
     let mut written = Written(written.split_ascii_whitespace());
     for subject in subjects {
         compare_one(subject, &mut written);
+        assert_eq!(written.0.next(), Some(program::END));
     }
     assert!(written.0.next().is_none());
 }

@@ -41,6 +41,9 @@ UNUSED static void write_numbers(const double *numbers, int count)
 
 ";
 
+/// What the driver writes behind a robot's answers.
+pub const END: &str = "end";
+
 /// A language with a compiler for it.
 #[derive(Clone, Copy)]
 pub enum Compiler {

@@ -1,7 +1,7 @@
 //! What robots are asked: random and structured.
 
 use crate::random::Random;
-use kinematics::{Pose, Robot};
+use kinematics::{JointLimit, Pose, Robot};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Configurations: random ones, and those with joints at quarter turns, where many arms are
@@ -32,6 +32,21 @@ pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
     far[0] += 6.0 * PI;
     all.push(far);
     all
+}
+
+/// Configurations at the limits, a little beyond them, and so little that they count as inside.
+pub fn at_limits(limits: &[JointLimit]) -> Vec<Vec<f64>> {
+    let beyond = |stop: fn(JointLimit) -> f64, by: f64| {
+        let at = limits.iter().map(|it| stop(*it) + by);
+        at.map(|q| if q.is_finite() { q } else { 0.3 }).collect()
+    };
+    vec![
+        beyond(JointLimit::upper, 0.0),
+        beyond(JointLimit::upper, 5e-10),
+        beyond(JointLimit::upper, 2e-9),
+        beyond(JointLimit::lower, -5e-10),
+        beyond(JointLimit::lower, -2e-9),
+    ]
 }
 
 /// Targets, with configurations to seed from: poses of these configurations, and what is no

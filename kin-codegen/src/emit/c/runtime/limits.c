@@ -5,7 +5,7 @@ static double kin_next_inside(int i, double q, double seed, double *beyond)
     const double pi = 3.141592653589793, turn = kin_turns[i] ? 6.283185307179586 : 0.0;
     const double lower = kin_lower_limits[i], upper = kin_upper_limits[i];
     const double middle = 0.5 * (lower + upper);
-    double first = lower + 1e-9 + pi, last = upper + 1e-9 - pi, value;
+    double first = lower - 1e-9 + pi, last = upper + 1e-9 - pi, value;
     /* Without stops the middle is no number and not taken. */
     first = middle < first ? middle : first;
     last = middle > last ? middle : last;
