@@ -4,7 +4,7 @@
 //! `BLESS=1 cargo test --package kin-codegen --test golden` writes the files
 //! anew.
 
-use kin_codegen::{Options, Scalar, Source, generate, generate_js};
+use kin_codegen::{Options, Scalar, Source, generate, generate_c, generate_js};
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
@@ -36,6 +36,13 @@ fn check_js(robot: &str, golden: &str) {
     let source = Source::read(robot, &root()).unwrap();
     let code = generate_js(&source, &Options::default()).unwrap().source;
     compare(robot, &code, golden);
+}
+
+fn check_c(robot: &str, [header, code]: [&str; 2]) {
+    let source = Source::read(robot, &root()).unwrap();
+    let c = generate_c(&source, &Options::default()).unwrap();
+    compare(robot, &c.header, header);
+    compare(robot, &c.source, code);
 }
 
 fn compare(robot: &str, code: &str, golden: &str) {
@@ -116,4 +123,9 @@ fn javascript_of_an_arm_with_a_parameter() {
 #[test]
 fn javascript_of_a_mechanism() {
     check_js("robots/delta.yaml", "delta.js");
+}
+
+#[test]
+fn c_of_three_parallel_axes() {
+    check_c("robots/ur5e.urdf", ["ur5e.h", "ur5e.c"]);
 }
