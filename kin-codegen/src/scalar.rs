@@ -56,7 +56,7 @@ impl Scalar {
                 noise: double::NOISE,
                 double_root: double::DOUBLE_ROOT,
                 epsilon: f64::EPSILON,
-                unmoved: 1e-12,
+                unmoved: 1e-10,
                 near_singular: 0.0,
                 recovered: 1e-11,
                 same: 1e-7,
