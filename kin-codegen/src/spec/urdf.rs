@@ -6,6 +6,7 @@
 //! second time with urdf-rs, and compare.
 mod checks;
 mod joint;
+mod lenient;
 mod loops;
 mod markup;
 mod numbers;
@@ -36,7 +37,8 @@ fn read(source: &Source, diagnostics: &mut Collector) -> Option<Spec> {
         );
         return None;
     }
-    let document = match roxmltree::Document::parse(&source.text) {
+    let text = lenient::strict(&source.text, diagnostics);
+    let document = match roxmltree::Document::parse(&text) {
         Ok(document) => document,
         Err(error) => {
             explain_xml(&error, source, diagnostics);

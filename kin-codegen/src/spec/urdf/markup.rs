@@ -1,10 +1,11 @@
-//! XML that takes long to read.
+//! The tags of XML, and what of it takes long to read.
 //!
 //! The XML reader compares each attribute of an element with all others, and
 //! each prefix that is declared with all that hold around it. So both are
 //! counted before, tag by tag.
 
 use crate::spec::bounds::{XML_ATTRIBUTES, XML_PREFIXES};
+use std::ops::Range;
 
 /// A tag beyond the bounds, and where it begins.
 #[derive(Debug, PartialEq, Eq)]
@@ -13,28 +14,60 @@ pub(super) struct Excess {
     pub reason: String,
 }
 
+/// What stands between `<` and `>`.
+pub(super) enum Part {
+    Comment,
+    /// Literal text.
+    Literal,
+    /// The declaration, or a processing instruction.
+    Instruction,
+    Close,
+    Open(Tag),
+}
+
+/// What a text has between `<` and `>`, in its order and with the bytes that each takes, as far
+/// as each ends.
+pub(super) fn parts(text: &str) -> impl Iterator<Item = (Range<usize>, Part)> + '_ {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let start = find(text, at, "<")?;
+        let rest = &text[start..];
+        let passed = [
+            ("<!--", "-->", Part::Comment),
+            ("<![CDATA[", "]]>", Part::Literal),
+            ("<?", "?>", Part::Instruction),
+            ("</", ">", Part::Close),
+        ];
+        let passed = passed.into_iter().find(|(open, ..)| rest.starts_with(open));
+        let part = match passed {
+            Some((open, close, part)) => {
+                at = find(text, start + open.len(), close)? + close.len();
+                part
+            }
+            None => {
+                let tag = Tag::of(rest)?;
+                at = start + tag.length;
+                Part::Open(tag)
+            }
+        };
+        Some((start..at, part))
+    })
+}
+
 /// The first tag with more than the bounds allow. Text that is no XML is left
 /// to the reader.
 pub(super) fn excess(text: &str) -> Option<Excess> {
     // By open element: the prefixes declared by it and around it.
     let mut open: Vec<usize> = Vec::new();
-    let mut at = 0;
-    while let Some(offset) = find(text, at, "<") {
-        let rest = &text[offset..];
-        let passed = [
-            ("<!--", "-->"),
-            ("<![CDATA[", "]]>"),
-            ("<?", "?>"),
-            ("</", ">"),
-        ];
-        if let Some((start, end)) = passed.iter().find(|(start, _)| rest.starts_with(start)) {
-            if *start == "</" {
+    for (range, part) in parts(text) {
+        let tag = match part {
+            Part::Open(tag) => tag,
+            Part::Close => {
                 open.pop();
+                continue;
             }
-            at = find(text, offset + start.len(), end)? + end.len();
-            continue;
-        }
-        let tag = Tag::of(rest)?;
+            Part::Comment | Part::Literal | Part::Instruction => continue,
+        };
         let prefixes = open.last().unwrap_or(&0) + tag.prefixes;
         let reason = if tag.attributes > XML_ATTRIBUTES {
             format!(
@@ -49,9 +82,9 @@ pub(super) fn excess(text: &str) -> Option<Excess> {
             if !tag.is_empty {
                 open.push(prefixes);
             }
-            at = offset + tag.length;
             continue;
         };
+        let offset = range.start;
         return Some(Excess { offset, reason });
     }
     None
@@ -62,7 +95,7 @@ fn find(text: &str, from: usize, pattern: &str) -> Option<usize> {
 }
 
 /// The start of an element.
-struct Tag {
+pub(super) struct Tag {
     length: usize,
     attributes: usize,
     prefixes: usize,
