@@ -148,7 +148,7 @@ pub(crate) fn compile(
         let diagnostic = Diagnostic::whole(reason, remedy);
         return Err(Diagnostics::one(&spec.source.path, diagnostic));
     }
-    let is_redundant = model.joints.len() > target.coordinates();
+    let is_redundant = model.joints.len() > target.coordinates() || free.count() > 0;
     let solved = match options.ik {
         Ik::None => Ok(None),
         Ik::ClosedForm if is_redundant && options.scalar == Scalar::F32 => {

@@ -2,7 +2,9 @@
 //! with the target, so that the others have isolated solutions.
 
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
-use crate::geometry::{Carried, Linkage, Swivel, conditioning, idealize, size, structure};
+use crate::geometry::{
+    Carried, Linkage, Moved, Swivel, conditioning, idealize, rank, size, structure,
+};
 use crate::model::{Model, configurations};
 use crate::plan::{Plans, Target};
 use crate::solver::{
@@ -11,7 +13,8 @@ use crate::solver::{
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 
-/// Sets of joints that are compared: all of one joint, or of two of eight.
+/// Sets of joints that are compared: all of one joint, or of two of eight. Of more those are
+/// that leave a row of joints; see [`rows`].
 const CHOICES: usize = 64;
 
 /// Below this conditioning a configuration is nearly singular: an elbow that turns the
@@ -37,7 +40,7 @@ pub struct Asked {
 
 impl Asked {
     /// How many numbers are given by it.
-    fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.joints.len() + usize::from(self.swivel.is_some())
     }
 }
@@ -107,15 +110,17 @@ pub fn named(
         }
         joints.push(joint);
     }
-    let (n, coordinates) = (model.variables.len(), target.coordinates());
+    let (n, coordinates) = (model.variables.len(), coordinates(model, target));
     let most = n.saturating_sub(coordinates);
     let count = joints.len() + usize::from(swivel.is_some());
     if count > most {
+        let of = match coordinates == target.coordinates() {
+            true => format!("coordinates of {}", target.phrase()),
+            false => "independent ways in which they move the tip".into(),
+        };
         let reason = format!(
-            "the option `free` names {}, and {n} joints have {most} more than the {coordinates} \
-             coordinates of {}",
+            "the option `free` names {}, and {n} joints have {most} more than the {coordinates} {of}",
             counted(count),
-            target.phrase(),
         );
         let remedy = match most {
             0 => "leave out `free`, or choose a `target` of fewer coordinates".into(),
@@ -125,6 +130,15 @@ pub fn named(
     }
     joints.sort_unstable();
     Ok(Asked { joints, swivel })
+}
+
+/// How many coordinates of its targets an arm can choose at once: of whole poses as many as
+/// there are independent ways in which the joints move the tip.
+fn coordinates(model: &Model, target: Target) -> usize {
+    match target {
+        Target::Pose if !model.is_coupled() => rank(model).min(target.coordinates()),
+        _ => target.coordinates(),
+    }
 }
 
 /// What to do without a swivel angle.
@@ -191,7 +205,7 @@ pub fn solve_redundant(
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
     }
-    let excess = model.joints.len() - target.coordinates();
+    let excess = model.joints.len() - coordinates(model, target);
     // Of a target that leaves the turn of the tool free, that is a parameter before any
     // joint is, and what is left to be solved are whole poses.
     let turn = target == Target::PositionAxis && asked.count() < excess;
@@ -224,8 +238,7 @@ pub fn solve_redundant(
     }
     let asked = &asked.joints[..];
     let choices = choices(model.joints.len(), count, asked);
-    let choices = choices.ok_or(NoClosedForm::Redundant(target))?;
-    let weighed = match &choices[..] {
+    let weighed = match choices.iter().flatten().collect::<Vec<_>>()[..] {
         [only] => vec![Weighed {
             joints: only.clone(),
             weight: None,
@@ -282,9 +295,24 @@ pub fn solve_redundant(
     }
 }
 
+/// Sets of `count` of `n` joints that have those asked for among them, by rows, the first choice
+/// first: one of all, or where these are too many to compare the [`rows`] of joints.
+fn choices(n: usize, count: usize, asked: &[usize]) -> Vec<Vec<Vec<usize>>> {
+    if let Some(all) = all(n, count, asked) {
+        return vec![all];
+    }
+    let others: Vec<usize> = (0..n).filter(|joint| !asked.contains(joint)).collect();
+    let mut rows = rows(&others, n - count);
+    for set in rows.iter_mut().flatten() {
+        set.extend(asked);
+        set.sort_unstable();
+    }
+    rows
+}
+
 /// All sets of `count` of `n` joints that have those asked for among them; none if they are more
 /// than are compared.
-fn choices(n: usize, count: usize, asked: &[usize]) -> Option<Vec<Vec<usize>>> {
+fn all(n: usize, count: usize, asked: &[usize]) -> Option<Vec<Vec<usize>>> {
     let mut all: Vec<Vec<usize>> = vec![Vec::new()];
     for joint in 0..n {
         let asked_behind = asked.iter().filter(|&&other| other > joint).count();
@@ -302,49 +330,79 @@ fn choices(n: usize, count: usize, asked: &[usize]) -> Option<Vec<Vec<usize>>> {
         }
     }
     all.sort_by(|a, b| a.iter().rev().cmp(b.iter().rev()));
-    Some(all).filter(|all| !all.is_empty())
+    Some(all)
 }
 
-/// The choices, the best first.
+/// By rows of `left` joints and one more, the sets that leave all but one of a row: an arm is
+/// solved as if it were alone, and what carries it is given (a platform, a trunk), or what it
+/// carries. The row at the tip comes first, and no more sets are compared than elsewhere.
+fn rows(joints: &[usize], left: usize) -> Vec<Vec<Vec<usize>>> {
+    let leaving = |row: &[usize], given: usize| {
+        let is_given = |joint: &usize| *joint == given || !row.contains(joint);
+        joints.iter().copied().filter(is_given).collect()
+    };
+    let rows = joints.windows(left + 1).rev().take(CHOICES / (left + 1));
+    rows.map(|row| row.iter().map(|&given| leaving(row, given)).collect())
+        .collect()
+}
+
+/// The choices of the first row that has any with a plan, the best first; without a plan in any
+/// row, those of the first.
 fn weigh(
     model: &Model,
     linkage: &Linkage,
     target: Target,
-    choices: Vec<Vec<usize>>,
+    rows: Vec<Vec<Vec<usize>>>,
 ) -> Vec<Weighed> {
+    let first = rows[0].clone();
+    for row in rows {
+        let (mut weighed, left) = planned(model, linkage, target, row);
+        if !weighed.is_empty() {
+            weighed.extend(between(model, linkage, left, false));
+            return weighed;
+        }
+    }
+    between(model, linkage, first, true)
+}
+
+/// The choices that leave the others a plan, the best first, and those that do not.
+fn planned(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+    choices: Vec<Vec<usize>>,
+) -> (Vec<Weighed>, Vec<Vec<usize>>) {
     let mut weighed: Vec<Weighed> = Vec::new();
     let mut left = choices;
+    let mut last: Option<Vec<Moved>> = None;
     for tolerance in TOLERANCES {
         let idealized = idealize(model, tolerance);
-        if tip_shift(model, &idealized.model) > DESIGNED * linkage.size {
+        if !weighed.is_empty() || tip_shift(model, &idealized.model) > DESIGNED * linkage.size {
             break;
         }
+        if last.as_ref() == Some(&idealized.moved) {
+            continue;
+        }
+        last = Some(idealized.moved.clone());
         let ideal = Linkage::for_target(&idealized.model, target);
-        let weights = left.iter().map(|joints| {
+        let weight = |joints: &[usize]| {
             let ideal = ideal.clone().with_locked(joints);
             let plan = Plans::new(&ideal, target).next();
             let plan = plan.filter(|_| is_usually_regular(&idealized.model, joints, target))?;
             let written = inverse(&ideal, &plan, DomainMargin(0.0), FreeAngles::Seeded);
             Some(written.all_branches().weight())
-        });
-        let weights: Vec<Option<usize>> = weights.collect();
-        let mut here = Vec::new();
+        };
         let mut rest = Vec::new();
-        for (joints, weight) in left.into_iter().zip(weights) {
-            match weight {
-                Some(_) => here.push(Weighed { joints, weight }),
+        for joints in left {
+            match weight(&joints) {
                 None => rest.push(joints),
+                weight => weighed.push(Weighed { joints, weight }),
             }
         }
-        here.sort_by_key(|choice| choice.weight);
-        weighed.extend(here);
         left = rest;
-        if !weighed.is_empty() {
-            break;
-        }
     }
-    weighed.extend(between(model, linkage, left, weighed.is_empty()));
-    weighed
+    weighed.sort_by_key(|choice| choice.weight);
+    (weighed, left)
 }
 
 /// Whether the joints that are not locked are independent at most configurations.
@@ -392,14 +450,26 @@ mod tests {
 
     #[test]
     fn choices_are_all_sets_and_never_more_than_are_compared() {
-        let pairs = choices(4, 2, &[]).unwrap();
+        let pairs = all(4, 2, &[]).unwrap();
         assert_eq!(pairs, [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3]]);
-        assert_eq!(choices(4, 2, &[1]).unwrap(), [[0, 1], [1, 2], [1, 3]]);
-        assert_eq!(choices(8, 1, &[5]).unwrap(), [[5]]);
-        assert_eq!(choices(8, 7, &[]).unwrap().len(), 8);
+        assert_eq!(all(4, 2, &[1]).unwrap(), [[0, 1], [1, 2], [1, 3]]);
+        assert_eq!(all(8, 1, &[5]).unwrap(), [[5]]);
+        assert_eq!(all(8, 7, &[]).unwrap().len(), 8);
         // Of all sets of 34 of 40 joints, or of their beginnings, no memory holds a list.
-        assert_eq!(choices(40, 34, &[]), None);
+        assert_eq!(all(40, 34, &[]), None);
         let asked: Vec<usize> = (0..33).collect();
-        assert_eq!(choices(40, 34, &asked).unwrap().len(), 7);
+        assert_eq!(all(40, 34, &asked).unwrap().len(), 7);
+    }
+
+    #[test]
+    fn of_too_many_sets_those_are_compared_that_leave_a_row() {
+        let rows = choices(10, 4, &[]);
+        assert_eq!(rows.len(), 4);
+        let tip: Vec<Vec<usize>> = (3..10).map(|given| vec![0, 1, 2, given]).collect();
+        assert_eq!(rows[0], tip);
+        assert_eq!(rows[3][0], [0, 7, 8, 9]);
+        // A joint that is asked for is passed over.
+        assert_eq!(choices(10, 5, &[6])[0][0], [0, 1, 2, 3, 6]);
+        assert!(choices(64, 58, &[]).iter().flatten().count() <= CHOICES);
     }
 }

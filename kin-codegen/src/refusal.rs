@@ -3,7 +3,7 @@
 use crate::compiled::Compiled;
 use crate::geometry::structure;
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
-use crate::model::{JointKind, Model};
+use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
 use crate::solver::{Lack, NoClosedForm};
 use crate::spec::{Diagnostic, Source, list_names, one_line};
@@ -34,13 +34,16 @@ impl Refusal {
     pub fn diagnostic(&self) -> Diagnostic {
         let remedy = match &self.reason {
             Reason::Arm(NoClosedForm::Singular { .. }) => {
-                "check axes and origins; a joint that repeats another must be fixed, or left out \
-                 of the chain by another base or tip. `ik = none` generates forward kinematics \
-                 and Jacobians alone"
+                "check axes and origins; a joint that repeats another must be fixed, left out of \
+                 the chain by another base or tip, or stay free (`free`). `ik = none` generates \
+                 forward kinematics and Jacobians alone"
+            }
+            Reason::Arm(NoClosedForm::Mimic) => {
+                "name a link in front of the joints that mimic others as the tip, if the arm ends \
+                 there; `ik = none` generates forward kinematics and Jacobians alone"
             }
             Reason::Arm(NoClosedForm::Redundant(_)) => {
-                "there are too many sets of joints to choose from: name those that stay free, one \
-                 for each coordinate too many, with `free`"
+                "name joints that stay free, one for each coordinate too many, with `free`"
             }
             Reason::Arm(NoClosedForm::OnlyInDouble(_)) => {
                 "leave out `scalar = f32`; with it, `ik = none` generates forward kinematics and \
@@ -107,7 +110,7 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
             format!("with {} free, {}", list_names(&joints), why(model, reason))
         }
         NoClosedForm::OnlyInDouble(lack) => only_in_double(*lack).to_owned(),
-        NoClosedForm::Mimic => "some joints mimic others, which couples their angles".to_owned(),
+        NoClosedForm::Mimic => mimics(model),
         NoClosedForm::Singular { rank, alike } => {
             let alike = alike.as_ref().map_or_else(String::new, |([a, b], kind)| {
                 let what = match kind {
@@ -136,6 +139,19 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
         NoClosedForm::Uncertified { plan, failure } => {
             format!("the best plan, {plan}, failed its verification: {failure}")
         }
+    }
+}
+
+/// Which joints mimic which, as far as one names them.
+fn mimics(model: &Model) -> String {
+    let followed = |joint: &Joint| model.variables[joint.variable].name.as_str();
+    let mut mimics = model.joints.iter().filter(|it| it.name != followed(it));
+    let first = mimics.next().map_or_else(String::new, |joint| {
+        format!("`{}` mimics `{}`", joint.name, followed(joint))
+    });
+    match mimics.count() {
+        0 => format!("joint {first}, which couples their angles"),
+        more => format!("joint {first}, and {more} more mimic others, which couples their angles"),
     }
 }
 

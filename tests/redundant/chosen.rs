@@ -171,6 +171,32 @@ tip: tip
 }
 
 #[test]
+fn joints_that_mimic_are_named() {
+    let text = "
+robot: finger
+units: {angle: deg, length: m}
+joints:
+  - {name: one, axis: [0, 0, 1], limits: [-90, 90]}
+  - {name: two, xyz: [1, 0, 0], axis: [0, 0, 1], mimic: {joint: one}}
+  - {name: three, xyz: [1, 0, 0], axis: [0, 0, 1], mimic: {joint: one}}
+tip: tip
+";
+    let source = Source {
+        path: "finger.yaml".into(),
+        text: text.into(),
+    };
+    let said = compile(&source, &Options::default())
+        .unwrap_err()
+        .to_string();
+    let reason = "joint `two` mimics `one`, and 1 more mimic others, which couples their angles";
+    assert!(said.contains(reason), "{said}");
+    assert!(
+        said.contains("in front of the joints that mimic others"),
+        "{said}"
+    );
+}
+
+#[test]
 fn an_inner_joint_without_a_closed_form_is_refused() {
     assert_refused(
         "../robots/sawyer.yaml",
@@ -187,20 +213,116 @@ fn an_inner_joint_without_a_closed_form_is_refused() {
     );
 }
 
+/// An iiwa as programs write it that print twelve digits.
 #[test]
-fn of_too_many_joints_some_have_to_be_named() {
-    let mut text = "robot: snake\nunits: {angle: deg, length: m}\ndh:\n".to_owned();
-    for i in 0..10 {
-        let alpha = if i % 2 == 0 { 90 } else { -90 };
-        text += &format!("  - {{name: j{i}, theta: 0, d: 0, a: 0.1, alpha: {alpha}}}\n");
+fn right_angles_of_twelve_digits_are_right() {
+    let origins = [
+        ("0 0 0", 0.1575),
+        ("1.57079632679 0 3.14159265359", 0.2025),
+        ("1.57079632679 0 3.14159265359", 0.2045),
+        ("1.57079632679 0 0", 0.2155),
+        ("-1.57079632679 3.14159265359 0", 0.1845),
+        ("1.57079632679 0 0", 0.2155),
+        ("-1.57079632679 3.14159265359 0", 0.081),
+    ];
+    let mut text = "<robot name=\"iiwa\"><link name=\"link0\"/>".to_owned();
+    for (i, (rpy, length)) in origins.into_iter().enumerate() {
+        let xyz = match i {
+            2 | 4 | 6 => format!("0 {length} 0"),
+            _ => format!("0 0 {length}"),
+        };
+        text += &format!(
+            "<link name=\"link{n}\"/><joint name=\"joint{n}\" type=\"continuous\">\
+             <origin rpy=\"{rpy}\" xyz=\"{xyz}\"/><axis xyz=\"0 0 1\"/>\
+             <parent link=\"link{i}\"/><child link=\"link{n}\"/></joint>",
+            n = i + 1
+        );
     }
     let source = Source {
-        path: "snake.yaml".into(),
+        path: "iiwa.urdf".into(),
+        text: text + "</robot>",
+    };
+    let compiled = compile(&source, &Options::default()).unwrap();
+    let arm = compiled.arm().unwrap();
+    assert!(arm.redundancy.as_ref().unwrap().swivel.is_some());
+    assert!(arm.form().unwrap().is_exact());
+}
+
+fn given(path: &str, text: String) -> Vec<usize> {
+    let source = Source {
+        path: path.into(),
         text,
+    };
+    let compiled = compile(&source, &Options::default()).unwrap();
+    compiled.arm().unwrap().redundancy.clone().unwrap().joints
+}
+
+/// Seven of ten joints, those at the tip, are an arm of its own: of them one is given, and all
+/// that carry it.
+#[test]
+fn of_a_long_chain_what_carries_the_arm_is_given() {
+    let mut text = "robot: mobile\nunits: {angle: deg, length: m}\njoints:\n".to_owned();
+    text += "  - {name: x, type: prismatic, axis: [1, 0, 0], limits: [-9, 9]}\n";
+    text += "  - {name: y, type: prismatic, axis: [0, 1, 0], limits: [-9, 9]}\n";
+    text += "  - {name: yaw, axis: [0, 0, 1]}\n";
+    let arm = [
+        ("[0.2, 0, 0.4]", "[0, 0, 1]"),
+        ("[0, 0, 0.3]", "[0, 1, 0]"),
+        ("[0, 0, 0]", "[0, 0, 1]"),
+        ("[0.1, 0, 0.3]", "[0, 1, 0]"),
+        ("[-0.1, 0, 0.4]", "[0, 0, 1]"),
+        ("[0, 0, 0]", "[0, 1, 0]"),
+        ("[0.1, 0, 0]", "[0, 0, 1]"),
+    ];
+    for (i, (xyz, axis)) in arm.into_iter().enumerate() {
+        text += &format!("  - {{name: j{i}, xyz: {xyz}, axis: {axis}}}\n");
+    }
+    text += "tip: hand\n";
+    let joints = given("mobile.yaml", text);
+    assert_eq!((&joints[..3], joints.len()), (&[0, 1, 2][..], 4));
+    assert!(joints[3] > 2, "{joints:?}");
+}
+
+/// A head on a mobile base: yaw and pan turn about parallel lines, and the base slides.
+#[test]
+fn of_a_chain_that_is_singular_everywhere_a_joint_may_be_given() {
+    let text = "robot: head
+units: {angle: deg, length: m}
+joints:
+  - {name: x, type: prismatic, axis: [1, 0, 0], limits: [-9, 9]}
+  - {name: y, type: prismatic, axis: [0, 1, 0], limits: [-9, 9]}
+  - {name: yaw, axis: [0, 0, 1]}
+  - {name: lift, type: prismatic, axis: [0, 0, 1], limits: [0, 0.4]}
+  - {name: pan, xyz: [0.1, 0, 1], axis: [0, 0, 1]}
+  - {name: tilt, xyz: [0.1, 0, 0.1], axis: [0, 1, 0], limits: [-90, 90]}
+tip: camera
+";
+    let source = Source {
+        path: "head.yaml".into(),
+        text: text.into(),
     };
     let said = compile(&source, &Options::default())
         .unwrap_err()
         .to_string();
-    let remedy = "name those that stay free, one for each coordinate too many, with `free`";
-    assert!(said.contains(remedy), "{said}");
+    assert!(said.contains("or stay free (`free`)"), "{said}");
+    let compiled = compile(&source, &free(&["yaw"])).unwrap();
+    let arm = compiled.arm().unwrap();
+    assert_eq!(arm.redundancy.as_ref().unwrap().joints, [2]);
+    assert_eq!(arm.inverse.as_ref().unwrap().certificate.lost, 0);
+    let said = compile(&source, &free(&["yaw", "pan"]))
+        .unwrap_err()
+        .to_string();
+    let reason = "6 joints have 1 more than the 5 independent ways in which they move the tip";
+    assert!(said.contains(reason), "{said}");
+}
+
+/// No row of a snake has a plan: that at the tip has a polynomial.
+#[test]
+fn a_snake_is_solved_at_its_end() {
+    let mut text = "robot: snake\nunits: {angle: deg, length: m}\ndh:\n".to_owned();
+    for i in 0..11 {
+        let alpha = if i % 2 == 0 { 70 } else { -50 };
+        text += &format!("  - {{name: j{i}, theta: 0, d: 0.05, a: 0.1, alpha: {alpha}}}\n");
+    }
+    assert_eq!(given("snake.yaml", text)[..4], [0, 1, 2, 3]);
 }

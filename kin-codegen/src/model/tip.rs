@@ -324,10 +324,11 @@ impl Below<'_> {
             let rigid = self.rigid(last);
             let tip = self.named(&rigid).unwrap_or(last);
             format!(
-                "base `{}`, tip `{}`: {} moving joints, {}",
+                "base `{}`, tip `{}`: {} moving {}, {}",
                 name(base),
                 name(tip),
                 joints.len(),
+                if joints.len() == 1 { "joint" } else { "joints" },
                 crate::spec::list_names(&joints)
             )
         };
