@@ -62,9 +62,10 @@ use kin_runtime::Pose;
 /// expanded, doubled names, loops, links that are missing, parts that
 /// contradict each other. What cannot is a warning (see
 /// [`Severity`]): definitions left over from xacro, elements that only a vendor
-/// knows, an identity where nothing is read, repetitions, limits 0..0, and
-/// whatever is wrong with joints off the chain. The option `strict` makes
-/// errors of them.
+/// knows, an identity where nothing is read, repetitions, limits 0..0, XML that
+/// only the reader of ROS takes (`--` in comments, prefixes that are not
+/// declared, blanks before the declaration), and whatever is wrong with joints
+/// off the chain. The option `strict` makes errors of them.
 #[derive(Clone, Debug)]
 pub enum Spec {
     /// A tree of links, of which a chain is the arm.
