@@ -1,11 +1,11 @@
 //! A polynomial in two variables on a rectangle, in Bernstein's basis.
 //!
 //! All its values are between the least and the largest coefficient, and of its derivatives the
-//! same is true of differences of coefficients. Halves are told by de Casteljau's algorithm
+//! same is true of differences of coefficients
 //! (G. Farin, *Curves and Surfaces for CAGD*, 2002, chapters 5 and 14).
 
+use super::signs::Signs;
 use crate::__private::Eliminant;
-use crate::math;
 
 /// Coefficients along the parameter.
 pub(super) const POINTS: usize = 12;
@@ -33,97 +33,6 @@ pub(super) struct Patch {
     pub shares: [f64; 2],
     /// How far the coefficients on that are off by rounding, and so values on this.
     pub noise: f64,
-}
-
-/// What coefficients tell of a function.
-#[derive(Clone, Copy)]
-struct Signs {
-    least: f64,
-    largest: f64,
-}
-
-impl Signs {
-    const NONE: Self = Self {
-        least: f64::INFINITY,
-        largest: f64::NEG_INFINITY,
-    };
-
-    fn add(&mut self, x: f64) {
-        self.least = -math::max(-self.least, -x);
-        self.largest = math::max(self.largest, x);
-    }
-
-    fn of(row: &[f64]) -> Self {
-        let mut signs = Self::NONE;
-        row.iter().for_each(|&x| signs.add(x));
-        signs
-    }
-
-    /// Of differences.
-    fn of_slope(row: &[f64]) -> Self {
-        let mut signs = Self::NONE;
-        row.windows(2).for_each(|x| signs.add(x[1] - x[0]));
-        signs
-    }
-
-    /// Of second differences.
-    fn of_bend(row: &[f64]) -> Self {
-        let mut signs = Self::NONE;
-        let second = row.windows(3).map(|x| (x[2] - x[1]) - (x[1] - x[0]));
-        second.for_each(|x| signs.add(x));
-        signs
-    }
-
-    fn with(mut self, other: Self) -> Self {
-        self.add(other.least);
-        self.add(other.largest);
-        self
-    }
-
-    /// Whether all have one sign, however they are off by so much.
-    fn is_one(self, noise: f64) -> bool {
-        self.least > noise || self.largest < -noise
-    }
-
-    /// The sign that all have.
-    fn sign(self) -> Option<f64> {
-        self.is_one(0.0).then(|| self.least.signum())
-    }
-
-    fn scaled(self, by: f64) -> Self {
-        Self {
-            least: by * self.least,
-            largest: by * self.largest,
-        }
-    }
-
-    fn times(self, other: Self) -> Self {
-        let mut out = Self::NONE;
-        for a in [self.least, self.largest] {
-            for b in [other.least, other.largest] {
-                out.add(a * b);
-            }
-        }
-        out
-    }
-
-    fn square(self) -> Self {
-        let [a, b] = [self.least.abs(), self.largest.abs()];
-        Self {
-            least: match self.is_one(0.0) {
-                true => a.min(b) * a.min(b),
-                false => 0.0,
-            },
-            largest: a.max(b) * a.max(b),
-        }
-    }
-
-    fn minus(self, other: Self) -> Self {
-        Self {
-            least: self.least - other.largest,
-            largest: self.largest - other.least,
-        }
-    }
 }
 
 /// What a rectangle has of places where g = ∂g/∂t = 0.
@@ -245,60 +154,6 @@ impl Patch {
         }
         let along = columns.map(|column| jet(&column, s));
         core::array::from_fn(|i| along.map(|column| column[i]))
-    }
-
-    /// The halves along the side along which it changes more, or along the other one if that is
-    /// short; none if both are.
-    pub fn halves(&self, shortest: [f64; 2]) -> Option<[Patch; 2]> {
-        let [mut along_s, mut along_t]: [f64; 2] = [0.0; 2];
-        for (i, row) in self.rows.iter().enumerate() {
-            for k in 1..self.count {
-                along_t = along_t.max((row[k] - row[k - 1]).abs());
-                along_s = along_s.max((row[k] - self.rows[i.max(1) - 1][k]).abs());
-            }
-        }
-        let long = |[from, to]: [f64; 2], shortest| to - from > shortest;
-        match [long(self.s, shortest[0]), long(self.t, shortest[1])] {
-            [false, false] => None,
-            [true, true] if along_t * self.count as f64 > along_s * POINTS as f64 => {
-                Some(self.halves_along_t())
-            }
-            [true, _] => Some(self.halves_along_s()),
-            [false, true] => Some(self.halves_along_t()),
-        }
-    }
-
-    fn halves_along_s(&self) -> [Patch; 2] {
-        let (mut low, mut high) = (*self, *self);
-        let middle = 0.5 * (self.s[0] + self.s[1]);
-        (low.s[1], high.s[0]) = (middle, middle);
-        (low.shares[0], high.shares[0]) = (0.5 * self.shares[0], 0.5 * self.shares[0]);
-        for i in 0..POINTS {
-            low.rows[i] = high.rows[0];
-            for j in 0..POINTS - 1 - i {
-                let (front, back) = high.rows.split_at_mut(j + 1);
-                for (a, b) in front[j][..self.count].iter_mut().zip(&back[0]) {
-                    *a = 0.5 * (*a + b);
-                }
-            }
-        }
-        [low, high]
-    }
-
-    fn halves_along_t(&self) -> [Patch; 2] {
-        let (mut low, mut high) = (*self, *self);
-        let middle = 0.5 * (self.t[0] + self.t[1]);
-        (low.t[1], high.t[0]) = (middle, middle);
-        (low.shares[1], high.shares[1]) = (0.5 * self.shares[1], 0.5 * self.shares[1]);
-        for (low, high) in low.rows.iter_mut().zip(&mut high.rows) {
-            for i in 0..self.count {
-                low[i] = high[0];
-                for j in 0..self.count - 1 - i {
-                    high[j] = 0.5 * (high[j] + high[j + 1]);
-                }
-            }
-        }
-        [low, high]
     }
 }
 
