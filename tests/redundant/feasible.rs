@@ -125,72 +125,74 @@ fn limits_are_kept<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K,
     assert!(held_at_all > 0);
 }
 
-/// Two solutions that exist between two samples alone, for a hundredth of a radian.
+/// Of a Sawyer, with a value of the parameter at which two solutions exist between two samples
+/// alone, for a hundredth of a radian.
+pub const SHORT_LIVED: [([f64; 7], f64); 5] = [
+    (
+        [
+            -2.0616411680635767,
+            1.210609812164141,
+            2.8155527219824137,
+            0.18236020398025854,
+            2.6714318091984195,
+            -2.422998064654227,
+            2.068256876073683,
+        ],
+        2.0640263734084936,
+    ),
+    (
+        [
+            1.0307934060312585,
+            -0.27385694619999823,
+            -0.03370534047099216,
+            0.6386630201523076,
+            0.442736742214469,
+            -2.250367857500089,
+            -1.558480739367221,
+        ],
+        0.5749114556069319,
+    ),
+    (
+        [
+            2.4870549922285274,
+            -0.4427126410326476,
+            -1.3469106298760634,
+            0.33443592850150905,
+            2.8270194423581296,
+            1.1335325017720432,
+            1.2716100654888782,
+        ],
+        -0.5372123437638545,
+    ),
+    (
+        [
+            -0.9148435219776557,
+            -2.331215990729774,
+            0.18690113980274123,
+            -0.03964913717993647,
+            -2.536612107251266,
+            2.3798421082773764,
+            1.120726802549896,
+        ],
+        1.0759954838545047,
+    ),
+    (
+        [
+            -0.8238756622754896,
+            -1.5970702394055205,
+            1.314371791152245,
+            0.7646420174281687,
+            0.4354486945776128,
+            -2.122190144914424,
+            2.268171323284097,
+        ],
+        2.5368360677737583,
+    ),
+];
+
 #[test]
 fn short_lived_branches_without_a_plan_are_found() {
-    let cases = [
-        (
-            [
-                -2.0616411680635767,
-                1.210609812164141,
-                2.8155527219824137,
-                0.18236020398025854,
-                2.6714318091984195,
-                -2.422998064654227,
-                2.068256876073683,
-            ],
-            2.0640263734084936,
-        ),
-        (
-            [
-                1.0307934060312585,
-                -0.27385694619999823,
-                -0.03370534047099216,
-                0.6386630201523076,
-                0.442736742214469,
-                -2.250367857500089,
-                -1.558480739367221,
-            ],
-            0.5749114556069319,
-        ),
-        (
-            [
-                2.4870549922285274,
-                -0.4427126410326476,
-                -1.3469106298760634,
-                0.33443592850150905,
-                2.8270194423581296,
-                1.1335325017720432,
-                1.2716100654888782,
-            ],
-            -0.5372123437638545,
-        ),
-        (
-            [
-                -0.9148435219776557,
-                -2.331215990729774,
-                0.18690113980274123,
-                -0.03964913717993647,
-                -2.536612107251266,
-                2.3798421082773764,
-                1.120726802549896,
-            ],
-            1.0759954838545047,
-        ),
-        (
-            [
-                -0.8238756622754896,
-                -1.5970702394055205,
-                1.314371791152245,
-                0.7646420174281687,
-                0.4354486945776128,
-                -2.122190144914424,
-                2.268171323284097,
-            ],
-            2.5368360677737583,
-        ),
-    ];
-    for (q, value) in cases {
+    for (q, value) in SHORT_LIVED {
         let target = kinematics::Kinematics::fk(&crate::Sawyer, &q);
         let intervals = crate::Sawyer.feasible(&target);
         let solutions = crate::Sawyer.ik_at(&target, value).len();
@@ -262,20 +264,111 @@ fn branches_that_come_or_go_twice_next_to_an_end_are_found() {
     }
 }
 
-/// Targets with a symmetry, whose roots meet where an interval has its middle.
-#[test]
-fn targets_with_right_angles_have_their_intervals() {
-    let robot = Subject::new(crate::Panda, "../robots/panda.yaml", Target::Pose);
+/// Nearer than this to a value at which a branch exists alone, rounding lets solutions be.
+const BLURRED: f64 = 0.05;
+
+/// Targets with a symmetry: roots meet, stay met or are free, at single values or at all.
+fn right_angles_have_their_intervals<K: RedundantKinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+) {
+    let mut held_at_all = 0;
     for q in robot.structured() {
         let target = robot.chain.fk(&q);
         let intervals = robot.arm.feasible(&target);
+        let (points, lengths): (Vec<_>, Vec<_>) = intervals.iter().partition(|it| it.from == it.to);
+        let lengths: Vec<_> = lengths.into_iter().copied().collect();
+        let points: Vec<_> = points.into_iter().copied().collect();
         // Not at values where joints are at right angles and solutions meet.
-        let values = values::<crate::Panda, 7>(61).map(|value| value + 0.0123);
-        for value in values.filter(|&v| !is_near_end(&intervals, v, 1e-4)) {
+        let values = values::<K, N>(41).map(|value| value + 0.0123);
+        for value in values.filter(|&v| !is_near_end(&lengths, v, 1e-4)) {
+            if is_near_end(&points, value, BLURRED) {
+                continue;
+            }
             let solutions = robot.arm.ik_at(&target, value).len();
-            let held = holding::<crate::Panda, 7>(&intervals, value);
+            let held = holding::<K, N>(&lengths, value);
             assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+            held_at_all += held;
         }
+    }
+    assert!(held_at_all > 1000, "{held_at_all}");
+}
+
+/// [`right_angles_have_their_intervals`] of arms whose branches come from square roots.
+macro_rules! right_angles {
+    ($($test:ident $robot:ident $path:literal $counts:ident,)*) => { $(
+        #[test]
+        fn $test() {
+            let robot = Subject::new(crate::$robot, $path, Target::$counts);
+            right_angles_have_their_intervals(&robot);
+        }
+    )* };
+}
+
+right_angles! {
+    right_angles_of_an_iiwa Iiwa14 "../robots/iiwa14.yaml" Pose,
+    right_angles_of_an_iiwa_by_its_flange IiwaByFlange "../robots/iiwa14.yaml" Pose,
+    right_angles_of_an_iiwa_by_its_elbow IiwaByElbow "../robots/iiwa14.yaml" Pose,
+    right_angles_of_a_panda Panda "../robots/panda.yaml" Pose,
+    right_angles_of_a_ur5e Ur5e "../robots/ur5e.urdf" Pose,
+    right_angles_of_a_kr6 Kr6R900 "../robots/kr6_r900.yaml" Pose,
+}
+
+/// Stretched, an arm with spherical shoulder and wrist has no choice of its last joint.
+#[test]
+fn a_branch_that_exists_at_one_value_has_an_interval_without_length() {
+    let robot = Subject::new(crate::IiwaByFlange, "../robots/iiwa14.yaml", Target::Pose);
+    for q in [
+        [2.0134, 0.3345, 2.4981, 0.0, -0.7515, -1.5639, PI],
+        [0.706, -1.0745, -PI, 0.0, -0.4691, -0.6149, 0.3],
+    ] {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        for value in [q[6], q[6] + PI] {
+            let here = intervals.iter().filter(|it| {
+                let off = (it.from - value).rem_euclid(TAU);
+                off.min(TAU - off) < 1e-7
+            });
+            assert_ne!(here.count(), 0, "{value} of {q:?}: {intervals:#?}");
+            assert!(!robot.search(&target, value).is_empty());
+            assert!(robot.search(&target, value + 0.3).is_empty());
+        }
+        for interval in &intervals {
+            assert_eq!(interval.from, interval.to);
+            let miss = robot.miss(&interval.middle, &target, interval.from);
+            assert!(miss < 1e-9, "{miss:e} of {interval:?}");
+        }
+    }
+}
+
+/// Two roots touch zero at two values, and which of two families is singular changes there.
+#[test]
+fn branches_that_are_one_for_half_a_turn_are_not_two() {
+    let robot = Subject::new(crate::IiwaByFlange, "../robots/iiwa14.yaml", Target::Pose);
+    let q = [-PI / 2.0, 0.0, 0.7034, -0.0292, PI / 2.0, 0.0, 0.0344];
+    let target = robot.chain.fk(&q);
+    let intervals = robot.arm.feasible(&target);
+    for value in [-2.5, -1.0, 0.5, 2.0] {
+        assert_eq!(holding::<crate::IiwaByFlange, 7>(&intervals, value), 6);
+        assert_eq!(robot.arm.ik_at(&target, value).len(), 6);
+    }
+    assert!(intervals.iter().any(|interval| !interval.is_closed));
+}
+
+/// The wrist of a UR5e stretched at every turn of its tool: an angle is free, and the seed's value
+/// leaves the elbow out of reach.
+#[test]
+fn a_free_angle_that_turns_for_a_later_root_keeps_its_branch() {
+    let robot = Subject::new(crate::Ur5e, "../robots/ur5e.urdf", Target::Pose);
+    for (q, count) in [
+        ([-PI, 0.0, -0.4691, -0.6149, 0.0, PI / 2.0], 2),
+        ([-1.9959, -PI / 2.0, -0.577, -0.9436, 0.0, 0.0], 4),
+        ([-PI / 2.0, 0.0, 0.0, -PI / 2.0, 0.0, 0.0], 1),
+    ] {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        assert_eq!(intervals.len(), count, "{intervals:#?}");
+        assert!(intervals.iter().all(|interval| interval.is_closed));
+        assert!(!robot.search(&target, 0.7).is_empty());
     }
 }
 

@@ -44,6 +44,7 @@ mod feasible;
 mod follow;
 mod interfaces;
 mod nearest;
+mod rotated;
 mod self_motions;
 mod several;
 mod swivel;

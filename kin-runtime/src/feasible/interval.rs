@@ -6,6 +6,10 @@ use crate::{RedundantKinematics, math};
 use core::f64::consts::{PI, TAU};
 
 /// An interval of the parameter in which a branch of solutions exists.
+///
+/// Of a branch that exists at a single value, and next to it on neither side, it has no length:
+/// `from` is `to`. Such are the last joint's values of an arm with a spherical shoulder and wrist
+/// whose target has its elbow stretched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FeasibleInterval<const N: usize> {
     /// Its lower end, radians in (−π, π], or metres.
@@ -16,7 +20,7 @@ pub struct FeasibleInterval<const N: usize> {
     /// Whether the branch goes on from the upper end at the lower: it has no end.
     pub is_closed: bool,
     /// The configuration of the branch in the middle of the interval, by which it is told
-    /// from others; beside the middle, by hundredths of the interval, where it is singular there.
+    /// from others; beside the middle where it is singular there and not told from another.
     pub middle: [f64; N],
 }
 

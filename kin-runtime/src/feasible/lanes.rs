@@ -1,4 +1,5 @@
-//! Intervals by the roots of a plan alone: branches exist where all of them are real.
+//! Intervals by a plan alone: where its roots meet, branches may begin and end, and between such
+//! places the solutions at one value tell which of them there are.
 
 use super::interval::FeasibleInterval;
 use super::task::Task;
@@ -6,16 +7,41 @@ use crate::{RedundantKinematics, Solutions};
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
-/// Arguments that are negative by less than this are zero.
-const ZERO: f64 = 1e-12;
-/// Ends that are nearer to each other are one.
-const SAME: f64 = 1e-12;
-/// Where between two ends it is asked whether a branch exists: not in the middle, where targets
-/// with a symmetry have roots that meet.
+/// Places that are nearer to each other are one.
+const SAME: f64 = 1e-9;
+/// Of places where roots only touch zero, those are: rounding hides where they do.
+const BLURRED: f64 = 1e-6;
+/// Where between two places the solutions are asked for: not in the middle, where targets with
+/// a symmetry have roots that meet.
 const AMID: f64 = 0.381_966;
 /// Where in an interval the configuration is that stands for it: in the middle, or near it where
 /// that is singular and the branch is not told from another.
 const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
+
+/// A place at which branches may begin or end.
+#[derive(Clone, Copy)]
+struct Cut {
+    value: f64,
+    /// Whether roots meet there without ceasing to be real, or nearly: branches may exist there
+    /// alone.
+    touches: bool,
+}
+
+/// What is between two neighbouring places.
+struct Cell {
+    from: f64,
+    to: f64,
+    /// The value in between at which solutions were asked for.
+    amid: f64,
+    /// Their branches, as bits.
+    branches: u32,
+}
+
+/// The branches of solutions, as bits.
+fn branches<const N: usize>(solutions: &Solutions<N>) -> u32 {
+    let each = solutions.iter().map(|solution| 1 << solution.branch);
+    each.fold(0, |all, branch: u32| all | branch)
+}
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The intervals of all branches; none where no plan tells them.
@@ -24,22 +50,20 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             return None;
         }
         let turns = self.turns(self.parameter);
-        let ends = self.ends();
-        let mut found = Vec::new();
-        let mut middle = None;
-        // The sign of the last root changes nothing.
-        let lanes = 1 << (self.roots - 1);
-        for signs in 0..lanes {
-            let own = ends.iter().filter(|end| end.is_of(signs));
-            let own = own.map(|end| self.round(end.value));
-            let parts = self.parts(own.collect(), turns, signs);
-            for lane in (signs..self.branches).step_by(lanes) {
-                for &[from, to] in &parts {
-                    let is_closed = turns && to - from == TAU;
-                    found.extend(self.of_lane(lane, from, to, is_closed, &mut middle));
-                }
-            }
+        let cuts = self.cuts();
+        let cells = self.cells(&cuts, turns);
+        let mut all: Vec<(Run, usize)> = Vec::new();
+        for lane in 0..self.branches {
+            let own = runs(&cells, lane, turns).into_iter();
+            all.extend(own.map(|run| (run, lane)));
         }
+        // Those with the same middle one behind the other.
+        all.sort_by_key(|(run, _)| (run.first, run.last));
+        let mut last = None;
+        let each = all.into_iter();
+        let each = each.filter_map(|(run, lane)| self.of_run(&cells, lane, run, &mut last));
+        let mut found: Vec<FeasibleInterval<N>> = each.collect();
+        self.isolated(&cuts, &cells, turns, &mut found);
         Some(found)
     }
 
@@ -49,91 +73,163 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         if self.roots == 0 {
             return None;
         }
-        let ends = self.ends().into_iter().map(|end| self.round(end.value));
-        let mut ends: Vec<f64> = ends.collect();
-        ends.sort_by(f64::total_cmp);
-        ends.dedup_by(|a, b| (*a - *b).abs() < SAME);
-        Some(
-            ends.windows(2)
-                .map(|pair| 0.5 * (pair[0] + pair[1]))
-                .collect(),
-        )
+        let cuts = self.cuts();
+        let between = cuts
+            .windows(2)
+            .map(|pair| 0.5 * (pair[0].value + pair[1].value));
+        Some(between.collect())
     }
 
-    /// Within the first turn, if the parameter turns.
-    fn round(&self, value: f64) -> f64 {
-        match self.turns(self.parameter) {
-            true => crate::math::wrap(value),
-            false => value,
-        }
-    }
-
-    /// Where the roots of these signs are all real, by the values at which they may begin or
-    /// cease to be.
-    fn parts(&self, mut ends: Vec<f64>, turns: bool, signs: usize) -> Vec<[f64; 2]> {
-        let exists = |value: f64| {
-            let arguments = self.robot.root_arguments(self.target, value);
-            arguments[..self.roots]
-                .iter()
-                .all(|root| root[signs] >= -ZERO)
+    /// All places at which branches may begin or end, ascending; of a travel its ends too.
+    fn cuts(&self) -> Vec<Cut> {
+        let meetings = self.meetings();
+        let turns = self.turns(self.parameter);
+        let cut = |value: &f64, touches| Cut {
+            value: match turns {
+                true => crate::math::wrap(*value),
+                false => *value,
+            },
+            touches,
         };
-        let [first, last] = self.range();
-        if !turns {
-            ends.extend([first, last]);
-        }
-        ends.sort_by(f64::total_cmp);
-        ends.dedup_by(|a, b| (*a - *b).abs() < SAME);
-        if turns {
-            let Some(&begin) = ends.first() else {
-                let whole = exists(first).then_some([first, last]);
-                return whole.into_iter().collect();
-            };
-            ends.push(begin + TAU);
-        }
-        let mut parts: Vec<[f64; 2]> = Vec::new();
-        for pair in ends.windows(2) {
-            let [from, to] = [pair[0], pair[1]];
-            if !exists(from + AMID * (to - from)) {
-                continue;
-            }
-            match parts.last_mut() {
-                Some(part) if part[1] == from => part[1] = to,
-                _ => parts.push([from, to]),
-            }
-        }
-        // The last one goes on as the first.
-        let meets = |parts: &[[f64; 2]]| parts[parts.len() - 1][1] == parts[0][0] + TAU;
-        if turns && parts.len() > 1 && meets(&parts) {
-            let head = parts.remove(0);
-            let tail = parts.len() - 1;
-            parts[tail][1] = head[1] + TAU;
-        }
-        parts
+        let crossing = meetings.crossing.iter().map(|value| cut(value, false));
+        let touching = meetings.touching.iter().map(|value| cut(value, true));
+        let stops = self.range().map(|value| cut(&value, false));
+        let stops = stops.into_iter().filter(|_| !turns);
+        let mut cuts: Vec<Cut> = crossing.chain(touching).chain(stops).collect();
+        cuts.sort_by(|a, b| a.value.total_cmp(&b.value));
+        cuts.dedup_by(|next, kept| {
+            let apart = next.value - kept.value;
+            let is_same = apart < SAME || apart < BLURRED && kept.touches && next.touches;
+            // Of an oval that has shrunk to nothing both ends are here.
+            kept.touches |= is_same;
+            is_same
+        });
+        cuts
     }
 
-    /// The interval of a branch; none if rounding is all of it. `middle` has what was solved
+    /// What is between the cuts, in their order: of a turn, the last one goes on to the first cut.
+    fn cells(&self, cuts: &[Cut], turns: bool) -> Vec<Cell> {
+        let mut ends: Vec<f64> = cuts.iter().map(|cut| cut.value).collect();
+        if turns {
+            let [first, last] = self.range();
+            match ends.first() {
+                Some(&begin) => ends.push(begin + TAU),
+                None => ends.extend([first, last]),
+            }
+        }
+        let cell = |pair: &[f64]| {
+            let [from, to] = [pair[0], pair[1]];
+            let amid = from + AMID * (to - from);
+            let branches = branches(&self.robot.ik_at(self.target, amid));
+            Cell {
+                from,
+                to,
+                amid,
+                branches,
+            }
+        };
+        ends.windows(2).map(cell).collect()
+    }
+
+    /// The interval of a branch that exists in a run of cells. `last` has what was solved
     /// last, which other branches may share.
-    fn of_lane(
+    fn of_run(
         &self,
+        cells: &[Cell],
         lane: usize,
-        from: f64,
-        to: f64,
-        is_closed: bool,
-        middle: &mut Option<(f64, Solutions<N>)>,
+        run: Run,
+        last: &mut Option<(f64, Solutions<N>)>,
     ) -> Option<FeasibleInterval<N>> {
-        let q = MIDDLES.iter().find_map(|share| {
-            let value = from + share * (to - from);
-            let known = middle.take().filter(|known| known.0 == value);
+        let n = cells.len();
+        let turned = (run.last / n - run.first / n) as f64;
+        let from = cells[run.first % n].from;
+        let to = cells[run.last % n].to + TAU * turned;
+        let middles = MIDDLES.map(|share| from + share * (to - from));
+        let mut values = middles.into_iter().chain([cells[run.first % n].amid]);
+        let q = values.find_map(|value| {
+            let known = last.take().filter(|known| known.0 == value);
             let known = known.unwrap_or_else(|| (value, self.robot.ik_at(self.target, value)));
-            let (_, solutions) = middle.insert(known);
+            let (_, solutions) = last.insert(known);
             let solution = solutions.iter().find(|found| found.branch as usize == lane);
             solution.map(|solution| solution.q)
         });
         Some(self.wound(FeasibleInterval {
             from,
             to,
-            is_closed,
+            is_closed: run.is_closed,
             middle: q?,
         }))
     }
+
+    /// Adds intervals without length: of branches that exist where roots touch zero and on neither
+    /// side.
+    fn isolated(
+        &self,
+        cuts: &[Cut],
+        cells: &[Cell],
+        turns: bool,
+        found: &mut Vec<FeasibleInterval<N>>,
+    ) {
+        for (i, cut) in cuts.iter().enumerate().filter(|(_, cut)| cut.touches) {
+            let before = match turns {
+                true => cells.get((i + cells.len() - 1) % cells.len()),
+                false => i.checked_sub(1).and_then(|before| cells.get(before)),
+            };
+            let beside = [before, cells.get(i)];
+            let beside = beside.map(|cell| cell.map_or(0, |cell| cell.branches));
+            let solutions = self.robot.ik_at(self.target, cut.value);
+            let going_on = beside.map(u32::count_ones).into_iter().max().unwrap_or(0);
+            let own = solutions.iter().filter(|solution| {
+                let branch = 1 << solution.branch;
+                (beside[0] | beside[1]) & branch == 0
+            });
+            let count = solutions.len().saturating_sub(going_on as usize);
+            found.extend(own.take(count).map(|solution| {
+                self.wound(FeasibleInterval {
+                    from: cut.value,
+                    to: cut.value,
+                    is_closed: false,
+                    middle: solution.q,
+                })
+            }));
+        }
+    }
+}
+
+/// Neighbouring cells, of a turn by numbers that may go on beyond the last one.
+#[derive(Clone, Copy)]
+struct Run {
+    first: usize,
+    last: usize,
+    is_closed: bool,
+}
+
+/// Where a branch exists.
+fn runs(cells: &[Cell], lane: usize, turns: bool) -> Vec<Run> {
+    let n = cells.len();
+    let exists = |i: usize| cells[i % n].branches >> lane & 1 == 1;
+    // Of a turn the first one to look at is one behind a cell without the branch.
+    let begin = match turns {
+        true => (0..n).find(|&i| !exists(i)).map(|i| i + 1),
+        false => Some(0),
+    };
+    let Some(begin) = begin else {
+        return alloc::vec![Run {
+            first: 0,
+            last: n - 1,
+            is_closed: true,
+        }];
+    };
+    let mut runs: Vec<Run> = Vec::new();
+    for i in (begin..begin + n).filter(|&i| exists(i)) {
+        match runs.last_mut().filter(|run| run.last + 1 == i) {
+            Some(run) => run.last = i,
+            None => runs.push(Run {
+                first: i,
+                last: i,
+                is_closed: false,
+            }),
+        }
+    }
+    runs
 }

@@ -7,7 +7,7 @@
 //! (`unfold`, `zeros`). Otherwise the arcs
 //! are followed from sample to sample of the parameter, each sample with all of its
 //! solutions, and one between any two places where a polynomial has double roots (`eliminant`,
-//! `patch`) or a plan nearly ceases to have solutions (`suspects`); what is not carried over by tangents has to end in a fold with another one
+//! `patch` with `signs` and `halves`) or a plan nearly ceases to have solutions (`suspects`); what is not carried over by tangents has to end in a fold with another one
 //! that is not, and is sampled more finely until it does.
 
 mod arcs;
@@ -16,6 +16,7 @@ mod chebyshev;
 mod eliminant;
 mod fold;
 mod halves;
+mod interpolant;
 mod interval;
 mod lanes;
 mod limits;

@@ -7,8 +7,9 @@
 //! does. On that circle the argument of the next root is analytic, and so on: every root unfolds
 //! the curves on which all roots before it are real.
 
+use super::interpolant::Cosines;
 use super::task::Task;
-use super::zeros::{Cosines, zeros};
+use super::zeros::{Zeros, zeros};
 use crate::RedundantKinematics;
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -19,24 +20,8 @@ const ROOTS: usize = 4;
 const PIECES: usize = 4;
 /// Where a circle is cut, and what share of a part stands for it: nowhere special.
 const CUT: f64 = 0.381_966;
-
-/// Where a branch begins or ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct End {
-    /// The parameter.
-    pub value: f64,
-    /// The root whose argument vanishes.
-    root: usize,
-    /// The signs of the roots before it.
-    signs: usize,
-}
-
-impl End {
-    /// Whether it is one of a branch.
-    pub fn is_of(&self, lane: usize) -> bool {
-        lane & ((1 << self.root) - 1) == self.signs
-    }
-}
+/// Arguments that are negative by less than this are zero: roots that have met everywhere.
+const ZERO: f64 = 1e-12;
 
 /// How the variable of a curve leads to that of the curve before it, and to the sign of the
 /// root between them: − where it is negative.
@@ -136,8 +121,8 @@ impl Curve {
 }
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// Where branches begin and end; the parameter is anything modulo a turn, if it turns.
-    pub fn ends(&self) -> Vec<End> {
+    /// Where branches begin, end or meet; the parameter is anything modulo a turn, if it turns.
+    pub fn meetings(&self) -> Zeros {
         let turns = self.turns(self.parameter);
         let [from, to] = match turns {
             true => [CUT - PI, CUT + PI],
@@ -150,12 +135,12 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             to,
             is_closed: turns,
         };
-        let mut ends = Vec::new();
-        self.explore(whole, &Cosines::new(), &mut ends);
-        ends
+        let mut all = Zeros::default();
+        self.explore(whole, &Cosines::new(), &mut all);
+        all
     }
 
-    fn explore(&self, curve: Curve, cosines: &Cosines, ends: &mut Vec<End>) {
+    fn explore(&self, curve: Curve, cosines: &Cosines, all: &mut Zeros) {
         let root = curve.roots;
         if root == self.roots {
             return;
@@ -167,19 +152,18 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         // A root that is always real has none.
         let middle = argument(0.5 * (curve.from + curve.to));
         let zeros = match middle == f64::INFINITY {
-            true => Vec::new(),
+            true => Zeros::default(),
             false => zeros(cosines, &argument, curve.from, curve.to, PIECES),
         };
-        ends.extend(zeros.iter().map(|&zero| {
-            let (value, signs) = curve.at(zero);
-            End { value, root, signs }
-        }));
+        let values = |of: &[f64]| of.iter().map(|&t| curve.at(t).0).collect::<Vec<_>>();
+        all.crossing.extend(values(&zeros.crossing));
+        all.touching.extend(values(&zeros.touching));
         if root + 1 == self.roots {
             return;
         }
-        let unfolded = curve.unfolded(&zeros, |t| argument(t) >= 0.0);
+        let unfolded = curve.unfolded(&zeros.crossing, |t| argument(t) >= -ZERO);
         for next in unfolded {
-            self.explore(next, cosines, ends);
+            self.explore(next, cosines, all);
         }
     }
 }

@@ -6,12 +6,11 @@
 //! 18). Of that the second derivative is bounded by its coefficients, and so every part of a
 //! piece has, in the end, no zero or one.
 
+use super::interpolant::{Cosines, POINTS, Polynomial};
 use crate::math;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// Chebyshev points of a piece.
-const POINTS: usize = 16;
 /// The last three coefficients of a polynomial that is the function, relative to its values.
 const RESOLVED: f64 = 1e-9;
 /// What rounding may leave of them.
@@ -25,6 +24,8 @@ const HALVED: u32 = 256;
 const PARTS: u32 = 8;
 /// Values below this are rounding.
 const ROUNDING: f64 = 1e-13;
+/// An extremum nearer to zero than this may be one, but for rounding.
+const TOUCHING: f64 = 1e-9;
 /// Zeros are told to this.
 const EXACT: f64 = 1e-15;
 /// Steps towards a zero.
@@ -32,38 +33,33 @@ const STEPS: usize = 60;
 /// Golden-section steps towards an extremum.
 const EXTREMUM: usize = 30;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Over which differences are derivatives.
+const DISTANCE: f64 = 5e-3;
 
 /// A place and the value there.
 type Sample = (f64, f64);
 
-/// cos(π i / (2 · POINTS)), of a whole turn.
-pub(super) struct Cosines([f64; 4 * POINTS]);
-
-impl Cosines {
-    pub fn new() -> Self {
-        let at = |i: usize| math::sin_cos(PI * i as f64 / (2 * POINTS) as f64).1;
-        Self(core::array::from_fn(at))
-    }
-
-    /// cos(k θⱼ) of the Chebyshev point j.
-    fn at(&self, k: usize, j: usize) -> f64 {
-        self.0[k * (2 * j + 1) % (4 * POINTS)]
-    }
+/// Where a function is zero.
+#[derive(Debug, Default)]
+pub(super) struct Zeros {
+    /// Where it changes its sign, ascending.
+    pub crossing: Vec<f64>,
+    /// Where it comes so near to zero, and goes back, that rounding may keep it from getting there.
+    pub touching: Vec<f64>,
 }
 
-/// The places between `from` and `to` at which a function changes its sign, ascending, looked
-/// for on so many pieces to begin with.
+/// The zeros of a function between `from` and `to`, looked for on so many pieces to begin with.
 pub(super) fn zeros(
     cosines: &Cosines,
     f: &dyn Fn(f64) -> f64,
     from: f64,
     to: f64,
     pieces: usize,
-) -> Vec<f64> {
+) -> Zeros {
     let mut search = Search {
         cosines,
         f,
-        found: Vec::new(),
+        found: Zeros::default(),
         halved: 0,
     };
     let end = |i: usize| from + (to - from) * i as f64 / pieces as f64;
@@ -79,28 +75,9 @@ pub(super) fn zeros(
 struct Search<'a> {
     cosines: &'a Cosines,
     f: &'a dyn Fn(f64) -> f64,
-    found: Vec<f64>,
+    found: Zeros,
     /// How many pieces were halved.
     halved: u32,
-}
-
-/// A polynomial by its Chebyshev coefficients.
-struct Polynomial {
-    coefficients: [f64; POINTS],
-    /// Of |d²/dθ²| of f(cos θ).
-    bend: f64,
-}
-
-impl Polynomial {
-    /// f(cos θ), by the recurrence of Clenshaw.
-    fn at(&self, theta: f64) -> f64 {
-        let x = math::sin_cos(theta).1;
-        let (mut a, mut b) = (0.0, 0.0);
-        for c in self.coefficients[1..].iter().rev() {
-            (a, b) = (c + 2.0 * x * a - b, a);
-        }
-        self.coefficients[0] + x * a - b
-    }
 }
 
 impl Search<'_> {
@@ -115,7 +92,7 @@ impl Search<'_> {
         if largest < ROUNDING {
             return;
         }
-        let polynomial = self.polynomial(&values);
+        let polynomial = Polynomial::through(self.cosines, &values);
         let tail = &polynomial.coefficients[POINTS - 3..];
         let is_resolved = tail.iter().all(|c| c.abs() <= RESOLVED * largest + NOISE);
         if !is_resolved && halvings > 0 && self.halved < HALVED {
@@ -132,17 +109,6 @@ impl Search<'_> {
             before = next;
         }
         self.part(&polynomial, &place, before, (0.0, to.1), PARTS);
-    }
-
-    fn polynomial(&self, values: &[f64; POINTS]) -> Polynomial {
-        let mut bend = 0.0;
-        let coefficients = core::array::from_fn(|k| {
-            let sum: f64 = (0..POINTS).map(|j| values[j] * self.cosines.at(k, j)).sum();
-            let weight = if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
-            bend += (k * k) as f64 * (weight * sum).abs();
-            weight * sum
-        });
-        Polynomial { coefficients, bend }
     }
 
     /// The part of a piece between two values of θ, with the values there.
@@ -177,15 +143,25 @@ impl Search<'_> {
     fn look(&mut self, from: f64, to: f64) {
         let ends = [from, to].map(|t| (t, (self.f)(t)));
         if (ends[0].1 < 0.0) != (ends[1].1 < 0.0) {
-            self.found.push(self.zero(ends[0], ends[1]));
-        } else if let Some(beyond) = self.beyond(ends) {
-            self.found.push(self.zero(ends[0], beyond));
-            self.found.push(self.zero(beyond, ends[1]));
+            let zero = self.zero(ends[0], ends[1]);
+            return self.found.crossing.push(zero);
+        }
+        match self.beyond(ends) {
+            Ok(beyond) => {
+                let both = [self.zero(ends[0], beyond), self.zero(beyond, ends[1])];
+                self.found.crossing.extend(both);
+            }
+            Err(nearest) if (self.f)(nearest).abs() < TOUCHING => {
+                let place = self.extremum(nearest);
+                self.found.touching.push(place);
+            }
+            Err(_) => {}
         }
     }
 
-    /// Where the function, which has the same sign at both ends, has the other one.
-    fn beyond(&self, [from, to]: [Sample; 2]) -> Option<Sample> {
+    /// Where the function, which has the same sign at both ends, has the other one; otherwise
+    /// where it is nearest to that.
+    fn beyond(&self, [from, to]: [Sample; 2]) -> Result<Sample, f64> {
         let sign = if from.1 < 0.0 { 1.0 } else { -1.0 };
         let (mut low, mut high) = (from.0, to.0);
         for _ in 0..EXTREMUM {
@@ -193,14 +169,28 @@ impl Search<'_> {
             let [left, right] = [high - width, low + width].map(|t| (t, (self.f)(t)));
             let [a, b] = [left, right].map(|sample| sign * sample.1);
             if math::max(a, b) > ROUNDING {
-                return Some(if a > b { left } else { right });
+                return Ok(if a > b { left } else { right });
             }
             match a > b {
                 true => high = right.0,
                 false => low = left.0,
             }
         }
-        None
+        Err(0.5 * (low + high))
+    }
+
+    /// An extremum that values tell to the root of their rounding, by the zero of the derivative:
+    /// differences over a distance at which rounding counts less.
+    fn extremum(&self, near: f64) -> f64 {
+        let at = |steps: f64| (self.f)(near + steps * DISTANCE);
+        let [before, here, behind] = [at(-1.0), at(0.0), at(1.0)];
+        let slope = (8.0 * (behind - before) - (at(2.0) - at(-2.0))) / (12.0 * DISTANCE);
+        let bend = (before - 2.0 * here + behind) / (DISTANCE * DISTANCE);
+        let step = slope / bend;
+        match step.abs() < DISTANCE {
+            true => near - step,
+            false => near,
+        }
     }
 
     /// The zero between two places of unlike signs, by the method of false position in the
@@ -232,7 +222,7 @@ mod tests {
     use super::*;
 
     fn of(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
-        zeros(&Cosines::new(), f, -1.0, 2.0, 2)
+        zeros(&Cosines::new(), f, -1.0, 2.0, 2).crossing
     }
 
     #[track_caller]
@@ -274,8 +264,16 @@ mod tests {
     }
 
     #[test]
-    fn what_only_touches_zero_has_none() {
-        assert!(of(&|t| (t - 0.3) * (t - 0.3)).is_empty());
-        assert!(of(&|_| 0.0).is_empty());
+    fn where_zero_is_only_touched_is_told_apart() {
+        for sign in [1.0, -1.0] {
+            let f = |t: f64| sign * (t - 0.3) * (t - 0.3) * (1.5 + t.sin());
+            let found = zeros(&Cosines::new(), &f, -1.0, 2.0, 2);
+            assert!(found.crossing.is_empty(), "{found:?}");
+            let is_there = |t: &f64| (t - 0.3).abs() < 1e-9;
+            assert!(!found.touching.is_empty(), "{found:?}");
+            assert!(found.touching.iter().all(is_there), "{found:?}");
+        }
+        let nothing = zeros(&Cosines::new(), &|_| 0.0, -1.0, 2.0, 2);
+        assert!(nothing.crossing.is_empty() && nothing.touching.is_empty());
     }
 }

@@ -195,8 +195,12 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// Where branches come from the square roots of a plan ([`RedundantKinematics::ROOTS`]), all
     /// ends are zeros of the roots' arguments, each an analytic function on the curves on which
     /// the roots before it are real, and polynomials that are these functions to nine digits
-    /// leave none of them out. Next to singular targets, where arguments vanish together,
-    /// rounding decides.
+    /// leave none of them out. Which branches there are between two of them,
+    /// [`RedundantKinematics::ik_at`] tells. So branches that are one throughout, because a root
+    /// vanishes for all values or an angle is free, have one interval; where a root only touches
+    /// zero, branches may change places, one interval ending and another one beginning; and where
+    /// it does so from below, a branch exists at that value alone, and its interval has no
+    /// length. Next to singular targets, where arguments vanish together, rounding decides.
     ///
     /// Other arms are followed from sample to sample, 64 to begin with. Of an arm without closed
     /// form the polynomial in one of its joints is one in the sine and cosine of the parameter as
