@@ -233,9 +233,6 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
 
     fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
         let form = self.robot.arm.form()?;
-        if self.robot.parameters() > 1 {
-            return None;
-        }
         let parameters = self.with(parameter);
         let (target, given) = self.robot.turned(target, &parameters);
         form.eliminant(&target, given, which)
@@ -243,10 +240,6 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
 
     fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
         let (form, domain) = self.robot.arm.form().zip(self.robot.domain.as_ref())?;
-        // Generated robots with several parameters tell none.
-        if self.robot.parameters() > 1 {
-            return None;
-        }
         let parameters = self.with(parameter);
         let (target, given) = self.robot.turned(target, &parameters);
         domain.margins(form, &target, given)

@@ -17,6 +17,15 @@ fn read(path: &str, options: &RobotOptions) -> Robot {
     Robot::load(&source, options).unwrap()
 }
 
+/// Of two parameters, the last joint and the turn of the tool.
+pub fn sawyer_whose_tool_turns() -> Robot {
+    let options = RobotOptions {
+        target: Some(Target::PositionAxis),
+        ..RobotOptions::default()
+    };
+    read("../robots/sawyer.yaml", &options)
+}
+
 fn loaded<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) -> Robot {
     let free = match K::PARAMETER {
         Parameter::Joint(joint) => vec![K::JOINT_NAMES[joint].to_owned()],

@@ -2,7 +2,8 @@
 
 use crate::random::Random;
 use kinematics::{
-    Criterion, Follow, HighlyRedundantKinematics, Parameter, Pose, RedundantKinematics, kinematics,
+    Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, Parameter, Pose,
+    RedundantKinematics, kinematics,
 };
 use std::f64::consts::PI;
 
@@ -13,6 +14,11 @@ kinematics!(
 kinematics!(
     "../robots/panda.yaml",
     name = PandaTool,
+    target = position_axis
+);
+kinematics!(
+    "../robots/sawyer.yaml",
+    name = SawyerTool,
     target = position_axis
 );
 
@@ -138,4 +144,25 @@ fn with_the_others_held_one_parameter_has_its_intervals() {
     let given = PandaTool.redundancy(&target, &q);
     along_one(&PandaTool.along::<0>([9.9, given[1]]), &q, &target);
     along_one(&PandaTool.along::<1>([given[0], 9.9]), &q, &target);
+}
+
+/// Without closed form, where branches begin and end is looked for along each of two parameters:
+/// the last joint turns about the axis that the tool turns about.
+#[test]
+fn short_lived_branches_along_one_of_two_parameters_are_found() {
+    let loaded = crate::at_run_time::sawyer_whose_tool_turns();
+    for (q, _) in &crate::feasible::SHORT_LIVED[..2] {
+        let target = SawyerTool.fk(q);
+        let alone = crate::Sawyer.feasible(&target);
+        assert_eq!(SawyerTool.along::<0>([9.9, 0.0]).feasible(&target), alone);
+        let ends = |it: &FeasibleInterval<7>| [it.from, it.to];
+        let read = loaded.along(0, &[9.9, 0.0]).feasible(&target);
+        let read: Vec<[f64; 2]> = read.iter().map(|it| [it.from, it.to]).collect();
+        assert_eq!(read, alone.iter().map(ends).collect::<Vec<_>>());
+        let turned = SawyerTool.along::<1>([q[6], 9.9]).feasible(&target);
+        let length =
+            |all: &[FeasibleInterval<7>]| -> f64 { all.iter().map(|it| it.to - it.from).sum() };
+        assert_eq!(turned.len(), alone.len());
+        assert!((length(&turned) - length(&alone)).abs() < 1e-6);
+    }
 }

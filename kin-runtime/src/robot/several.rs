@@ -1,5 +1,6 @@
 //! Arms with several joints more than their targets have coordinates.
 
+use crate::__private::Eliminant;
 #[cfg(feature = "alloc")]
 use crate::{
     Criterion, FeasibleInterval,
@@ -34,6 +35,24 @@ pub trait HighlyRedundantKinematics<const N: usize, const P: usize>: Kinematics<
     fn root_arguments(&self, target: &Pose, parameters: &[f64; P]) -> [[f64; 16]; 4] {
         let _ = (target, parameters);
         [[f64::INFINITY; 16]; 4]
+    }
+
+    /// As [`RedundantKinematics::margins_at`].
+    fn margins_at(&self, target: &Pose, parameters: &[f64; P]) -> Option<[f64; 16]> {
+        let _ = (target, parameters);
+        None
+    }
+
+    /// As [`RedundantKinematics::eliminant_at`].
+    #[doc(hidden)]
+    fn eliminant_at(
+        &self,
+        target: &Pose,
+        parameters: &[f64; P],
+        which: usize,
+    ) -> Option<Eliminant> {
+        let _ = (target, parameters, which);
+        None
     }
 
     /// The arm along its parameter I, counted from 0, with the others held at these values: for
@@ -158,6 +177,15 @@ where
 
     fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
         self.robot.root_arguments(target, &self.with(parameter))
+    }
+
+    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
+        self.robot.margins_at(target, &self.with(parameter))
+    }
+
+    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
+        let parameters = self.with(parameter);
+        self.robot.eliminant_at(target, &parameters, which)
     }
 
     #[cfg(feature = "alloc")]

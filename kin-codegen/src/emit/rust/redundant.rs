@@ -325,6 +325,10 @@ pub fn kinematics(
 ) -> TokenStream {
     let name = &names.robot;
     let arguments = root_arguments(solver, redundancy);
+    let margins = match arguments {
+        Some(_) => None,
+        None => margins(solver, redundancy),
+    };
     if redundancy.parameters() > 1 {
         let count = usize_literal(redundancy.parameters());
         return quote! {
@@ -337,13 +341,10 @@ pub fn kinematics(
                     #name::ik_at(self, pose, parameters)
                 }
                 #arguments
+                #margins
             }
         };
     }
-    let margins = match arguments {
-        Some(_) => None,
-        None => margins(solver, redundancy),
-    };
     quote! {
         impl RedundantKinematics<#n> for #name {
             const PARAMETER: Parameter = Self::PARAMETERS[0];
@@ -443,9 +444,10 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
             }
         },
     };
+    let (takes, _) = argument(redundancy);
     Some(quote! {
         fn margins_at(
-            &self, pose: &Pose, parameter: f64
+            &self, pose: &Pose, #takes
         ) -> ::core::option::Option<[f64; 16]> {
             #prologue
             let mut margins = [0.0; 16];
@@ -458,15 +460,12 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
 /// What is left of a target by elimination.
 fn eliminant(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
     let turned = turned(redundancy);
-    let given: Vec<TokenStream> = redundancy
-        .joints
-        .iter()
-        .map(|_| quote!(parameter))
-        .collect();
-    let target = carried(solver, &given);
+    let given = (0..redundancy.joints.len()).map(|i| parameter(redundancy, i));
+    let target = carried(solver, &given.collect::<Vec<_>>());
+    let (takes, _) = argument(redundancy);
     quote! {
         fn eliminant_at(
-            &self, pose: &Pose, parameter: f64, which: usize
+            &self, pose: &Pose, #takes, which: usize
         ) -> ::core::option::Option<Eliminant> {
             #turned
             Self::UNIVARIATE.eliminant(#target, which)
