@@ -25,9 +25,9 @@ use std::ops::Range;
 const ROUNDING: f64 = 1e-14;
 /// Axes whose directions differ less than this are parallel.
 const PARALLEL: f64 = 1e-13;
-/// Axes nearer to parallel than this have their common normal so far away
-/// that its foot is rounding error; any point of the axis serves instead.
-const FAR_NORMAL: f64 = 1e-3;
+/// Axes nearer to parallel than this have their common normal so far away that frames at
+/// its foot would cost as many digits; any point of the axis serves instead.
+const FAR_NORMAL: f64 = 5e-2;
 
 /// The chain as alternating joint motions and constant motions.
 #[derive(Clone, Debug)]
