@@ -39,6 +39,11 @@ const STEPS: usize = 6;
 /// tell the two apart.
 const MEETING: f64 = 3e-3;
 
+/// The same of branches of an idealized arm, as a multiple of what is nearly singular: where a
+/// root of the plan is flagged, the two solutions that differ by its sign may be as far from
+/// each other.
+const MEETING_BRANCHES: f64 = 4.0;
+
 /// In units of the arm's size, how near Newton's method comes to a target that it
 /// converges to slowly, or that is out of reach by little.
 const NEARLY: f64 = 1e-3;
@@ -139,7 +144,7 @@ impl<'a> Search<'a> {
         if !self.is_rotation {
             return Solutions::new();
         }
-        self.meeting = math::max(MEETING, near_singular);
+        self.meeting = math::max(MEETING, MEETING_BRANCHES * near_singular);
         self.branch = count as u32;
         let mut clear = true;
         let mut numbers = [0; LANES];
@@ -154,8 +159,6 @@ impl<'a> Search<'a> {
         if self.starts.count > 0 {
             clear &= self.refined(&numbers);
         }
-        let mut independence = self.found.independence[..self.found.regular.len()].iter();
-        clear &= !independence.any(|&x| x < near_singular);
         if let (false, Some(elimination)) = (clear, self.arm.eliminations.first()) {
             self.ask(elimination);
         }
