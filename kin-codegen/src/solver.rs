@@ -28,7 +28,7 @@ const REFINED: usize = 2;
 const CERTIFIED: usize = 8;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
-pub(crate) const DESIGNED: f64 = 5e-3;
+pub(crate) const DESIGNED: f64 = 1e-2;
 
 /// Axes of an idealized arm meet to this, in radians and of its size.
 const EXACT: f64 = 1e-11;
@@ -392,9 +392,12 @@ fn solve_idealized(
             if let Some(arm) = &beside {
                 form.refinement = Refinement::Univariate(Box::new(arm.clone()));
             }
-            let quartic = |inverse: &InverseGraph| inverse.arguments.is_none();
-            if form.single.is_some() && form.expressions().is_some_and(quartic) {
+            if form.single.is_some() && form.expressions().is_some_and(InverseGraph::has_quartic) {
                 refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
+                break;
+            }
+            if beside.is_some() && form.expressions().is_some_and(InverseGraph::tells_nothing) {
+                // The elimination would be asked at every target, and does as well alone.
                 break;
             }
             let losses = best
@@ -506,5 +509,5 @@ pub(crate) fn tip_shift(given: &Model, idealized: &Model) -> f64 {
             .collect();
         Target::Pose.distance(&a.fk(&q), &b.fk(&q), size)
     };
-    (0..8).map(at).fold(0.0, f64::max)
+    (0..64).map(at).fold(0.0, f64::max)
 }

@@ -14,6 +14,7 @@ use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
 use measured::{configuration, measured};
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 use std::path::Path;
 
 /// Below this conditioning solutions may be lost.
@@ -110,4 +111,54 @@ fn branches_alone_lose_some() {
     };
     arm.kept.clear();
     assert!(lost(&form) > 0);
+}
+
+/// The share of random targets at which the branches are not known to be all solutions, an
+/// elimination being asked. Derivatives of the roots by the target tell; bounds of what every
+/// step makes of the one before, multiplied, would ask at each.
+#[test]
+fn branches_are_known_to_be_all() {
+    for (path, noise, most) in [
+        ("robots/ur5e.urdf", 1e-4, 0.2),
+        ("robots/kr6_r900.yaml", 1e-4, 0.2),
+        ("robots/puma560.yaml", 1e-4, 0.2),
+        ("robots/ur5e.urdf", 1e-3, 0.5),
+        ("robots/kr6_r900.yaml", 1e-3, 0.5),
+    ] {
+        let mut random = Random(0x5eed);
+        let model = measured(&design(path), noise, &mut random);
+        let form = solve(&model, &Linkage::new(&model), Target::Pose)
+            .unwrap()
+            .form;
+        let chain = model.chain();
+        let count = 400;
+        let mut unknown = 0;
+        for _ in 0..count {
+            let q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
+            let branches = form.branches_at(&chain.fk(&q), &[]);
+            unknown += usize::from(branches.iter().any(|branch| branch.singular));
+        }
+        let share = unknown as f64 / f64::from(count);
+        assert!(share < most, "{path} {noise:e}: {share}");
+    }
+}
+
+/// The common normal of two axes that are nearly parallel is far away: frames there would cost
+/// digits, and Newton's method would not come as near to its targets as solutions have to.
+#[test]
+fn nearly_parallel_axes_cost_no_digits() {
+    let mut random = Random(0x5eed);
+    for decade in 1..=12 {
+        for multiple in [1.0, 2.0, 5.0] {
+            let tilt = multiple * 10_f64.powi(-decade);
+            let model = measured(&design("robots/tx60.yaml"), tilt, &mut random);
+            let (chain, linkage) = (model.chain(), Linkage::new(&model));
+            for k in 0..20 {
+                let q = configuration(k, &mut random);
+                let (here, _) = linkage.fk_jacobian::<6>(q[..].try_into().unwrap(), &[]);
+                let apart = Target::Pose.distance(&here, &chain.fk(&q), linkage.size);
+                assert!(apart < 2e-14 * linkage.size, "{tilt:e} {q:?}: {apart:e}");
+            }
+        }
+    }
 }

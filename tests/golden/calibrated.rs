@@ -6,8 +6,8 @@
 // Forward kinematics: 108 multiplications, 69 additions, 6 sines with cosines.
 // With the spatial Jacobian: 165 multiplications, 99 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 193 multiplications, 134 additions, 10 divisions, 14 roots, 4
-// sines with cosines, 6 arctangents, 46 selections.
+// branches; one branch: 514 multiplications, 362 additions, 9 divisions, 8 roots, 4
+// sines with cosines, 6 arctangents, 56 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
@@ -87,7 +87,7 @@ mod __Calibrated {
     /// | 7 | right | down | flipped |
     ///
     /// - Shoulder left or right: the side of axis 1 on which the plane of the upper arm and forearm is, seen from above and from axis 1 towards the wrist.
-    /// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to axis 4.
+    /// - Elbow up or down: whether axis 3 is above or below the line from axis 2 to axis 4; the other way round where, close to axis 1, that line leads back to it.
     /// - Wrist not flipped: q5 is between 0° and 180°.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Calibrated;
@@ -1385,271 +1385,570 @@ mod __Calibrated {
             let mut t13_ = [0.0; T];
             let mut t14_ = [0.0; T];
             let mut t15_ = [0.0; T];
+            let mut t16_ = [0.0; T];
+            let mut t17_ = [0.0; T];
+            let mut t18_ = [0.0; T];
             let mut t19_ = [0.0; T];
+            let mut t20_ = [0.0; T];
             let mut t21_ = [0.0; T];
+            let mut t22_ = [0.0; T];
+            let mut t23_ = [0.0; T];
             let mut t24_ = [0.0; T];
             let mut t25_ = [0.0; T];
             let mut t26_ = [0.0; T];
-            let mut t28_ = [0.0; T];
-            let mut t29_ = [0.0; T];
-            let mut t30_ = [0.0; T];
-            let mut t31_ = [0.0; T];
-            let mut t39_ = [0.0; T];
+            let mut t27_ = [0.0; T];
+            let mut t37_ = [0.0; T];
+            let mut t38_ = [0.0; T];
+            let mut t41_ = [0.0; T];
+            let mut t42_ = [0.0; T];
+            let mut t43_ = [0.0; T];
+            let mut t44_ = [0.0; T];
+            let mut t46_ = [0.0; T];
+            let mut t47_ = [0.0; T];
+            let mut t48_ = [0.0; T];
+            let mut t49_ = [0.0; T];
+            let mut t50_ = [0.0; T];
+            let mut t58_ = [0.0; T];
             for t in 0..T {
+                let t10 = 0.099599986933972 * r12[t];
+                let t11 = 0.099599986933972 * r22[t];
+                let t12 = 0.099599986933972 * r32[t];
+                let t13 = 0.099599986933972 * r11[t];
+                let t14 = t13 - 0.000038951164947 * r13[t];
+                let t15 = 0.099599986933972 * r21[t];
+                let t16 = t15 - 0.000038951164947 * r23[t];
+                let t17 = 0.099599986933972 * r31[t];
+                let t18 = t17 - 0.000038951164947 * r33[t];
+                let t19 = 0.000038951164947 * r12[t];
+                let t20 = 0.000038951164947 * r22[t];
+                let t21 = 0.000038951164947 * r32[t];
                 // 1. q1 by SP4 (what all branches share)
-                let t10 = 0.099599986933972 * r13[t];
-                let t11 = 0.099599986933972 * r23[t];
-                let t12 = 0.099599986933972 * r33[t];
-                let t13 = px[t] - (0.000038951164947 * r11[t] + t10);
-                let t14 = 0.000038951164947 * r21[t] + t11 - py[t];
-                let t15 = t14 * t14 + t13 * t13;
-                let t16 = t15 - 0.017810176447143812;
-                let t17 = math::sqrt(t15);
-                let t18 = 0.009625820932305094 * math::max(0.009625820932305094, t17);
-                let t19 = math::select(t16 < -t18, 1.0, 0.0);
-                let t20 = math::max(t16, 0.0008371247079450102 * t15);
-                let t21 = math::sqrt(t20);
-                let t22 = -t17;
-                let t23 = math::max(t22, -math::max(-0.13345477303994718, t22));
-                let t24 = t14 * t23;
-                let t25 = t13 * t23;
-                let t26 = math::max(
-                    math::select(t16 < t18, 1.0, 0.0),
-                    math::select(t15 < 0.00009265642862080287, 1.0, 0.0),
+                let t22 = 0.099599986933972 * r13[t];
+                let t23 = 0.099599986933972 * r23[t];
+                let t24 = 0.099599986933972 * r33[t];
+                let t25 = px[t] - (0.000038951164947 * r11[t] + t22);
+                let t26 = 0.000038951164947 * r21[t] + t23 - py[t];
+                let t27 = t26 * t26 + t25 * t25;
+                let t28 = t27 - 0.017810176447143812;
+                let t29 = 1e-13 * t27;
+                let t30 = 1.1498670199252323 * t25;
+                let t31 = t30 + t30;
+                let t32 = 1.1498670199252323 * t26;
+                let t33 = t32 + t32;
+                let t34 = 0.0000028031111066080745 * (t31 * t31 + t33 * t33);
+                let t35 = math::max(t29, 0.0000037062571448321162);
+                let t36 = math::select(t34 + t35 * t35 < t28 * t28, 0.0, 1.0);
+                let t37 = math::select(t28 < 0.0, 1.0 - t36, 0.0);
+                let t38 = math::sqrt(math::max(t28, t29));
+                let t39 = -math::sqrt(t27);
+                let t40 = math::max(t39, -math::max(-0.13345477303994718, t39));
+                let t41 = t26 * t40;
+                let t42 = t25 * t40;
+                let t43 = math::max(
+                    t36,
+                    math::select(t34 + 1.373634202361911e-11 < t27 * t27, 0.0, 1.0),
                 );
-                let t27 = 0.0008371247079450102
-                    / (math::sqrt(t20 / t15)
-                        * math::sqrt(
-                            0.7563185707491022 * math::max(t15, 1.3221941635117346e-24),
-                        ));
-                let t28 = t27 + 0.0008371247079450102;
-                let t29 = 1.0 / t15;
+                let t44 = 1.0 / t27;
                 // 2. q5 and q6 by SP2, given q1 (what all branches share)
-                let t30 = 10.0 * t28;
-                let t31 = t30 * t30;
+                let t45 = 0.5 / t38;
+                let t46 = t31 * t45;
+                let t47 = 1.1498670199252323 * t40;
+                let t48 = t44 * (t31 * t44);
+                let t49 = t33 * t45;
+                let t50 = t44 * (t33 * t44);
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t32 = 0.5
+                let t51 = 0.5
                     * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
-                let t33 = 0.5
+                let t52 = 0.5
                     * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
-                let t34 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
-                let t35 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
-                let t36 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
-                let t37 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
-                let t38 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36
-                    + t37 * t37;
-                let t39 = 4.930380657631324e-32
+                let t53 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
+                let t54 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
+                let t55 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
+                let t56 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
+                let t57 = t51 * t51 + t52 * t52 + t53 * t53 + t54 * t54 + t55 * t55
+                    + t56 * t56;
+                let t58 = 4.930380657631324e-32
                     * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t]))
-                    + 1.3221941635117347 * t38;
+                    + 1.3221941635117347 * t57;
                 t10_[t] = t10;
                 t11_[t] = t11;
                 t12_[t] = t12;
                 t13_[t] = t13;
                 t14_[t] = t14;
                 t15_[t] = t15;
+                t16_[t] = t16;
+                t17_[t] = t17;
+                t18_[t] = t18;
                 t19_[t] = t19;
+                t20_[t] = t20;
                 t21_[t] = t21;
+                t22_[t] = t22;
+                t23_[t] = t23;
                 t24_[t] = t24;
                 t25_[t] = t25;
                 t26_[t] = t26;
-                t28_[t] = t28;
-                t29_[t] = t29;
-                t30_[t] = t30;
-                t31_[t] = t31;
-                t39_[t] = t39;
+                t27_[t] = t27;
+                t37_[t] = t37;
+                t38_[t] = t38;
+                t41_[t] = t41;
+                t42_[t] = t42;
+                t43_[t] = t43;
+                t44_[t] = t44;
+                t46_[t] = t46;
+                t47_[t] = t47;
+                t48_[t] = t48;
+                t49_[t] = t49;
+                t50_[t] = t50;
+                t58_[t] = t58;
             }
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             let mut s1_ = [[0.0; T]; 4];
             let mut c1_ = [[0.0; T]; 4];
-            let mut t62_ = [[0.0; T]; 4];
-            let mut t63_ = [[0.0; T]; 4];
+            let mut t154_ = [[0.0; T]; 4];
+            let mut t155_ = [[0.0; T]; 4];
             let mut invalid_ = [[0.0; T]; 4];
-            let mut t78_ = [[0.0; T]; 4];
-            let mut t79_ = [[0.0; T]; 4];
-            let mut t83_ = [[0.0; T]; 4];
-            let mut t84_ = [[0.0; T]; 4];
-            let mut t85_ = [[0.0; T]; 4];
-            let mut t86_ = [[0.0; T]; 4];
-            let mut t87_ = [[0.0; T]; 4];
+            let mut t228_ = [[0.0; T]; 4];
+            let mut t229_ = [[0.0; T]; 4];
+            let mut t233_ = [[0.0; T]; 4];
+            let mut t234_ = [[0.0; T]; 4];
+            let mut t235_ = [[0.0; T]; 4];
+            let mut t236_ = [[0.0; T]; 4];
+            let mut t239_ = [[0.0; T]; 4];
             let mut singular_ = [[0.0; T]; 4];
-            let mut t89_ = [[0.0; T]; 4];
-            let mut t103_ = [[0.0; T]; 4];
-            let mut t104_ = [[0.0; T]; 4];
-            let mut t106_ = [[0.0; T]; 4];
-            let mut t107_ = [[0.0; T]; 4];
-            let mut t118_ = [[0.0; T]; 4];
+            let mut t266_ = [[0.0; T]; 4];
+            let mut t280_ = [[0.0; T]; 4];
+            let mut t281_ = [[0.0; T]; 4];
+            let mut t283_ = [[0.0; T]; 4];
+            let mut t284_ = [[0.0; T]; 4];
+            let mut t295_ = [[0.0; T]; 4];
             let mut q1_ = [[0.0; T]; 4];
-            let mut t119_ = [[0.0; T]; 4];
+            let mut t296_ = [[0.0; T]; 4];
             let mut q5_ = [[0.0; T]; 4];
             let mut q6_ = [[0.0; T]; 4];
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
-                    let t40 = e1[k] * t21_[t];
+                    let t59 = e1[k] * t38_[t];
+                    let t60 = t42_[t] + t26_[t] * t59;
+                    let t61 = t41_[t] - t25_[t] * t59;
                     let s1 = math::select(
-                        t15_[t] < 1.3221941635117346e-24,
+                        t27_[t] < 1.3221941635117346e-24,
                         t4,
-                        (t25_[t] + t14_[t] * t40) * t29_[t],
+                        t60 * t44_[t],
                     );
                     let c1 = math::select(
-                        t15_[t] < 1.3221941635117346e-24,
+                        t27_[t] < 1.3221941635117346e-24,
                         t8,
-                        (t24_[t] - t13_[t] * t40) * t29_[t],
+                        t61 * t44_[t],
                     );
                     // 2. q5 and q6 by SP2, given q1
-                    let t41 = r13[t] * s1 - r23[t] * c1;
-                    let t42 = r21[t] * c1 - r11[t] * s1;
-                    let t43 = r22[t] * c1 - r12[t] * s1;
-                    let t44 = t43 * t43 + t42 * t42;
-                    let t45 = math::sqrt(t44);
-                    let t46 = t30_[t] * math::max(t30_[t], t45);
-                    let t47 = math::max(
+                    let t62 = r11[t] * s1;
+                    let t63 = r21[t] * c1;
+                    let t64 = t62 - t63;
+                    let t65 = r13[t] * s1;
+                    let t66 = r23[t] * c1;
+                    let t67 = t65 - t66;
+                    let t68 = t63 - t62;
+                    let t69 = r22[t] * c1 - r12[t] * s1;
+                    let t70 = t69 * t69 + t68 * t68;
+                    let t71 = 1e-13 * t70;
+                    let t72 = e1[k] * t46_[t];
+                    let t73 = 1.1498670199252323 * t59;
+                    let t74 = math::select(
+                        t27_[t] < 1.3221941635117346e-24,
+                        0.0,
+                        t44_[t] * (t47_[t] + t26_[t] * t72) - t60 * t48_[t],
+                    );
+                    let t75 = math::select(
+                        t27_[t] < 1.3221941635117346e-24,
+                        0.0,
+                        -(t61 * t48_[t] + t44_[t] * (t25_[t] * t72 + t73)),
+                    );
+                    let t76 = r21[t] * t75 - r11[t] * t74;
+                    let t77 = r22[t] * t75 - r12[t] * t74;
+                    let t78 = t69 * t77;
+                    let t79 = t68 * t76;
+                    let t80 = t78 + t78 + (t79 + t79);
+                    let t81 = e1[k] * t49_[t];
+                    let t82 = math::select(
+                        t27_[t] < 1.3221941635117346e-24,
+                        0.0,
+                        t60 * t50_[t] - t44_[t] * (t73 + t26_[t] * t81),
+                    );
+                    let t83 = math::select(
+                        t27_[t] < 1.3221941635117346e-24,
+                        0.0,
+                        t61 * t50_[t] + t44_[t] * (t25_[t] * t81 - t47_[t]),
+                    );
+                    let t84 = r21[t] * t83 - r11[t] * t82;
+                    let t85 = r22[t] * t83 - r12[t] * t82;
+                    let t86 = t69 * t85;
+                    let t87 = t68 * t84;
+                    let t88 = t86 + t86 + (t87 + t87);
+                    let t89 = t66 - t65;
+                    let t90 = t69 * t89;
+                    let t91 = t90 + t90;
+                    let t92 = t67 * t68;
+                    let t93 = t92 + t92;
+                    let t94 = t64 * t69;
+                    let t95 = t68 * t69;
+                    let t96 = t94 + t94 + (t95 + t95);
+                    let t97 = 0.0000028031111066080745
+                        * (t80 * t80 + t88 * t88 + t91 * t91 + t93 * t93 + t96 * t96);
+                    let t98 = math::max(0.0000028031111066080745, t71);
+                    let t99 = t70 * t70;
+                    let t100 = math::max(
+                        t43_[t],
+                        math::select(t97 + t98 * t98 < t99, 0.0, 1.0),
+                    );
+                    let t101 = math::max(
                         math::max(
-                            t19_[t],
-                            math::select(t15_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
+                            t37_[t],
+                            math::select(t27_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
                         ),
-                        math::select(t44 < -t46, 1.0, 0.0),
+                        math::select(t70 < 0.0, 1.0 - t100, 0.0),
                     );
-                    let t48 = math::max(t44, 0.0008371247079450102 * t44);
-                    let t49 = e2[k] * math::sqrt(t48);
-                    let t50 = -t45;
-                    let t51 = math::max(t50, -math::max(0.0, t50));
-                    let t52 = t28_[t]
-                        + t28_[t]
-                            / (math::sqrt(t48 / t44)
-                                * math::sqrt(math::max(1e-24, t44)));
-                    let t53 = 1.0 / t44;
-                    let s6 = math::select(
-                        t44 < 1e-24,
-                        t3,
-                        (t42 * t51 + t43 * t49) * t53,
+                    let t102 = math::sqrt(math::max(t70, t71));
+                    let t103 = e2[k] * t102;
+                    let t104 = -math::sqrt(t70);
+                    let t105 = math::max(t104, -math::max(0.0, t104));
+                    let t106 = t69 * t105;
+                    let t107 = t69 * t103;
+                    let t108 = t68 * t105 + t107;
+                    let t109 = t106 - t68 * t103;
+                    let t110 = 1.0 / t70;
+                    let s6 = math::select(t70 < 1e-24, t3, t108 * t110);
+                    let c6 = math::select(t70 < 1e-24, t7, t109 * t110);
+                    let t111 = t68 * c6;
+                    let t112 = t69 * s6;
+                    let t113 = t111 - t112;
+                    let t114 = math::sqrt(t67 * t67 + t113 * t113);
+                    let t115 = 0.5 / t102;
+                    let t116 = e2[k] * (t80 * t115);
+                    let t117 = t110 * (t80 * t110);
+                    let t118 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t76 * t105 + (t69 * t116 + t77 * t103)) - t108 * t117,
                     );
-                    let c6 = math::select(
-                        t44 < 1e-24,
-                        t7,
-                        (t43 * t51 - t42 * t49) * t53,
+                    let t119 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t77 * t105 - (t68 * t116 + t76 * t103)) - t109 * t117,
                     );
-                    let t54 = t42 * c6;
-                    let t55 = t43 * s6;
-                    let t56 = t54 - t55;
-                    let t57 = math::sqrt(t41 * t41 + t56 * t56);
-                    let t58 = 10.0 * t52;
-                    let t59 = math::max(
+                    let t120 = t67 * (r13[t] * t74 - r23[t] * t75);
+                    let t121 = t113 * (t68 * t119 + t76 * c6 - (t69 * t118 + t77 * s6));
+                    let t122 = 0.5 / t114;
+                    let t123 = (t120 + t120 + (t121 + t121)) * t122;
+                    let t124 = e2[k] * (t88 * t115);
+                    let t125 = t110 * (t88 * t110);
+                    let t126 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t84 * t105 + (t69 * t124 + t85 * t103)) - t108 * t125,
+                    );
+                    let t127 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t85 * t105 - (t68 * t124 + t84 * t103)) - t109 * t125,
+                    );
+                    let t128 = t67 * (r13[t] * t82 - r23[t] * t83);
+                    let t129 = t113 * (t68 * t127 + t84 * c6 - (t69 * t126 + t85 * s6));
+                    let t130 = t122 * (t128 + t128 + (t129 + t129));
+                    let t131 = e2[k] * (t91 * t115);
+                    let t132 = t110 * (t91 * t110);
+                    let t133 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t69 * t131 + t89 * t103) - t108 * t132,
+                    );
+                    let t134 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t89 * t105 - t68 * t131) - t109 * t132,
+                    );
+                    let t135 = t67 * t69;
+                    let t136 = t113 * (t68 * t134 - (t69 * t133 + t89 * s6));
+                    let t137 = t122 * (t135 + t135 + (t136 + t136));
+                    let t138 = e2[k] * (t93 * t115);
+                    let t139 = t110 * (t93 * t110);
+                    let t140 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t67 * t105 + t69 * t138) - t108 * t139,
+                    );
+                    let t141 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        -(t109 * t139 + t110 * (t68 * t138 + t67 * t103)),
+                    );
+                    let t142 = t64 * t67;
+                    let t143 = t113 * (t68 * t141 + t67 * c6 - t69 * t140);
+                    let t144 = t122 * (t142 + t142 + (t143 + t143));
+                    let t145 = e2[k] * (t96 * t115);
+                    let t146 = t110 * (t96 * t110);
+                    let t147 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t106 + (t69 * t145 + t64 * t103)) - t108 * t146,
+                    );
+                    let t148 = math::select(
+                        t70 < 1e-24,
+                        0.0,
+                        t110 * (t64 * t105 - (t107 + t68 * t145)) - t109 * t146,
+                    );
+                    let t149 = t113 * (t69 * c6 + t68 * t148 - (t69 * t147 + t64 * s6));
+                    let t150 = t122 * (t149 + t149);
+                    let t151 = 0.0000028031111066080745
+                        * (t123 * t123 + t130 * t130 + t137 * t137 + t144 * t144
+                            + t150 * t150);
+                    let t152 = math::max(
                         math::max(
-                            math::max(t26_[t], math::select(t44 < t46, 1.0, 0.0)),
-                            math::select(t44 < t31_[t], 1.0, 0.0),
+                            t100,
+                            math::select(t97 + 7.857431875989545e-12 < t99, 0.0, 1.0),
                         ),
-                        math::select(t57 < t58 * t58, 1.0, 0.0),
+                        math::select(
+                            t151 + 7.857431875989545e-12 < t114 * t114,
+                            0.0,
+                            1.0,
+                        ),
                     );
-                    let t60 = t52 + t52 / math::sqrt(math::max(1e-24, t57));
-                    let t61 = 1.0 / t57;
-                    let s5 = math::select(t57 < 1e-24, t2, (t55 - t54) * t61);
-                    let c5 = math::select(t57 < 1e-24, t6, t41 * t61);
+                    let t153 = 1.0 / t114;
+                    let s5 = math::select(t114 < 1e-24, t2, (t112 - t111) * t153);
+                    let c5 = math::select(t114 < 1e-24, t6, t67 * t153);
                     // 3. q2+q3+q4 by SP1, given q5 and q6
-                    let t62 = r31[t] * s6 + r32[t] * c6;
-                    let t63 = r33[t] * s5 + c5 * (r32[t] * s6 - r31[t] * c6);
+                    let t154 = r31[t] * s6 + r32[t] * c6;
+                    let t155 = r33[t] * s5 + c5 * (r32[t] * s6 - r31[t] * c6);
                     // 4. q3 by SP3, given q6
-                    let t64 = 0.099747579771028 * c6;
-                    let t65 = 0.099747579771028 * s6 - 0.000038951164947;
-                    let t66 = px[t] + (r11[t] * t65 + r12[t] * t64 - t10_[t]);
-                    let t67 = py[t] + (r21[t] * t65 + r22[t] * t64 - t11_[t]);
-                    let t68 = pz[t] + (r31[t] * t65 + r32[t] * t64 - t12_[t]) - 0.1626;
-                    let t69 = t68 * t68;
-                    let t70 = 0.5 * (t69 + (t66 * t66 + t67 * t67));
-                    let t71 = 0.17606709553354122 - t70;
-                    let t72 = 0.02776733395938961 - t71 * t71;
-                    let t73 = 13.221941635117346 * t60;
-                    let t74 = t73 * math::max(t73, 0.16663533226596816);
+                    let t156 = 0.099747579771028 * c6;
+                    let t157 = 0.099747579771028 * s6 - 0.000038951164947;
+                    let t158 = px[t] + (r11[t] * t157 + r12[t] * t156 - t22_[t]);
+                    let t159 = py[t] + (r21[t] * t157 + r22[t] * t156 - t23_[t]);
+                    let t160 = pz[t] + (r31[t] * t157 + r32[t] * t156 - t24_[t])
+                        - 0.1626;
+                    let t161 = t160 * t160;
+                    let t162 = 0.5 * (t161 + (t158 * t158 + t159 * t159));
+                    let t163 = 0.17606709553354122 - t162;
+                    let t164 = 0.02776733395938961 - t163 * t163;
+                    let t165 = 0.099747579771028 * t119;
+                    let t166 = 0.099747579771028 * t118;
+                    let t167 = r21[t] * t166 + r22[t] * t165;
+                    let t168 = r11[t] * t166 + r12[t] * t165 + 1.1498670199252323;
+                    let t169 = t158 * t168;
+                    let t170 = t159 * t167;
+                    let t171 = t160 * (r31[t] * t166 + r32[t] * t165);
+                    let t172 = t171 + t171;
+                    let t173 = t172 + (t169 + t169 + (t170 + t170));
+                    let t174 = t163 * (0.5 * t173);
+                    let t175 = t174 + t174;
+                    let t176 = 0.099747579771028 * t127;
+                    let t177 = 0.099747579771028 * t126;
+                    let t178 = r11[t] * t177 + r12[t] * t176;
+                    let t179 = r21[t] * t177 + r22[t] * t176 + 1.1498670199252323;
+                    let t180 = t158 * t178;
+                    let t181 = t159 * t179;
+                    let t182 = t160 * (r31[t] * t177 + r32[t] * t176);
+                    let t183 = t182 + t182;
+                    let t184 = t183 + (t180 + t180 + (t181 + t181));
+                    let t185 = t163 * (0.5 * t184);
+                    let t186 = t185 + t185;
+                    let t187 = 1.1498670199252323 * t160;
+                    let t188 = t187 + t187;
+                    let t189 = t163 * (0.5 * t188);
+                    let t190 = t189 + t189;
+                    let t191 = 0.099747579771028 * t134;
+                    let t192 = 0.099747579771028 * t133;
+                    let t193 = t10_[t]
+                        + (r11[t] * t192 + (r12[t] * t191 + r13[t] * t156)) - t10_[t];
+                    let t194 = t11_[t]
+                        + (r21[t] * t192 + (r22[t] * t191 + r23[t] * t156)) - t11_[t];
+                    let t195 = t158 * t193;
+                    let t196 = t159 * t194;
+                    let t197 = t160
+                        * (t12_[t] + (r31[t] * t192 + (r32[t] * t191 + r33[t] * t156))
+                            - t12_[t]);
+                    let t198 = t197 + t197;
+                    let t199 = t198 + (t195 + t195 + (t196 + t196));
+                    let t200 = t163 * (0.5 * t199);
+                    let t201 = t200 + t200;
+                    let t202 = 0.099747579771028 * t141;
+                    let t203 = 0.099747579771028 * t140;
+                    let t204 = t14_[t]
+                        + (r11[t] * t203 - r13[t] * t157 + r12[t] * t202 - t13_[t]);
+                    let t205 = t16_[t]
+                        + (r21[t] * t203 - r23[t] * t157 + r22[t] * t202 - t15_[t]);
+                    let t206 = t158 * t204;
+                    let t207 = t159 * t205;
+                    let t208 = t160
+                        * (t18_[t]
+                            + (r31[t] * t203 - r33[t] * t157 + r32[t] * t202 - t17_[t]));
+                    let t209 = t208 + t208;
+                    let t210 = t209 + (t206 + t206 + (t207 + t207));
+                    let t211 = t163 * (0.5 * t210);
+                    let t212 = t211 + t211;
+                    let t213 = 0.099747579771028 * t148;
+                    let t214 = 0.099747579771028 * t147;
+                    let t215 = t19_[t]
+                        + (r11[t] * t214 + r12[t] * t157
+                            + (r12[t] * t213 - r11[t] * t156));
+                    let t216 = t20_[t]
+                        + (r21[t] * t214 + r22[t] * t157
+                            + (r22[t] * t213 - r21[t] * t156));
+                    let t217 = t158 * t215;
+                    let t218 = t159 * t216;
+                    let t219 = t160
+                        * (t21_[t]
+                            + (r31[t] * t214 + r32[t] * t157
+                                + (r32[t] * t213 - r31[t] * t156)));
+                    let t220 = t219 + t219;
+                    let t221 = t220 + (t217 + t217 + (t218 + t218));
+                    let t222 = t163 * (0.5 * t221);
+                    let t223 = t222 + t222;
+                    let t224 = t175 * t175 + t186 * t186 + t190 * t190 + t201 * t201
+                        + t212 * t212 + t223 * t223;
+                    let t225 = math::max(
+                        t152,
+                        math::select(
+                            0.0000028031111066080745 * t224 + 2.40138374939562e-11
+                                < t164 * t164,
+                            0.0,
+                            1.0,
+                        ),
+                    );
                     let invalid = math::max(
-                        math::max(t47, math::select(t44 < 1e-24, -e2[k], 0.0)),
-                        math::select(t72 < -t74, 1.0, 0.0),
+                        math::max(t101, math::select(t70 < 1e-24, -e2[k], 0.0)),
+                        math::select(t164 < 0.0, 1.0 - t225, 0.0),
                     );
-                    let t75 = math::max(t72, 0.00002324472133116559);
-                    let t76 = math::sqrt(t75);
-                    let t77 = math::max(
+                    let t226 = math::sqrt(math::max(t164, 2.7767333959389613e-15));
+                    let t227 = math::max(
                         -0.16663533226596816,
-                        -math::max(-0.16663533226596816, t70 - 0.17606709553354122),
+                        -math::max(-0.16663533226596816, t162 - 0.17606709553354122),
                     );
-                    let t78 = 6.0011282505434735 * t76;
-                    let t79 = 6.0011282505434735 * t77;
-                    let c3 = -t79;
+                    let t228 = 6.0011282505434735 * t226;
+                    let t229 = 6.0011282505434735 * t227;
+                    let c3 = -t229;
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t80 = c1 * t66 + s1 * t67;
-                    let t81 = 2.3542705697195427 * t76;
-                    let t82 = 0.424760013934646 - 2.3542705697195427 * t77;
-                    let t83 = t68 * t82;
-                    let t84 = t80 * t81;
-                    let t85 = t80 * t82;
-                    let t86 = t68 * t81;
-                    let t87 = math::sqrt((t69 + t80 * t80) * (t82 * t82 + t81 * t81));
-                    let t88 = 10.0 * (t60 + t60 / math::sqrt(36.01354027947097 * t75));
+                    let t230 = c1 * t158 + s1 * t159;
+                    let t231 = 2.3542705697195427 * t226;
+                    let t232 = 0.424760013934646 - 2.3542705697195427 * t227;
+                    let t233 = t160 * t232;
+                    let t234 = t230 * t231;
+                    let t235 = t230 * t232;
+                    let t236 = t160 * t231;
+                    let t237 = t161 + t230 * t230;
+                    let t238 = t232 * t232 + t231 * t231;
+                    let t239 = math::sqrt(t237 * t238);
+                    let t240 = 0.5 / t226;
+                    let t241 = t230
+                        * (c1 * t168 + t75 * t158 + (s1 * t167 + t74 * t159));
+                    let t242 = t232 * (1.1771352848597714 * t173);
+                    let t243 = t231 * (2.3542705697195427 * (t175 * t240));
+                    let t244 = 0.5 / t239;
+                    let t245 = (t237 * (t242 + t242 + (t243 + t243))
+                        + t238 * (t172 + (t241 + t241))) * t244;
+                    let t246 = t230
+                        * (c1 * t178 + t83 * t158 + (s1 * t179 + t82 * t159));
+                    let t247 = t232 * (1.1771352848597714 * t184);
+                    let t248 = t231 * (2.3542705697195427 * (t186 * t240));
+                    let t249 = t244
+                        * (t237 * (t247 + t247 + (t248 + t248))
+                            + t238 * (t183 + (t246 + t246)));
+                    let t250 = t232 * (1.1771352848597714 * t188);
+                    let t251 = t231 * (2.3542705697195427 * (t190 * t240));
+                    let t252 = t244
+                        * (t237 * (t250 + t250 + (t251 + t251)) + t188 * t238);
+                    let t253 = t230 * (c1 * t193 + s1 * t194);
+                    let t254 = t232 * (1.1771352848597714 * t199);
+                    let t255 = t231 * (2.3542705697195427 * (t201 * t240));
+                    let t256 = t244
+                        * (t237 * (t254 + t254 + (t255 + t255))
+                            + t238 * (t198 + (t253 + t253)));
+                    let t257 = t230 * (c1 * t204 + s1 * t205);
+                    let t258 = t232 * (1.1771352848597714 * t210);
+                    let t259 = t231 * (2.3542705697195427 * (t212 * t240));
+                    let t260 = t244
+                        * (t237 * (t258 + t258 + (t259 + t259))
+                            + t238 * (t209 + (t257 + t257)));
+                    let t261 = t230 * (c1 * t215 + s1 * t216);
+                    let t262 = t232 * (1.1771352848597714 * t221);
+                    let t263 = t231 * (2.3542705697195427 * (t223 * t240));
+                    let t264 = t244
+                        * (t237 * (t262 + t262 + (t263 + t263))
+                            + t238 * (t220 + (t261 + t261)));
+                    let t265 = t245 * t245 + t249 * t249 + t252 * t252 + t256 * t256
+                        + t260 * t260 + t264 * t264;
                     let singular = math::max(
-                        math::max(t59, math::select(t72 < t74, 1.0, 0.0)),
-                        math::select(t87 < 1.3221941635117347 * (t88 * t88), 1.0, 0.0),
+                        t225,
+                        math::select(
+                            0.0000028031111066080745 * t265 + 1.373634202361911e-11
+                                < t239 * t239,
+                            0.0,
+                            1.0,
+                        ),
                     );
-                    let t89 = 1.0 / t87;
+                    let t266 = 1.0 / t239;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t90 = s6 * c5;
-                    let t91 = s6 * s5;
-                    let t92 = t63 * t90 + c6 * t62;
-                    let t93 = c6 * t63 - t62 * t90;
-                    let t94 = c1 * t93 - s1 * t91;
-                    let t95 = s1 * t93 + c1 * t91;
-                    let t96 = s5 * t63;
-                    let t97 = s5 * t62;
-                    let t98 = s1 * c5 - c1 * t97;
-                    let t99 = s1 * t97 + c1 * c5;
-                    let t100 = 0.000038951164947 * c6;
-                    let t101 = c5 * t100 - 0.099599986933972 * s5;
-                    let t102 = 0.000038951164947 * s6 - 0.099747579771028;
-                    let t103 = t62 * t102 - t63 * t101;
-                    let t104 = t62 * t101 + t63 * t102;
-                    let t105 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t100);
-                    let t106 = c1 * t105;
-                    let t107 = s1 * t105;
-                    let t108 = t95 * t96 + t92 * t99 - r11[t];
-                    let t109 = t94 - r12[t];
-                    let t110 = t98 - r13[t];
-                    let t111 = t92 * t98 - t94 * t96 - r21[t];
-                    let t112 = t95 - r22[t];
-                    let t113 = r23[t] + t99;
-                    let t114 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111
-                        + t112 * t112 + t113 * t113;
-                    let t115 = r31[t] + (t94 * t99 + t95 * t98);
-                    let t116 = t92 - r32[t];
-                    let t117 = t96 - r33[t];
-                    let t118 = 0.6610970817558673
-                        * (t114 + t115 * t115 + t116 * t116 + t117 * t117);
+                    let t267 = s6 * c5;
+                    let t268 = s6 * s5;
+                    let t269 = t155 * t267 + c6 * t154;
+                    let t270 = c6 * t155 - t154 * t267;
+                    let t271 = c1 * t270 - s1 * t268;
+                    let t272 = s1 * t270 + c1 * t268;
+                    let t273 = s5 * t155;
+                    let t274 = s5 * t154;
+                    let t275 = s1 * c5 - c1 * t274;
+                    let t276 = s1 * t274 + c1 * c5;
+                    let t277 = 0.000038951164947 * c6;
+                    let t278 = c5 * t277 - 0.099599986933972 * s5;
+                    let t279 = 0.000038951164947 * s6 - 0.099747579771028;
+                    let t280 = t154 * t279 - t155 * t278;
+                    let t281 = t154 * t278 + t155 * t279;
+                    let t282 = -0.133454773039947 - (0.099599986933972 * c5 + s5 * t277);
+                    let t283 = c1 * t282;
+                    let t284 = s1 * t282;
+                    let t285 = t272 * t273 + t269 * t276 - r11[t];
+                    let t286 = t271 - r12[t];
+                    let t287 = t275 - r13[t];
+                    let t288 = t269 * t275 - t271 * t273 - r21[t];
+                    let t289 = t272 - r22[t];
+                    let t290 = r23[t] + t276;
+                    let t291 = t285 * t285 + t286 * t286 + t287 * t287 + t288 * t288
+                        + t289 * t289 + t290 * t290;
+                    let t292 = r31[t] + (t271 * t276 + t272 * t275);
+                    let t293 = t269 - r32[t];
+                    let t294 = t273 - r33[t];
+                    let t295 = 0.6610970817558673
+                        * (t291 + t292 * t292 + t293 * t293 + t294 * t294);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = lanes::angle(s1, c1);
-                    let t119 = lanes::angle(-t78, c3);
+                    let t296 = lanes::angle(-t228, c3);
                     let q5 = lanes::angle(s5, c5);
                     let q6 = lanes::angle(s6, c6);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
-                    t62_[k][t] = t62;
-                    t63_[k][t] = t63;
+                    t154_[k][t] = t154;
+                    t155_[k][t] = t155;
                     invalid_[k][t] = invalid;
-                    t78_[k][t] = t78;
-                    t79_[k][t] = t79;
-                    t83_[k][t] = t83;
-                    t84_[k][t] = t84;
-                    t85_[k][t] = t85;
-                    t86_[k][t] = t86;
-                    t87_[k][t] = t87;
+                    t228_[k][t] = t228;
+                    t229_[k][t] = t229;
+                    t233_[k][t] = t233;
+                    t234_[k][t] = t234;
+                    t235_[k][t] = t235;
+                    t236_[k][t] = t236;
+                    t239_[k][t] = t239;
                     singular_[k][t] = singular;
-                    t89_[k][t] = t89;
-                    t103_[k][t] = t103;
-                    t104_[k][t] = t104;
-                    t106_[k][t] = t106;
-                    t107_[k][t] = t107;
-                    t118_[k][t] = t118;
+                    t266_[k][t] = t266;
+                    t280_[k][t] = t280;
+                    t281_[k][t] = t281;
+                    t283_[k][t] = t283;
+                    t284_[k][t] = t284;
+                    t295_[k][t] = t295;
                     q1_[k][t] = q1;
-                    t119_[k][t] = t119;
+                    t296_[k][t] = t296;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
@@ -1657,25 +1956,25 @@ mod __Calibrated {
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             let s1_ = widen::<4, 8, T, _>(&s1_);
             let c1_ = widen::<4, 8, T, _>(&c1_);
-            let t62_ = widen::<4, 8, T, _>(&t62_);
-            let t63_ = widen::<4, 8, T, _>(&t63_);
+            let t154_ = widen::<4, 8, T, _>(&t154_);
+            let t155_ = widen::<4, 8, T, _>(&t155_);
             let invalid_ = widen::<4, 8, T, _>(&invalid_);
-            let t78_ = widen::<4, 8, T, _>(&t78_);
-            let t79_ = widen::<4, 8, T, _>(&t79_);
-            let t83_ = widen::<4, 8, T, _>(&t83_);
-            let t84_ = widen::<4, 8, T, _>(&t84_);
-            let t85_ = widen::<4, 8, T, _>(&t85_);
-            let t86_ = widen::<4, 8, T, _>(&t86_);
-            let t87_ = widen::<4, 8, T, _>(&t87_);
+            let t228_ = widen::<4, 8, T, _>(&t228_);
+            let t229_ = widen::<4, 8, T, _>(&t229_);
+            let t233_ = widen::<4, 8, T, _>(&t233_);
+            let t234_ = widen::<4, 8, T, _>(&t234_);
+            let t235_ = widen::<4, 8, T, _>(&t235_);
+            let t236_ = widen::<4, 8, T, _>(&t236_);
+            let t239_ = widen::<4, 8, T, _>(&t239_);
             let singular_ = widen::<4, 8, T, _>(&singular_);
-            let t89_ = widen::<4, 8, T, _>(&t89_);
-            let t103_ = widen::<4, 8, T, _>(&t103_);
-            let t104_ = widen::<4, 8, T, _>(&t104_);
-            let t106_ = widen::<4, 8, T, _>(&t106_);
-            let t107_ = widen::<4, 8, T, _>(&t107_);
-            let t118_ = widen::<4, 8, T, _>(&t118_);
+            let t266_ = widen::<4, 8, T, _>(&t266_);
+            let t280_ = widen::<4, 8, T, _>(&t280_);
+            let t281_ = widen::<4, 8, T, _>(&t281_);
+            let t283_ = widen::<4, 8, T, _>(&t283_);
+            let t284_ = widen::<4, 8, T, _>(&t284_);
+            let t295_ = widen::<4, 8, T, _>(&t295_);
             let q1_ = widen::<4, 8, T, _>(&q1_);
-            let t119_ = widen::<4, 8, T, _>(&t119_);
+            let t296_ = widen::<4, 8, T, _>(&t296_);
             let q5_ = widen::<4, 8, T, _>(&q5_);
             let q6_ = widen::<4, 8, T, _>(&q6_);
             // 8 lanes, by the signs of the roots: e3 of step 4
@@ -1688,49 +1987,49 @@ mod __Calibrated {
                 for t in 0..T {
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t87_[k][t] < 1.3221941635117346e-24,
+                        t239_[k][t] < 1.3221941635117346e-24,
                         t5,
-                        (e3[k] * t86_[k][t] - t85_[k][t]) * t89_[k][t],
+                        (e3[k] * t236_[k][t] - t235_[k][t]) * t266_[k][t],
                     );
                     let c2 = math::select(
-                        t87_[k][t] < 1.3221941635117346e-24,
+                        t239_[k][t] < 1.3221941635117346e-24,
                         t9,
-                        (t83_[k][t] + e3[k] * t84_[k][t]) * t89_[k][t],
+                        (t233_[k][t] + e3[k] * t234_[k][t]) * t266_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t120 = t63_[k][t] * s2 - t62_[k][t] * c2;
-                    let t121 = t63_[k][t] * c2 + t62_[k][t] * s2;
+                    let t297 = t155_[k][t] * s2 - t154_[k][t] * c2;
+                    let t298 = t155_[k][t] * c2 + t154_[k][t] * s2;
                     // Residual: forward kinematics against the target
-                    let t122 = 0.424760013934646 * c2
+                    let t299 = 0.424760013934646 * c2
                         + 0.392304658629206
-                            * (e3[k] * (t78_[k][t] * s2) - t79_[k][t] * c2)
-                        + t103_[k][t];
-                    let t123 = t104_[k][t]
+                            * (e3[k] * (t228_[k][t] * s2) - t229_[k][t] * c2)
+                        + t280_[k][t];
+                    let t300 = t281_[k][t]
                         - (0.424760013934646 * s2
                             - 0.392304658629206
-                                * (t79_[k][t] * s2 + e3[k] * (t78_[k][t] * c2)));
-                    let t124 = c1_[k][t] * t123 - t107_[k][t] - px[t];
-                    let t125 = s1_[k][t] * t123 + t106_[k][t] - py[t];
-                    let t126 = t122 + 0.1626 - pz[t];
+                                * (t229_[k][t] * s2 + e3[k] * (t228_[k][t] * c2)));
+                    let t301 = c1_[k][t] * t300 - t284_[k][t] - px[t];
+                    let t302 = s1_[k][t] * t300 + t283_[k][t] - py[t];
+                    let t303 = t299 + 0.1626 - pz[t];
                     let residual = math::sqrt(
-                        t39_[t] + (t126 * t126 + (t124 * t124 + t125 * t125))
-                            + t118_[k][t],
+                        t58_[t] + (t303 * t303 + (t301 * t301 + t302 * t302))
+                            + t295_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = math::wrap(lanes::angle(s2, c2) - 1.5707023922013317);
-                    let t127 = e3[k] * t119_[k][t];
+                    let t304 = e3[k] * t296_[k][t];
                     let q3 = math::wrap(
                         math::select(
-                            -3.141592653589793 < t127,
-                            t127,
-                            t127 + 6.283185307179586,
+                            -3.141592653589793 < t304,
+                            t304,
+                            t304 + 6.283185307179586,
                         ) - 0.00044313587806694065,
                     );
-                    let t128 = lanes::angle(
-                        -(t79_[k][t] * t120 + e3[k] * (t78_[k][t] * t121)),
-                        t79_[k][t] * t121 - e3[k] * (t78_[k][t] * t120),
+                    let t305 = lanes::angle(
+                        -(t229_[k][t] * t297 + e3[k] * (t228_[k][t] * t298)),
+                        t229_[k][t] * t298 - e3[k] * (t228_[k][t] * t297),
                     );
-                    let q4 = math::wrap(t128 - 3.1412434523052912);
+                    let q4 = math::wrap(t305 - 3.1412434523052912);
                     residual_[k][t] = residual;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;

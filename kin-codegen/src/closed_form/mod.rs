@@ -217,7 +217,7 @@ impl ClosedForm {
     }
 
     /// The branches of the plan that exist, of an arm of so many joints as it has.
-    pub(crate) fn branches_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
+    pub fn branches_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
         fn told<const N: usize>(branches: &[Solution<N>]) -> Vec<BranchSolution> {
             branches.iter().map(BranchSolution::of).collect()
         }

@@ -19,11 +19,13 @@ mod interpret;
 pub mod inverse;
 pub mod jacobian;
 pub mod linear;
+mod tangent;
 mod tape;
 
 pub use count::Operations;
 use hash::NodeMap;
 pub use interpret::Lane;
+pub use tangent::Tangent;
 pub use tape::{Lanes, Tape};
 
 /// A node of a [`Graph`].

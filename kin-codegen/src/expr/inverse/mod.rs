@@ -7,6 +7,7 @@
 //! every branch has its residual: the forward kinematics of what was
 //! found against the target that was asked for.
 
+mod deviation;
 mod free;
 mod line;
 mod pair;
@@ -19,18 +20,20 @@ mod solve;
 mod swivel;
 mod transport;
 
+use deviation::Deviation;
 pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Choice, Expr, Graph, Operations, Tape};
+use super::{Choice, Expr, Graph, Operations, Tangent, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use crate::scalar::Tolerances;
 use kin_runtime::Pose;
 
-/// How exact the arm is that the plan is for.
+/// How far the arm that the plan is for is from the given one: the shift of its tip by the
+/// arm's size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DomainMargin(pub f64);
 
@@ -91,6 +94,16 @@ pub struct StepPart {
 }
 
 impl InverseGraph {
+    /// Whether a quartic is solved.
+    pub fn has_quartic(&self) -> bool {
+        self.arguments.is_none()
+    }
+
+    /// Whether the branches of an idealized arm are never known to be all there are.
+    pub fn tells_nothing(&self) -> bool {
+        self.graph.is(self.singular, 1.0)
+    }
+
     /// The operations of one branch.
     pub fn one_branch(&self) -> Operations {
         self.graph.operations(&self.outputs())
@@ -223,8 +236,6 @@ struct Writer<'a> {
     swivel: Option<Trig>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
-    /// On an idealized arm, of the root taken last: √ of the discriminant by the amplitude.
-    share: Option<Expr>,
     /// See [`FreeAngles::Flagged`].
     flags_badly_told: bool,
     /// By joint: the sine and cosine of its motion.
@@ -275,15 +286,6 @@ struct Level {
     discriminant: Expr,
 }
 
-/// How far an idealized arm is from the given one.
-#[derive(Clone, Copy)]
-struct Deviation {
-    /// Of the values known so far, relative to the arm's size or in radians.
-    shift: Expr,
-    /// The same before anything was solved.
-    least: f64,
-}
-
 impl<'a> Writer<'a> {
     fn new(linkage: &'a Linkage, target: Target, margin: DomainMargin) -> Self {
         let mut g = Graph::new();
@@ -302,10 +304,7 @@ impl<'a> Writer<'a> {
             .into_iter()
             .map(|i| g.input(format!("seed{i}")))
             .collect();
-        let deviation = (margin.0 > 0.0).then(|| Deviation {
-            shift: g.constant(margin.0),
-            least: margin.0,
-        });
+        let deviation = (margin.0 > 0.0).then(|| Deviation::new(&mut g, linkage, &given, margin.0));
         let zero = g.zero();
         let n = linkage.links.len();
         Self {
@@ -320,7 +319,6 @@ impl<'a> Writer<'a> {
             parameters: Vec::new(),
             swivel: None,
             deviation,
-            share: None,
             flags_badly_told: false,
             trig: vec![None; n],
             slide: vec![None; n],
@@ -357,6 +355,10 @@ impl<'a> Writer<'a> {
         }
         self.swivel = self.linkage.swivel.map(|_| {
             let angle = self.g.input("swivel");
+            let one = self.g.one();
+            if let Some(deviation) = &mut self.deviation {
+                deviation.directions.push(Tangent::new([(angle, one)]));
+            }
             let (sin, cos) = self.g.sin_cos(angle);
             Trig { sin, cos }
         });

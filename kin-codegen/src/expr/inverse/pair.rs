@@ -106,7 +106,7 @@ impl Writer<'_> {
         self.singular = self.g.max(self.singular, is_double);
         let present = self.g.select_less(double, state, zero, one);
         let absent = self.g.select_less(some, state, present, zero);
-        match self.deviation {
+        match &self.deviation {
             None => self.refuse(absent),
             // Roots that nearly exist are not seen.
             Some(_) => self.singular = one,

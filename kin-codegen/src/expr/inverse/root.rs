@@ -1,16 +1,10 @@
 //! Square roots and angles: what is out of domain, double, free, or rounding.
 
-use super::{Deviation, Level, MayBeFree, Writer};
+use super::{Level, MayBeFree, Writer};
 use crate::expr::linear::{Trig, Vector};
 use crate::expr::{Expr, Node};
 use crate::plan::Atom;
 use crate::scalar::Tolerances;
-
-/// On an idealized arm a root may be out of domain by this many times what the
-/// arms differ and still have a solution on the given one; one that is in domain
-/// by less, or an angle that a vector as short tells, does not tell the solutions
-/// apart.
-const BEYOND: f64 = 10.0;
 
 /// a² + b² − d² of a cosine-sine equation.
 #[derive(Clone, Copy)]
@@ -94,7 +88,9 @@ impl Writer<'_> {
         // min(d, limit) = −max(−d, −limit), and a NaN stays one.
         let below = self.g.max(lower, minus);
         let below = self.g.neg(below);
-        self.g.max(lower, below)
+        let clamped = self.g.max(lower, below);
+        self.follow(clamped, d);
+        clamped
     }
 
     /// ± the square root, with what it says about the branch: out of domain is
@@ -115,8 +111,8 @@ impl Writer<'_> {
                 arguments.push((choice, margin));
             }
         }
-        if let Some(deviation) = self.deviation {
-            return self.idealized_root(sign, value, amplitude, deviation, unit);
+        if self.deviation.is_some() {
+            return self.idealized_root(sign, discriminant, amplitude, unit);
         }
         // Out of domain both branches go to the nearest angle, and the residual
         // tells whether the target is in reach.
@@ -147,32 +143,25 @@ impl Writer<'_> {
         self.margin = Some(lesser.unwrap_or(margin));
     }
 
-    /// The root on an idealized arm. Two roots that have met there may be apart on
-    /// the given arm, so both start, a little apart, and refinement decides.
+    /// The root on an idealized arm. Where it may change its sign, both branches start, a little
+    /// apart, and none is dropped by what comes behind.
     fn idealized_root(
         &mut self,
         sign: Expr,
-        discriminant: Expr,
+        discriminant: Discriminant,
         amplitude: Expr,
-        deviation: Deviation,
         unit: f64,
     ) -> Expr {
+        let Discriminant { value, noise } = discriminant;
+        let least = self.scaled(noise.max(self.tolerances.double_root), amplitude);
+        let square = self.g.constant(unit * unit);
+        self.doubt(value, square, least);
         let [zero, one] = [self.g.zero(), self.g.one()];
-        let apart = self.scaled(deviation.least, amplitude);
-        // Coefficients that are off by δ make a² + b² − d² off by δ √(a² + b²), or
-        // δ² where they are as small as that.
-        let off = self.scaled(BEYOND * unit, deviation.shift);
-        let length = self.g.sqrt(amplitude);
-        let length = self.g.max(length, off);
-        let beyond = self.g.mul(off, length);
-        self.watch(discriminant, beyond);
-        let least = self.g.neg(beyond);
-        let invalid = self.g.select_less(discriminant, least, one, zero);
+        let certain = self.g.sub(one, self.singular);
+        let invalid = self.g.select_less(value, zero, certain, zero);
         self.refuse(invalid);
-        let kept = self.g.max(discriminant, apart);
-        // The angle's error: shift / ρ, and √shift at a double root.
-        let share = self.g.div(kept, amplitude);
-        self.share = Some(self.g.sqrt(share));
+        let kept = self.g.max(value, least);
+        self.follow(kept, value);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
     }
@@ -187,22 +176,6 @@ impl Writer<'_> {
     fn free_below(&mut self, scale: Expr) -> Expr {
         let free = self.free;
         self.g.mul(free, scale)
-    }
-
-    /// What was just solved is told by the root that was taken, if one was, and by a vector,
-    /// of which `length` is the share of its unit: from here on the idealized arm's values
-    /// are off by 1 + 1/share times as much as before.
-    pub(super) fn amplify(&mut self, length: Option<Expr>) {
-        let share = match (self.share.take(), length) {
-            (Some(root), Some(length)) => Some(self.g.mul(root, length)),
-            (root, length) => root.or(length),
-        };
-        let (Some(deviation), Some(share)) = (self.deviation, share) else {
-            return;
-        };
-        let more = self.g.div(deviation.shift, share);
-        let shift = self.g.add(deviation.shift, more);
-        self.deviation = Some(Deviation { shift, ..deviation });
     }
 
     /// Drops the branches in which a value is positive.
@@ -227,10 +200,14 @@ impl Writer<'_> {
         self.watched.push((value, threshold));
         let [zero, one] = [self.g.zero(), self.g.one()];
         let singular = self.g.select_less(value, threshold, one, zero);
-        self.singular = if self.g.is(self.singular, 0.0) {
-            singular
-        } else {
-            self.g.max(self.singular, singular)
+        self.flag(singular);
+    }
+
+    /// Flags branches in which a value is positive as singular.
+    pub(super) fn flag(&mut self, singular: Expr) {
+        self.singular = match self.g.value(self.singular) {
+            Some(0.0) => singular,
+            _ => self.g.max(self.singular, singular),
         };
     }
 
@@ -244,7 +221,6 @@ impl Writer<'_> {
         scale: Expr,
     ) -> Trig {
         if self.g.value(factor).is_some() {
-            self.amplify(None);
             return Trig {
                 sin: self.g.div(trig.sin, factor),
                 cos: self.g.div(trig.cos, factor),
@@ -271,15 +247,8 @@ impl Writer<'_> {
     /// the square of the sine that tells the angle.
     pub(super) fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
         let nothing = self.free_below(scale);
-        if let Some(deviation) = self.deviation {
-            let blurred = self.scaled(BEYOND, deviation.shift);
-            let blurred = self.g.square(blurred);
-            let blurred = self.g.mul(blurred, scale);
-            self.watch(factor, blurred);
-            let share = self.g.max(factor, nothing);
-            let share = self.g.div(share, scale);
-            let share = self.g.sqrt(share);
-            self.amplify(Some(share));
+        if self.doubt(factor, scale, nothing) {
+            // It is held against more.
         } else if self.flags_badly_told {
             let badly_told = self.scaled(self.tolerances.badly_told, scale);
             self.watch(factor, badly_told);

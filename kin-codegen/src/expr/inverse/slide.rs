@@ -47,7 +47,6 @@ impl Writer<'_> {
             noise: self.tolerances.noise,
         };
         let root = self.root(sign, discriminant, scale, self.linkage.size);
-        self.amplify(None);
         self.g.add(foot, root)
     }
 

@@ -76,7 +76,10 @@ impl Writer<'_> {
         let across = self.length_squared(way);
         let size = self.linkage.size;
         let nothing = self.g.constant(self.tolerances.free_below * size * size);
-        self.watch(across, nothing);
+        let square = self.g.constant(size * size);
+        if !self.doubt(across, square, nothing) {
+            self.watch(across, nothing);
+        }
         let radius = self.g.sqrt(across);
         let [zero, one] = [self.g.zero(), self.g.one()];
         let azimuth = [way[0], way[1]].map(|x| self.g.div(x, radius));

@@ -1,0 +1,98 @@
+//! Whether the branches of an idealized arm tell the solutions of the given one.
+//!
+//! A solution of the given arm is a solution of the idealized one at a target that is off by no
+//! more than the two tips are apart. So the branches are all there are, and each leads to one
+//! solution, unless a root of the plan changes its sign between the target and one so near, or a
+//! vector that tells an angle vanishes there: the derivatives by the target tell whether it may.
+
+use super::Writer;
+use crate::expr::linear::Motion;
+use crate::expr::{Expr, Graph, Tangent};
+use crate::geometry::Linkage;
+use kin_runtime::Pose;
+
+/// Derivatives are taken at the target and speak for one that is off by this many times what
+/// the arms differ. Behind a root that keeps its sign that far, the slope of the root is less than
+/// 1.2 times as large where the arms differ at most.
+const BEYOND: f64 = 2.0;
+
+/// How far an idealized arm is from the given one.
+#[derive(Clone, Debug)]
+pub(super) struct Deviation {
+    /// So far may targets be off: radians, or by the arm's size.
+    reach: f64,
+    /// In which directions they may: motions by a radian or the arm's size, and turns of the
+    /// swivel.
+    pub directions: Vec<Tangent>,
+}
+
+impl Deviation {
+    /// The tip is pushed along the axes of the base, and turned about its own ones through the
+    /// last joint's frame, by which a wrist does not move.
+    pub fn new(g: &mut Graph, linkage: &Linkage, target: &Motion, shift: f64) -> Self {
+        // As a point of the last link is brought to the tip.
+        let after = linkage
+            .links
+            .last()
+            .map_or(Pose::IDENTITY, |link| link.after);
+        let after = g.motion(&after);
+        let wrist = after.translation.map(|x| g.neg(x));
+        let wrist = g.rotate_back(&after.rotation, wrist);
+        let size = g.constant(linkage.size);
+        let pushed = target.translation.map(|p| Tangent::new([(p, size)]));
+        let turned = [0, 1, 2].map(|k| {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            let minus = g.neg(wrist[a]);
+            let mut changes = Vec::new();
+            for (row, p) in target.rotation.iter().zip(target.translation) {
+                let minus_a = g.neg(row[a]);
+                changes.extend([(row[a], row[b]), (row[b], minus_a)]);
+                // −R (eₖ × c).
+                let parts = [g.mul(wrist[b], row[a]), g.mul(minus, row[b])];
+                changes.push((p, g.add(parts[0], parts[1])));
+            }
+            Tangent::new(changes)
+        });
+        Self {
+            reach: BEYOND * shift,
+            directions: pushed.into_iter().chain(turned).collect(),
+        }
+    }
+}
+
+impl Writer<'_> {
+    /// Out of domain a branch is refused or flagged: what was moved into it changes by the target
+    /// as if it had not been.
+    pub(super) fn follow(&mut self, moved: Expr, value: Expr) {
+        for direction in self.deviation.iter_mut().flat_map(|it| &mut it.directions) {
+            direction.follow(&mut self.g, moved, value);
+        }
+    }
+
+    /// On an idealized arm, flags branches in which a value may vanish at a target that is as
+    /// far off as the arms differ, or is below a number; whether it did. `unit` is what the value
+    /// changes by to second order.
+    pub(super) fn doubt(&mut self, value: Expr, unit: Expr, least: Expr) -> bool {
+        let is_flagged = self.g.is(self.singular, 1.0);
+        let Some(deviation) = self.deviation.as_mut().filter(|_| !is_flagged) else {
+            return self.deviation.is_some();
+        };
+        let mut square = self.g.zero();
+        for direction in &mut deviation.directions {
+            let change = direction.of(&mut self.g, value);
+            let change = self.g.square(change);
+            square = self.g.add(square, change);
+        }
+        let reach = deviation.reach;
+        let [square, bent] = [square, unit].map(|x| self.scaled(reach * reach, x));
+        let floor = self.g.max(bent, least);
+        let floor = self.g.square(floor);
+        let threshold = self.g.add(square, floor);
+        let size = self.g.square(value);
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        // Also where one of them is not a number.
+        let doubtful = self.g.select_less(threshold, size, zero, one);
+        self.flag(doubtful);
+        true
+    }
+}
