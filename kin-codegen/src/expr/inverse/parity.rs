@@ -248,3 +248,6 @@ impl Moved<'_> {
         moved
     }
 }
+
+#[cfg(test)]
+mod tests;
