@@ -101,7 +101,7 @@ pub mod __private {
     pub use crate::generated::branches::Branches;
     pub use crate::generated::dispatch::{self, Dispatched, dispatch};
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
-    pub use crate::generated::inverse::{Inverse, Lanes};
+    pub use crate::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement::{self, AtSwivel};

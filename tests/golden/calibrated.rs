@@ -1080,7 +1080,7 @@ mod __Calibrated {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            Branches::of::<Self, _>(pose, seed, &[])
+            Branches::of(self, pose, seed, &[])
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -1094,7 +1094,7 @@ mod __Calibrated {
             seed: &[f64; 6],
         ) -> ::core::option::Option<Solution<6>> {
             let nearest = &Nearest::new(*seed, &Self::LIMITS);
-            self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)
+            self.ik_nearest_by(pose, nearest)
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -1357,13 +1357,22 @@ mod __Calibrated {
         }
     }
 
-    impl Inverse<6, 8, 0> for Calibrated {
+    impl Inverse<6, 8, 0, 4> for Calibrated {
+        const WIDTH: usize = 8;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        #[inline(always)]
+        fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 4] {
+            let _ = (seed, locked);
+            let t1 = seed[1] + 1.5707023922013317;
+            [seed[4], seed[5], seed[0], t1]
+        }
+
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],
             seed: &[f64; 6],
             locked: &[f64; 0],
+            sin_cos: impl SinCos<4>,
             free: f64,
         ) -> Lanes<6, 8, T> {
             let _ = locked;
@@ -1373,12 +1382,8 @@ mod __Calibrated {
             );
             // The seed, for an angle that the target leaves free
             let t1 = seed[1] + 1.5707023922013317;
-            let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = lanes::sin_cos([
-                seed[4],
-                seed[5],
-                seed[0],
-                t1,
-            ]);
+            let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = sin_cos
+                .of([seed[4], seed[5], seed[0], t1]);
             let mut t10_ = [0.0; T];
             let mut t11_ = [0.0; T];
             let mut t12_ = [0.0; T];

@@ -81,7 +81,9 @@ mod __Delta {
     /// The chains that the mechanism is made of.
     #[allow(dead_code, reason = "it does not ask them for all that an arm can do")]
     mod arms {
-        use ::kinematics::__private::{Acceptance, Branches, Inverse, Lanes, lanes, math};
+        use ::kinematics::__private::{
+            Acceptance, Branches, Inverse, Lanes, SinCos, lanes, math, solve,
+        };
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
 
         /// The chain `arm1`.
@@ -280,7 +282,14 @@ mod __Delta {
             /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
-                self.ik_seeded(pose, &[0.0; 3])
+                solve(
+                    self,
+                    pose,
+                    &[0.0; 3],
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -289,14 +298,14 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                let branches = self.branches(pose, seed);
-                branches
-                    .corrected(
-                        |q| self.fk_jacobian(q),
-                        pose,
-                        Target::Position,
-                        &Self::ACCEPT,
-                    )
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -315,17 +324,37 @@ mod __Delta {
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 3]) -> Branches<3, 4> {
-                Branches::of::<Self, _>(pose, seed, &[])
+                Branches::of(self, pose, seed, &[])
+            }
+
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<3, 4>) -> Solutions<3> {
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Position,
+                        &Self::ACCEPT,
+                    )
             }
         }
 
-        impl Inverse<3, 4, 0> for Head1 {
+        impl Inverse<3, 4, 0, 2> for Head1 {
+            const WIDTH: usize = 4;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            #[inline(always)]
+            fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
+                let _ = (seed, locked);
+                let t1 = seed[1] - 2.0014839778199303;
+                [seed[0], t1]
+            }
+
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; 3],
                 locked: &[f64; 0],
+                sin_cos: impl SinCos<2>,
                 free: f64,
             ) -> Lanes<3, 4, T> {
                 let _ = locked;
@@ -333,7 +362,7 @@ mod __Delta {
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
                 // The seed, for an angle that the target leaves free
                 let t1 = seed[1] - 2.0014839778199303;
-                let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
+                let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
                 let mut t6_ = [0.0; T];
                 let mut t10_ = [0.0; T];
                 let mut t11_ = [0.0; T];
@@ -584,7 +613,14 @@ mod __Delta {
             /// Solved by SP1(q1) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
-                self.ik_seeded(pose, &[0.0; 2])
+                solve(
+                    self,
+                    pose,
+                    &[0.0; 2],
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -593,14 +629,14 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                let branches = self.branches(pose, seed);
-                branches
-                    .corrected(
-                        |q| self.fk_jacobian(q),
-                        pose,
-                        Target::Orientation,
-                        &Self::ACCEPT,
-                    )
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -619,22 +655,42 @@ mod __Delta {
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 1> {
-                Branches::of::<Self, _>(pose, seed, &[])
+                Branches::of(self, pose, seed, &[])
+            }
+
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<2, 1>) -> Solutions<2> {
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Orientation,
+                        &Self::ACCEPT,
+                    )
             }
         }
 
-        impl Inverse<2, 1, 0> for Tail1 {
+        impl Inverse<2, 1, 0, 0> for Tail1 {
+            const WIDTH: usize = 1;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            #[inline(always)]
+            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
+                let _ = (seed, locked);
+                []
+            }
+
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; 2],
                 locked: &[f64; 0],
+                sin_cos: impl SinCos<0>,
                 free: f64,
             ) -> Lanes<2, 1, T> {
                 let _ = seed;
                 let _ = locked;
                 let _ = free;
+                let _ = sin_cos;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
                     targets,
                 );
@@ -968,7 +1024,14 @@ mod __Delta {
             /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
-                self.ik_seeded(pose, &[0.0; 3])
+                solve(
+                    self,
+                    pose,
+                    &[0.0; 3],
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -977,14 +1040,14 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                let branches = self.branches(pose, seed);
-                branches
-                    .corrected(
-                        |q| self.fk_jacobian(q),
-                        pose,
-                        Target::Position,
-                        &Self::ACCEPT,
-                    )
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1003,17 +1066,37 @@ mod __Delta {
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 3]) -> Branches<3, 4> {
-                Branches::of::<Self, _>(pose, seed, &[])
+                Branches::of(self, pose, seed, &[])
+            }
+
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<3, 4>) -> Solutions<3> {
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Position,
+                        &Self::ACCEPT,
+                    )
             }
         }
 
-        impl Inverse<3, 4, 0> for Head2 {
+        impl Inverse<3, 4, 0, 2> for Head2 {
+            const WIDTH: usize = 4;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            #[inline(always)]
+            fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
+                let _ = (seed, locked);
+                let t1 = seed[1] - 0.4306876510250337;
+                [seed[0], t1]
+            }
+
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; 3],
                 locked: &[f64; 0],
+                sin_cos: impl SinCos<2>,
                 free: f64,
             ) -> Lanes<3, 4, T> {
                 let _ = locked;
@@ -1021,7 +1104,7 @@ mod __Delta {
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
                 // The seed, for an angle that the target leaves free
                 let t1 = seed[1] - 0.4306876510250337;
-                let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
+                let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
                 let mut t8_ = [0.0; T];
                 let mut t12_ = [0.0; T];
                 let mut t13_ = [0.0; T];
@@ -1298,7 +1381,14 @@ mod __Delta {
             /// Solved by SP2(q1,q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
-                self.ik_seeded(pose, &[0.0; 2])
+                solve(
+                    self,
+                    pose,
+                    &[0.0; 2],
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -1307,14 +1397,14 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                let branches = self.branches(pose, seed);
-                branches
-                    .corrected(
-                        |q| self.fk_jacobian(q),
-                        pose,
-                        Target::Orientation,
-                        &Self::ACCEPT,
-                    )
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1333,17 +1423,36 @@ mod __Delta {
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 2> {
-                Branches::of::<Self, _>(pose, seed, &[])
+                Branches::of(self, pose, seed, &[])
+            }
+
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<2, 2>) -> Solutions<2> {
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Orientation,
+                        &Self::ACCEPT,
+                    )
             }
         }
 
-        impl Inverse<2, 2, 0> for Tail2 {
+        impl Inverse<2, 2, 0, 1> for Tail2 {
+            const WIDTH: usize = 2;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            #[inline(always)]
+            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 1] {
+                let _ = (seed, locked);
+                [seed[0]]
+            }
+
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; 2],
                 locked: &[f64; 0],
+                sin_cos: impl SinCos<1>,
                 free: f64,
             ) -> Lanes<2, 2, T> {
                 let _ = locked;
@@ -1352,7 +1461,7 @@ mod __Delta {
                     targets,
                 );
                 // The seed, for an angle that the target leaves free
-                let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
+                let ([t1], [t2]) = sin_cos.of([seed[0]]);
                 let mut t3_ = [0.0; T];
                 let mut t4_ = [0.0; T];
                 let mut t8_ = [0.0; T];
@@ -1752,7 +1861,14 @@ mod __Delta {
             /// Solved by SP3(q1) SP4(q3) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<3> {
-                self.ik_seeded(pose, &[0.0; 3])
+                solve(
+                    self,
+                    pose,
+                    &[0.0; 3],
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -1761,14 +1877,14 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                let branches = self.branches(pose, seed);
-                branches
-                    .corrected(
-                        |q| self.fk_jacobian(q),
-                        pose,
-                        Target::Position,
-                        &Self::ACCEPT,
-                    )
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1787,17 +1903,37 @@ mod __Delta {
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 3]) -> Branches<3, 4> {
-                Branches::of::<Self, _>(pose, seed, &[])
+                Branches::of(self, pose, seed, &[])
+            }
+
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<3, 4>) -> Solutions<3> {
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Position,
+                        &Self::ACCEPT,
+                    )
             }
         }
 
-        impl Inverse<3, 4, 0> for Head3 {
+        impl Inverse<3, 4, 0, 2> for Head3 {
+            const WIDTH: usize = 4;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            #[inline(always)]
+            fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
+                let _ = (seed, locked);
+                let t1 = seed[1] - 0.4306876510250337;
+                [seed[0], t1]
+            }
+
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; 3],
                 locked: &[f64; 0],
+                sin_cos: impl SinCos<2>,
                 free: f64,
             ) -> Lanes<3, 4, T> {
                 let _ = locked;
@@ -1805,7 +1941,7 @@ mod __Delta {
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
                 // The seed, for an angle that the target leaves free
                 let t1 = seed[1] - 0.4306876510250337;
-                let ([t2, t3], [t4, t5]) = lanes::sin_cos([seed[0], t1]);
+                let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
                 let mut t8_ = [0.0; T];
                 let mut t12_ = [0.0; T];
                 let mut t13_ = [0.0; T];
@@ -2083,7 +2219,14 @@ mod __Delta {
             /// Solved by SP2(q1,q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
-                self.ik_seeded(pose, &[0.0; 2])
+                solve(
+                    self,
+                    pose,
+                    &[0.0; 2],
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -2092,14 +2235,14 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                let branches = self.branches(pose, seed);
-                branches
-                    .corrected(
-                        |q| self.fk_jacobian(q),
-                        pose,
-                        Target::Orientation,
-                        &Self::ACCEPT,
-                    )
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    &Self::ACCEPT,
+                    |branches| self.sorted(pose, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -2118,17 +2261,36 @@ mod __Delta {
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
             fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 2> {
-                Branches::of::<Self, _>(pose, seed, &[])
+                Branches::of(self, pose, seed, &[])
+            }
+
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<2, 2>) -> Solutions<2> {
+                branches
+                    .corrected(
+                        |q| self.fk_jacobian(q),
+                        pose,
+                        Target::Orientation,
+                        &Self::ACCEPT,
+                    )
             }
         }
 
-        impl Inverse<2, 2, 0> for Tail3 {
+        impl Inverse<2, 2, 0, 1> for Tail3 {
+            const WIDTH: usize = 2;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            #[inline(always)]
+            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 1] {
+                let _ = (seed, locked);
+                [seed[0]]
+            }
+
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; 2],
                 locked: &[f64; 0],
+                sin_cos: impl SinCos<1>,
                 free: f64,
             ) -> Lanes<2, 2, T> {
                 let _ = locked;
@@ -2137,7 +2299,7 @@ mod __Delta {
                     targets,
                 );
                 // The seed, for an angle that the target leaves free
-                let ([t1], [t2]) = lanes::sin_cos([seed[0]]);
+                let ([t1], [t2]) = sin_cos.of([seed[0]]);
                 let mut t3_ = [0.0; T];
                 let mut t4_ = [0.0; T];
                 let mut c2_ = [0.0; T];

@@ -21,7 +21,7 @@ mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
-        widen,
+        solve, solve_nearest, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -531,7 +531,14 @@ mod __Kr6R900 {
         /// Solved by SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            self.ik_seeded(pose, &[0.0; 6])
+            solve(
+                self,
+                pose,
+                &[0.0; 6],
+                &[],
+                &Self::ACCEPT,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -540,9 +547,14 @@ mod __Kr6R900 {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            let branches = self.branches(pose, seed);
-            branches
-                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
+            solve(
+                self,
+                pose,
+                seed,
+                &[],
+                &Self::ACCEPT,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -561,7 +573,13 @@ mod __Kr6R900 {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            Branches::of::<Self, _>(pose, seed, &[])
+            Branches::of(self, pose, seed, &[])
+        }
+
+        #[cold]
+        fn sorted(&self, pose: &Pose, branches: &Branches<6, 8>) -> Solutions<6> {
+            branches
+                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -576,14 +594,7 @@ mod __Kr6R900 {
         ) -> ::core::option::Option<Solution<6>> {
             let nearest = const { Nearest::new([0.0; 6], &Self::LIMITS) };
             let nearest = &nearest.from_seed(*seed);
-            self.branches(pose, &nearest.seed)
-                .corrected_nearest(
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    &Self::ACCEPT,
-                    nearest,
-                )
+            self.ik_nearest_by(pose, nearest)
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -595,14 +606,14 @@ mod __Kr6R900 {
             pose: &Pose,
             nearest: &Nearest<6>,
         ) -> ::core::option::Option<Solution<6>> {
-            self.branches(pose, &nearest.seed)
-                .corrected_nearest(
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    &Self::ACCEPT,
-                    nearest,
-                )
+            solve_nearest(
+                self,
+                pose,
+                &[],
+                &Self::ACCEPT,
+                nearest,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.
@@ -775,13 +786,21 @@ mod __Kr6R900 {
         }
     }
 
-    impl Inverse<6, 8, 0> for Kr6R900 {
+    impl Inverse<6, 8, 0, 3> for Kr6R900 {
+        const WIDTH: usize = 4;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        #[inline(always)]
+        fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 3] {
+            let _ = (seed, locked);
+            [seed[0], seed[1], seed[3]]
+        }
+
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],
             seed: &[f64; 6],
             locked: &[f64; 0],
+            sin_cos: impl SinCos<3>,
             free: f64,
         ) -> Lanes<6, 8, T> {
             let _ = locked;
@@ -790,11 +809,7 @@ mod __Kr6R900 {
                 targets,
             );
             // The seed, for an angle that the target leaves free
-            let ([t1, t2, t3], [t4, t5, t6]) = lanes::sin_cos([
-                seed[0],
-                seed[1],
-                seed[3],
-            ]);
+            let ([t1, t2, t3], [t4, t5, t6]) = sin_cos.of([seed[0], seed[1], seed[3]]);
             // 1. q1 by SP4 (what all branches share)
             let t7 = -t1;
             let mut t9_ = [0.0; T];

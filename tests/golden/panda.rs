@@ -551,7 +551,7 @@ mod __Panda {
             seed: &[f64; 6],
             locked: &[f64; 1],
         ) -> Branches<6, 8> {
-            Branches::of::<Self, _>(pose, seed, locked)
+            Branches::of(self, pose, seed, locked)
         }
     }
 
@@ -710,13 +710,21 @@ mod __Panda {
         }
     }
 
-    impl Inverse<6, 8, 1> for Panda {
+    impl Inverse<6, 8, 1, 4> for Panda {
+        const WIDTH: usize = 4;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        #[inline(always)]
+        fn angles(seed: &[f64; 6], locked: &[f64; 1]) -> [f64; 4] {
+            let _ = (seed, locked);
+            [seed[4], seed[5], locked[0], seed[0]]
+        }
+
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],
             seed: &[f64; 6],
             locked: &[f64; 1],
+            sin_cos: impl SinCos<4>,
             free: f64,
         ) -> Lanes<6, 8, T> {
             let _ = free;
@@ -725,12 +733,8 @@ mod __Panda {
             );
             // What is given beside the target; the seed, for an angle that both leave
             // free
-            let ([t1, t2, s7, t3], [t4, t5, c7, t6]) = lanes::sin_cos([
-                seed[4],
-                seed[5],
-                locked[0],
-                seed[0],
-            ]);
+            let ([t1, t2, s7, t3], [t4, t5, c7, t6]) = sin_cos
+                .of([seed[4], seed[5], locked[0], seed[0]]);
             // 1. q4 by SP3, given q7 (what all branches share)
             let t7 = 0.088 * c7;
             let t8 = 0.088 * s7;

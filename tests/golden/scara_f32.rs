@@ -21,6 +21,7 @@ mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::single::__private::{
         Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
+        solve, solve_nearest,
     };
     use ::kinematics::single::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -280,7 +281,14 @@ mod __Scara {
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<4> {
-            self.ik_seeded(pose, &[0.0; 4])
+            solve(
+                self,
+                pose,
+                &[0.0; 4],
+                &[],
+                &Self::ACCEPT,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -289,9 +297,14 @@ mod __Scara {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f32; 4]) -> Solutions<4> {
-            let branches = self.branches(pose, seed);
-            branches
-                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
+            solve(
+                self,
+                pose,
+                seed,
+                &[],
+                &Self::ACCEPT,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -310,7 +323,13 @@ mod __Scara {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f32; 4]) -> Branches<4, 2> {
-            Branches::of::<Self, _>(pose, seed, &[])
+            Branches::of(self, pose, seed, &[])
+        }
+
+        #[cold]
+        fn sorted(&self, pose: &Pose, branches: &Branches<4, 2>) -> Solutions<4> {
+            branches
+                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -325,14 +344,7 @@ mod __Scara {
         ) -> ::core::option::Option<Solution<4>> {
             let nearest = const { Nearest::new([0.0; 4], &Self::LIMITS) };
             let nearest = &nearest.from_seed(*seed);
-            self.branches(pose, &nearest.seed)
-                .corrected_nearest(
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    &Self::ACCEPT,
-                    nearest,
-                )
+            self.ik_nearest_by(pose, nearest)
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -344,14 +356,14 @@ mod __Scara {
             pose: &Pose,
             nearest: &Nearest<4>,
         ) -> ::core::option::Option<Solution<4>> {
-            self.branches(pose, &nearest.seed)
-                .corrected_nearest(
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    &Self::ACCEPT,
-                    nearest,
-                )
+            solve_nearest(
+                self,
+                pose,
+                &[],
+                &Self::ACCEPT,
+                nearest,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The determinant of the rows of the Jacobian that are not zero in every configuration.
@@ -420,13 +432,21 @@ mod __Scara {
         }
     }
 
-    impl Inverse<4, 2, 0> for Scara {
+    impl Inverse<4, 2, 0, 1> for Scara {
+        const WIDTH: usize = 2;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        #[inline(always)]
+        fn angles(seed: &[f32; 4], locked: &[f32; 0]) -> [f32; 1] {
+            let _ = (seed, locked);
+            [seed[2]]
+        }
+
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],
             seed: &[f32; 4],
             locked: &[f32; 0],
+            sin_cos: impl SinCos<1>,
             free: f32,
         ) -> Lanes<4, 2, T> {
             let _ = locked;
@@ -435,7 +455,7 @@ mod __Scara {
                 targets,
             );
             // The seed, for an angle that the target leaves free
-            let ([t1], [t2]) = lanes::sin_cos([seed[2]]);
+            let ([t1], [t2]) = sin_cos.of([seed[2]]);
             let mut t3_ = [0.0; T];
             let mut t4_ = [0.0; T];
             let mut d4_ = [0.0; T];

@@ -21,7 +21,7 @@ mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
-        widen,
+        solve, solve_nearest, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -496,7 +496,14 @@ mod __Ur5e {
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            self.ik_seeded(pose, &[0.0; 6])
+            solve(
+                self,
+                pose,
+                &[0.0; 6],
+                &[],
+                &Self::ACCEPT,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -505,9 +512,14 @@ mod __Ur5e {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            let branches = self.branches(pose, seed);
-            branches
-                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
+            solve(
+                self,
+                pose,
+                seed,
+                &[],
+                &Self::ACCEPT,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -526,7 +538,13 @@ mod __Ur5e {
         /// All branches of the plan as lanes, those that do not exist marked.
         #[inline]
         fn branches(&self, pose: &Pose, seed: &[f64; 6]) -> Branches<6, 8> {
-            Branches::of::<Self, _>(pose, seed, &[])
+            Branches::of(self, pose, seed, &[])
+        }
+
+        #[cold]
+        fn sorted(&self, pose: &Pose, branches: &Branches<6, 8>) -> Solutions<6> {
+            branches
+                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -541,14 +559,7 @@ mod __Ur5e {
         ) -> ::core::option::Option<Solution<6>> {
             let nearest = const { Nearest::new([0.0; 6], &Self::LIMITS) };
             let nearest = &nearest.from_seed(*seed);
-            self.branches(pose, &nearest.seed)
-                .corrected_nearest(
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    &Self::ACCEPT,
-                    nearest,
-                )
+            self.ik_nearest_by(pose, nearest)
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -560,14 +571,14 @@ mod __Ur5e {
             pose: &Pose,
             nearest: &Nearest<6>,
         ) -> ::core::option::Option<Solution<6>> {
-            self.branches(pose, &nearest.seed)
-                .corrected_nearest(
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    &Self::ACCEPT,
-                    nearest,
-                )
+            solve_nearest(
+                self,
+                pose,
+                &[],
+                &Self::ACCEPT,
+                nearest,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The determinant of the Jacobian, the same for the spatial, body and geometric one.
@@ -726,13 +737,22 @@ mod __Ur5e {
         }
     }
 
-    impl Inverse<6, 8, 0> for Ur5e {
+    impl Inverse<6, 8, 0, 3> for Ur5e {
+        const WIDTH: usize = 8;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::Some(3);
+        #[inline(always)]
+        fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 3] {
+            let _ = (seed, locked);
+            let t1 = seed[3] + (seed[1] + seed[2]);
+            [seed[0], seed[1], t1]
+        }
+
         #[inline(always)]
         fn lanes<const T: usize>(
             targets: &[Pose; T],
             seed: &[f64; 6],
             locked: &[f64; 0],
+            sin_cos: impl SinCos<3>,
             free: f64,
         ) -> Lanes<6, 8, T> {
             let _ = locked;
@@ -741,7 +761,7 @@ mod __Ur5e {
             );
             // The seed, for an angle that the target leaves free
             let t1 = seed[3] + (seed[1] + seed[2]);
-            let ([t2, t3, t4], [t5, t6, t7]) = lanes::sin_cos([seed[0], seed[1], t1]);
+            let ([t2, t3, t4], [t5, t6, t7]) = sin_cos.of([seed[0], seed[1], t1]);
             let mut t8_ = [0.0; T];
             let mut t9_ = [0.0; T];
             let mut t10_ = [0.0; T];

@@ -1154,7 +1154,7 @@ mod __Xarm6 {
             seed: &[f64; 6],
         ) -> ::core::option::Option<Solution<6>> {
             let nearest = &Nearest::new(*seed, &Self::LIMITS);
-            self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)
+            self.ik_nearest_by(pose, nearest)
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,

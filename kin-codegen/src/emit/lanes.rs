@@ -38,6 +38,8 @@ pub struct Lanes<L: Language> {
     pub free_angle: Option<[Output<L::Text>; 2]>,
     /// How many lanes there are.
     pub width: usize,
+    /// How many lanes much of the arithmetic has.
+    pub busy: usize,
     /// The inputs that are read.
     pub inputs: Vec<bool>,
 }
@@ -109,6 +111,28 @@ fn stages(g: &Graph, loops: &[u8]) -> Vec<usize> {
     g.levels().into_iter().zip(of_target).map(stage).collect()
 }
 
+/// The part of all arithmetic that has to be in a wide loop for wide vectors to pay.
+const MUCH: usize = 4;
+
+/// How many lanes the widest loop has that does a fourth of all operations or more.
+fn busy(g: &Graph, outputs: &[Expr], loops: &[u8], stages: &[usize]) -> usize {
+    let weights = g.operations_by_node(outputs);
+    let widths: Vec<usize> = std::iter::once(1)
+        .chain(loops.iter().map(|signs| 1 << signs))
+        .collect();
+    let mut operations = vec![0; widths.len()];
+    for (weight, stage) in weights.iter().zip(stages) {
+        // What is not needed may see more choices than there are loops for.
+        if let Some(number) = stage.checked_sub(SHARED).filter(|&k| k < widths.len()) {
+            operations[number] += widths[number] * weight.weight();
+        }
+    }
+    let all: usize = operations.iter().sum();
+    let busy = widths.iter().zip(operations);
+    let busy = busy.filter(|(_, operations)| MUCH * operations >= all);
+    busy.map(|(width, _)| *width).max().unwrap_or(1)
+}
+
 /// Writes all lanes of a closed form. `inputs` is how the inputs behind the target are read.
 pub fn lanes<L: Language>(
     solver: &ClosedForm,
@@ -120,6 +144,7 @@ pub fn lanes<L: Language>(
     let outputs = inverse.outputs();
     let loops = loops(g.choices());
     let stages = stages(g, &loops);
+    let busy = busy(g, &outputs, &loops, &stages);
     let target = target_names();
     let target = target.iter().map(|name| L::of_target(name));
     let inputs: Vec<L::Text> = target.chain(inputs).collect();
@@ -191,6 +216,7 @@ pub fn lanes<L: Language>(
             .free_angle
             .map(|free| [free.level, free.no_root].map(output)),
         width: 1 << before,
+        busy,
         inputs: (0..inputs.len()).map(|k| writer.needs_input(k)).collect(),
     }
 }

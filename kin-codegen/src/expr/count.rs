@@ -106,14 +106,21 @@ impl fmt::Display for Operations {
 impl Graph {
     /// The operations that computing `outputs` takes, every node once.
     pub fn operations(&self, outputs: &[Expr]) -> Operations {
-        let needed = self.reachable(outputs);
         let mut total = Operations::default();
-        for (i, node) in self.nodes().iter().enumerate() {
-            if needed[i] {
-                total += self.operations_of(*node, &needed);
-            }
+        for of_node in self.operations_by_node(outputs) {
+            total += of_node;
         }
         total
+    }
+
+    /// The same node by node.
+    pub fn operations_by_node(&self, outputs: &[Expr]) -> Vec<Operations> {
+        let needed = self.reachable(outputs);
+        let of = |(i, node): (usize, &Node)| match needed[i] {
+            true => self.operations_of(*node, &needed),
+            false => Operations::default(),
+        };
+        self.nodes().iter().enumerate().map(of).collect()
     }
 
     fn operations_of(&self, node: Node, needed: &[bool]) -> Operations {

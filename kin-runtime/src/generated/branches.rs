@@ -3,7 +3,6 @@
 use super::super::scalar::Real;
 use super::super::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
 use super::acceptance::Acceptance;
-use super::dispatch::{Dispatched, dispatch};
 use super::refinement::{AtSwivel, NEARLY, Problem, correct_branches, refine_branches};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
@@ -19,21 +18,6 @@ pub struct Branches<const N: usize, const L: usize> {
     pub invalid: [Real; L],
     /// Positive where a root is double or an angle is free.
     pub singular: [Real; L],
-}
-
-/// The choice of the branch that moves least.
-struct Choice;
-
-type ChoiceOf<'a, const N: usize, const L: usize> =
-    (&'a Branches<N, L>, &'a Acceptance, &'a Nearest<N>);
-
-impl<const N: usize, const L: usize> Dispatched<ChoiceOf<'_, N, L>> for Choice {
-    type Output = Option<Solution<N>>;
-
-    #[inline(always)]
-    fn run((branches, accept, nearest): ChoiceOf<'_, N, L>) -> Self::Output {
-        branches.choose(accept, nearest)
-    }
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {
@@ -62,12 +46,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     /// least, chosen side by side: as [`Solutions::nearest_by`] of
     /// [`Self::solutions`], without writing the others down.
     #[inline(always)]
-    pub fn nearest(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
-        dispatch::<Choice, _>((self, accept, nearest))
-    }
-
-    #[inline(always)]
-    fn choose(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
+    pub(super) fn choose(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
         let joints = nearest.motion(accept.prismatic);
         let mut motions = [0.0; L];
         for k in 0..L {
@@ -96,27 +75,6 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             solution.q[i] = joints.value(i, solution.q[i]);
         }
         Some(solution)
-    }
-
-    /// As [`Self::nearest`], of [`Self::corrected`].
-    #[inline(always)]
-    pub fn corrected_nearest(
-        &self,
-        fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
-        target: &Pose,
-        counts: Target,
-        accept: &Acceptance,
-        nearest: &Nearest<N>,
-    ) -> Option<Solution<N>> {
-        match self.nearly(accept) {
-            true => {
-                let corrected = self.correct(fk_jacobian, target, counts, accept);
-                // A copy, so that this alone needs it in memory.
-                let nearest = *nearest;
-                corrected.nearest_by(&nearest)
-            }
-            false => self.nearest(accept, nearest),
-        }
     }
 
     /// The branches that reach the target, those that rounding keeps from it

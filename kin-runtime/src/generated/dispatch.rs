@@ -10,12 +10,19 @@
 //!
 //! Nothing is dispatched where the program is compiled for AVX2 or more
 //! (`-C target-cpu=native`), on other architectures (NEON is part of aarch64),
-//! and without the feature `std`, which knows what the processor has.
+//! and without the feature `std`, which knows what the processor has. For
+//! Intel's processors LLVM then takes vectors of AVX2's width, though it may use
+//! wider ones, unless told `-C target-feature=-prefer-256-bit` beside: that is a
+//! matter of the target processor, which no attribute of a function changes.
 
 /// What is compiled for several instruction sets. `run` has to be
 /// `#[inline(always)]`, and so has all that it calls: what stays a call is
 /// compiled once.
 pub trait Dispatched<I> {
+    /// How many lanes much of it has. Where these leave vectors of AVX-512 half empty, AVX2 is as
+    /// fast; and the few wide instructions among the others would slow those down: while some are
+    /// under way, Intel's processors add and multiply narrow vectors at one port instead of two.
+    const WIDTH: usize = 8;
     /// What comes of it.
     type Output;
     /// Computes it.
@@ -141,9 +148,9 @@ mod x86_64 {
         };
         match chosen {
             // SAFETY: what is chosen is not more than the processor has.
-            AVX512 => unsafe { with_avx512::<T, I>(input) },
+            AVX512 if T::WIDTH >= 8 => unsafe { with_avx512::<T, I>(input) },
             // SAFETY: as above.
-            AVX2 => unsafe { with_avx2::<T, I>(input) },
+            AVX2 | AVX512 => unsafe { with_avx2::<T, I>(input) },
             _ => T::run_narrow(input),
         }
     }

@@ -28,7 +28,11 @@ impl<const L: usize> FreeAngle<L> {
     /// Whether the angle's value costs some branch its root.
     #[inline(always)]
     pub fn leaves_no_root(&self) -> bool {
-        self.no_root.iter().fold(0.0, |a, b| math::max(a, *b)) > 0.0
+        let mut leaves = false;
+        for k in 0..L {
+            leaves |= self.no_root[k] > 0.0;
+        }
+        leaves
     }
 }
 

@@ -1,17 +1,27 @@
 //! Closed forms in lanes, of one target or of several.
 
-use super::super::Pose;
 use super::super::scalar::Real;
+use super::super::{Nearest, Pose, Solution, Solutions, math};
+use super::acceptance::Acceptance;
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
 use super::free_angle::{FREE_BELOW, FreeAngle};
+use super::refinement::NEARLY;
+use super::sin_cos::{Known, SinCos};
 use core::marker::PhantomData;
 
-/// A closed form with L branches for N joints, of which P more are given.
-pub trait Inverse<const N: usize, const L: usize, const P: usize> {
+/// A closed form with L branches for N joints, of which P more are given, that takes the
+/// sines and cosines of M angles of these and of a seed.
+pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize> {
+    /// How many branches much of the arithmetic is done for.
+    const WIDTH: usize;
+
     /// The coordinate whose seed an angle has that singular targets leave free, if
     /// its value can leave a later root none.
     const FREE: Option<usize>;
+
+    /// The angles whose sines and cosines `lanes` asks for, radians.
+    fn angles(seed: &[Real; N], locked: &[Real; P]) -> [Real; M];
 
     /// The branches of T targets. Angles that are free are at `seed`; vectors whose
     /// square is below `free` tell no angle; `locked` are the values of the joints
@@ -20,6 +30,7 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize> {
         targets: &[Pose; T],
         seed: &[Real; N],
         locked: &[Real; P],
+        sin_cos: impl SinCos<M>,
         free: Real,
     ) -> Lanes<N, L, T>;
 }
@@ -41,87 +52,235 @@ pub struct Lanes<const N: usize, const L: usize, const T: usize> {
     pub no_root: [[Real; T]; L],
 }
 
+impl<const N: usize, const L: usize, const T: usize> Lanes<N, L, T> {
+    /// Positive for targets that ask for more: with a free angle that leaves a later root
+    /// none, or a branch that rounding may keep from the target.
+    #[inline(always)]
+    pub(super) fn unsettled(&self, accept: &Acceptance) -> [Real; T] {
+        let mut unsettled = [0.0; T];
+        for k in 0..L {
+            for t in 0..T {
+                let misses = self.residual[k][t] > accept.tolerance;
+                let little = self.residual[k][t] <= NEARLY * accept.size;
+                let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
+                let no_root = self.no_root[k][t];
+                unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, no_root));
+            }
+        }
+        unsettled
+    }
+
+    /// Writes down the branches that reach target `t`.
+    #[inline(always)]
+    pub(super) fn write(&self, t: usize, accept: &Acceptance, solutions: &mut Solutions<N>) {
+        solutions.clear(accept.prismatic);
+        for k in 0..L {
+            let reaches = (self.invalid[k][t] <= 0.0) & (self.residual[k][t] <= accept.tolerance);
+            let solution = Solution {
+                q: core::array::from_fn(|i| self.q[i][k][t]),
+                residual: self.residual[k][t],
+                branch: k as u32,
+                singular: self.singular[k][t] > 0.0,
+            };
+            solutions.push_if(reaches, solution);
+        }
+    }
+}
+
 impl<const N: usize, const L: usize> Lanes<N, L, 1> {
+    /// Whether the lanes alone tell the solutions.
+    #[inline(always)]
+    fn settled(&self, accept: &Acceptance) -> bool {
+        !(self.free_angle().leaves_no_root() | self.branches().nearly(accept))
+    }
+
     #[inline(always)]
     fn branches(&self) -> Branches<N, L> {
-        Branches {
-            q: self.q.map(alone),
-            residual: alone(self.residual),
-            invalid: alone(self.invalid),
-            singular: alone(self.singular),
+        let mut branches = Branches {
+            q: [[0.0; L]; N],
+            residual: alone(&self.residual),
+            invalid: alone(&self.invalid),
+            singular: alone(&self.singular),
+        };
+        for i in 0..N {
+            branches.q[i] = alone(&self.q[i]);
         }
+        branches
     }
 
     #[inline(always)]
     fn free_angle(&self) -> FreeAngle<L> {
         FreeAngle {
-            level: alone(self.level),
-            no_root: alone(self.no_root),
+            level: alone(&self.level),
+            no_root: alone(&self.no_root),
         }
     }
 }
 
 #[inline(always)]
-fn alone<const L: usize>(lanes: [[Real; 1]; L]) -> [Real; L] {
-    lanes.map(|[one]| one)
+fn alone<const L: usize>(lanes: &[[Real; 1]; L]) -> [Real; L] {
+    let mut values = [0.0; L];
+    for k in 0..L {
+        values[k] = lanes[k][0];
+    }
+    values
 }
 
-/// The branches of one target.
-struct Single<R, const P: usize>(PhantomData<R>);
+/// What is asked of the branches of a target, and where to write it.
+enum Asked<'a, const N: usize> {
+    Solutions(&'a Acceptance, &'a mut Solutions<N>),
+    Nearest(&'a Acceptance, &'a Nearest<N>, &'a mut Option<Solution<N>>),
+    Themselves,
+}
 
-impl<R, const N: usize, const L: usize, const P: usize>
-    Dispatched<(&Pose, &[Real; N], &[Real; P], PhantomData<[(); L]>)> for Single<R, P>
+/// A target with what is given beside it; see [`Inverse::lanes`].
+struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usize> {
+    pose: &'a Pose,
+    seed: &'a [Real; N],
+    locked: &'a [Real; P],
+    sin_cos: Known<M>,
+    free: Real,
+    solver: PhantomData<R>,
+}
+
+/// The branches of one target, with what tells of an angle that may be free.
+type Found<const N: usize, const L: usize> = (Branches<N, L>, FreeAngle<L>);
+
+impl<'a, R, const N: usize, const L: usize, const P: usize, const M: usize> Given<'a, R, N, L, P, M>
 where
-    R: Inverse<N, L, P>,
+    R: Inverse<N, L, P, M>,
 {
-    type Output = Branches<N, L>;
+    #[inline(always)]
+    fn new(pose: &'a Pose, seed: &'a [Real; N], locked: &'a [Real; P]) -> Self {
+        Given {
+            pose,
+            seed,
+            locked,
+            sin_cos: Known::new(R::angles(seed, locked)),
+            free: FREE_BELOW,
+            solver: PhantomData,
+        }
+    }
+
+    /// Does what is asked, or gives the branches where these alone do not tell it.
+    #[inline]
+    fn ask(&self, asked: Asked<'_, N>) -> Option<Found<N, L>> {
+        dispatch::<Single, _>((self, asked))
+    }
 
     #[inline(always)]
-    fn run(
-        (pose, seed, locked, _): (&Pose, &[Real; N], &[Real; P], PhantomData<[(); L]>),
-    ) -> Self::Output {
-        R::lanes(&[*pose], seed, locked, FREE_BELOW).branches()
+    fn branches(&self) -> Found<N, L> {
+        self.ask(Asked::Themselves)
+            .expect("nothing but the branches is asked for")
+    }
+
+    /// The branches, where the seed's value of a free angle leaves a later step no root with that
+    /// angle turned to where it leaves the most room.
+    #[inline(always)]
+    fn with_root(&self, (branches, free_angle): Found<N, L>) -> Branches<N, L> {
+        match R::FREE {
+            Some(coordinate) if free_angle.leaves_no_root() => {
+                let seeded = |seed: &[Real; N], free: Real| {
+                    let turned = Given::<R, N, L, P, M>::new(self.pose, seed, self.locked);
+                    Given { free, ..turned }.branches()
+                };
+                branches.with_free_angle(&free_angle, self.seed, coordinate, seeded)
+            }
+            _ => branches,
+        }
     }
 }
 
-/// The same with what is said of an angle that may be free.
-struct Seeded<R, const P: usize>(PhantomData<R>);
+/// The branches of one target and what is asked of them, in one function: what that has in
+/// registers does not go through memory to another.
+struct Single;
 
-impl<R, const N: usize, const L: usize, const P: usize>
-    Dispatched<(&Pose, &[Real; N], &[Real; P], Real, PhantomData<[(); L]>)> for Seeded<R, P>
+impl<R, const N: usize, const L: usize, const P: usize, const M: usize>
+    Dispatched<(&Given<'_, R, N, L, P, M>, Asked<'_, N>)> for Single
 where
-    R: Inverse<N, L, P>,
+    R: Inverse<N, L, P, M>,
 {
-    type Output = (Branches<N, L>, FreeAngle<L>);
+    const WIDTH: usize = R::WIDTH;
+    type Output = Option<Found<N, L>>;
 
     #[inline(always)]
-    fn run(
-        (pose, seed, locked, free, _): (&Pose, &[Real; N], &[Real; P], Real, PhantomData<[(); L]>),
-    ) -> Self::Output {
-        let lanes = R::lanes(&[*pose], seed, locked, free);
-        (lanes.branches(), lanes.free_angle())
+    fn run((given, asked): (&Given<'_, R, N, L, P, M>, Asked<'_, N>)) -> Self::Output {
+        let Given {
+            pose, seed, locked, ..
+        } = given;
+        let lanes = R::lanes(&[**pose], seed, locked, given.sin_cos, given.free);
+        match asked {
+            Asked::Solutions(accept, place) if lanes.settled(accept) => {
+                lanes.write(0, accept, place);
+                None
+            }
+            Asked::Nearest(accept, nearest, place) if lanes.settled(accept) => {
+                *place = lanes.branches().choose(accept, nearest);
+                None
+            }
+            _ => Some((lanes.branches(), lanes.free_angle())),
+        }
+    }
+}
+
+/// The solutions of a robot for one target; `otherwise` tells them where lanes do not: where rounding may
+/// keep a branch from the target, or a free angle leaves a later step no root.
+#[inline]
+pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize>(
+    _: &R,
+    pose: &Pose,
+    seed: &[Real; N],
+    locked: &[Real; P],
+    accept: &Acceptance,
+    otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+) -> Solutions<N>
+where
+    R: Inverse<N, L, P, M>,
+{
+    // Here, where the seed is known: of zeros the sines are constants.
+    let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
+    Solutions::build_with_prismatic(accept.prismatic, |solutions| {
+        if let Some(found) = given.ask(Asked::Solutions(accept, solutions)) {
+            *solutions = otherwise(given.with_root(found));
+        }
+    })
+}
+
+/// Of the solutions of a robot for one target the one that moves the joints least, as
+/// [`Solutions::nearest_by`] of [`solve`], without writing the others down.
+#[inline]
+pub fn solve_nearest<R, const N: usize, const L: usize, const P: usize, const M: usize>(
+    _: &R,
+    pose: &Pose,
+    locked: &[Real; P],
+    accept: &Acceptance,
+    nearest: &Nearest<N>,
+    otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+) -> Option<Solution<N>>
+where
+    R: Inverse<N, L, P, M>,
+{
+    let given = Given::<R, N, L, P, M>::new(pose, &nearest.seed, locked);
+    let mut solution = None;
+    match given.ask(Asked::Nearest(accept, nearest, &mut solution)) {
+        None => solution,
+        Some(found) => otherwise(given.with_root(found)).nearest_by(nearest),
     }
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {
     /// Those of a closed form for one target, with angles that are free at `seed`.
     #[inline]
-    pub fn of<R, const P: usize>(pose: &Pose, seed: &[Real; N], locked: &[Real; P]) -> Self
+    pub fn of<R, const P: usize, const M: usize>(
+        _: &R,
+        pose: &Pose,
+        seed: &[Real; N],
+        locked: &[Real; P],
+    ) -> Self
     where
-        R: Inverse<N, L, P>,
+        R: Inverse<N, L, P, M>,
     {
-        let Some(coordinate) = R::FREE else {
-            return dispatch::<Single<R, P>, _>((pose, seed, locked, PhantomData));
-        };
-        let seeded = |seed: &[Real; N], free: Real| {
-            dispatch::<Seeded<R, P>, _>((pose, seed, locked, free, PhantomData))
-        };
-        let (branches, free_angle) = seeded(seed, FREE_BELOW);
-        // A free angle at the seed's value can leave a later step no root: it turns
-        // to where it leaves the most room.
-        if free_angle.leaves_no_root() {
-            return branches.with_free_angle(&free_angle, seed, coordinate, seeded);
-        }
-        branches
+        let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
+        given.with_root(given.branches())
     }
 }

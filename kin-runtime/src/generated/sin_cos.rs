@@ -29,3 +29,24 @@ impl<const M: usize> SinCos<M> for SideBySide {
         lanes::sin_cos(angles)
     }
 }
+
+/// Those of angles that were known before, by whom they were asked for: of a seed of zeros they
+/// are constants there.
+#[derive(Clone, Copy)]
+pub struct Known<const M: usize>([Real; M], [Real; M]);
+
+impl<const M: usize> Known<M> {
+    /// Those of these.
+    #[inline(always)]
+    pub fn new(angles: [Real; M]) -> Self {
+        let (sines, cosines) = lanes::sin_cos(angles);
+        Self(sines, cosines)
+    }
+}
+
+impl<const M: usize> SinCos<M> for Known<M> {
+    #[inline(always)]
+    fn of(self, _: [Real; M]) -> ([Real; M], [Real; M]) {
+        (self.0, self.1)
+    }
+}

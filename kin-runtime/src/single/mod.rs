@@ -60,7 +60,7 @@ pub mod __private {
     pub use super::generated::batch::{self, Forward};
     pub use super::generated::branches::Branches;
     pub use super::generated::free_angle::{self, FREE_BELOW, FreeAngle};
-    pub use super::generated::inverse::{Inverse, Lanes};
+    pub use super::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use super::generated::lanes::{self, widen};
     pub use super::generated::locked::Locked;
     pub use super::generated::refinement::{self, AtSwivel};

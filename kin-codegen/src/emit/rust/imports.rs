@@ -29,7 +29,7 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 19] = [
+const PRIVATE: [&str; 21] = [
     "Acceptance",
     "AtSwivel",
     "Branches",
@@ -46,6 +46,8 @@ const PRIVATE: [&str; 19] = [
     "Univariate",
     "lanes",
     "math",
+    "solve",
+    "solve_nearest",
     "three_spheres",
     "trig_roots",
     "widen",

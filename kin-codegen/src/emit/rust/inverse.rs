@@ -21,8 +21,13 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
     let branches = branches(solver);
     let accept = acceptance(solver);
-    let sorted = sorted(solver);
+    let unseeded = quote!(&[0.0; #n]);
+    let (answer, seeded) = match solver.refinement {
+        Refinement::None => (solve(&unseeded), solve(&quote!(seed))),
+        _ => (quote!(self.ik_seeded(pose, #unseeded)), refined(solver)),
+    };
     let closest = closest(model, solver);
+    let unsettled = unsettled(solver);
     let what = what(solver.plan.target);
     let plan = format!(" Solved by {}.", solver.plan);
     let assumes = assumes(solver);
@@ -42,7 +47,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         #[doc = #plan]
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<#n> {
-            self.ik_seeded(pose, &[0.0; #n])
+            #answer
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -51,8 +56,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
-            let branches = self.branches(pose, seed);
-            #sorted
+            #seeded
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -65,7 +69,45 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         }
 
         #branches
+        #unsettled
     }
+}
+
+/// All solutions of an arm that is solved without refinement.
+fn solve(seed: &TokenStream) -> TokenStream {
+    quote! {
+        solve(self, pose, #seed, &[], &Self::ACCEPT, |branches| self.sorted(pose, &branches))
+    }
+}
+
+/// All solutions of another one.
+fn refined(solver: &ClosedForm) -> TokenStream {
+    let sorted = sorted(solver);
+    quote! {
+        let branches = self.branches(pose, seed);
+        #sorted
+    }
+}
+
+/// The private method `sorted`, for targets of which the lanes alone do not tell the
+/// solutions.
+fn unsettled(solver: &ClosedForm) -> Option<TokenStream> {
+    let [n, width, _] = sizes(solver);
+    let sorted = sorted(solver);
+    let unread = solver
+        .plan
+        .target
+        .is_projected()
+        .then(|| quote!(let _ = pose;));
+    (solver.refinement == Refinement::None).then(|| {
+        quote! {
+            #[cold]
+            fn sorted(&self, pose: &Pose, branches: &Branches<#n, #width>) -> Solutions<#n> {
+                #unread
+                #sorted
+            }
+        }
+    })
 }
 
 /// The private method `branches`, which `ik` and its like share.
@@ -81,7 +123,7 @@ pub fn branches(solver: &ClosedForm) -> TokenStream {
         fn branches(
             &self, pose: &Pose, seed: &[f64; #n] #takes
         ) -> Branches<#n, #width> {
-            Branches::of::<Self, _>(pose, seed, #given)
+            Branches::of(self, pose, seed, #given)
         }
     }
 }
@@ -111,7 +153,10 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let given = places("locked", solver.given.parameters());
     let ends = [TARGET + seed.len(), TARGET + seed.len() + given.len()];
     let inputs = seed.into_iter().chain(given).chain([quote!(free)]);
-    let (statements, lanes) = statements(solver, inverse, inputs);
+    let (statements, lanes) = statements(solver, inverse, inputs, &quote!(sin_cos.of));
+    let (sums, angles) = &lanes.angles;
+    let count = Literal::usize_unsuffixed(angles.len());
+    let without_angles = angles.is_empty().then(|| quote!(let _ = sin_cos;));
     let parameters = [
         (quote!(seed), TARGET..ends[0]),
         (quote!(locked), ends[0]..ends[1]),
@@ -128,21 +173,32 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
         }
         None => quote!(::core::option::Option::None),
     };
+    let busy = Literal::usize_unsuffixed(lanes.busy);
     let q = &lanes.q;
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
     let [level, no_root] = &lanes.free_angle;
     Some(quote! {
-        impl Inverse<#n, #width, #locked> for #robot {
+        impl Inverse<#n, #width, #locked, #count> for #robot {
+            const WIDTH: usize = #busy;
             const FREE: ::core::option::Option<usize> = #free;
+
+            #[inline(always)]
+            fn angles(seed: &[f64; #n], locked: &[f64; #locked]) -> [f64; #count] {
+                let _ = (seed, locked);
+                #(#sums)*
+                [#(#angles),*]
+            }
 
             #[inline(always)]
             fn lanes<const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; #n],
                 locked: &[f64; #locked],
+                sin_cos: impl SinCos<#count>,
                 free: f64,
             ) -> Lanes<#n, #width, T> {
                 #(#unused)*
+                #without_angles
                 #statements
                 Lanes {
                     q: [#(#q),*],
@@ -158,13 +214,14 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
 }
 
 /// The statements that compute the lanes of a graph from the T `targets` and more
-/// `inputs`.
+/// `inputs`; `sin_cos` is the function that gives the sines and cosines of angles.
 pub fn statements(
     solver: &ClosedForm,
     inverse: &InverseGraph,
     inputs: impl Iterator<Item = TokenStream>,
+    sin_cos: &TokenStream,
 ) -> (TokenStream, Lanes) {
-    let lanes = lanes(solver, inverse, inputs);
+    let lanes = lanes(solver, inverse, inputs, sin_cos);
     let entries = target_pattern(&lanes.inputs);
     let statements = &lanes.statements;
     (quote!(#entries #(#statements)*), lanes)
@@ -198,7 +255,9 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
                 let nearest = const { Nearest::new([0.0; #n], &Self::LIMITS) };
                 let nearest = &nearest.from_seed(*seed);
             },
-            nearest_branch(solver.plan.target),
+            quote! {
+                solve_nearest(self, pose, &[], &Self::ACCEPT, nearest, |branches| self.sorted(pose, &branches))
+            },
         ),
         _ => (
             quote!(let nearest = &Nearest::new(*seed, &Self::LIMITS);),
@@ -215,7 +274,7 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
             -> ::core::option::Option<Solution<#n>>
         {
             #first
-            #by
+            self.ik_nearest_by(pose, nearest)
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -227,20 +286,6 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
         {
             #by
         }
-    }
-}
-
-/// How the branch that moves least is chosen.
-fn nearest_branch(target: Target) -> TokenStream {
-    let branches = quote!(self.branches(pose, &nearest.seed));
-    if target.is_projected() {
-        return quote!(#branches.nearest(&Self::ACCEPT, nearest));
-    }
-    let target = format_ident!("{target:?}");
-    quote! {
-        #branches.corrected_nearest(
-            |q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT, nearest,
-        )
     }
 }
 

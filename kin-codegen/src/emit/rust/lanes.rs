@@ -26,18 +26,26 @@ pub struct Lanes {
     pub singular: TokenStream,
     /// See [`lanes::Lanes::free_angle`].
     pub free_angle: [TokenStream; 2],
+    /// See [`lanes::Lanes::busy`].
+    pub busy: usize,
     /// The inputs that are read.
     pub inputs: Vec<bool>,
+    /// The angles whose sines and cosines the body asks for: what adds them up, and each.
+    pub angles: (Vec<TokenStream>, Vec<TokenStream>),
 }
 
-/// Writes all lanes of a closed form; `inputs` are those behind the target.
+/// Writes all lanes of a closed form; `inputs` are those behind the target, and `sin_cos` is
+/// the function that gives the sines and cosines of angles.
 pub fn lanes(
     solver: &ClosedForm,
     inverse: &InverseGraph,
     inputs: impl IntoIterator<Item = TokenStream>,
+    sin_cos: &TokenStream,
 ) -> Lanes {
     let found = lanes::lanes::<Rust>(solver, inverse, inputs);
-    let mut statements = bound(found.trig, &quote!(lanes::sin_cos));
+    let values = found.trig.angles.iter().map(|angle| angle.value.clone());
+    let angles = (found.trig.sums.clone(), values.collect());
+    let mut statements = bound(found.trig, sin_cos);
     if !statements.is_empty() {
         statements.insert(0, comment(told_of_angles(solver)));
     }
@@ -63,7 +71,9 @@ pub fn lanes(
             Some(free) => free.each_ref().map(result),
             None => std::array::from_fn(|_| quote!([[0.0; T]; #width])),
         },
+        busy: found.busy,
         inputs: found.inputs,
+        angles,
     }
 }
 

@@ -400,7 +400,7 @@ fn lanes_at_parameter(
     let seed = std::iter::repeat_n(quote!(0.0), solver.given.variables());
     let given = (0..solver.given.parameters()).map(|i| parameter(redundancy, i));
     let inputs = seed.chain(given).chain([quote!(FREE_BELOW)]);
-    let (statements, lanes) = inverse::statements(solver, graph, inputs);
+    let (statements, lanes) = inverse::statements(solver, graph, inputs, &quote!(lanes::sin_cos));
     let own = TARGET + solver.given.variables();
     let reads = lanes.inputs[own..own + solver.given.parameters()].contains(&true);
     let unread = (!reads && !redundancy.turn).then(|| match redundancy.parameters() {

@@ -8,10 +8,9 @@
 use super::super::super::generated::acceptance::Acceptance;
 use super::super::super::generated::dispatch::{Dispatched, dispatch};
 use super::super::super::generated::free_angle::FREE_BELOW;
-use super::super::super::generated::inverse::{Inverse, Lanes};
-use super::super::super::generated::refinement::NEARLY;
-use super::super::super::scalar::Real;
-use super::super::super::{Pose, Solution, Solutions, math};
+use super::super::super::generated::inverse::Inverse;
+use super::super::super::generated::sin_cos::Known;
+use super::super::super::{Pose, Solutions};
 use super::LANES;
 use core::marker::PhantomData;
 
@@ -20,29 +19,30 @@ use core::marker::PhantomData;
 /// # Panics
 /// If there are not as many places for solutions as targets.
 #[inline]
-pub fn inverse<R, const N: usize, const L: usize>(
+pub fn inverse<R, const N: usize, const L: usize, const M: usize>(
     accept: &Acceptance,
     targets: &[Pose],
     solutions: &mut [Solutions<N>],
     alone: impl Fn(&Pose) -> Solutions<N>,
 ) where
-    R: Inverse<N, L, 0>,
+    R: Inverse<N, L, 0, M>,
 {
     assert_eq!(
         targets.len(),
         solutions.len(),
         "a place for the solutions of each target"
     );
-    dispatch::<Blocks<R, L>, _>((accept, targets, solutions, alone));
+    dispatch::<Blocks<R, L, M>, _>((accept, targets, solutions, alone));
 }
 
-struct Blocks<R, const L: usize>(PhantomData<R>);
+struct Blocks<R, const L: usize, const M: usize>(PhantomData<R>);
 
 type Batch<'a, const N: usize, F> = (&'a Acceptance, &'a [Pose], &'a mut [Solutions<N>], F);
 
-impl<R, F, const N: usize, const L: usize> Dispatched<Batch<'_, N, F>> for Blocks<R, L>
+impl<R, F, const N: usize, const L: usize, const M: usize> Dispatched<Batch<'_, N, F>>
+    for Blocks<R, L, M>
 where
-    R: Inverse<N, L, 0>,
+    R: Inverse<N, L, 0, M>,
     F: Fn(&Pose) -> Solutions<N>,
 {
     type Output = ();
@@ -51,8 +51,10 @@ where
     fn run((accept, targets, solutions, alone): Batch<'_, N, F>) {
         let (blocks, rest) = targets.as_chunks::<LANES>();
         let (filled, last) = solutions.as_chunks_mut::<LANES>();
+        let seed = [0.0; N];
+        let sin_cos = Known::new(R::angles(&seed, &[]));
         for (targets, solutions) in blocks.iter().zip(filled) {
-            let lanes = R::lanes(targets, &[0.0; N], &[], FREE_BELOW);
+            let lanes = R::lanes(targets, &seed, &[], sin_cos, FREE_BELOW);
             let unsettled = lanes.unsettled(accept);
             for t in 0..LANES {
                 if unsettled[t] > 0.0 {
@@ -69,40 +71,6 @@ where
     fn run_narrow((_, targets, solutions, alone): Batch<'_, N, F>) {
         for (target, solutions) in targets.iter().zip(solutions) {
             *solutions = alone(target);
-        }
-    }
-}
-
-impl<const N: usize, const L: usize> Lanes<N, L, LANES> {
-    /// Positive for targets that ask for more.
-    #[inline(always)]
-    fn unsettled(&self, accept: &Acceptance) -> [Real; LANES] {
-        let mut unsettled = [0.0; LANES];
-        for k in 0..L {
-            for t in 0..LANES {
-                let misses = self.residual[k][t] > accept.tolerance;
-                let little = self.residual[k][t] <= NEARLY * accept.size;
-                let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
-                let no_root = self.no_root[k][t];
-                unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, no_root));
-            }
-        }
-        unsettled
-    }
-
-    /// Writes down the branches that reach target `t`.
-    #[inline(always)]
-    fn write(&self, t: usize, accept: &Acceptance, solutions: &mut Solutions<N>) {
-        solutions.clear(accept.prismatic);
-        for k in 0..L {
-            let reaches = (self.invalid[k][t] <= 0.0) & (self.residual[k][t] <= accept.tolerance);
-            let solution = Solution {
-                q: core::array::from_fn(|i| self.q[i][k][t]),
-                residual: self.residual[k][t],
-                branch: k as u32,
-                singular: self.singular[k][t] > 0.0,
-            };
-            solutions.push_if(reaches, solution);
         }
     }
 }
