@@ -1358,7 +1358,7 @@ mod __Calibrated {
     }
 
     impl Inverse<6, 8, 0, 4> for Calibrated {
-        const WIDTH: usize = 8;
+        const WIDTH: usize = 4;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 4] {
