@@ -17,6 +17,8 @@ use crate::singularity::Singular;
 use crate::solver::{Certified, Lack, NoClosedForm, solve};
 use crate::spec::bounds::JOINTS;
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
+use kin_runtime::__private::univariate::reproducibly;
+use std::sync::OnceLock;
 
 /// A serial arm, compiled but not yet written as Rust.
 #[derive(Clone, Debug)]
@@ -28,15 +30,48 @@ pub struct CompiledArm {
     pub model: Model,
     /// The frames of the arm as given.
     pub linkage: Linkage,
-    /// Forward kinematics and Jacobians.
-    pub forward: Forward,
+    /// Built when they are first asked for: what is solved does not need them.
+    forward: OnceLock<Forward>,
     /// Inverse kinematics; none if it was not asked for.
     pub inverse: Option<Certified>,
     /// What inverse kinematics takes beside a target; none where a target has isolated
     /// solutions.
     pub redundancy: Option<Redundancy>,
-    /// Determinant and singularities; none if no square Jacobian is there.
-    pub singular: Option<Singular>,
+    /// Of which rows of the Jacobian singularities are looked for; none where they are not.
+    rows: Option<Target>,
+    /// Built when it is first asked for.
+    singular: OnceLock<Option<Singular>>,
+}
+
+/// Poses as expressions of q.
+#[derive(Clone, Debug)]
+pub struct Poses {
+    /// Holds them.
+    pub graph: Graph,
+    /// The coordinates of q.
+    q: Vec<Expr>,
+    /// The tip.
+    pub tip: Motion,
+    /// The link that each joint moves; mimics move with their coordinate.
+    pub links: Vec<Motion>,
+}
+
+impl Poses {
+    fn new(model: &Model, linkage: &Linkage) -> Self {
+        let mut g = Graph::new();
+        let n = model.variables.len();
+        let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
+        let trig = JointTrig::at(&mut g, linkage, &q);
+        let tip = tip(&mut g, linkage, &trig);
+        let joints: Vec<usize> = (0..n).map(|variable| model.joint_of(variable)).collect();
+        let links = link_frames(&mut g, linkage, &trig, &joints);
+        Self {
+            graph: g,
+            q,
+            tip,
+            links,
+        }
+    }
 }
 
 /// Forward kinematics and Jacobians as expressions of q.
@@ -67,13 +102,13 @@ const LONGEST: usize = 80;
 
 impl Forward {
     fn new(model: &Model, linkage: &Linkage) -> Self {
-        let mut g = Graph::new();
-        let n = model.variables.len();
-        let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
-        let trig = JointTrig::at(&mut g, linkage, &q);
-        let tip = tip(&mut g, linkage, &trig);
-        let joints: Vec<usize> = (0..n).map(|variable| model.joint_of(variable)).collect();
-        let links = link_frames(&mut g, linkage, &trig, &joints);
+        let Poses {
+            graph: mut g,
+            q,
+            tip,
+            links,
+        } = Poses::new(model, linkage);
+        let n = q.len();
         let both = tip_and_jacobian(&mut g, linkage, &q, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
             .map(|which| jacobian(&mut g, linkage, &q, which));
@@ -163,13 +198,9 @@ pub(crate) fn compile(
         Err(reason) => (None, Some(reason)),
     };
     let (inverse, redundancy) = solved.unzip();
-    let form = inverse.as_ref().map(|certified| &certified.form);
-    let idealized = form.filter(|form| !form.is_exact());
-    let idealized = idealized.map(|form| (&form.idealized.model, &form.linkage));
-    let singular = Singular::new(&model, &linkage, idealized, target);
     let file = file_name(&spec.source.path);
     let arm = CompiledArm {
-        singular,
+        rows: Some(target),
         redundancy: redundancy.flatten(),
         ..CompiledArm::new(file, model, linkage, inverse)
     };
@@ -187,13 +218,36 @@ impl CompiledArm {
     ) -> Self {
         Self {
             file: file.to_owned(),
-            forward: Forward::new(&model, &linkage),
+            forward: OnceLock::new(),
             model,
             linkage,
             inverse,
             redundancy: None,
-            singular: None,
+            rows: None,
+            singular: OnceLock::new(),
         }
+    }
+
+    /// Forward kinematics alone, as [`CompiledArm::forward`] has it.
+    pub fn poses(&self) -> Poses {
+        Poses::new(&self.model, &self.linkage)
+    }
+
+    /// Forward kinematics and Jacobians.
+    pub fn forward(&self) -> &Forward {
+        let build = || reproducibly(|| Forward::new(&self.model, &self.linkage));
+        self.forward.get_or_init(build)
+    }
+
+    /// Determinant and singularities; none if no square Jacobian is there.
+    pub fn singular(&self) -> Option<&Singular> {
+        let build = || {
+            let idealized = self.form().filter(|form| !form.is_exact());
+            let idealized = idealized.map(|form| (&form.idealized.model, &form.linkage));
+            let found = |rows| Singular::new(&self.model, &self.linkage, idealized, rows);
+            reproducibly(|| self.rows.and_then(found))
+        };
+        self.singular.get_or_init(build).as_ref()
     }
 
     /// The names of the joints that stay free, or of the swivel, as the option `free` has them.

@@ -30,7 +30,7 @@ fn forward(source: &Source) -> CompiledArm {
 /// Multiplications and additions of the pose, and of pose and spatial Jacobian.
 fn counts(compiled: &CompiledArm) -> [[usize; 2]; 2] {
     let pair = |cost: Operations| [cost.multiplications, cost.additions];
-    let forward = &compiled.forward;
+    let forward = compiled.forward();
     [
         pair(forward.tip_cost()),
         pair(forward.tip_and_jacobian_cost()),

@@ -35,7 +35,7 @@ impl Robot {
     ///
     /// As [`Robot::fk_batch`].
     pub fn fk_jacobian_batch(&self, q: &[f64]) -> Vec<(Pose, Vec<Twist>)> {
-        self.each(&self.both, q, |values, lane| {
+        self.each(&self.jacobians().both, q, |values, lane| {
             let part = |first: usize| std::array::from_fn(|i| values.output(first + i)[lane]);
             let column = |joint: usize| Twist {
                 linear: part(12 + 6 * joint),

@@ -121,13 +121,16 @@ impl Robot {
     /// The pose of the tip and the columns of the spatial Jacobian, which share most of the work.
     pub fn fk_jacobian(&self, q: &[f64]) -> (Pose, Vec<Twist>) {
         self.check(q);
-        let values = self.both.run::<1>(q, 0);
-        (pose(&values, 0), columns(&values, 12..self.both.outputs()))
+        let values = self.jacobians().both.run::<1>(q, 0);
+        (
+            pose(&values, 0),
+            columns(&values, 12..self.jacobians().both.outputs()),
+        )
     }
 
     /// The columns of the spatial Jacobian (MLS section 3.4).
     pub fn spatial_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        match &self.spatial {
+        match &self.jacobians().spatial {
             Some(tape) => self.columns(tape, q),
             None => self.fk_jacobian(q).1,
         }
@@ -135,20 +138,20 @@ impl Robot {
 
     /// The columns of the body Jacobian (MLS section 3.4).
     pub fn body_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        self.columns(&self.body, q)
+        self.columns(&self.jacobians().body, q)
     }
 
     /// The columns of the geometric Jacobian: the velocity of the tip's origin and the angular
     /// velocity, both in base axes. What ROS calls the Jacobian.
     pub fn geometric_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        self.columns(&self.geometric, q)
+        self.columns(&self.jacobians().geometric, q)
     }
 
     /// The determinant of the Jacobian, or of its rows that count for targets, 0 where the robot
     /// is singular; none where these are not square.
     pub fn jacobian_determinant(&self, q: &[f64]) -> Option<f64> {
         self.check(q);
-        let tape = self.singular.as_ref()?;
+        let tape = self.singular()?;
         Some(tape.run::<1>(q, 0).output(0)[0])
     }
 
@@ -156,7 +159,7 @@ impl Robot {
     /// name. Empty where they are not known.
     pub fn singularities(&self, q: &[f64]) -> Vec<(&str, f64)> {
         self.check(q);
-        let told = self.arm.singular.as_ref().zip(self.singular.as_ref());
+        let told = self.arm.singular().zip(self.singular());
         let Some((singular, tape)) = told else {
             return Vec::new();
         };

@@ -1,10 +1,10 @@
 //! From a robot file to a robot.
 
 use super::NamedPosture;
-use kin_codegen::arm::CompiledArm;
+use kin_codegen::arm::{CompiledArm, Forward};
 use kin_codegen::closed_form::Domain;
+use kin_codegen::expr::Tape;
 use kin_codegen::expr::forward::Outputs;
-use kin_codegen::expr::{Expr, Graph, Tape};
 use kin_codegen::spec::{Diagnostic, Diagnostics};
 use kin_codegen::{Error, Options, Scalar, Source, compile};
 use kin_runtime::{Chain, JointLimit};
@@ -17,7 +17,8 @@ use std::sync::OnceLock;
 /// slices.
 ///
 /// Reading one compiles it, which takes as long as in a build: some tens of milliseconds for an
-/// arm with a closed form.
+/// arm with a closed form. What Jacobians and singularities need is built when they are first
+/// asked for, in some milliseconds more.
 ///
 /// ```
 /// use kinematics::Robot;
@@ -37,20 +38,38 @@ pub struct Robot {
     pub(super) limits: Vec<JointLimit>,
     pub(super) tip: Tape,
     pub(super) links: Tape,
-    /// The tip, and behind it the spatial Jacobian.
-    pub(super) both: Tape,
-    /// The spatial Jacobian alone, where it is not taken from these.
-    pub(super) spatial: Option<Tape>,
-    pub(super) body: Tape,
-    pub(super) geometric: Tape,
-    /// The time derivative of the spatial Jacobian, of q and its rates, where joints mimic others.
-    pub(super) dot: Option<Tape>,
-    /// The determinant of the Jacobian, and how far singularities are.
-    pub(super) singular: Option<Tape>,
+    jacobians: OnceLock<Jacobians>,
+    singular: OnceLock<Option<Tape>>,
     /// Of a robot with parameters.
     pub(super) domain: Option<Domain>,
     /// What its branches are called, as soon as somebody asks.
     pub(super) postures: OnceLock<Vec<NamedPosture>>,
+}
+
+/// What is made of Jacobians runs these.
+#[derive(Clone, Debug)]
+pub(super) struct Jacobians {
+    /// The tip, and behind it the spatial Jacobian.
+    pub both: Tape,
+    /// The spatial Jacobian alone, where it is not taken from these.
+    pub spatial: Option<Tape>,
+    pub body: Tape,
+    pub geometric: Tape,
+    /// The time derivative of the spatial Jacobian, of q and its rates, where joints mimic others.
+    pub dot: Option<Tape>,
+}
+
+impl Jacobians {
+    fn of(forward: &Forward) -> Self {
+        let of = |outputs: &dyn Outputs| Tape::new(&forward.graph, &outputs.expressions());
+        Self {
+            both: of(&forward.both),
+            spatial: forward.spatial_alone().map(|spatial| of(spatial)),
+            body: of(&forward.body),
+            geometric: of(&forward.geometric),
+            dot: forward.dot.as_ref().map(|dot| of(dot)),
+        }
+    }
 }
 
 impl Robot {
@@ -108,9 +127,8 @@ impl Robot {
     }
 
     fn new(arm: CompiledArm) -> Self {
-        let forward = &arm.forward;
-        let tape = |graph: &Graph, outputs: Vec<Expr>| Tape::new(graph, &outputs);
-        let of = |outputs: &dyn Outputs| tape(&forward.graph, outputs.expressions());
+        let poses = arm.poses();
+        let of = |outputs: &dyn Outputs| Tape::new(&poses.graph, &outputs.expressions());
         let model = &arm.model;
         let limit = |i: usize| match (model.turns(i), model.variables[i].limits) {
             (true, None) => JointLimit::Continuous,
@@ -120,26 +138,35 @@ impl Robot {
                 JointLimit::prismatic(lower, upper)
             }
         };
-        let singular = arm.singular.as_ref().map(|singular| {
-            let values = singular.values().into_iter();
-            let outputs = std::iter::once(singular.determinant.product).chain(values);
-            tape(&singular.graph, outputs.collect())
-        });
         Self {
             chain: model.chain(),
             limits: (0..model.variables.len()).map(limit).collect(),
-            tip: of(&forward.tip),
-            links: of(&forward.links),
-            both: of(&forward.both),
-            spatial: forward.spatial_alone().map(|spatial| of(spatial)),
-            body: of(&forward.body),
-            geometric: of(&forward.geometric),
-            dot: forward.dot.as_ref().map(|dot| of(dot)),
-            singular,
+            tip: of(&poses.tip),
+            links: of(&poses.links),
+            jacobians: OnceLock::new(),
+            singular: OnceLock::new(),
             domain: arm.redundancy.as_ref().and(arm.form()).map(Domain::of),
             postures: OnceLock::new(),
             arm,
         }
+    }
+
+    /// Built when they are first asked for.
+    pub(super) fn jacobians(&self) -> &Jacobians {
+        let build = || Jacobians::of(self.arm.forward());
+        self.jacobians.get_or_init(build)
+    }
+
+    /// The determinant of the Jacobian, and behind it how far singularities are; built when it is
+    /// first asked for.
+    pub(super) fn singular(&self) -> Option<&Tape> {
+        let build = || {
+            let singular = self.arm.singular()?;
+            let values = singular.values().into_iter();
+            let outputs = std::iter::once(singular.determinant.product).chain(values);
+            Some(Tape::new(&singular.graph, &outputs.collect::<Vec<_>>()))
+        };
+        self.singular.get_or_init(build).as_ref()
     }
 }
 

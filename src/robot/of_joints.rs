@@ -142,27 +142,27 @@ impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
     }
 
     fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
-        let values = self.robot.both.run::<1>(self.own(q), 0);
+        let values = self.robot.jacobians().both.run::<1>(self.own(q), 0);
         (pose(&values, 0), self.columns(&values, 12))
     }
 
     fn spatial_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
-        match &self.robot.spatial {
+        match &self.robot.jacobians().spatial {
             Some(tape) => self.jacobian(tape, self.own(q)),
             None => self.fk_jacobian(q).1,
         }
     }
 
     fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
-        self.jacobian(&self.robot.body, self.own(q))
+        self.jacobian(&self.robot.jacobians().body, self.own(q))
     }
 
     fn geometric_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
-        self.jacobian(&self.robot.geometric, self.own(q))
+        self.jacobian(&self.robot.jacobians().geometric, self.own(q))
     }
 
     fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
-        match &self.robot.dot {
+        match &self.robot.jacobians().dot {
             Some(tape) => self.jacobian(tape, &[self.own(q), self.own(rates)].concat()),
             None => self.spatial_jacobian(q).spatial_dot(rates),
         }
@@ -170,7 +170,7 @@ impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
 
     fn hessian(&self, q: &[f64; N]) -> Hessian<N> {
         let unit = |k| std::array::from_fn(|j| if j == k { 1.0 } else { 0.0 });
-        match self.robot.dot {
+        match self.robot.jacobians().dot {
             Some(_) => Hessian {
                 derivatives: std::array::from_fn(|k| self.jacobian_dot(q, &unit(k))),
             },

@@ -58,7 +58,7 @@ fn report(robot: &Path) {
     let Compiled::Arm(compiled) = &generated.robot else {
         return;
     };
-    let forward = &compiled.forward;
+    let forward = compiled.forward();
     let (fk, both) = (forward.tip_cost(), forward.tip_and_jacobian_cost());
     println!(
         "{name:16} {:7.1} ms {:7.1} kB  {:4}/{:4}  {:4}/{:4}",

@@ -39,8 +39,8 @@ pub struct ArmExplanation {
 
 impl ArmExplanation {
     pub(super) fn of(arm: &CompiledArm, refusal: Option<String>) -> Self {
-        let CompiledArm { model, forward, .. } = arm;
-        let singular = arm.singular.as_ref();
+        let (model, forward) = (&arm.model, arm.forward());
+        let singular = arm.singular();
         Self {
             schema: SCHEMA,
             file: arm.file.clone(),

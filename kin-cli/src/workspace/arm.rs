@@ -40,7 +40,7 @@ pub fn sampling<'a>(
     Some(Sampling {
         robot: Box::new(Arm {
             form,
-            singular: compiled.singular.as_ref(),
+            singular: compiled.singular(),
             model,
             limited: arguments.limits,
         }),

@@ -166,8 +166,8 @@ pub fn of(
 fn arm(compiled: &CompiledArm) -> Vec<String> {
     let model = &compiled.model;
     let joints = model.variables.len();
-    let fk = compiled.forward.tip_cost();
-    let both = compiled.forward.tip_and_jacobian_cost();
+    let fk = compiled.forward().tip_cost();
+    let both = compiled.forward().tip_and_jacobian_cost();
     let mut lines = vec![
         format!("{} to {}, {joints} joints.", model.base, model.tip),
         format!("Forward kinematics: {fk}."),

@@ -11,7 +11,7 @@ use crate::expr::{Expr, Graph};
 
 /// All functions of q.
 pub fn functions(compiled: &CompiledArm) -> String {
-    let f = &compiled.forward;
+    let f = compiled.forward();
     let n = compiled.model.variables.len();
     let (g, both) = (&f.graph, &f.both);
     let links: Vec<Expr> = f.links.iter().flat_map(Outputs::expressions).collect();

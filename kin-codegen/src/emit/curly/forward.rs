@@ -62,7 +62,7 @@ pub fn jacobian<L: Curly>(writer: &Writer<L>, columns: &Columns) -> String {
 /// The statements that fill `poses` with those of the links of some joints, in this order, and
 /// whether they read q.
 pub fn links_of_joints<L: Curly>(compiled: &CompiledArm, joints: &[usize]) -> (String, bool) {
-    let mut g: Graph = compiled.forward.graph.clone();
+    let mut g: Graph = compiled.forward().graph.clone();
     let n = compiled.model.variables.len();
     let q = (0..n).map(|i| g.find(Node::Input(i as u16)));
     let q: Vec<Expr> = q.flatten().collect();

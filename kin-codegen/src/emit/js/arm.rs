@@ -21,7 +21,7 @@ use kin_runtime::Pose;
 pub fn arm(compiled: &CompiledArm) -> String {
     let model = &compiled.model;
     let n = model.variables.len();
-    let f = &compiled.forward;
+    let f = compiled.forward();
     let (g, both) = (&f.graph, &f.both);
     let all: Vec<usize> = (0..model.joints.len()).collect();
     let form =
@@ -84,8 +84,7 @@ pub fn arm(compiled: &CompiledArm) -> String {
         (
             "singularities",
             compiled
-                .singular
-                .as_ref()
+                .singular()
                 .map_or_else(none, |it| singularities(it, n)),
         ),
     ];

@@ -188,7 +188,7 @@ fn arm(name: &Ident, what: &str, compiled: &CompiledArm) -> TokenStream {
     let what = format!(" {what}");
     let count = compiled.model.variables.len();
     let n = Literal::usize_unsuffixed(count);
-    let f = &compiled.forward;
+    let f = compiled.forward();
     let (g, tip, both) = (&f.graph, &f.tip, &f.both);
     let fk = forward::block(g, &tip.expressions(), count, |w| forward::pose(w, tip));
     let fk_jacobian = forward::block(g, &both.expressions(), count, |w| {

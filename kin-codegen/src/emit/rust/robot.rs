@@ -34,9 +34,9 @@ pub fn robot(compiled: &CompiledArm, names: &Names) -> TokenStream {
         }
     });
     let variables = compiled.model.variables.len();
-    let singular = compiled.singular.as_ref();
+    let singular = compiled.singular();
     let singular = singular.map(|singular| singular::methods(singular, variables));
-    let derivatives = compiled.forward.dot.as_ref();
+    let derivatives = compiled.forward().dot.as_ref();
     let derivatives = derivatives.map(|dot| self::derivatives(compiled, dot, &n));
     let kinematics = kinematics(compiled, names, &n);
     let redundant = redundancy.zip(compiled.form());
@@ -225,7 +225,7 @@ fn bound(x: f64) -> TokenStream {
 }
 
 fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
-    let f = &compiled.forward;
+    let f = compiled.forward();
     let count = compiled.model.variables.len();
     let g = &f.graph;
     let links_outputs: Vec<_> = f.links.iter().flat_map(|m| m.expressions()).collect();
@@ -302,7 +302,7 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
 /// Forward kinematics as straight-line code, of one configuration or in batches.
 fn straight(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let n = compiled.model.variables.len();
-    let f = &compiled.forward;
+    let f = compiled.forward();
     let (tip, both) = (f.tip.expressions(), f.both.expressions());
     let fk = forward::implementation(name, &quote!(Pose), &f.graph, &tip, n, |w| {
         forward::pose(w, &f.tip)
@@ -324,10 +324,10 @@ fn straight(compiled: &CompiledArm, name: &Ident) -> TokenStream {
 fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream {
     let (name, runtime) = (&names.robot, &names.runtime);
     let own = |is_own: bool, other: &'static str| if is_own { "own" } else { other };
-    let singular = compiled.singular.as_ref();
+    let singular = compiled.singular();
     let groups = [
         own(compiled.branches() > 0, "none"),
-        own(compiled.forward.dot.is_some(), "provided"),
+        own(compiled.forward().dot.is_some(), "provided"),
         own(singular.is_some(), "none"),
         own(
             singular.is_some_and(|singular| !singular.singularities.is_empty()),
@@ -354,7 +354,7 @@ fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream
 /// cannot tell them from the Jacobian.
 fn derivatives(compiled: &CompiledArm, dot: &Columns, n: &Literal) -> TokenStream {
     let count = compiled.model.variables.len();
-    let graph = &compiled.forward.graph;
+    let graph = &compiled.forward().graph;
     let body = forward::block_with_rates(graph, &dot.expressions(), count, |w| {
         forward::jacobian(w, dot)
     });
