@@ -191,9 +191,7 @@ impl AlongParameter<'_> {
     /// The intervals of the parameter in which each branch of solutions exists; see
     /// [`RedundantKinematics::feasible`].
     ///
-    /// # Panics
-    ///
-    /// The robot has more than eight joints, or eight and a parameter that is none of them.
+    /// None are told of a robot of more than eight joints.
     pub fn feasible(&self, pose: &Pose) -> Vec<Interval> {
         with_constant!(self.robot.joints(), N => self.of_joints::<N, _>(pose, |arm, pose| {
             arm.feasible(pose).iter().map(Interval::of).collect()
@@ -205,7 +203,7 @@ impl AlongParameter<'_> {
     ///
     /// # Panics
     ///
-    /// There is not a limit for each joint; as [`AlongParameter::feasible`].
+    /// There is not a limit for each joint.
     pub fn feasible_within(&self, pose: &Pose, limits: &[JointLimit]) -> Vec<Interval> {
         with_constant!(self.robot.joints(), N => self.of_joints::<N, _>(pose, |arm, pose| {
             let limits = limits.try_into().expect("a limit for each joint");

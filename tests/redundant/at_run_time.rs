@@ -230,3 +230,23 @@ fn a_held_turn_is_the_same() {
         assert_same(&there, &here, 1e-9);
     }
 }
+
+/// Eight joints and the turn of the tool are nine coordinates.
+#[test]
+fn a_turn_behind_eight_joints_has_its_intervals() {
+    let options = RobotOptions {
+        target: Some(Target::PositionAxis),
+        ..RobotOptions::default()
+    };
+    let loaded = read("robots/redundant/gantry_iiwa.yaml", &options);
+    assert_eq!(loaded.parameters(), 3);
+    let q = [0.4, 0.3, -0.7, 0.5, -1.2, 0.8, 0.6, -0.2];
+    let target = loaded.fk(&q);
+    let given = loaded.redundancy(&target, &q);
+    for place in 0..3 {
+        let along = loaded.along(place, &given);
+        let intervals = along.feasible(&target);
+        let holds = |it: &kinematics::Interval| it.contains(given[place]);
+        assert!(intervals.iter().any(holds), "{place}: {intervals:?}");
+    }
+}

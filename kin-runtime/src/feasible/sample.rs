@@ -1,6 +1,6 @@
 //! All solutions at one value of the parameter, and how those at two belong together.
 
-use super::task::{Place, Task, along};
+use super::task::{Place, Task, WIDTH, along};
 use crate::RedundantKinematics;
 use crate::linear::vector::norm;
 use alloc::vec::Vec;
@@ -63,7 +63,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let across = way[self.parameter];
         // By the trapezoidal rule over the parameter.
         let share = |place: &Place| 0.5 * across / place.tangent[self.parameter];
-        let expected = along(&[0.0; 8], &from.tangent, share(from));
+        let expected = along(&[0.0; WIDTH], &from.tangent, share(from));
         let expected = along(&expected, &to.tangent, share(to));
         let off = norm(along(&way, &expected, -1.0));
         length <= FAR && (off <= TRUST * length || length <= SHORT)

@@ -4,9 +4,9 @@ use crate::linear::span::Span;
 use crate::linear::vector::{dot, norm};
 use crate::{JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Target, math};
 
-/// Coordinates of a point: all joint values, and behind them the parameter where it is none
-/// of these; the rest is zero.
-pub(super) const WIDTH: usize = 8;
+/// Coordinates of a point: the values of up to eight joints, and behind them the parameter where
+/// it is none of these; the rest is zero.
+pub(super) const WIDTH: usize = 9;
 pub(super) type Point = [f64; WIDTH];
 /// Those of the tip's pose, and what a swivel angle has to be.
 const EQUATIONS: usize = 7;
@@ -46,11 +46,7 @@ pub(super) struct Place {
 impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     /// Stops the compilation for arms with too many joints.
     const FITS: () = {
-        let beside = !matches!(K::PARAMETER, Parameter::Joint(_)) as usize;
-        assert!(
-            N + beside <= WIDTH,
-            "arms of eight joints at most, seven with a tool that turns"
-        );
+        assert!(N < WIDTH, "arms of eight joints at most");
     };
 
     pub fn new(robot: &'a K, target: &'a Pose) -> Self {

@@ -211,8 +211,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// are looked for where those of the ideal arm nearly begin or end
     /// ([`RedundantKinematics::margins_at`]), which is no proof.
     ///
-    /// # Panics
-    /// If the arm has more than eight joints, or seven and a tool that turns.
+    /// Arms of up to eight joints have it; of more it does not compile.
     #[cfg(feature = "alloc")]
     fn feasible(&self, target: &Pose) -> Vec<FeasibleInterval<N>> {
         feasible(self, target)
