@@ -5,13 +5,14 @@ mod measured;
 
 use kin_codegen::Scalar;
 use kin_codegen::certificate::recovered;
-use kin_codegen::closed_form::{ClosedForm, Refinement};
+use kin_codegen::closed_form::{BranchSolution, ClosedForm, Refinement};
 use kin_codegen::geometry::{Linkage, conditioning, size};
 use kin_codegen::model::Model;
 use kin_codegen::plan::Target;
 use kin_codegen::random::Random;
 use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
+use kin_runtime::Pose;
 use measured::{configuration, measured};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -141,6 +142,56 @@ fn branches_are_known_to_be_all() {
         let share = unknown as f64 / f64::from(count);
         assert!(share < most, "{path} {noise:e}: {share}");
     }
+}
+
+/// Where branches are known to be all, they are the same at every target that is off by as much as
+/// the arms differ, by whatever turn and push: none of them ends, and another one is not known.
+#[test]
+fn known_branches_are_those_of_targets_beside() {
+    let mut compared = 0;
+    for path in [
+        "robots/ur5e.urdf",
+        "robots/kr6_r900.yaml",
+        "robots/puma560.yaml",
+    ] {
+        let mut random = Random(0x5eed);
+        let model = measured(&design(path), 1e-3, &mut random);
+        let form = solve(&model, &Linkage::new(&model), Target::Pose)
+            .unwrap()
+            .form;
+        let chain = model.chain();
+        let numbers = |branches: &[BranchSolution]| -> BTreeSet<u32> {
+            branches.iter().map(|branch| branch.branch).collect()
+        };
+        for k in 0..1500 {
+            let target = chain.fk(&configuration(k, &mut random));
+            let here = form.branches_at(&target, &[]);
+            if here.iter().any(|branch| branch.singular) {
+                continue;
+            }
+            for _ in 0..8 {
+                let mut off = [0; 6].map(|_| random.between(-1.0, 1.0));
+                let length = off.iter().map(|x| x * x).sum::<f64>().sqrt();
+                off = off.map(|x| x / length);
+                let turn = off[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
+                let axis = [3, 4, 5].map(|i| off[i] / turn);
+                let size = size(&model);
+                let angle = turn * form.tip_shift / size;
+                let mut beside = target * Pose::from_axis_angle(axis, angle, [0.0; 3]);
+                for (x, push) in beside.translation.iter_mut().zip(off) {
+                    *x += push * form.tip_shift;
+                }
+                let there = form.branches_at(&beside, &[]);
+                let known = there.iter().filter(|branch| !branch.singular);
+                let known: Vec<_> = known.cloned().collect();
+                let (here, there, known) = (numbers(&here), numbers(&there), numbers(&known));
+                assert!(here.is_subset(&there), "{path}: {here:?} {there:?}");
+                assert!(known.is_subset(&here), "{path}: {here:?} {known:?}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
 }
 
 /// The common normal of two axes that are nearly parallel is far away: frames there would cost

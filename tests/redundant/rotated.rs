@@ -168,7 +168,10 @@ fn swivel_conditioning(robot: &Robot, q: &[f64]) -> f64 {
         })
         .collect();
     // Where the elbow has no side, no rate is a number, or it is as large as its step is short.
-    if columns.iter().any(|column| !(column[6].abs() < 1e3)) {
+    if columns
+        .iter()
+        .any(|column| column[6].is_nan() || column[6].abs() >= 1e3)
+    {
         return 0.0;
     }
     least_by_largest(

@@ -12,8 +12,8 @@ use crate::geometry::Linkage;
 use kin_runtime::Pose;
 
 /// Derivatives are taken at the target and speak for one that is off by this many times what
-/// the arms differ. Behind a root that keeps its sign that far, the slope of the root is less than
-/// 1.2 times as large where the arms differ at most.
+/// the arms differ: at half of that the argument of a root has half of its value left, and what is
+/// behind the root changes no more than √2 times as fast.
 const BEYOND: f64 = 2.0;
 
 /// How far an idealized arm is from the given one.
