@@ -306,27 +306,3 @@ fn an_arm_of_too_many_joints_is_refused_when_it_is_read() {
     // With their mimics there are more.
     assert!(loaded(general(60, true)).is_err());
 }
-
-#[test]
-fn six_joints_of_a_long_arm_are_solved_for() {
-    let options = RobotOptions::default();
-    for n in [9, 12] {
-        let source = RobotSource {
-            path: "long.yaml".into(),
-            text: general(n, false),
-        };
-        let arm = Robot::load(&source, &options).unwrap();
-        assert_eq!(arm.parameters(), n - 6);
-        let mut random = Random::new(7);
-        for _ in 0..10 {
-            let q: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
-            let target = arm.fk(&q);
-            let answers = arm.ik_at(&target, &arm.redundancy(&target, &q));
-            let back = answers.iter().any(|answer| {
-                let mut each = answer.q.iter().zip(&q);
-                each.all(|(a, b)| (a - b).abs() < 1e-7)
-            });
-            assert!(back, "{n} joints at {q:?}");
-        }
-    }
-}
