@@ -43,6 +43,9 @@ const TAKES_PART: f64 = 0.1;
 /// With more noise an elimination is not asked beside an idealized arm.
 const NOISY: f64 = 1e-8;
 
+/// So many choices of eliminations are tried of an arm that is solved by them alone.
+const CHOICES: usize = 6;
+
 /// Values of locked joints at which nothing is aligned.
 pub(crate) const SOMEWHERE: f64 = 0.83;
 
@@ -227,6 +230,37 @@ fn last_resort(
     let Some(arm) = arm else {
         return Err(refusal);
     };
+    let mut refusal = refusal;
+    let mut best: Option<Certified> = None;
+    let mut asked: Vec<univariate::Arm> = Vec::new();
+    let mut next = arm;
+    // What some lose others may find.
+    while !asked.contains(&next) && asked.len() < CHOICES {
+        asked.push(next.clone());
+        let form = eliminating(trials, target, next.clone());
+        match certify(trials, &form, usize::MAX) {
+            Ok(certificate) => {
+                let done = certificate.lost == 0;
+                best = better(best, Certified { form, certificate });
+                if done {
+                    break;
+                }
+            }
+            Err(failure) => {
+                let plan = form.plan.to_string();
+                refusal = NoClosedForm::Uncertified { plan, failure };
+            }
+        }
+        let alone = next.alone();
+        let lost = alone.map(|arm| trials.lost_again(&eliminating(trials, target, arm)));
+        next = next.losing_fewest(&lost.collect::<Vec<_>>());
+    }
+    best.ok_or(refusal)
+}
+
+/// An arm that is solved by a polynomial in one joint alone.
+fn eliminating(trials: &Trials, target: Target, arm: univariate::Arm) -> ClosedForm {
+    let linkage = trials.linkage();
     let joints = arm.kept[0].elimination.joints;
     let joints = joints.iter().filter_map(|&i| linkage.joint_of(i.into()));
     let step = Step {
@@ -235,7 +269,7 @@ fn last_resort(
         relations: Vec::new(),
         complement: None,
     };
-    let form = ClosedForm {
+    ClosedForm {
         idealized: Idealized {
             model: trials.model().clone(),
             moved: Vec::new(),
@@ -251,13 +285,6 @@ fn last_resort(
         tip_shift: 0.0,
         refinement: Refinement::None,
         single: None,
-    };
-    match certify(trials, &form, usize::MAX) {
-        Ok(certificate) => Ok(Certified { form, certificate }),
-        Err(failure) => Err(NoClosedForm::Uncertified {
-            plan: form.plan.to_string(),
-            failure,
-        }),
     }
 }
 

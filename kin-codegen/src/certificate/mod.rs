@@ -228,6 +228,18 @@ impl<'a> Trials<'a> {
         known.map(|&[i, k]| self.held[i].all[k].q.clone()).collect()
     }
 
+    /// Which of the configurations that some plan has lost a closed form loses.
+    pub fn lost_again(&self, form: &ClosedForm) -> Vec<bool> {
+        let lost = self.lost.borrow();
+        let is_lost = |&[i, k]: &[usize; 2]| {
+            let Held { model, all, .. } = &self.held[i];
+            let trial = &all[k];
+            let solutions = form.solutions_at(&trial.pose, &trial.parameters);
+            recovered(model, &trial.q, &solutions, trial.conditioning).is_err()
+        };
+        lost.iter().map(is_lost).collect()
+    }
+
     /// All configurations, those that were lost before first.
     fn in_order(&self) -> Vec<[usize; 2]> {
         let lost = self.lost.borrow();

@@ -1,6 +1,6 @@
 //! An arm that is solved by a polynomial in one joint.
 
-use super::choose::{Kept, choose, each};
+use super::choose::{Kept, MOST, choose, each};
 use super::frames::frames;
 use crate::geometry::{Carried, Linkage};
 use crate::model::Model;
@@ -20,8 +20,10 @@ pub struct Arm {
     pub size: f64,
     /// What of a target counts.
     pub counts: Target,
-    /// The eliminations, the best first; one at least.
+    /// The eliminations that are asked, the best first; one at least.
     pub kept: Vec<Kept>,
+    /// Those that might be, the best first.
+    others: Vec<Kept>,
 }
 
 impl Arm {
@@ -32,7 +34,7 @@ impl Arm {
         (!kept.is_empty()).then(|| Self::keeping(linkage, frames, kept))
     }
 
-    fn keeping(linkage: &Linkage, frames: Frames, kept: Vec<Kept>) -> Self {
+    fn keeping(linkage: &Linkage, frames: Frames, mut kept: Vec<Kept>) -> Self {
         Self {
             frames,
             size: linkage.size,
@@ -40,7 +42,44 @@ impl Arm {
                 true => Target::PositionAxis,
                 false => Target::Pose,
             },
+            others: kept.split_off(kept.len().min(MOST)),
             kept,
+        }
+    }
+
+    /// The arm with one elimination at a time of all that there are, the best first.
+    pub fn alone(&self) -> impl Iterator<Item = Self> {
+        let all = self.kept.iter().chain(&self.others);
+        all.map(|&kept| Self {
+            kept: vec![kept],
+            others: Vec::new(),
+            ..self.clone()
+        })
+    }
+
+    /// Asks those first that together lose the fewest of some configurations; of each that
+    /// there is, in the order of [`Self::alone`], which of them it loses.
+    pub fn losing_fewest(&self, lost: &[Vec<bool>]) -> Self {
+        let all: Vec<Kept> = self.kept.iter().chain(&self.others).copied().collect();
+        let count = all.len().min(MOST);
+        let sets = (0..1_u32 << all.len()).filter(|set| set.count_ones() as usize == count);
+        let is_in = |set: u32, i: usize| set >> i & 1 == 1;
+        let by_all = |set: u32| {
+            let of = |k: usize| (0..all.len()).all(|i| !is_in(set, i) || lost[i][k]);
+            (0..lost.first().map_or(0, Vec::len))
+                .filter(|&k| of(k))
+                .count()
+        };
+        // Of sets that lose as many, that of the better ones.
+        let set = sets.min_by_key(|&set| (by_all(set), set)).unwrap_or(0);
+        let part = |asked: bool| {
+            let chosen = (0..all.len()).filter(|&i| is_in(set, i) == asked);
+            chosen.map(|i| all[i]).collect()
+        };
+        Self {
+            kept: part(true),
+            others: part(false),
+            ..self.clone()
         }
     }
 

@@ -12,7 +12,7 @@ const TARGETS: usize = 128;
 const SAME: f64 = 1e-5;
 /// Eliminations at most: the next is asked where one is not sure of its
 /// answer.
-const MOST: usize = 3;
+pub const MOST: usize = 3;
 
 /// An elimination, and how it did on random targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct Kept {
 }
 
 /// The joints to keep of the first ones, the one that separates solutions best first; empty
-/// where no joint will do.
+/// where no joint will do. The first [`MOST`] are asked, where those are enough.
 pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
     let mut kept = each(frames, joints, TARGETS);
     kept.retain(|kept| kept.unsure < 100.0);
@@ -40,7 +40,6 @@ pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
             .then(a.noise.total_cmp(&b.noise))
     };
     kept.sort_by(by_quality);
-    kept.truncate(MOST);
     kept
 }
 

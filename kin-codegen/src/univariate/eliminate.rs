@@ -1,17 +1,22 @@
 //! The constants of an elimination: what vanishes on one side of the loop.
 
+use super::fold::fold;
 use super::order::orders;
 use super::turning::turns;
 use kin_runtime::__private::Span;
-use kin_runtime::__private::univariate::{ENTRIES, Elimination, Frames, Z_AXIS, gone_back, moved};
+use kin_runtime::__private::univariate::{
+    ENTRIES, Elimination, FUNCTIONALS, Frames, Z_AXIS, gone_back, moved,
+};
 use kin_runtime::Pose;
 
 /// The lines that two joints make of a third axis span so many dimensions.
 const NEAR_SIDE: usize = 9;
+/// Two turns whose links are a pair of Bennett's linkage.
+const BENNETT: usize = 7;
 /// Two slides move it along a plane.
 const TWO_SLIDES: usize = 6;
-/// What vanishes on them.
-const FUNCTIONALS: usize = ENTRIES - NEAR_SIDE;
+/// So many functionals vanish on nine.
+const SIX: usize = ENTRIES - NEAR_SIDE;
 /// Below this, relative to the longest, a line adds nothing to the others.
 const DEPENDENT: f64 = 1e-9;
 
@@ -44,20 +49,23 @@ pub fn eliminate(frames: &Frames, kept: usize) -> Vec<Elimination> {
     let (functionals, half) = match (span.rank, near_slides && (slides[4] || slides[5])) {
         (NEAR_SIDE, false) => split::<6, 12>(&vanishing),
         (NEAR_SIDE, true) => split_by_square(&vanishing),
+        (BENNETT, _) if !near_slides => split::<8, 16>(&vanishing),
         (TWO_SLIDES, _) if slides[1] && slides[2] => split::<9, 18>(&vanishing),
         _ => return Vec::new(),
     };
-    let elimination = Elimination {
+    let mut elimination = Elimination {
         joints: joints.map(|joint| joint as u8),
         backwards,
         degree: 0,
-        functionals: array(|i| functionals[i]),
+        functionals: array(|i| functionals.get(i).copied().unwrap_or_default()),
         half: half.min(FUNCTIONALS) as u8,
-        pair: pair(&span),
+        third: third(&span),
+        fold: None,
         powers: [3, 3],
         rows: [[0; 2]; 16],
         columns: std::array::from_fn(|i| i as u8),
     };
+    elimination.fold = fold(&elimination, frames);
     orders(&elimination, frames)
 }
 
@@ -83,15 +91,15 @@ fn gone<const A: usize, const B: usize>(
     out
 }
 
-/// The functionals that give the cosine and sine of the second joint, and of the
-/// third; of a slide, itself and its square.
-fn pair(span: &Span<ENTRIES>) -> [Functional; 4] {
+/// The functionals that give the cosine and sine of the third joint; of a slide, itself and its
+/// square.
+fn third(span: &Span<ENTRIES>) -> [Functional; 2] {
     let mut inverse = [[0.0; ENTRIES]; NEAR_SIDE];
     for i in 0..ENTRIES {
         let unit = std::array::from_fn(|j| f64::from(u8::from(i == j)));
         span.coordinates(unit, |j, x| inverse[j][i] = x);
     }
-    [3, 6, 1, 2].map(|j| inverse[j])
+    [1, 2].map(|j| inverse[j])
 }
 
 /// Combinations of functionals, those first for which half the kept joint's angle is
@@ -125,14 +133,14 @@ fn split<const N: usize, const M: usize>(vanishing: &[Functional]) -> (Vec<Funct
 /// slide on this side too, the others do not. Where these slides are nearly dependent on other
 /// joints, rounding does not tell them apart, and none is last.
 fn split_by_square(vanishing: &[Functional]) -> (Vec<Functional>, usize) {
-    const BLIND: usize = FUNCTIONALS - 1;
-    let seen = |i: usize| -> [f64; FUNCTIONALS] { array(|j| vanishing[j][i]) };
+    const BLIND: usize = SIX - 1;
+    let seen = |i: usize| -> [f64; SIX] { array(|j| vanishing[j][i]) };
     let sees = Span::of(4, |i| seen(9 + i), SEEN);
-    let blind: Vec<[f64; FUNCTIONALS]> = sees.complement().take(BLIND).collect();
+    let blind: Vec<[f64; SIX]> = sees.complement().take(BLIND).collect();
     if blind.len() < BLIND {
         return split::<6, 12>(vanishing);
     }
-    let combined = |weights: &[f64; FUNCTIONALS]| combination(weights, vanishing);
+    let combined = |weights: &[f64; SIX]| combination(weights, vanishing);
     let without: Vec<_> = blind
         .iter()
         .map(|it| without_square(combined(it)))

@@ -3,11 +3,12 @@
 mod arm;
 mod choose;
 mod eliminate;
+mod fold;
 mod frames;
 mod order;
 mod turning;
 
 pub use arm::Arm;
-pub use choose::{Kept, choose};
+pub use choose::{Kept, MOST, choose};
 pub use eliminate::eliminate;
 pub use frames::frames;

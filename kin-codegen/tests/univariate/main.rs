@@ -2,6 +2,7 @@
 //! what they are good for at run time, against the generic search.
 
 mod arms;
+mod right_angles;
 
 use arms::{
     Neighbour, anywhere, chain, cobot, least_singular_value, miss, near_singular, patterns,
@@ -11,7 +12,7 @@ use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::spec::ArmSpec;
-use kin_codegen::univariate::{Arm, choose, eliminate};
+use kin_codegen::univariate::{Arm, MOST, choose, eliminate};
 use kin_codegen::{Options, Source, compile};
 use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
 use kin_runtime::{Pose, SearchOptions, Solution, Solutions, Target};
@@ -32,6 +33,7 @@ fn solutions(frames: &Frames, eliminations: &[Elimination], target: &Pose) -> So
 fn chosen(frames: &Frames) -> Vec<Elimination> {
     choose(frames, 6)
         .iter()
+        .take(MOST)
         .map(|kept| kept.elimination)
         .collect()
 }

@@ -95,7 +95,8 @@ fn elimination(elimination: &Elimination) -> TokenStream {
         degree,
         functionals,
         half,
-        pair,
+        third,
+        fold,
         powers,
         rows,
         columns,
@@ -109,7 +110,14 @@ fn elimination(elimination: &Elimination) -> TokenStream {
     let powers = integers(powers);
     let rows = rows.iter().map(|row| integers(row));
     let functionals = functionals.iter().map(|functional| numbers(functional));
-    let pair = pair.iter().map(|functional| numbers(functional));
+    let third = third.iter().map(|functional| numbers(functional));
+    let fold = match fold {
+        Some(angle) => {
+            let angle = signed(*angle);
+            quote!(Some(#angle))
+        }
+        None => quote!(None),
+    };
     quote! {
         Elimination {
             joints: #joints,
@@ -117,7 +125,8 @@ fn elimination(elimination: &Elimination) -> TokenStream {
             degree: #degree,
             functionals: [#(#functionals),*],
             half: #half,
-            pair: [#(#pair),*],
+            third: [#(#third),*],
+            fold: #fold,
             powers: #powers,
             rows: [#(#rows),*],
             columns: #columns,

@@ -5,8 +5,11 @@ use super::lanes::{Lanes, Portable};
 use super::line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
 use crate::Pose;
 
-/// Six, and one that is 1 = 0.
-pub const EQUATIONS: usize = 7;
+/// So many functionals at most vanish on one side of the loop.
+pub const FUNCTIONALS: usize = 8;
+
+/// One for each, and one that is 1 = 0.
+pub const EQUATIONS: usize = FUNCTIONALS + 1;
 
 /// Rows and columns of the matrix whose determinant is the polynomial.
 pub(super) const SIZE: usize = 16;
@@ -16,8 +19,8 @@ pub(super) const SIZE: usize = 16;
 /// From the kept joint on, the joints round the loop are kept, two of the
 /// constant side, one that leaves its own axis in place, and the two that are
 /// eliminated in half tangents. The line of the fourth, as the two before it
-/// move it, lies in a space of nine dimensions out of fifteen: six linear
-/// functionals vanish on it, and so along the other side of the loop.
+/// move it, lies in a space of nine dimensions out of fifteen, or fewer: six linear
+/// functionals or more vanish on it, and so along the other side of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elimination {
     /// The joints in the order of the loop, from 0, the kept one first.
@@ -26,15 +29,18 @@ pub struct Elimination {
     pub backwards: bool,
     /// The degree of the polynomial in the kept joint.
     pub degree: u8,
-    /// Six functionals in the frame of the kept joint, whose axis is z. The first
+    /// The functionals in the frame of the kept joint, whose axis is z, and zeros. The first
     /// ones are the real and imaginary parts, in turn, of those that do not see what
     /// turns with e^{−iθ}.
-    pub functionals: [[f64; ENTRIES]; 6],
+    pub functionals: [[f64; ENTRIES]; FUNCTIONALS],
     /// How many these are.
     pub half: u8,
-    /// Functionals that give the cosine and sine of the second joint, and of the
-    /// third.
-    pub pair: [[f64; ENTRIES]; 4],
+    /// Functionals that give the cosine and sine of the third joint, or its slide and the
+    /// square of that.
+    pub third: [[f64; ENTRIES]; 2],
+    /// The value of the kept joint, in the sense of the loop and radians, at which the axes of
+    /// the joints beside it coincide: a double root whatever the target.
+    pub fold: Option<f64>,
     /// Up to these powers of the last joint's half tangent, or slide, and the last but one's
     /// all monomials are there.
     pub powers: [u8; 2],
@@ -104,14 +110,16 @@ impl Loop {
 /// tangents' monomials, times 1, the cosine and the sine of the kept joint; of the
 /// first ones, multiplied by e^{−iθ/2}, times the cosine and sine of its half.
 pub(super) struct Equations {
-    functionals: [[[f64; 9]; 3]; 6],
+    functionals: [[[f64; 9]; 3]; FUNCTIONALS],
+    /// How many there are.
+    count: usize,
     half: usize,
 }
 
 impl Equations {
     pub fn new(elimination: &Elimination, round: &Loop, far_side: &Lines<9>) -> Self {
-        let half = usize::from(elimination.half.min(6));
-        let mut functionals = [[[0.0; 9]; 3]; 6];
+        let half = usize::from(elimination.half).min(FUNCTIONALS);
+        let mut functionals = [[[0.0; 9]; 3]; FUNCTIONALS];
         let (halves, wholes) = functionals.split_at_mut(half);
         let (pairs, others) = elimination.functionals.split_at(half);
         for (rows, pair) in halves.chunks_exact_mut(2).zip(pairs.chunks_exact(2)) {
@@ -129,7 +137,13 @@ impl Equations {
         }
         let [_, _, _, _, before, last] = round.slides;
         let functionals = functionals.map(|row| row.each_ref().map(|x| powers(x, before, last)));
-        Self { functionals, half }
+        let all = &elimination.functionals;
+        let last = all.iter().rposition(|row| row.iter().any(|x| *x != 0.0));
+        Self {
+            functionals,
+            count: last.map_or(0, |last| last + 1),
+            half,
+        }
     }
 
     /// The equations at values of the kept joint, by the cosine and sine of its half.
@@ -138,8 +152,9 @@ impl Equations {
         let whole = (cosine * cosine).minus(sine, sine);
         let double = (cosine + cosine) * sine;
         let mut out = [[L::ZERO; 9]; EQUATIONS];
-        out[6][0] = L::ONE;
-        for (i, (out, [x, y, z])) in out.iter_mut().zip(&self.functionals).enumerate() {
+        out[FUNCTIONALS][0] = L::ONE;
+        let rows = self.functionals[..self.count].iter();
+        for (i, (out, [x, y, z])) in out.iter_mut().zip(rows).enumerate() {
             if i < self.half {
                 for j in 0..9 {
                     out[j] = cosine.scaled(x[j]).plus_scaled(sine, y[j]);

@@ -1,6 +1,7 @@
 //! A trigonometric polynomial from its values at equal distances.
 
 use super::turn::{cosine_of_turn, sine_of_turn};
+use crate::math;
 
 /// The highest degree that is solved.
 pub(super) const DEGREE: usize = 12;
@@ -114,7 +115,45 @@ impl Harmonics {
             out.cosines[k] *= scale;
             out.sines[k] *= scale;
         }
-        out.noise = crate::math::sqrt(vanishing) * scale + f64::EPSILON;
+        out.noise = math::sqrt(vanishing) * scale + f64::EPSILON;
+        out
+    }
+}
+
+impl Harmonics {
+    /// f by 1 − cos(θ − angle), which divides it: from the highest harmonic down, each is told by
+    /// the two above it; by how much the last ones miss is noise.
+    pub fn without_double_root(&self, angle: f64) -> Self {
+        let (s, c) = math::sin_cos(angle);
+        let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
+        // Of e^{ikθ}: half of what is of cos kθ − i sin kθ.
+        let (mut above, mut here) = ([0.0; 2], [0.0; 2]);
+        let mut out = Self {
+            degree: self.degree.saturating_sub(1),
+            cosines: [0.0; DEGREE + 1],
+            sines: [0.0; DEGREE + 1],
+            ..*self
+        };
+        let mut largest: f64 = 0.0;
+        for k in (1..=self.degree).rev() {
+            let given = [0.5 * self.cosines[k], -0.5 * self.sines[k]];
+            let once = turned([here[0] - given[0], here[1] - given[1]]);
+            let twice = turned(turned(above));
+            let below = [2.0 * once[0] - twice[0], 2.0 * once[1] - twice[1]];
+            (above, here) = (here, below);
+            let share = if k == 1 { 1.0 } else { 2.0 };
+            (out.cosines[k - 1], out.sines[k - 1]) = (share * below[0], -share * below[1]);
+            largest = math::max(largest, math::max(below[0].abs(), below[1].abs()));
+        }
+        let missed = (here[0] - turned(above)[0] - self.cosines[0]).abs() + here[1].abs();
+        out.sines[0] = 0.0;
+        let scale = 1.0 / largest;
+        for k in 0..=DEGREE {
+            out.cosines[k] *= scale;
+            out.sines[k] *= scale;
+        }
+        out.size = self.size * largest;
+        out.noise = (self.noise + missed) * scale;
         out
     }
 }
@@ -156,7 +195,7 @@ impl Harmonics {
 
     /// f, f′ and f″ at an angle, radians.
     pub fn derivatives(&self, angle: f64) -> [f64; 3] {
-        let (sine, cosine) = crate::math::sin_cos(angle);
+        let (sine, cosine) = math::sin_cos(angle);
         let (mut c, mut s) = (1.0, 0.0);
         let mut out = [self.cosines[0], 0.0, 0.0];
         for k in 1..=self.degree {
@@ -168,5 +207,37 @@ impl Harmonics {
             out[2] -= order * order * (a * c + b * s);
         }
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_double_root_is_divided_out() {
+        let g = |x: f64| 0.3 - 1.1 * (3.0 * x).cos() + 0.7 * (5.0 * x).sin() + 0.2 * x.sin();
+        let sampled = |f: &dyn Fn(f64) -> f64, degree: usize| {
+            let at = |j: usize| f(core::f64::consts::TAU * j as f64 / 24.0);
+            let values: [f64; 24] = core::array::from_fn(at);
+            Harmonics::new(degree, &values)
+        };
+        let without = sampled(&g, 5);
+        for angle in [0.0, 1.3, core::f64::consts::PI, -2.2] {
+            let f = sampled(&|x| g(x) * (1.0 - (x - angle).cos()), 6);
+            let divided = f.without_double_root(angle);
+            assert_eq!(divided.degree, 5);
+            assert!(divided.noise < 1e-13, "{:e}", divided.noise);
+            for k in 0..=DEGREE {
+                let given = without.size * without.cosines[k];
+                let found = divided.size * divided.cosines[k];
+                assert!((given - found).abs() < 1e-12 * without.size, "{k}");
+                let given = without.size * without.sines[k];
+                let found = divided.size * divided.sines[k];
+                assert!((given - found).abs() < 1e-12 * without.size, "{k}");
+            }
+            // It tells where there is none.
+            assert!(f.without_double_root(angle + 0.1).noise > 1e-3);
+        }
     }
 }

@@ -35,7 +35,7 @@ mod short;
 mod turn;
 
 pub use eliminant::Eliminant;
-pub use elimination::{EQUATIONS, Elimination};
+pub use elimination::{EQUATIONS, Elimination, FUNCTIONALS};
 pub use frames::Frames;
 #[cfg(feature = "std")]
 pub use lanes::reproducible::reproducibly;

@@ -63,7 +63,10 @@ impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFL
             let largest = pivot.numbers().into_iter().fold(0.0, f64::max);
             f.noise = larger(f.noise, f64::EPSILON / largest);
         }
-        f
+        match elimination.fold {
+            Some(angle) => f.without_double_root(angle),
+            None => f,
+        }
     }
 }
 

@@ -197,15 +197,15 @@ impl<'a> Recovery<'a> {
             line[v] = (x * ck).plus(y, sk);
             line[v + 1] = (y * ck).minus(x, sk);
         }
-        let mut pair = [L::ZERO; 4];
-        for (out, functional) in pair.iter_mut().zip(&self.elimination.pair) {
+        let mut functions = [L::ZERO; 2];
+        for (out, functional) in functions.iter_mut().zip(&self.elimination.third) {
             for (f, line) in functional.iter().zip(&line) {
                 *out = out.plus_scaled(*line, *f);
             }
         }
-        let [c2, s2, c3, s3] = pair;
-        let [second, second_off] = self.value(1, [s2, c2]);
+        let [c3, s3] = functions;
         let [third, third_off] = self.value(2, [s3, c3]);
+        let [second, second_off] = self.second(&line, self.functions(2, third));
         let fourth = self.fourth([
             [sk, ck],
             self.functions(1, second),
@@ -225,7 +225,60 @@ impl<'a> Recovery<'a> {
         }
         Starts {
             q,
-            inconsistency: second_off.abs().max(third_off.abs()).numbers(),
+            inconsistency: second_off.max(third_off.abs()).numbers(),
+        }
+    }
+
+    /// The second joint, which takes the fourth's axis and the point on it from where the third
+    /// leaves them to where they are seen in the frame of the kept one; and how far it misses.
+    #[inline(always)]
+    fn second<L: Lanes>(&self, line: &[L; ENTRIES], third: [L; 2]) -> [L; 2] {
+        let [kept, second, third_on, ..] = &self.round.behind;
+        let axis = third_on.rotation.map(|row| L::splat(row[2]));
+        let (l, p) = self.moved(2, third, &axis, &third_on.translation.map(L::splat));
+        let near = [
+            rotated(&second.rotation, &l),
+            shifted(second, &rotated(&second.rotation, &p)),
+        ];
+        let seen = |at: usize| [line[at], line[at + 1], line[at + 2]];
+        let mut point = seen(3);
+        for (x, t) in point.iter_mut().zip(kept.translation) {
+            *x = *x - L::splat(t);
+        }
+        let far = [seen(0), point].map(|x| rotated_back(&kept.rotation, &x));
+        let value = match self.round.slides[1] {
+            true => far[1][2] - near[1][2],
+            false => {
+                let (mut s, mut c) = (L::ZERO, L::ZERO);
+                for (near, far) in near.iter().zip(&far) {
+                    s = s.plus(near[0], far[1]).minus(near[1], far[0]);
+                    c = c.plus(near[0], far[0]).plus(near[1], far[1]);
+                }
+                L::angle(s, c)
+            }
+        };
+        let (l, p) = self.moved(1, self.functions(1, value), &near[0], &near[1]);
+        let mut off = L::ZERO;
+        for (x, far) in l.iter().zip(&far[0]).chain(p.iter().zip(&far[1])) {
+            off = off.max((*x - *far).abs());
+        }
+        [value, off]
+    }
+
+    /// A direction and a point as a joint moves them, by its place in the loop and what
+    /// [`Self::functions`] says of it.
+    #[inline(always)]
+    fn moved<L: Lanes>(
+        &self,
+        place: usize,
+        [s, c]: [L; 2],
+        l: &[L; 3],
+        p: &[L; 3],
+    ) -> ([L; 3], [L; 3]) {
+        let turned = |x: &[L; 3]| [(c * x[0]).minus(s, x[1]), (s * x[0]).plus(c, x[1]), x[2]];
+        match self.round.slides[place] {
+            true => (*l, [p[0], p[1], p[2] + c]),
+            false => (turned(l), turned(p)),
         }
     }
 
@@ -288,6 +341,24 @@ impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Sharing {
         let pairs = recovery.of_space(kept, &[space[0], space[1]]);
         (pairs, recovery.of_space(kept, &space))
     }
+}
+
+#[inline(always)]
+fn rotated<L: Lanes>(r: &[[f64; 3]; 3], x: &[L; 3]) -> [L; 3] {
+    r.map(|row| {
+        x[0].scaled(row[0])
+            .plus_scaled(x[1], row[1])
+            .plus_scaled(x[2], row[2])
+    })
+}
+
+#[inline(always)]
+fn shifted<L: Lanes>(by: &Pose, x: &[L; 3]) -> [L; 3] {
+    let mut out = *x;
+    for (out, t) in out.iter_mut().zip(by.translation) {
+        *out += L::splat(t);
+    }
+    out
 }
 
 #[inline(always)]

@@ -43,6 +43,10 @@ const CLOSE: f64 = 1e-12;
 /// two: of three or more, it would be what rounding leaves.
 const CURVED: f64 = 1e-4;
 
+/// Where f′ is below this, relative to the largest harmonic, roots that are complex may be so
+/// near that their solutions mix with that of a real one.
+const FLAT: f64 = 1e-3;
+
 /// Extrema are found to this, as a share of a radian: values there to its square.
 const EXTREMUM: f64 = 1e-7;
 
@@ -62,6 +66,8 @@ pub(super) struct Roots {
     double: u32,
     /// Bit i is set where candidate i may be none, or any number.
     several: u32,
+    /// Bit i is set where f hardly changes at candidate i.
+    flat: u32,
     /// Whether there was no place for all of them.
     pub incomplete: bool,
 }
@@ -82,8 +88,11 @@ impl Roots {
         self.several == 0 && !self.incomplete
     }
 
-    /// Whether another candidate is near one.
+    /// Whether another root is near a candidate, complex ones included.
     pub fn has_neighbour(&self, i: usize) -> bool {
+        if self.flat >> i & 1 == 1 {
+            return true;
+        }
         let near = |j: usize| math::wrap(self.angles[j] - self.angles[i]).abs() < CLUSTER;
         (0..self.count).any(|j| j != i && near(j))
     }
@@ -219,6 +228,7 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
         count: 0,
         double: 0,
         several: 0,
+        flat: 0,
         incomplete: false,
     };
     let mut search = Search {
@@ -405,8 +415,10 @@ impl Search<'_> {
             let mut high: [f64; LANES] = core::array::from_fn(|k| at(k).ends[1]);
             let rises: [f64; LANES] =
                 core::array::from_fn(|k| if at(k).rises { 1.0 } else { -1.0 });
+            let mut slope = [0.0; LANES];
             for _ in 0..STEPS {
-                let (value, slope) = self.f.value_and_slope(&x);
+                let value;
+                (value, slope) = self.f.value_and_slope(&x);
                 let mut largest: f64 = 0.0;
                 for k in 0..LANES {
                     let above = value[k] * rises[k] > 0.0;
@@ -422,7 +434,8 @@ impl Search<'_> {
                     break;
                 }
             }
-            for &x in &x[..chunk.len()] {
+            for (&x, slope) in x[..chunk.len()].iter().zip(slope) {
+                found.flat |= u32::from(slope.abs() < FLAT) << (found.count % MOST);
                 found.push(x);
             }
         }
