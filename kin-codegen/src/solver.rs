@@ -144,7 +144,10 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             && shift > DESIGNED * linkage.size
             && let Ok(found) = last_resort(&trials, target, refusal.clone())
         {
-            return Ok(found);
+            if found.certificate.lost == 0 {
+                return Ok(found);
+            }
+            best = Some(found);
         }
         match solve_idealized(&trials, idealized, target) {
             Ok(found) => {
@@ -380,10 +383,11 @@ fn solve_idealized(
             inverse.map(|inverse| inverse.all_branches().weight())
         });
     }
-    let beside = match first.first() {
+    let mut beside = match first.first() {
         Some(first) if !exact => elimination_beside(trials, first),
         _ => None,
     };
+    let mut chosen = 1;
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
     let mut certified = 0;
@@ -430,7 +434,21 @@ fn solve_idealized(
             let losses = best
                 .as_ref()
                 .map_or(usize::MAX, |best| best.certificate.lost);
-            match certify(trials, &form, losses) {
+            let mut outcome = certify(trials, &form, losses);
+            // What one elimination loses another may find.
+            while outcome.is_err() && beside.is_some() && chosen < CHOICES {
+                chosen += 1;
+                let another = elimination_beside(trials, &form);
+                if another == beside {
+                    break;
+                }
+                beside = another;
+                if let Some(arm) = &beside {
+                    form.refinement = Refinement::Univariate(Box::new(arm.clone()));
+                }
+                outcome = certify(trials, &form, losses);
+            }
+            match outcome {
                 Ok(certificate) => {
                     let found = Certified { form, certificate };
                     let done = found.certificate.is_complete();
@@ -486,8 +504,8 @@ impl Later<'_> {
 
 /// The elimination to ask beside the branches of an idealized arm: near a singular
 /// configuration two solutions are apart along the motion that moves the tip least, and
-/// a joint tells them apart if it takes part in that. Of those that lose least there, the
-/// one that most motions move and whose polynomial has the least noise.
+/// a joint tells them apart if it takes part in that. Of those that lose least there and of what
+/// others have lost, the one that most motions move and whose polynomial has the least noise.
 fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
     if form.plan.target != Target::Pose || trials.linkage().parameters() > 0 {
         return None;
@@ -509,7 +527,8 @@ fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::
             refinement: Refinement::Univariate(Box::new(arm.clone())),
             ..form.clone()
         };
-        trials.lost_near(&form, &near)
+        let again = trials.lost_again(&form).into_iter();
+        trials.lost_near(&form, &near) + again.filter(|lost| *lost).count()
     };
     let mut best: Option<(usize, univariate::Arm)> = None;
     arms.sort_by_key(quality);

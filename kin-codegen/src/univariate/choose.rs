@@ -14,6 +14,9 @@ const SAME: f64 = 1e-5;
 /// answer.
 pub const MOST: usize = 3;
 
+/// One that is never sure of its answer and loses more than one target in so many says nothing.
+const MANY: usize = 16;
+
 /// An elimination, and how it did on random targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept {
@@ -32,7 +35,7 @@ pub struct Kept {
 /// where no joint will do. The first [`MOST`] are asked, where those are enough.
 pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
     let mut kept = each(frames, joints, TARGETS);
-    kept.retain(|kept| kept.unsure < 100.0);
+    kept.retain(|kept| kept.unsure < 100.0 || kept.lost * MANY < TARGETS);
     let by_quality = |a: &Kept, b: &Kept| {
         a.lost
             .cmp(&b.lost)
