@@ -6,6 +6,7 @@ use super::{Atom, Kind, Plan, Relation, Step, Subproblem, Target};
 use crate::geometry::{Linkage, cross, dot, norm};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
+use std::rc::Rc;
 
 /// Relations kept per step; the cheapest to compute is chosen when the step
 /// becomes expressions.
@@ -84,7 +85,7 @@ impl<'a> Plans<'a> {
     }
 
     /// Whether too many plans already began like this one.
-    fn is_alike(&mut self, steps: &[Step]) -> bool {
+    fn is_alike(&mut self, steps: &[Rc<Taken>]) -> bool {
         let count = self.openings.entry(opening(steps)).or_default();
         *count += 1;
         *count > ALIKE
@@ -100,7 +101,8 @@ impl Iterator for Plans<'_> {
                 if self.is_alike(&partial.steps) {
                     continue;
                 }
-                let mut steps = partial.steps;
+                let steps = partial.steps.iter();
+                let mut steps: Vec<Step> = steps.map(|taken| taken.step(&self.relations)).collect();
                 if self.linkage.has_free_turn {
                     // Nobody asks for its angle.
                     let turn = [Atom::Joint(self.linkage.links.len() - 1)];
@@ -197,7 +199,7 @@ impl Solved {
 
     /// Draws the conclusions from sums: all of a run's joints give the sum,
     /// the sum and all but one of them give that one.
-    fn conclude(&mut self, linkage: &Linkage) -> Vec<Step> {
+    fn conclude(&mut self, linkage: &Linkage) -> Vec<Rc<Taken>> {
         let mut steps = Vec::new();
         for run in 0..linkage.runs.len() {
             let revolute = linkage.revolutes_of(run);
@@ -211,17 +213,54 @@ impl Solved {
                 [] => self.sums |= 1 << run,
                 [joint] if sum_known => {
                     self.insert(Atom::Joint(joint));
-                    steps.push(Step {
+                    steps.push(Rc::new(Taken {
                         subproblem: Subproblem::Sum,
                         unknowns: vec![Atom::Joint(joint)],
-                        relations: Vec::new(),
+                        posed: Vec::new(),
                         complement: None,
-                    });
+                    }));
                 }
                 _ => {}
             }
         }
         steps
+    }
+}
+
+/// What poses a subproblem, by numbers: a relation, and a second one that subproblem 6 takes.
+#[derive(Clone, Copy, Debug)]
+struct Posed {
+    relation: usize,
+    with: Option<usize>,
+}
+
+impl Posed {
+    fn relation(self, relations: &[Relation]) -> Relation {
+        Relation {
+            with: self.with.map(|second| Box::new(relations[second].clone())),
+            ..relations[self.relation].clone()
+        }
+    }
+}
+
+/// A step that was taken. Plans in the making are many, and share most of theirs.
+#[derive(Debug)]
+struct Taken {
+    subproblem: Subproblem,
+    unknowns: Vec<Atom>,
+    posed: Vec<Posed>,
+    complement: Option<Posed>,
+}
+
+impl Taken {
+    fn step(&self, relations: &[Relation]) -> Step {
+        let relation = |posed: &Posed| posed.relation(relations);
+        Step {
+            subproblem: self.subproblem,
+            unknowns: self.unknowns.clone(),
+            relations: self.posed.iter().map(relation).collect(),
+            complement: self.complement.as_ref().map(relation),
+        }
     }
 }
 
@@ -232,7 +271,7 @@ struct Partial {
     solved: Solved,
     /// What was solved with a complement.
     complemented: Solved,
-    steps: Vec<Step>,
+    steps: Vec<Rc<Taken>>,
     choices: u8,
 }
 
@@ -254,28 +293,17 @@ impl Ord for Partial {
 }
 
 /// A relation that poses a subproblem now.
-struct Candidate<'a> {
+struct Candidate {
     subproblem: Subproblem,
     unknowns: Vec<Atom>,
-    relation: &'a Relation,
-    with: Option<&'a Relation>,
+    posed: Posed,
     /// Bit k is set where it degenerates in the k-th configuration that a plan has to tell.
     weak_at: u64,
     cost: u32,
 }
 
-impl Candidate<'_> {
-    fn posed(&self) -> Relation {
-        let with = self.with.map(|second| Box::new(second.clone()));
-        Relation {
-            with,
-            ..self.relation.clone()
-        }
-    }
-}
-
 /// The candidates by subproblem and unknowns, the cheapest first.
-type Candidates<'a> = BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate<'a>>>;
+type Candidates = BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate>>;
 
 /// The subproblems whose roots can stand in for each other.
 fn complementary(subproblem: Subproblem) -> &'static [Subproblem] {
@@ -289,7 +317,7 @@ fn complementary(subproblem: Subproblem) -> &'static [Subproblem] {
 /// What a plan begins with: its first steps, and whether they have a complement.
 type Opening = Vec<(Subproblem, Vec<Atom>, bool)>;
 
-fn opening(steps: &[Step]) -> Opening {
+fn opening(steps: &[Rc<Taken>]) -> Opening {
     let first = steps.iter().take(2);
     first
         .map(|step| {
@@ -311,7 +339,7 @@ struct Known<'a> {
 impl Partial {
     fn successors(&self, known: &Known) -> Vec<Partial> {
         let mut steps = Candidates::new();
-        for relation in known.relations {
+        for relation in 0..known.relations.len() {
             if let Some(candidate) = self.pose(known, relation) {
                 let key = (candidate.subproblem, candidate.unknowns.clone());
                 steps.entry(key).or_default().push(candidate);
@@ -331,8 +359,8 @@ impl Partial {
     }
 
     /// Which subproblem, if any, a relation poses with what is known.
-    fn pose<'a>(&self, arm: &Known, relation: &'a Relation) -> Option<Candidate<'a>> {
-        let linkage = arm.linkage;
+    fn pose(&self, arm: &Known, number: usize) -> Option<Candidate> {
+        let (linkage, relation) = (arm.linkage, &arm.relations[number]);
         let unknown: Vec<&Dependence> = relation
             .depends
             .iter()
@@ -378,8 +406,10 @@ impl Partial {
         Some(Candidate {
             subproblem,
             unknowns,
-            relation,
-            with: None,
+            posed: Posed {
+                relation: number,
+                with: None,
+            },
             weak_at: unknown.iter().fold(parallel, |bits, d| bits | d.weak_at),
             cost,
         })
@@ -387,10 +417,10 @@ impl Partial {
 
     /// Pairs of relations between the same two unknowns, one unknown on the
     /// inner arc of both and one on the outer.
-    fn pairs<'a>(&self, arm: &Known<'a>) -> Vec<Candidate<'a>> {
+    fn pairs(&self, arm: &Known) -> Vec<Candidate> {
         let linkage = arm.linkage;
-        let mut groups: BTreeMap<(Atom, Atom), Vec<&'a Relation>> = BTreeMap::new();
-        for relation in arm.relations {
+        let mut groups: BTreeMap<(Atom, Atom), Vec<usize>> = BTreeMap::new();
+        for (number, relation) in arm.relations.iter().enumerate() {
             let mut unknown = relation.depends.iter().filter(|d| !self.solved.has(d.atom));
             let (Some(a), Some(b), None) = (unknown.next(), unknown.next(), unknown.next()) else {
                 continue;
@@ -406,45 +436,17 @@ impl Partial {
                 groups
                     .entry((outer.atom, inner.atom))
                     .or_default()
-                    .push(relation);
+                    .push(number);
             }
         }
         let mut found = Vec::new();
         for ((outer, inner), group) in groups {
-            for (i, first) in group.iter().enumerate() {
-                found.extend(
-                    group[i + 1..]
-                        .iter()
-                        .filter_map(|second| self.pair_up(arm, first, second, outer, inner)),
-                );
+            for (i, &first) in group.iter().enumerate() {
+                let pairs = group[i + 1..].iter().map(|&second| [first, second]);
+                found.extend(pairs.filter_map(|pair| pair_up(arm, pair, outer, inner)));
             }
         }
         found
-    }
-
-    fn pair_up<'a>(
-        &self,
-        arm: &Known,
-        first: &'a Relation,
-        second: &'a Relation,
-        outer: Atom,
-        inner: Atom,
-    ) -> Option<Candidate<'a>> {
-        let (independence, constant) = first.independence(second, inner)?;
-        if independence < DEPENDENT {
-            return None;
-        }
-        let known = (first.depends.len() + second.depends.len() - 4) as u32;
-        let penalty = if constant { 0 } else { MAY_DEGENERATE };
-        Some(Candidate {
-            subproblem: Subproblem::Sp6,
-            unknowns: vec![outer, inner],
-            relation: first,
-            with: Some(second),
-            weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(inner))
-                | arm.told.parallel(joint_of(outer), joint_of(inner)),
-            cost: 300 + 9 * known + penalty,
-        })
     }
 
     /// What follows if a step is taken: with the relations that pose it best,
@@ -458,7 +460,7 @@ impl Partial {
         if choices > MOST_CHOICES {
             return Vec::new();
         }
-        let step = |cost: u32, relations: Vec<Relation>, complement: Option<Relation>| {
+        let step = |cost: u32, posed: Vec<Posed>, complement: Option<Posed>| {
             let mut next = self.clone();
             for &atom in unknowns {
                 next.solved.insert(atom);
@@ -466,12 +468,12 @@ impl Partial {
                     next.complemented.insert(atom);
                 }
             }
-            next.steps.push(Step {
+            next.steps.push(Rc::new(Taken {
                 subproblem,
                 unknowns: unknowns.clone(),
-                relations,
+                posed,
                 complement,
-            });
+            }));
             next.steps.extend(next.solved.conclude(arm.linkage));
             next.choices = choices;
             next.cost += cost << choices;
@@ -480,14 +482,14 @@ impl Partial {
         let tells = |candidate: &&Candidate| candidate.weak_at == 0;
         let mut taken = Vec::new();
         if let Some(alone) = candidates.iter().find(tells) {
-            let relations = candidates
+            let posed = candidates
                 .iter()
                 .filter(tells)
                 .take(ALTERNATIVES)
                 .filter(|c| c.cost < alone.cost + MAY_DEGENERATE)
-                .map(Candidate::posed)
+                .map(|c| c.posed)
                 .collect();
-            taken.push(step(alone.cost, relations, None));
+            taken.push(step(alone.cost, posed, None));
         }
         let can_degenerate = !arm.determined || best.cost >= MAY_DEGENERATE;
         if let ([atom], true) = (&unknowns[..], can_degenerate) {
@@ -497,18 +499,41 @@ impl Partial {
                 .filter_map(|other| all.get(&(*other, unknowns.clone())))
                 .flatten();
             for other in others {
+                let relation = |of: &Candidate| &arm.relations[of.posed.relation];
                 let differs =
-                    |known: &&Candidate| other.relation.complements(known.relation, *atom);
+                    |known: &&Candidate| relation(other).complements(relation(known), *atom);
                 let tells = other.weak_at & best.weak_at == 0;
                 if different.len() <= COMPLEMENTS && tells && different.iter().all(differs) {
                     different.push(other);
                     let cost = best.cost + other.cost % MAY_DEGENERATE;
-                    taken.push(step(cost, vec![best.posed()], Some(other.posed())));
+                    taken.push(step(cost, vec![best.posed], Some(other.posed)));
                 }
             }
         }
         taken
     }
+}
+
+/// Two relations that pose subproblem 6.
+fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<Candidate> {
+    let [first, second] = pair.map(|number| &arm.relations[number]);
+    let (independence, constant) = first.independence(second, inner)?;
+    if independence < DEPENDENT {
+        return None;
+    }
+    let known = (first.depends.len() + second.depends.len() - 4) as u32;
+    let penalty = if constant { 0 } else { MAY_DEGENERATE };
+    Some(Candidate {
+        subproblem: Subproblem::Sp6,
+        unknowns: vec![outer, inner],
+        posed: Posed {
+            relation: pair[0],
+            with: Some(pair[1]),
+        },
+        weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(inner))
+            | arm.told.parallel(joint_of(outer), joint_of(inner)),
+        cost: 300 + 9 * known + penalty,
+    })
 }
 
 fn slides(linkage: &Linkage, atom: Atom) -> bool {
