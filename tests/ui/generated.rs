@@ -1,9 +1,8 @@
-//! What generated code says of itself holds: its examples run, nothing in it
-//! warns, its table of branches names the postures that forward kinematics
-//! shows, and its functions do what their contracts say.
+//! What generated code says of itself holds: its table of branches names the postures that
+//! forward kinematics shows, and its functions do what their contracts say. `examples.rs` beside
+//! this runs its examples.
 
-use kin_codegen::{Options, Source, Target, generate};
-use std::fs;
+use kin_codegen::{Options, Source, generate};
 use std::path::Path;
 
 kinematics::kinematics!("../../robots/ur5e.urdf");
@@ -24,84 +23,6 @@ fn documentation(code: &str) -> Vec<&str> {
         .take_while(|line| line.starts_with("///"))
         .map(|line| line.trim_start_matches('/').trim())
         .collect()
-}
-
-mod programs {
-    use super::*;
-
-    /// The example of the type's documentation.
-    fn example(code: &str) -> String {
-        let lines = documentation(code);
-        let inside = lines
-            .iter()
-            .skip_while(|line| **line != "```ignore")
-            .skip(1);
-        let example = inside.take_while(|line| **line != "```");
-        example.map(|line| format!("    {line}\n")).collect()
-    }
-
-    /// Robots' code, and a program that runs their examples.
-    #[derive(Default)]
-    struct Program {
-        modules: String,
-        main: String,
-    }
-
-    impl Program {
-        fn add(&mut self, name: &str, robot: &str, options: &Options) {
-            let code = code(robot, options);
-            let example = example(&code);
-            assert!(!example.is_empty(), "{robot}");
-            self.modules += &format!("/// {robot}\npub mod {name} {{\n{code}}}\n\n");
-            self.main += &format!("    {{\n    use {name}::*;\n{example}    }}\n");
-        }
-
-        /// The whole, which has no warnings of its own.
-        fn write(&self, file: &Path) {
-            let Self { modules, main } = self;
-            let program = format!(
-                "//! Robots.\n\n#![deny(warnings, missing_docs, unused, unused_qualifications)]\n\n\
-                 {modules}fn main() {{\n{main}}}\n"
-            );
-            fs::write(file, program).unwrap();
-        }
-    }
-
-    fn robots(folder: &str) -> Vec<String> {
-        let files = fs::read_dir(Path::new(ROOT).join(folder)).unwrap();
-        let files = files.map(|file| file.unwrap().file_name().into_string().unwrap());
-        let robots = files.filter(|file| file.ends_with(".yaml") || file.ends_with(".urdf"));
-        robots.map(|file| format!("{folder}/{file}")).collect()
-    }
-
-    #[test]
-    fn examples_run_and_nothing_warns() {
-        let mut program = Program::default();
-        let folders = [
-            "robots",
-            "tests/robots/table",
-            "tests/robots/targets",
-            "tests/robots/noisy",
-            "tests/robots/redundant",
-        ];
-        for robot in folders.into_iter().flat_map(robots) {
-            let name = robot.replace(['/', '.'], "_");
-            program.add(&name, &robot, &Options::default());
-        }
-        let forward_alone = Options {
-            ik: kin_codegen::Ik::None,
-            ..Options::default()
-        };
-        program.add("forward_alone", "robots/ur5e.urdf", &forward_alone);
-        let whole_pose = Options {
-            target: Some(Target::Pose),
-            ..Options::default()
-        };
-        program.add("whole_pose", "tests/robots/targets/crank.yaml", &whole_pose);
-        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("examples.rs");
-        program.write(&file);
-        trybuild::TestCases::new().pass(file);
-    }
 }
 
 mod branches {
