@@ -1,10 +1,11 @@
-//! The same arm read while the program runs and compiled into it: the same answers, and what
-//! each takes.
+//! What it takes to read robots while the program runs, and to ask one of them what the same arm
+//! compiled into the program is asked: the same answers.
 
 use std::time::Instant;
 
-use kinematics::{Pose, Robot, Solutions};
+use kinematics::{LoadError, Pose, Robot, RobotOptions, RobotSource, Solutions};
 use std::f64::consts::{PI, TAU};
+use std::path::Path;
 
 kinematics::kinematics!("robots/ur5e.urdf");
 
@@ -13,12 +14,21 @@ const COUNT: usize = 1024;
 /// The fastest of so many rounds counts.
 const ROUNDS: usize = 20;
 
-fn main() -> Result<(), kinematics::LoadError> {
-    let clock = Instant::now();
+fn main() -> Result<(), LoadError> {
+    println!("read           searched for   from a cache");
+    for file in [
+        "ur5e.urdf",
+        "kr6_r900.yaml",
+        "puma560.yaml",
+        "xarm6.yaml",
+        "iiwa14.yaml",
+        "panda.yaml",
+    ] {
+        let [searched, cached] = read(file)?;
+        println!("{file:14} {searched:9.2} ms   {cached:9.2} ms");
+    }
     let arm = Robot::from_urdf(concat!(env!("CARGO_MANIFEST_DIR"), "/robots/ur5e.urdf"))?;
-    let read = clock.elapsed().as_secs_f64();
     println!("{} from {} to {}", arm.name(), arm.base(), arm.tip());
-    println!("read in {:.1} ms", 1e3 * read);
 
     let angle = |i: usize| (i as f64 * 2.399_963).rem_euclid(TAU) - PI;
     let all: Vec<[f64; 6]> = (0..COUNT)
@@ -62,6 +72,21 @@ fn main() -> Result<(), kinematics::LoadError> {
     ];
     println!("all solutions {here:8.0} ns   {there:8.0} ns");
     Ok(())
+}
+
+/// Milliseconds to read a robot, without and with a folder of what was found before.
+fn read(file: &str) -> Result<[f64; 2], LoadError> {
+    let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("robots");
+    let source = RobotSource::read(file, &robots)?;
+    let options = RobotOptions::default();
+    let folder = std::env::temp_dir().join("robots_at_run_time");
+    Robot::load_cached(&source, &options, &folder)?;
+    let joints = |arm: Result<Robot, LoadError>| arm.map_or(0.0, |arm| arm.joints() as f64);
+    let searched = fastest(&[()], |()| joints(Robot::load(&source, &options)));
+    let cached = fastest(&[()], |()| {
+        joints(Robot::load_cached(&source, &options, &folder))
+    });
+    Ok([searched, cached].map(|time| 1e-6 * time))
 }
 
 /// Nanoseconds for one of some inputs.

@@ -7,6 +7,7 @@ use crate::expr::jacobian::{
 };
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
+use crate::found::Found;
 use crate::geometry::{Linkage, natural_target};
 use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
@@ -152,7 +153,8 @@ impl Forward {
 }
 
 /// Compiles the arm of a robot file. If inverse kinematics is asked for and
-/// there is none, the arm comes without it, and why beside it.
+/// there is none, the arm comes without it, and why beside it. What was found for this arm
+/// before need not be searched for.
 ///
 /// # Errors
 ///
@@ -160,6 +162,7 @@ impl Forward {
 pub(crate) fn compile(
     spec: &ArmSpec,
     options: &Options,
+    found: Option<&Found>,
 ) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
     let mut model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
     model.scalar = options.scalar;
@@ -184,8 +187,13 @@ pub(crate) fn compile(
         return Err(Diagnostics::one(&spec.source.path, diagnostic));
     }
     let is_redundant = model.joints.len() > target.coordinates() || free.count() > 0;
+    let known = found.and_then(|found| {
+        let certified = found.built(&model, &linkage)?;
+        Some((certified, found.redundancy().cloned()))
+    });
     let solved = match options.ik {
         Ik::None => Ok(None),
+        Ik::ClosedForm if known.is_some() => Ok(known),
         Ik::ClosedForm if is_redundant && options.scalar == Scalar::F32 => {
             Err(NoClosedForm::OnlyInDouble(Lack::Parameter))
         }
@@ -226,6 +234,12 @@ impl CompiledArm {
             rows: None,
             singular: OnceLock::new(),
         }
+    }
+
+    /// What does not follow from the robot file; none without inverse kinematics.
+    pub fn found(&self) -> Option<Found> {
+        let inverse = self.inverse.as_ref()?;
+        Some(Found::of(inverse, self.redundancy.as_ref()))
     }
 
     /// Forward kinematics alone, as [`CompiledArm::forward`] has it.

@@ -1,13 +1,15 @@
 //! The whole way from a robot file to verified expressions.
 
-use crate::arm;
+use crate::arm::{self, CompiledArm};
 use crate::compiled::Compiled;
 use crate::error::Error;
+use crate::found::{Entry, Found};
 use crate::mechanism;
 use crate::options::Options;
 use crate::refusal::{Reason, Refusal};
 use crate::spec::{Diagnostics, Source, Spec};
 use kin_runtime::__private::univariate::reproducibly;
+use std::path::Path;
 
 /// Reads a robot file and compiles it.
 ///
@@ -24,7 +26,40 @@ use kin_runtime::__private::univariate::reproducibly;
 /// What is wrong with the file or the options, or why the robot has no closed
 /// form.
 pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
-    let (robot, reason) = reproducibly(|| robot(&Spec::parse(source)?, options))?;
+    compile_found(source, options, None)
+}
+
+/// The same with a folder of what was found for robots before, by this version of the crate: for
+/// one of these nothing is searched for or certified again. What it has for another text or other
+/// options, or what is damaged, is not used. Where it cannot be written, nothing is kept.
+///
+/// Whoever can write that folder decides what a robot answers.
+///
+/// # Errors
+///
+/// As [`compile`].
+pub fn compile_cached(
+    source: &Source,
+    options: &Options,
+    folder: &Path,
+) -> Result<Compiled, Error> {
+    let entry = Entry::new(folder, source, options);
+    let before = entry.read();
+    let compiled = compile_found(source, options, before.as_ref())?;
+    let found = compiled.arm().and_then(CompiledArm::found);
+    if let Some(found) = found.filter(|found| before.as_ref() != Some(found)) {
+        // A robot that is not kept is a robot.
+        let _ = entry.write(&found);
+    }
+    Ok(compiled)
+}
+
+fn compile_found(
+    source: &Source,
+    options: &Options,
+    found: Option<&Found>,
+) -> Result<Compiled, Error> {
+    let (robot, reason) = reproducibly(|| robot(&Spec::parse(source)?, options, found))?;
     if options.strict
         && let Some(warnings) = Diagnostics::of(&source.path, robot.warnings().to_vec())
     {
@@ -41,10 +76,14 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
 }
 
 /// A robot with all that was found, and why it has no closed form.
-fn robot(spec: &Spec, options: &Options) -> Result<(Compiled, Option<Reason>), Diagnostics> {
+fn robot(
+    spec: &Spec,
+    options: &Options,
+    found: Option<&Found>,
+) -> Result<(Compiled, Option<Reason>), Diagnostics> {
     Ok(match spec {
         Spec::Arm(spec) => {
-            let (arm, refused) = arm::compile(spec, options)?;
+            let (arm, refused) = arm::compile(spec, options, found)?;
             (Compiled::Arm(Box::new(arm)), refused.map(Reason::Arm))
         }
         Spec::Mechanism(spec) => {

@@ -5,6 +5,7 @@ use crate::compiled::Compiled;
 use crate::emit::header;
 use crate::emit::rust::{self, Names};
 use crate::error::Error;
+use crate::hash::fnv1a;
 use crate::options::{self, Options};
 use crate::spec::{Diagnostic, Diagnostics, Source};
 use proc_macro2::{Ident, TokenStream};
@@ -49,7 +50,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Error> 
     Ok(Generated {
         tokens: rust::without_comments(commented.clone()),
         commented,
-        hash: header::fnv1a(source.text.as_bytes()),
+        hash: fnv1a(source.text.as_bytes()),
         name,
         robot,
         options: options.clone(),

@@ -5,6 +5,7 @@ use crate::compiled::Compiled;
 use crate::emit::c::{self, Files};
 use crate::emit::header;
 use crate::error::Error;
+use crate::hash::fnv1a;
 use crate::options::Options;
 use crate::scalar::Scalar;
 use crate::spec::{Diagnostic, Diagnostics, Source};
@@ -70,7 +71,7 @@ pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Erro
     {
         return Err(warnings.into_errors().into());
     }
-    let hash = header::fnv1a(source.text.as_bytes());
+    let hash = fnv1a(source.text.as_bytes());
     let told = header::of(&robot, &name, hash, options, Some(" --lang c"));
     let Files {
         header,

@@ -4,6 +4,7 @@ use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::emit::{header, js};
 use crate::error::Error;
+use crate::hash::fnv1a;
 use crate::options::{Options, stem};
 use crate::scalar::Scalar;
 use crate::spec::{Diagnostic, Diagnostics, Source};
@@ -69,7 +70,7 @@ impl GeneratedJs {
     pub fn of(robot: Compiled, source: &Source, options: &Options) -> Self {
         let mut warnings = robot.warnings().to_vec();
         warnings.extend(js::refused(&robot));
-        let hash = header::fnv1a(source.text.as_bytes());
+        let hash = fnv1a(source.text.as_bytes());
         let name = stem(&source.path);
         let told = header::of(&robot, name, hash, options, Some(" --lang js"));
         Self {

@@ -27,6 +27,7 @@ mod error;
 mod generate;
 mod generate_c;
 mod generate_js;
+mod hash;
 mod options;
 mod refusal;
 pub mod spec;
@@ -43,6 +44,8 @@ pub mod closed_form;
 pub mod emit;
 #[doc(hidden)]
 pub mod expr;
+#[doc(hidden)]
+pub mod found;
 #[doc(hidden)]
 pub mod geometry;
 #[doc(hidden)]
@@ -66,7 +69,7 @@ pub mod univariate;
 #[doc(hidden)]
 pub mod vector;
 
-pub use compile::compile;
+pub use compile::{compile, compile_cached};
 pub use compiled::Compiled;
 pub use error::Error;
 pub use generate::{Generated, generate};

@@ -1,15 +1,14 @@
 //! Arms with more joints than their targets have coordinates: which joints are given
 //! with the target, so that the others have isolated solutions.
 
+use crate::closed_form::tip_shift;
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
     Carried, Linkage, Moved, Swivel, conditioning, idealize, rank, size, structure,
 };
 use crate::model::{Model, configurations};
 use crate::plan::{Plans, Target};
-use crate::solver::{
-    Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, better, solve, tip_shift,
-};
+use crate::solver::{Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, better, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 

@@ -2,15 +2,12 @@
 //! tolerance, and the plans for them certified, until one stands.
 
 use crate::certificate::{Certificate, Failure, NearSingular, Trials, certify};
-use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::closed_form::{ClosedForm, Inverse, Reading, Refinement, tip_shift};
 use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
-use crate::geometry::{
-    AxisRelation, Idealized, Linkage, Moved, Swivel, axes, idealize, rank, relate, size,
-};
+use crate::geometry::{AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate};
 use crate::model::{JointKind, Model};
-use crate::plan::{Atom, Plan, Plans, Step, Subproblem, Target};
+use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
-use crate::single;
 use crate::univariate::{self, Kept};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
@@ -29,13 +26,6 @@ const CERTIFIED: usize = 8;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 1e-2;
-
-/// Axes of an idealized arm meet to this, in radians and of its size.
-const EXACT: f64 = 1e-11;
-
-/// Newton doubles the digits: two or three steps do at a regular
-/// configuration. Near a singular one the first steps have to find the way.
-const REFINEMENT: usize = 24;
 
 /// A joint whose share in a motion is less hardly takes part in it.
 const TAKES_PART: f64 = 0.1;
@@ -189,6 +179,7 @@ fn completed(trials: &Trials, best: Certified) -> Certified {
         FreeAngles::Flagged,
     );
     let form = ClosedForm {
+        free: FreeAngles::Flagged,
         inverse: Inverse::Expressions(Box::new(flagged)),
         refinement: Refinement::Univariate(Box::new(arm)),
         ..form.clone()
@@ -233,6 +224,7 @@ fn last_resort(
     let Some(arm) = arm else {
         return Err(refusal);
     };
+    let eliminating = |arm| ClosedForm::eliminating(trials.model(), linkage, target, arm);
     let mut refusal = refusal;
     let mut best: Option<Certified> = None;
     let mut asked: Vec<univariate::Arm> = Vec::new();
@@ -240,7 +232,7 @@ fn last_resort(
     // What some lose others may find.
     while !asked.contains(&next) && asked.len() < CHOICES {
         asked.push(next.clone());
-        let form = eliminating(trials, target, next.clone());
+        let form = eliminating(next.clone());
         match certify(trials, &form, usize::MAX) {
             Ok(certificate) => {
                 let done = certificate.lost == 0;
@@ -255,40 +247,10 @@ fn last_resort(
             }
         }
         let alone = next.alone();
-        let lost = alone.map(|arm| trials.lost_again(&eliminating(trials, target, arm)));
+        let lost = alone.map(|arm| trials.lost_again(&eliminating(arm)));
         next = next.losing_fewest(&lost.collect::<Vec<_>>());
     }
     best.ok_or(refusal)
-}
-
-/// An arm that is solved by a polynomial in one joint alone.
-fn eliminating(trials: &Trials, target: Target, arm: univariate::Arm) -> ClosedForm {
-    let linkage = trials.linkage();
-    let joints = arm.kept[0].elimination.joints;
-    let joints = joints.iter().filter_map(|&i| linkage.joint_of(i.into()));
-    let step = Step {
-        subproblem: Subproblem::Univariate,
-        unknowns: joints.map(Atom::Joint).collect(),
-        relations: Vec::new(),
-        complement: None,
-    };
-    ClosedForm {
-        idealized: Idealized {
-            model: trials.model().clone(),
-            moved: Vec::new(),
-            tolerance: 0.0,
-        },
-        linkage: linkage.clone(),
-        given: linkage.clone(),
-        plan: Plan {
-            steps: vec![step],
-            target,
-        },
-        inverse: Inverse::Univariate(Box::new(arm)),
-        tip_shift: 0.0,
-        refinement: Refinement::None,
-        single: None,
-    }
 }
 
 /// Two neighbours that do the same.
@@ -321,54 +283,22 @@ fn solve_idealized(
     idealized: Idealized,
     target: Target,
 ) -> Result<Certified, NoClosedForm> {
-    let linkage = Linkage::for_target(&idealized.model, target);
-    let linkage = linkage.with_locked(&trials.linkage().locked);
-    let swivel = trials
-        .linkage()
-        .swivel
-        .map(|_| Swivel::of(&idealized.model, EXACT));
-    if swivel == Some(None) {
-        return Err(NoClosedForm::NoPlan(target));
-    }
-    let linkage = linkage.with_swivel(swivel.flatten());
-    let tip_shift = tip_shift(trials.model(), &idealized.model);
-    let exact = tip_shift < linkage.scalar.tolerances().unmoved * linkage.size;
+    let reading = Reading::new(trials.model(), trials.linkage(), idealized, target)
+        .ok_or(NoClosedForm::NoPlan(target))?;
+    let (linkage, exact) = (&reading.linkage, reading.is_exact());
     let locked = &linkage.locked;
-    if !exact && rank_without(&idealized.model, locked) < linkage.variables().min(6) {
+    if !exact && rank_without(reading.model(), locked) < linkage.variables().min(6) {
         // Of the ideal arm, the others are singular throughout.
         return Err(NoClosedForm::NoPlan(target));
     }
     if !exact && target.is_projected() {
         return Err(NoClosedForm::Noisy);
     }
-    let margin = match exact {
-        true => 0.0,
-        false => tip_shift / linkage.size,
-    };
-    let single = (linkage.scalar == Scalar::F32)
-        .then(|| single::Forward::new(trials.linkage(), trials.model().variables.len()));
-    if single.is_some() && !exact {
+    if !exact && linkage.scalar == Scalar::F32 {
         return Err(NoClosedForm::OnlyInDouble(Lack::Refinement));
     }
-    let form = |plan: &Plan, free: FreeAngles| ClosedForm {
-        idealized: idealized.clone(),
-        linkage: linkage.clone(),
-        given: trials.linkage().clone(),
-        plan: plan.clone(),
-        inverse: Inverse::Expressions(Box::new(inverse(
-            &linkage,
-            plan,
-            DomainMargin(margin),
-            free,
-        ))),
-        tip_shift,
-        refinement: match exact {
-            true => Refinement::None,
-            false => Refinement::Branches(REFINEMENT),
-        },
-        single: single.clone(),
-    };
-    let mut plans = Plans::new(&linkage, target);
+    let form = |plan: &Plan, free: FreeAngles| reading.form(plan, free);
+    let mut plans = Plans::new(linkage, target);
     // The search estimates what a plan costs; of those that it comes by first, the
     // one that needs the fewest operations is tried first.
     let mut first: Vec<ClosedForm> = plans
@@ -393,7 +323,7 @@ fn solve_idealized(
     let mut certified = 0;
     let mut first = first.into_iter();
     let mut later = Later {
-        linkage: &linkage,
+        linkage,
         target,
         all: plans,
         told: 0,
@@ -542,18 +472,4 @@ fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::
         }
     }
     best.map(|(_, arm)| arm)
-}
-
-/// How far apart the tips of two arms get, with orientation as a length at
-/// the distance of the arm's size; metres.
-pub(crate) fn tip_shift(given: &Model, idealized: &Model) -> f64 {
-    let (a, b) = (given.chain(), idealized.chain());
-    let size = size(given);
-    let at = |k: usize| {
-        let q: Vec<f64> = (0..given.variables.len())
-            .map(|i| (i * 5 + k * 7) as f64 * 0.61 % 3.0)
-            .collect();
-        Target::Pose.distance(&a.fk(&q), &b.fk(&q), size)
-    };
-    (0..64).map(at).fold(0.0, f64::max)
 }

@@ -2,8 +2,8 @@
 //! one that sees what is wrong with one of them.
 
 use kin_codegen::certificate::{Certificate, Failure, Trials, certify};
-use kin_codegen::closed_form::{ClosedForm, Inverse, Refinement};
-use kin_codegen::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
+use kin_codegen::closed_form::{ClosedForm, Inverse, Reading, Refinement};
+use kin_codegen::expr::inverse::{FreeAngles, InverseGraph};
 use kin_codegen::expr::{Choice, Expr, Node, Tape};
 use kin_codegen::geometry::{Linkage, idealize, natural_target};
 use kin_codegen::model::Model;
@@ -46,23 +46,11 @@ impl Arm {
     /// The first plan for which something holds, certified or not.
     fn form(&self, wanted: impl Fn(&Plan) -> bool) -> ClosedForm {
         let idealized = idealize(&self.model, 1e-12);
-        let linkage = Linkage::for_target(&idealized.model, self.target);
-        let plan = Plans::new(&linkage, self.target).find(wanted).unwrap();
-        ClosedForm {
-            inverse: Inverse::Expressions(Box::new(inverse(
-                &linkage,
-                &plan,
-                DomainMargin(0.0),
-                FreeAngles::Seeded,
-            ))),
-            given: self.linkage.clone(),
-            linkage,
-            plan,
-            idealized,
-            tip_shift: 0.0,
-            refinement: Refinement::None,
-            single: None,
-        }
+        let reading = Reading::new(&self.model, &self.linkage, idealized, self.target).unwrap();
+        let plan = Plans::new(&reading.linkage, self.target)
+            .find(wanted)
+            .unwrap();
+        reading.form(&plan, FreeAngles::Seeded)
     }
 }
 

@@ -6,7 +6,7 @@ use kin_codegen::closed_form::Domain;
 use kin_codegen::expr::Tape;
 use kin_codegen::expr::forward::Outputs;
 use kin_codegen::spec::{Diagnostic, Diagnostics};
-use kin_codegen::{Error, Options, Scalar, Source, compile};
+use kin_codegen::{Compiled, Error, Options, Scalar, Source, compile, compile_cached};
 use kin_runtime::{Chain, JointLimit};
 use std::path::Path;
 use std::str::FromStr;
@@ -112,18 +112,54 @@ impl Robot {
     /// What is wrong with the file or the options, or why the robot has no closed form. A
     /// mechanism of several chains is none of these robots.
     pub fn load(source: &Source, options: &Options) -> Result<Self, Error> {
+        Self::compiled(source, options, || compile(source, options))
+    }
+
+    /// The same with a folder that keeps what was found: the next time that a robot is read with
+    /// the same options, by the same version of this crate, nothing is searched for or certified,
+    /// and the answers are the same to the last bit. Files of changed robots, of other versions and
+    /// damaged ones are not used, and several programs may share a folder. One that cannot be
+    /// written keeps nothing; whoever can write it decides what robots answer.
+    ///
+    /// ```
+    /// use kinematics::{Robot, RobotOptions, RobotSource};
+    /// let folder = std::env::temp_dir().join("robots");
+    /// let source = RobotSource::read("robots/ur5e.urdf", std::path::Path::new("."))?;
+    /// let first = Robot::load_cached(&source, &RobotOptions::default(), &folder)?;
+    /// let again = Robot::load_cached(&source, &RobotOptions::default(), &folder)?;
+    /// let pose = first.fk(&[0.3, -1.2, 1.5, -0.7, 1.1, 0.4]);
+    /// assert_eq!(first.ik(&pose), again.ik(&pose));
+    /// # Ok::<(), kinematics::LoadError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`Robot::load`].
+    pub fn load_cached(
+        source: &Source,
+        options: &Options,
+        folder: impl AsRef<Path>,
+    ) -> Result<Self, Error> {
+        let folder = folder.as_ref();
+        Self::compiled(source, options, || compile_cached(source, options, folder))
+    }
+
+    fn compiled(
+        source: &Source,
+        options: &Options,
+        compile: impl FnOnce() -> Result<Compiled, Error>,
+    ) -> Result<Self, Error> {
         if options.scalar != Scalar::default() {
             let reason = "a robot that is read at run time computes in f64 alone";
             let remedy = "leave out `scalar = f32`, or generate its code";
             return Err(Diagnostics::one(&source.path, Diagnostic::whole(reason, remedy)).into());
         }
-        let compiled = compile(source, options)?;
-        let Some(arm) = compiled.arm() else {
+        let Compiled::Arm(arm) = compile()? else {
             let reason = "the file has a mechanism of several chains, which is no arm";
             let remedy = "generate its code with `kinematics!` or a build script";
             return Err(Diagnostics::one(&source.path, Diagnostic::whole(reason, remedy)).into());
         };
-        Ok(Self::new(arm.clone()))
+        Ok(Self::new(*arm))
     }
 
     fn new(arm: CompiledArm) -> Self {

@@ -1,21 +1,16 @@
 //! The same robots read while the program runs: what generated code computes, to the last bit.
 
+use crate::cached::cached;
 use crate::several::{GantryIiwa, PandaTool};
 use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
     Answers, Criterion, Follow, HighlyRedundantKinematics, Nearest, Parameter, Pose,
-    RedundantKinematics, Robot, RobotOptions, RobotSource, Solutions,
+    RedundantKinematics, Robot, RobotOptions, Solutions,
 };
 use std::mem::discriminant;
-use std::path::Path;
 
 for_every_robot!(answers_and_intervals_are_the_same);
-
-fn read(path: &str, options: &RobotOptions) -> Robot {
-    let source = RobotSource::read(path, Path::new("")).unwrap();
-    Robot::load(&source, options).unwrap()
-}
 
 /// Of two parameters, the last joint and the turn of the tool.
 pub fn sawyer_whose_tool_turns() -> Robot {
@@ -23,7 +18,7 @@ pub fn sawyer_whose_tool_turns() -> Robot {
         target: Some(Target::PositionAxis),
         ..RobotOptions::default()
     };
-    read("../robots/sawyer.yaml", &options)
+    cached("../robots/sawyer.yaml", &options)
 }
 
 fn loaded<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) -> Robot {
@@ -37,7 +32,7 @@ fn loaded<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) -> R
         free,
         ..RobotOptions::default()
     };
-    read(robot.path, &options)
+    cached(robot.path, &options)
 }
 
 /// Arms off their design are refined by other operations of forward kinematics.
@@ -172,7 +167,7 @@ fn two_parameters_are_the_same() {
         free: vec!["slide".into(), "joint_a3".into()],
         ..RobotOptions::default()
     };
-    let loaded = read("robots/redundant/gantry_iiwa.yaml", &options);
+    let loaded = cached("robots/redundant/gantry_iiwa.yaml", &options);
     assert_eq!(loaded.parameter_names(), ["slide", "joint_a3"]);
     let q = [0.4, 0.3, -0.7, 0.5, -1.2, 0.8, 0.6, -0.2];
     let target = GantryIiwa.fk(&q);
@@ -213,7 +208,7 @@ fn a_held_turn_is_the_same() {
         target: Some(Target::PositionAxis),
         ..RobotOptions::default()
     };
-    let loaded = read("../robots/panda.yaml", &options);
+    let loaded = cached("../robots/panda.yaml", &options);
     let q = [0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6];
     let target = PandaTool.fk(&[0.1, 0.6, -0.3, -1.7, 0.2, 1.8, 0.1]);
     let held = [q[6], 0.7];
@@ -238,7 +233,7 @@ fn a_turn_behind_eight_joints_has_its_intervals() {
         target: Some(Target::PositionAxis),
         ..RobotOptions::default()
     };
-    let loaded = read("robots/redundant/gantry_iiwa.yaml", &options);
+    let loaded = cached("robots/redundant/gantry_iiwa.yaml", &options);
     assert_eq!(loaded.parameters(), 3);
     let q = [0.4, 0.3, -0.7, 0.5, -1.2, 0.8, 0.6, -0.2];
     let target = loaded.fk(&q);

@@ -32,6 +32,8 @@ macro_rules! for_every_robot {
     )* };
 }
 
+#[path = "../cached.rs"]
+mod cached;
 #[path = "../random.rs"]
 mod random;
 mod subject;

@@ -1,13 +1,11 @@
 //! The same robots read while the program runs: what generated code computes, to the last bit.
 
+use crate::cached::cached;
 use crate::random::Random;
 use crate::subject::Subject;
 use crate::zoo::EXACT;
-use kinematics::{
-    Kinematics, Nearest, Pose, Posture, Robot, RobotOptions, RobotSource, Twist, Wrench,
-};
+use kinematics::{Kinematics, Nearest, Pose, Posture, Robot, RobotOptions, Twist, Wrench};
 use std::mem::discriminant;
-use std::path::Path;
 
 for_every_robot!(forward_kinematics_is_the_same);
 for_every_robot!(solutions_are_the_same);
@@ -41,12 +39,11 @@ mod targets {
 const ROUNDING: f64 = 1e-14;
 
 fn loaded<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) -> Robot {
-    let source = RobotSource::read(robot.path, Path::new("")).unwrap();
     let options = RobotOptions {
         target: Some(robot.counts),
         ..RobotOptions::default()
     };
-    Robot::load(&source, &options).unwrap()
+    cached(robot.path, &options)
 }
 
 fn entries(pose: &Pose) -> Vec<f64> {

@@ -2,6 +2,8 @@
 //! product of exponentials and its numerical search.
 
 mod aim;
+#[path = "../cached.rs"]
+mod cached;
 mod descent;
 mod measure;
 #[path = "../random.rs"]

@@ -2,14 +2,17 @@
 //! plan, its expressions, and the refinement onto the arm as given.
 
 mod branches;
+mod reading;
 mod roots;
 
+pub use reading::Reading;
+pub(crate) use reading::tip_shift;
 pub use roots::Domain;
 
-use crate::expr::inverse::InverseGraph;
+use crate::expr::inverse::{FreeAngles, InverseGraph};
 use crate::geometry::{Carried, Idealized, Linkage};
-use crate::model::JointKind;
-use crate::plan::Plan;
+use crate::model::{JointKind, Model};
+use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use crate::scalar::Tolerances;
 use crate::single;
 use crate::univariate;
@@ -47,6 +50,8 @@ pub struct ClosedForm {
     pub given: Linkage,
     /// The plan.
     pub plan: Plan,
+    /// What becomes of angles that its singular targets leave free.
+    pub free: FreeAngles,
     /// The plan as it is run.
     pub inverse: Inverse,
     /// How far the idealized arm's tip is from the given one's, metres.
@@ -95,6 +100,41 @@ impl BranchSolution {
 }
 
 impl ClosedForm {
+    /// By an elimination alone, of the arm as given.
+    pub fn eliminating(
+        model: &Model,
+        linkage: &Linkage,
+        target: Target,
+        arm: univariate::Arm,
+    ) -> Self {
+        let joints = arm.kept[0].elimination.joints;
+        let joints = joints.iter().filter_map(|&i| linkage.joint_of(i.into()));
+        let step = Step {
+            subproblem: Subproblem::Univariate,
+            unknowns: joints.map(Atom::Joint).collect(),
+            relations: Vec::new(),
+            complement: None,
+        };
+        Self {
+            idealized: Idealized {
+                model: model.clone(),
+                moved: Vec::new(),
+                tolerance: 0.0,
+            },
+            linkage: linkage.clone(),
+            given: linkage.clone(),
+            plan: Plan {
+                steps: vec![step],
+                target,
+            },
+            free: FreeAngles::Seeded,
+            inverse: Inverse::Univariate(Box::new(arm)),
+            tip_shift: 0.0,
+            refinement: Refinement::None,
+            single: None,
+        }
+    }
+
     /// What the digits of the scalar allow.
     fn tolerances(&self) -> Tolerances {
         self.linkage.scalar.tolerances()

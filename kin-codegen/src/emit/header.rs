@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 struct Provenance<'a> {
     /// The file's name.
     path: &'a str,
-    /// See [`fnv1a`].
+    /// See [`fnv1a`](crate::hash::fnv1a).
     hash: u64,
     /// As they were asked for.
     asked: &'a Options,
@@ -108,14 +108,6 @@ fn quoted(word: &str) -> String {
         true => word.to_owned(),
         false => format!("'{}'", word.replace('\'', r"'\''")),
     }
-}
-
-/// The hash of a robot file that its generated code names: Fowler, Noll and Vo's
-/// FNV-1a of the file's bytes, 64 bits. It tells a changed file from the one
-/// that was compiled; it is no protection against forgery.
-pub fn fnv1a(bytes: &[u8]) -> u64 {
-    let fold = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, fold)
 }
 
 /// The header of a robot's code: from what it was made, with which options, and what it
@@ -221,14 +213,6 @@ mod tests {
             language: None,
         };
         provenance.header(Vec::new()).made_by
-    }
-
-    #[test]
-    fn the_hash_is_that_of_its_authors() {
-        // Test vectors of the FNV draft, draft-eastlake-fnv.
-        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
     }
 
     #[test]

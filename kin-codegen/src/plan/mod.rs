@@ -14,7 +14,7 @@ mod search;
 pub use invariant::{Invariant, Kind};
 use kin_runtime::Solutions;
 pub use kin_runtime::Target;
-pub use relation::{Atom, Relation};
+pub use relation::{Atom, Dependence, Relation};
 pub use search::Plans;
 
 use std::fmt;

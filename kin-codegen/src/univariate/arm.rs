@@ -23,7 +23,7 @@ pub struct Arm {
     /// The eliminations that are asked, the best first; one at least.
     pub kept: Vec<Kept>,
     /// Those that might be, the best first.
-    others: Vec<Kept>,
+    pub others: Vec<Kept>,
 }
 
 impl Arm {

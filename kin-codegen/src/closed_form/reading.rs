@@ -1,0 +1,102 @@
+//! An arm with relations read into its axes, and the closed forms of the plans for it.
+
+use super::{ClosedForm, Inverse, Refinement};
+use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::geometry::{Idealized, Linkage, Swivel, size};
+use crate::model::Model;
+use crate::plan::{Plan, Target};
+use crate::scalar::Scalar;
+use crate::single;
+
+/// Axes of an idealized arm meet to this, in radians and of its size.
+const EXACT: f64 = 1e-11;
+
+/// Newton doubles the digits: two or three steps do at a regular
+/// configuration. Near a singular one the first steps have to find the way.
+const REFINEMENT: usize = 24;
+
+/// An idealized arm beside the given one.
+pub struct Reading {
+    idealized: Idealized,
+    /// Its frames.
+    pub linkage: Linkage,
+    /// The frames of the arm as given.
+    given: Linkage,
+    /// How far apart the tips of the two are, metres.
+    tip_shift: f64,
+    single: Option<single::Forward>,
+}
+
+impl Reading {
+    /// None if the swivel angle comes with the target, and the idealized arm has none.
+    pub fn new(
+        model: &Model,
+        given: &Linkage,
+        idealized: Idealized,
+        target: Target,
+    ) -> Option<Self> {
+        let swivel = match given.swivel {
+            Some(_) => Some(Swivel::of(&idealized.model, EXACT)?),
+            None => None,
+        };
+        let linkage = Linkage::for_target(&idealized.model, target)
+            .with_locked(&given.locked)
+            .with_swivel(swivel);
+        let single = (linkage.scalar == Scalar::F32)
+            .then(|| single::Forward::new(given, model.variables.len()));
+        Some(Self {
+            tip_shift: tip_shift(model, &idealized.model),
+            idealized,
+            linkage,
+            given: given.clone(),
+            single,
+        })
+    }
+
+    /// The idealized arm.
+    pub fn model(&self) -> &Model {
+        &self.idealized.model
+    }
+
+    /// Whether the arm as given has the relations exactly.
+    pub fn is_exact(&self) -> bool {
+        self.tip_shift < self.linkage.scalar.tolerances().unmoved * self.linkage.size
+    }
+
+    /// The closed form by a plan.
+    pub fn form(&self, plan: &Plan, free: FreeAngles) -> ClosedForm {
+        let (margin, refinement) = match self.is_exact() {
+            true => (0.0, Refinement::None),
+            false => (
+                self.tip_shift / self.linkage.size,
+                Refinement::Branches(REFINEMENT),
+            ),
+        };
+        let inverse = inverse(&self.linkage, plan, DomainMargin(margin), free);
+        ClosedForm {
+            idealized: self.idealized.clone(),
+            linkage: self.linkage.clone(),
+            given: self.given.clone(),
+            plan: plan.clone(),
+            free,
+            inverse: Inverse::Expressions(Box::new(inverse)),
+            tip_shift: self.tip_shift,
+            refinement,
+            single: self.single.clone(),
+        }
+    }
+}
+
+/// How far apart the tips of two arms get, with orientation as a length at
+/// the distance of the arm's size; metres.
+pub(crate) fn tip_shift(given: &Model, idealized: &Model) -> f64 {
+    let (a, b) = (given.chain(), idealized.chain());
+    let size = size(given);
+    let at = |k: usize| {
+        let q: Vec<f64> = (0..given.variables.len())
+            .map(|i| (i * 5 + k * 7) as f64 * 0.61 % 3.0)
+            .collect();
+        Target::Pose.distance(&a.fk(&q), &b.fk(&q), size)
+    };
+    (0..64).map(at).fold(0.0, f64::max)
+}

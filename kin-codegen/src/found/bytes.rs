@@ -1,0 +1,229 @@
+//! What was found as bytes: field by field, numbers to the last bit.
+
+use super::Found;
+use crate::certificate::Certificate;
+use crate::expr::inverse::FreeAngles;
+use crate::geometry::Swivel;
+use crate::plan::{Atom, Dependence, Invariant, Kind, Plan, Relation, Step, Subproblem};
+use crate::redundancy::{Redundancy, Weighed};
+use crate::univariate::{Arm, Kept};
+use kin_runtime::__private::univariate::{Elimination, Frames};
+use kin_runtime::{Pose, Target};
+use std::ops::Range;
+
+/// Something that can be read back.
+pub trait Bytes: Sized {
+    /// Appends it.
+    fn write(&self, to: &mut Vec<u8>);
+    /// Takes it off the front; none if it is not there.
+    fn read(from: &mut &[u8]) -> Option<Self>;
+}
+
+macro_rules! numbers {
+    ($($number:ty),*) => {$(
+        impl Bytes for $number {
+            fn write(&self, to: &mut Vec<u8>) {
+                to.extend(self.to_le_bytes());
+            }
+
+            fn read(from: &mut &[u8]) -> Option<Self> {
+                let (bytes, rest) = from.split_first_chunk()?;
+                *from = rest;
+                Some(Self::from_le_bytes(*bytes))
+            }
+        }
+    )*};
+}
+numbers!(u8, u32, u64, f64);
+
+/// All fields of a type, in order.
+macro_rules! fields {
+    ($($name:ident { $($field:ident),* })*) => {$(
+        impl Bytes for $name {
+            fn write(&self, to: &mut Vec<u8>) {
+                let Self { $($field),* } = self;
+                $($field.write(to);)*
+            }
+
+            fn read(from: &mut &[u8]) -> Option<Self> {
+                Some(Self { $($field: Bytes::read(from)?),* })
+            }
+        }
+    )*};
+}
+fields! {
+    Found { plan, free, tolerance, elimination, certificate, redundancy }
+    Plan { steps, target }
+    Step { subproblem, unknowns, relations, complement }
+    Relation { from, to, depends, with, is_swivel }
+    Invariant { kind, joints, point, direction }
+    Dependence { atom, weakest, steady, inner, weak_at, derivatives }
+    Certificate {
+        configurations, singular, excused, excused_share, unanswered, lost, solutions,
+        worst_residual, most_solutions
+    }
+    Redundancy { joints, swivel, turn, target, weighed }
+    Swivel { shoulder, elbow, wrist, reference }
+    Weighed { joints, weight }
+    Arm { frames, size, counts, kept, others }
+    Frames { fixed, prismatic }
+    Pose { rotation, translation }
+    Kept { elimination, lost, unsure, noise }
+    Elimination {
+        joints, backwards, degree, functionals, half, third, fold, powers, rows, columns
+    }
+}
+
+/// A type of so many words, by their number.
+macro_rules! words {
+    ($($name:ident { $($word:ident),* })*) => {$(
+        impl Bytes for $name {
+            fn write(&self, to: &mut Vec<u8>) {
+                match self {
+                    $(Self::$word)|* => (*self as u8).write(to),
+                }
+            }
+
+            fn read(from: &mut &[u8]) -> Option<Self> {
+                let number = u8::read(from)?;
+                [$(Self::$word),*].into_iter().find(|word| *word as u8 == number)
+            }
+        }
+    )*};
+}
+words! {
+    Target { Pose, Position, PositionAxis, PositionYaw, Planar, Direction, Orientation }
+    Kind { Point, Direction, Plane }
+    Subproblem {
+        Sum, Sp1, Sp2, Sp3, Sp4, Sp6, Slide, T1, T2, Univariate, Slides, Lines, Hyperboloid
+    }
+}
+
+impl Bytes for Atom {
+    fn write(&self, to: &mut Vec<u8>) {
+        match *self {
+            Atom::Joint(joint) => (None::<usize>, [joint; 2]).write(to),
+            Atom::Sum { run, first, last } => (Some(run), [first, last]).write(to),
+        }
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        let (run, [first, last]) = <(Option<usize>, [usize; 2])>::read(from)?;
+        Some(match run {
+            None => Atom::Joint(first),
+            Some(run) => Atom::Sum { run, first, last },
+        })
+    }
+}
+
+impl Bytes for FreeAngles {
+    fn write(&self, to: &mut Vec<u8>) {
+        match *self {
+            FreeAngles::Seeded => (false, None::<usize>),
+            FreeAngles::Flagged => (true, None),
+            FreeAngles::TurnedAt(step) => (false, Some(step)),
+        }
+        .write(to);
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        Some(match <(bool, Option<usize>)>::read(from)? {
+            (_, Some(step)) => FreeAngles::TurnedAt(step),
+            (true, None) => FreeAngles::Flagged,
+            (false, None) => FreeAngles::Seeded,
+        })
+    }
+}
+
+impl Bytes for usize {
+    fn write(&self, to: &mut Vec<u8>) {
+        (*self as u64).write(to);
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        u64::read(from)?.try_into().ok()
+    }
+}
+
+impl Bytes for bool {
+    fn write(&self, to: &mut Vec<u8>) {
+        u8::from(*self).write(to);
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        Some(u8::read(from)? != 0)
+    }
+}
+
+impl<A: Bytes, B: Bytes> Bytes for (A, B) {
+    fn write(&self, to: &mut Vec<u8>) {
+        self.0.write(to);
+        self.1.write(to);
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        Some((A::read(from)?, B::read(from)?))
+    }
+}
+
+impl Bytes for Range<usize> {
+    fn write(&self, to: &mut Vec<u8>) {
+        (self.start, self.end).write(to);
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        let (start, end) = Bytes::read(from)?;
+        Some(start..end)
+    }
+}
+
+impl<T: Bytes, const N: usize> Bytes for [T; N] {
+    fn write(&self, to: &mut Vec<u8>) {
+        self.iter().for_each(|one| one.write(to));
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        let all: Option<Vec<T>> = (0..N).map(|_| T::read(from)).collect();
+        all?.try_into().ok()
+    }
+}
+
+impl<T: Bytes> Bytes for Vec<T> {
+    fn write(&self, to: &mut Vec<u8>) {
+        self.len().write(to);
+        self.iter().for_each(|one| one.write(to));
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        let count = usize::read(from)?;
+        let mut all = Vec::new();
+        for _ in 0..count {
+            all.push(T::read(from)?);
+        }
+        Some(all)
+    }
+}
+
+impl<T: Bytes> Bytes for Option<T> {
+    fn write(&self, to: &mut Vec<u8>) {
+        self.is_some().write(to);
+        self.iter().for_each(|one| one.write(to));
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        Some(match bool::read(from)? {
+            true => Some(T::read(from)?),
+            false => None,
+        })
+    }
+}
+
+impl<T: Bytes> Bytes for Box<T> {
+    fn write(&self, to: &mut Vec<u8>) {
+        (**self).write(to);
+    }
+
+    fn read(from: &mut &[u8]) -> Option<Self> {
+        T::read(from).map(Box::new)
+    }
+}

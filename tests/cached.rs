@@ -1,0 +1,21 @@
+//! Robots read at run time from what was found before.
+
+use kinematics::{Robot, RobotOptions, RobotSource};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+/// A robot from a folder of this test's own, in which it is searched for once.
+pub fn cached(path: &str, options: &RobotOptions) -> Robot {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(env!("CARGO_CRATE_NAME"));
+        // What another build of the compiler has found.
+        let _ = fs::remove_dir_all(&folder);
+        folder
+    });
+    let source = RobotSource::read(path, Path::new("")).unwrap();
+    let load = || Robot::load_cached(&source, options, folder).unwrap();
+    load();
+    load()
+}
