@@ -69,19 +69,28 @@ impl serde::Serialize for Answers {
     }
 }
 
-impl<const N: usize> From<&Solutions<N>> for Answers {
-    fn from(solutions: &Solutions<N>) -> Self {
+impl Answers {
+    /// The first joints of solutions.
+    pub(super) fn of<const N: usize>(joints: usize, solutions: &Solutions<N>) -> Self {
         let rest = |solution: &Solution<N>| Rest {
             residual: solution.residual,
             branch: solution.branch,
             singular: solution.singular,
         };
-        let mut q = Vec::with_capacity(N * solutions.len());
-        solutions.iter().for_each(|solution| q.extend(solution.q));
+        let mut q = Vec::with_capacity(joints * solutions.len());
+        for solution in solutions {
+            q.extend(&solution.q[..joints]);
+        }
         Answers {
-            joints: N,
+            joints,
             q,
             rest: solutions.iter().map(rest).collect(),
         }
+    }
+}
+
+impl<const N: usize> From<&Solutions<N>> for Answers {
+    fn from(solutions: &Solutions<N>) -> Self {
+        Answers::of(N, solutions)
     }
 }

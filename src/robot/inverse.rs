@@ -1,9 +1,8 @@
 //! Inverse kinematics of a robot.
 
-use super::of_joints::{OfJoints, array, with_constant};
+use super::of_joints::{OfJoints, array, with_capacity, with_constant};
 use super::{Answers, Robot};
-use kin_codegen::closed_form::ClosedForm;
-use kin_runtime::__private::Locked;
+use kin_runtime::__private::math;
 use kin_runtime::{
     Kinematics, Nearest, NoSolution, Pose, RedundantKinematics, Solution, Solutions,
 };
@@ -114,8 +113,11 @@ impl Robot {
     ///
     /// There are not as many as [`Robot::parameters`].
     pub fn ik_at(&self, pose: &Pose, parameters: &[f64]) -> Answers {
-        with_constant!(self.joints(), N => (&self.solutions::<N>(pose, parameters, None)).into())
-            .unwrap_or_default()
+        let joints = self.joints();
+        with_capacity!(joints, N => {
+            Answers::of(joints, &self.solutions::<N>(pose, parameters, None))
+        })
+        .unwrap_or_default()
     }
 
     /// As [`Robot::ik_nearest`], among the solutions with these parameters.
@@ -126,12 +128,15 @@ impl Robot {
         seed: &[f64],
     ) -> Option<NearestAnswer> {
         self.check(seed);
-        with_constant!(self.joints(), N => {
-            let seed: &[f64; N] = array(seed);
+        with_capacity!(self.joints(), N => {
+            let seed: [f64; N] = std::array::from_fn(|i| seed.get(i).copied().unwrap_or_default());
             let limits = OfJoints::<N>::new(self).own_limits();
-            let solutions = self.solutions::<N>(pose, parameters, Some(seed));
-            let nearest = solutions.nearest_by(&Nearest::new(*seed, &limits));
-            nearest.as_ref().map(NearestAnswer::of)
+            let solutions = self.solutions::<N>(pose, parameters, Some(&seed));
+            let nearest = solutions.nearest_by(&Nearest::new(seed, &limits))?;
+            Some(NearestAnswer {
+                q: nearest.q[..self.joints()].to_vec(),
+                ..NearestAnswer::of(&nearest)
+            })
         })?
     }
 
@@ -175,7 +180,8 @@ impl Robot {
         }
     }
 
-    /// The solutions of a robot of N joints.
+    /// The solutions of a robot of N joints, or of fewer with others behind its last, which stay
+    /// at zero.
     pub(super) fn solutions<const N: usize>(
         &self,
         pose: &Pose,
@@ -191,41 +197,45 @@ impl Robot {
             return self.isolated(pose, seed);
         };
         let (pose, parameters) = self.turned(pose, parameters);
-        match redundancy.joints[..] {
-            [] if redundancy.swivel.is_some() => {
-                self.widened([], form.solved_at_swivel(&pose, parameters), parameters)
-            }
-            [] => form.solved(&pose, &[]),
-            [joint] => self.with_locked([joint], form, &pose, parameters),
-            [one, other] => self.with_locked([one, other], form, &pose, parameters),
-            _ => Solutions::new(),
+        if redundancy.swivel.is_some() {
+            return self.with_given(&form.solved_at_swivel(&pose, parameters), &[]);
         }
-    }
-
-    fn with_locked<const K: usize, const N: usize>(
-        &self,
-        joints: [usize; K],
-        form: &ClosedForm,
-        pose: &Pose,
-        parameters: &[f64],
-    ) -> Solutions<N> {
-        with_constant!(N - K, M => {
-            self.widened(joints, form.solved::<M>(pose, parameters), parameters)
+        let solved = self.joints() - redundancy.joints.len();
+        with_constant!(solved, M => {
+            let given: Vec<(usize, f64)> = redundancy.joints.iter().copied().zip(parameters.iter().copied()).collect();
+            self.with_given(&form.solved::<M>(&pose, parameters), &given)
         })
         .unwrap_or_default()
     }
 
-    /// Solutions of M joints with the K that are given among them.
-    fn widened<const K: usize, const M: usize, const N: usize>(
+    /// Solutions of M joints with those that are given, by their places, among them.
+    fn with_given<const M: usize, const N: usize>(
         &self,
-        joints: [usize; K],
-        solutions: Solutions<M>,
-        parameters: &[f64],
+        solutions: &Solutions<M>,
+        given: &[(usize, f64)],
     ) -> Solutions<N> {
-        let slides = (0..N).filter(|&i| !self.limits[i].is_revolute());
-        let prismatic = slides.fold(0, |mask, i| mask | 1 << i);
-        let values = std::array::from_fn(|k| parameters[k]);
-        Locked::new(joints, values, prismatic).all(&solutions)
+        let joints = self.joints();
+        let slides = |i: &usize| !self.limits[*i].is_revolute();
+        let prismatic = (0..joints).filter(slides).fold(0, |mask, i| mask | 1 << i);
+        let mut all = Solutions::with_prismatic(prismatic);
+        for solution in solutions {
+            let (mut q, mut others) = ([0.0; N], solution.q.into_iter());
+            for (i, q) in q[..joints].iter_mut().enumerate() {
+                let value = given.iter().find(|(joint, _)| *joint == i);
+                *q = match value {
+                    Some((_, value)) if slides(&i) => *value,
+                    Some((_, value)) => math::wrap(*value),
+                    None => others.next().unwrap_or_default(),
+                };
+            }
+            all.push(Solution {
+                q,
+                residual: solution.residual,
+                branch: solution.branch,
+                singular: solution.singular,
+            });
+        }
+        all
     }
 }
 

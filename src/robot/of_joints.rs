@@ -47,7 +47,7 @@ macro_rules! with_capacity {
 pub(super) use with_capacity;
 
 /// A robot that has N joints, and of several parameters one that moves. One of fewer joints has
-/// others behind its last, which leave the tip where it is; inverse kinematics is not asked of it.
+/// others behind its last, which leave the tip where it is and stay at zero.
 ///
 /// What a robot has is asked of methods: of the constants that the traits want, none is read.
 #[derive(Clone, Copy)]
@@ -117,7 +117,8 @@ impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
     const BRANCHES: usize = 0;
 
     fn own_limits(&self) -> [JointLimit; N] {
-        std::array::from_fn(|i| self.robot.limits[i])
+        let limits = &self.robot.limits;
+        std::array::from_fn(|i| limits.get(i).copied().unwrap_or(JointLimit::Continuous))
     }
 
     fn counting(&self) -> Target {
@@ -210,7 +211,7 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
         self.robot.domain.as_ref().map_or(0, Domain::roots)
     }
 
-    fn held(&self) -> u32 {
+    fn held(&self) -> u64 {
         let others = (0..self.robot.parameters()).filter(|&i| i != self.moving);
         others.fold(0, |held, i| match self.robot.parameter(i) {
             Some(Parameter::Joint(joint)) => held | 1 << joint,

@@ -1,7 +1,7 @@
 //! Robots with more joints than their targets have coordinates.
 
 use super::inverse::NearestAnswer;
-use super::of_joints::{OfJoints, array, with_constant};
+use super::of_joints::{OfJoints, array, with_capacity, with_constant};
 use super::{Answers, Robot};
 use kin_codegen::redundancy::Redundancy;
 use kin_runtime::{
@@ -180,9 +180,11 @@ impl AlongParameter<'_> {
     /// The solutions at so many values of the parameter, evenly spaced over a turn, or over the
     /// travel of a prismatic joint.
     pub fn ik_sweep(&self, pose: &Pose, count: usize) -> Vec<Answers> {
-        with_constant!(self.robot.joints(), N => {
+        let joints = self.robot.joints();
+        with_capacity!(joints, N => {
             self.of_joints::<N, _>(pose, |arm, pose| {
-                arm.ik_sweep(pose, count).map(|solutions| (&solutions).into()).collect()
+                let each = arm.ik_sweep(pose, count);
+                each.map(|solutions| Answers::of(joints, &solutions)).collect()
             })
         })
         .unwrap_or_default()

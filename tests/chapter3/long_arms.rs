@@ -11,8 +11,12 @@ use std::sync::LazyLock;
 const ROUNDING: f64 = 1e-12;
 
 fn loaded(text: String) -> Result<Robot, kinematics::LoadError> {
+    loaded_with(text, Ik::None)
+}
+
+fn loaded_with(text: String, ik: Ik) -> Result<Robot, kinematics::LoadError> {
     let options = RobotOptions {
-        ik: Ik::None,
+        ik,
         ..RobotOptions::default()
     };
     let path = "long.yaml".into();
@@ -293,6 +297,37 @@ fn what_moves_nothing_and_what_takes_no_effort() {
             for wrench in wrenches.iter() {
                 close(&arm.spatial_torques(&q, wrench), &vec![0.0; n], ROUNDING);
             }
+        }
+    }
+}
+
+/// What is given beside a target is most of their joints, one of which slides behind 32 others.
+#[test]
+fn inverse_kinematics_with_most_joints_given() {
+    let mut random = Random::new(7);
+    for joints in [9, 36] {
+        let arm = loaded_with(general(joints, false), Ik::ClosedForm).unwrap();
+        assert_eq!(arm.parameters(), joints - 6);
+        for _ in 0..10 {
+            let q = values(&mut random, joints);
+            let target = arm.fk(&q);
+            let given = arm.redundancy(&target, &q);
+            let solutions = arm.ik_at(&target, &given);
+            let off = |found: &[f64]| {
+                let each = found.iter().zip(&q).map(|(a, b)| (a - b).abs());
+                each.fold(0.0, f64::max)
+            };
+            assert!(solutions.iter().any(|it| off(it.q) < 1e-7), "{q:?}");
+            for it in solutions.iter() {
+                let pose = arm.fk(it.q);
+                let miss = pose.translation_distance(&target) + pose.rotation_distance(&target);
+                assert!(miss < 1e-8 && arm.redundancy(&target, it.q) == given);
+            }
+            let nearest = arm.ik_nearest_at(&target, &given, &q).unwrap();
+            assert!(off(&nearest.q) < 1e-7, "{q:?}");
+            let along = arm.along(0, &given);
+            assert_eq!(along.ik_at(&target, given[0]), solutions);
+            assert_eq!(along.ik_sweep(&target, 3).len(), 3);
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::subject::Subject;
 use kin_codegen::Target;
-use kinematics::{FeasibleInterval, Parameter, Pose, RedundantKinematics};
+use kinematics::{Criterion, FeasibleInterval, Parameter, Pose, RedundantKinematics};
 use std::f64::consts::{PI, TAU};
 
 for_every_robot! {
@@ -271,8 +271,8 @@ const BLURRED: f64 = 0.05;
 fn right_angles_have_their_intervals<K: RedundantKinematics<N>, const N: usize>(
     robot: &Subject<K, N>,
 ) {
-    let mut held_at_all = 0;
-    for q in robot.structured() {
+    let (mut held_at_all, mut held_within) = (0, 0);
+    for (k, q) in robot.structured().enumerate() {
         let target = robot.chain.fk(&q);
         let intervals = robot.arm.feasible(&target);
         let (points, lengths): (Vec<_>, Vec<_>) = intervals.iter().partition(|it| it.from == it.to);
@@ -289,8 +289,43 @@ fn right_angles_have_their_intervals<K: RedundantKinematics<N>, const N: usize>(
             assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
             held_at_all += held;
         }
+        // Which takes longer.
+        if k % 4 == 0 {
+            held_within += within_limits_and_best(robot, &q, &lengths, &points);
+        }
     }
     assert!(held_at_all > 1000, "{held_at_all}");
+    assert!(held_within > 50, "{held_within}");
+}
+
+/// How many solutions within limits there were.
+fn within_limits_and_best<K: RedundantKinematics<N>, const N: usize>(
+    robot: &Subject<K, N>,
+    q: &[f64; N],
+    lengths: &[FeasibleInterval<N>],
+    points: &[FeasibleInterval<N>],
+) -> usize {
+    let target = robot.chain.fk(q);
+    let within = robot.arm.feasible_within(&target, &K::LIMITS);
+    let mut held_at_all = 0;
+    for value in values::<K, N>(41).map(|value| value + 0.0123) {
+        let is_near = |ends: &[_], near: f64| is_near_end(ends, value, near);
+        if is_near(lengths, 1e-4) || is_near(&within, 1e-4) || is_near(points, BLURRED) {
+            continue;
+        }
+        let solutions = robot.arm.ik_at(&target, value);
+        let solutions = solutions.within_limits(&K::LIMITS).len();
+        let held = holding::<K, N>(&within, value);
+        assert_eq!(held, solutions, "at {value} of {q:?}: {within:#?}");
+        held_at_all += held;
+    }
+    let best = robot.arm.ik_best(&target, &Criterion::FarthestFromLimits);
+    assert!(best.is_some() || held_at_all == 0, "of {q:?}");
+    if let Some(best) = best {
+        let miss = robot.miss(&best, &target, robot.arm.parameter_of(&target, &best));
+        assert!(miss < 1e-9, "{miss} of {q:?}: {best:?}");
+    }
+    held_at_all
 }
 
 /// [`right_angles_have_their_intervals`] of arms whose branches come from square roots.

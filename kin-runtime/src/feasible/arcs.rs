@@ -14,6 +14,9 @@ const SAMPLES: usize = 64;
 const OFFSET: f64 = 0.381_966;
 /// Halvings of the distance between samples.
 const HALVINGS: u32 = 24;
+/// Samples that are taken between two of the first ones at most: where the arm is singular
+/// throughout, nothing tells how curves go on.
+const BETWEEN: usize = 256;
 /// Two places end in one fold if they find it this near to each other.
 const SAME: f64 = 1e-5;
 /// A slide without limits is looked at so far both ways, metres.
@@ -51,7 +54,7 @@ pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     let mut before = first.clone();
     for &value in rest {
         let next = task.sample(value);
-        tracker.cell(&before, &next, HALVINGS);
+        tracker.go_on(&before, &next);
         before = next;
     }
     if turns {
@@ -60,7 +63,7 @@ pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         for place in &mut last.places {
             place.x[task.parameter] = last.parameter;
         }
-        tracker.cell(&before, &last, HALVINGS);
+        tracker.go_on(&before, &last);
     }
     tracker.finish(first.places.len(), turns)
 }
@@ -69,8 +72,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The values of the parameter to sample, ascending: evenly, and where a branch exists
     /// between two of them alone, or not there alone.
     fn samples(&self) -> Vec<f64> {
-        let between = self.values_between_ends();
-        let Some(between) = between.or_else(|| self.values_between_meetings()) else {
+        let Some(between) = self.values_between_meetings() else {
             return self.margin_samples().unwrap_or_else(|| self.values());
         };
         let mut values = self.values();
@@ -109,6 +111,8 @@ struct Tracker<'a, K: ?Sized, const N: usize> {
     arcs: Vec<Open>,
     /// By place of the sample last seen, its arc.
     open: Vec<usize>,
+    /// How many samples have been taken between two of the first ones.
+    between: usize,
 }
 
 impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
@@ -122,30 +126,38 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
             task,
             arcs: arcs.collect(),
             open: (0..first.places.len()).collect(),
+            between: 0,
         }
     }
 
-    /// Carries the arcs from one sample to the next.
+    /// Carries the arcs from one of the first samples to the next.
+    fn go_on(&mut self, from: &Sample, to: &Sample) {
+        self.between = 0;
+        self.cell(from, to, HALVINGS);
+    }
+
     fn cell(&mut self, from: &Sample, to: &Sample, halvings: u32) {
-        let matched = self.task.matched(from, to);
-        let ending = self.folds(from, &matched.ending, 1.0, [from.parameter, to.parameter]);
-        let beginning = self.folds(to, &matched.beginning, -1.0, [from.parameter, to.parameter]);
-        let (ending, beginning) = match (ending, beginning, halvings) {
-            (Some(ending), Some(beginning), _) => (ending, beginning),
-            (_, _, 0) => {
-                // Nothing tells how it goes on: the arcs end here.
+        let mut matched = self.task.matched(from, to);
+        let ends = [from.parameter, to.parameter];
+        let ending = self.folds(from, &matched.ending, 1.0, ends);
+        let beginning = self.folds(to, &matched.beginning, -1.0, ends);
+        let (ending, beginning) = match (ending, beginning) {
+            (Some(ending), Some(beginning)) => (ending, beginning),
+            _ if halvings > 0 && self.between < BETWEEN => {
+                self.between += 1;
+                let middle = self.task.sample(0.5 * (from.parameter + to.parameter));
+                self.cell(from, &middle, halvings - 1);
+                self.cell(&middle, to, halvings - 1);
+                return;
+            }
+            _ => {
+                // Nothing tells how it goes on: to what is near, or the arcs end here.
+                self.task.match_near(from, to, &mut matched);
                 let at = |sample: &Sample, k: &usize| sample.places[*k].x;
                 (
                     matched.ending.iter().map(|k| at(from, k)).collect(),
                     matched.beginning.iter().map(|k| at(to, k)).collect(),
                 )
-            }
-            _ => {
-                let middle = 0.5 * (from.parameter + to.parameter);
-                let middle = self.task.sample(middle);
-                self.cell(from, &middle, halvings - 1);
-                self.cell(&middle, to, halvings - 1);
-                return;
             }
         };
         for (&i, fold) in matched.ending.iter().zip(ending) {

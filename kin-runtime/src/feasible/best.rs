@@ -1,16 +1,16 @@
 //! The best configuration for a target.
 
-use super::arcs::Arc;
+use super::curve::{Curve, Part};
 use super::limits::is_within;
 use super::task::Task;
 use crate::{JointLimit, RedundantKinematics};
 use alloc::vec::Vec;
 
-/// Configurations of an arc that are looked at before the least is refined, for each
+/// Configurations of a part that are looked at before the least is refined, for each
 /// radian or metre of the parameter, and at least so many.
 const DENSITY: f64 = 24.0;
 const FEWEST: usize = 24;
-/// Golden-section steps: the parameter to the square root of rounding.
+/// Golden-section steps: the variable to the square root of rounding.
 const STEPS: usize = 40;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -68,16 +68,16 @@ impl<const N: usize> Criterion<N> {
     }
 }
 
-/// The best configuration on some arcs.
-pub(super) fn best<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+/// The best configuration on parts of curves.
+pub(super) fn best<'a, K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
-    arcs: impl Iterator<Item = Arc>,
+    parts: impl Iterator<Item = (&'a Curve, Part)>,
     stops: &[JointLimit; N],
     criterion: &Criterion<N>,
 ) -> Option<[f64; N]> {
     let mut best: Option<(f64, [f64; N])> = None;
-    for arc in arcs {
-        for (cost, q) in candidates(task, &arc, stops, criterion) {
+    for (curve, part) in parts {
+        for (cost, q) in candidates(task, curve, part, stops, criterion) {
             if best.is_none_or(|(least, _)| cost < least) {
                 best = Some((cost, q));
             }
@@ -86,33 +86,30 @@ pub(super) fn best<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     best.map(|(_, q)| q)
 }
 
-/// The minima of an arc.
+/// The minima of a part.
 fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
-    arc: &Arc,
+    curve: &Curve,
+    part: Part,
     stops: &[JointLimit; N],
     criterion: &Criterion<N>,
 ) -> Vec<(f64, [f64; N])> {
-    let parameter = task.parameter;
-    let ends = arc.points.first().zip(arc.points.last());
-    let Some([from, to]) = ends.map(|(a, b)| [a[parameter], b[parameter]]) else {
-        return Vec::new();
-    };
-    let at = |value: f64| {
-        let q = task.q(&task.on(arc, value)?);
+    let at = |variable: f64| {
+        let q = task.q(&task.on(curve, curve.parameter(variable))?);
         let q = criterion.wound(&q, stops).filter(|q| is_within(q, stops))?;
         Some((criterion.cost(task.robot, &q, stops), q))
     };
-    let cost = |value: f64| at(value).map_or(f64::INFINITY, |(cost, _)| cost);
-    let count = FEWEST.max(((to - from) * DENSITY) as usize);
-    let value = |i: usize| from + (to - from) * i as f64 / count as f64;
-    let costs: Vec<f64> = (0..=count).map(|i| cost(value(i))).collect();
+    let cost = |variable: f64| at(variable).map_or(f64::INFINITY, |(cost, _)| cost);
+    let count = FEWEST.max((curve.length(&part) * DENSITY) as usize);
+    let variable = |i: usize| part.from + (part.to - part.from) * i as f64 / count as f64;
+    let costs: Vec<f64> = (0..=count).map(|i| cost(variable(i))).collect();
     let is_least = |&i: &usize| {
         let before = i == 0 || costs[i] <= costs[i - 1];
         before && (i == count || costs[i] <= costs[i + 1]) && costs[i].is_finite()
     };
     let refined = |i: usize| {
-        let (mut low, mut high) = (value(i.saturating_sub(1)), value((i + 1).min(count)));
+        let beside = [i.saturating_sub(1), (i + 1).min(count)];
+        let [mut low, mut high] = beside.map(variable);
         for _ in 0..STEPS {
             let width = GOLDEN * (high - low);
             let (left, right) = (high - width, low + width);
@@ -121,7 +118,7 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
                 false => low = left,
             }
         }
-        [at(value(i)), at(0.5 * (low + high))]
+        [at(variable(i)), at(0.5 * (low + high))]
     };
     let least = (0..=count).filter(is_least);
     least.flat_map(refined).flatten().collect()

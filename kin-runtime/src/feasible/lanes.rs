@@ -13,10 +13,10 @@ const SAME: f64 = 1e-9;
 const BLURRED: f64 = 1e-6;
 /// Where between two places the solutions are asked for: not in the middle, where targets with
 /// a symmetry have roots that meet.
-const AMID: f64 = 0.381_966;
+pub(super) const AMID: f64 = 0.381_966;
 /// Where in an interval the configuration is that stands for it: in the middle, or near it where
 /// that is singular and the branch is not told from another.
-const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
+pub(super) const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
 
 /// A place at which branches may begin or end.
 #[derive(Clone, Copy)]
@@ -44,8 +44,8 @@ fn branches<const N: usize>(solutions: &Solutions<N>) -> u32 {
 }
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// The intervals of all branches; none where no plan tells them.
-    pub fn intervals_of_lanes(&self) -> Option<Vec<FeasibleInterval<N>>> {
+    /// The intervals of all branches, with their branches; none where no plan tells them.
+    pub fn intervals_of_lanes(&self) -> Option<Vec<(usize, FeasibleInterval<N>)>> {
         if self.roots == 0 {
             return None;
         }
@@ -61,23 +61,13 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         all.sort_by_key(|(run, _)| (run.first, run.last));
         let mut last = None;
         let each = all.into_iter();
-        let each = each.filter_map(|(run, lane)| self.of_run(&cells, lane, run, &mut last));
-        let mut found: Vec<FeasibleInterval<N>> = each.collect();
+        let each = each.filter_map(|(run, lane)| {
+            let interval = self.of_run(&cells, lane, run, &mut last)?;
+            Some((lane, interval))
+        });
+        let mut found: Vec<(usize, FeasibleInterval<N>)> = each.collect();
         self.isolated(&cuts, &cells, turns, &mut found);
         Some(found)
-    }
-
-    /// Values of the parameter between which no branch begins or ends, one of each interval
-    /// between neighbouring ends.
-    pub fn values_between_ends(&self) -> Option<Vec<f64>> {
-        if self.roots == 0 {
-            return None;
-        }
-        let cuts = self.cuts();
-        let between = cuts
-            .windows(2)
-            .map(|pair| 0.5 * (pair[0].value + pair[1].value));
-        Some(between.collect())
     }
 
     /// All places at which branches may begin or end, ascending; of a travel its ends too.
@@ -168,7 +158,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         cuts: &[Cut],
         cells: &[Cell],
         turns: bool,
-        found: &mut Vec<FeasibleInterval<N>>,
+        found: &mut Vec<(usize, FeasibleInterval<N>)>,
     ) {
         for (i, cut) in cuts.iter().enumerate().filter(|(_, cut)| cut.touches) {
             let before = match turns {
@@ -185,12 +175,13 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             });
             let count = solutions.len().saturating_sub(going_on as usize);
             found.extend(own.take(count).map(|solution| {
-                self.wound(FeasibleInterval {
+                let interval = self.wound(FeasibleInterval {
                     from: cut.value,
                     to: cut.value,
                     is_closed: false,
                     middle: solution.q,
-                })
+                });
+                (solution.branch as usize, interval)
             }));
         }
     }

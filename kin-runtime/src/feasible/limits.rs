@@ -1,94 +1,75 @@
-//! Arcs as far as all joints are within their limits.
+//! Parts of a curve on which all joints are within their limits.
 
-use super::arcs::Arc;
-use super::task::{Point, Task, along};
+use super::curve::{Curve, Part};
+use super::interpolant::Cosines;
+use super::lanes::AMID;
+use super::task::{Point, Task};
+use super::zeros::zeros;
 use crate::{JointLimit, RedundantKinematics, math};
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
+use core::cell::RefCell;
+use core::f64::consts::PI;
 
-/// A joint that comes nearer to a bound than this by less than a quarter turn crosses it.
-const NEAR: f64 = 1.6;
-/// Ends nearer than this are one.
-const SAME: f64 = 1e-12;
+/// Pieces of a curve to begin with.
+const PIECES: usize = 4;
+/// How far beyond a bound a joint crosses it, less than what still counts as resting on it: one
+/// that rests there crosses nothing.
+const BEYOND: f64 = 0.1 * JointLimit::TOLERANCE;
+/// Parts that are nearer to each other are one: at a single value, an angle that is free may be
+/// told beyond a limit.
+const SAME: f64 = 1e-9;
 
-/// The parts of an arc on which every joint is within its limits, or can be by full turns.
+/// The parts on which every joint is within its limits, or can be by full turns.
 pub(super) fn within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
-    arc: &Arc,
+    curve: &Curve,
     stops: &[JointLimit; N],
-) -> Vec<Arc> {
-    let parameter = task.parameter;
-    let points = monotone(task, arc);
-    let mut crossings: Vec<Point> = Vec::new();
-    for (joint, stop) in stops.iter().enumerate() {
-        for bound in [stop.lower(), stop.upper()] {
-            if bound.is_finite() {
-                crossings.extend(cross(task, &points, joint, bound));
-            }
-        }
-    }
-    crossings.sort_by(|a, b| a[parameter].total_cmp(&b[parameter]));
-    let mut ends: Vec<Point> = Vec::new();
-    ends.extend(points.first());
-    ends.extend(crossings);
-    ends.extend(points.last());
-    ends.dedup_by(|a, b| a[parameter] - b[parameter] < SAME);
-    let inside = |from: &Point, to: &Point| {
-        let middle = 0.5 * (from[parameter] + to[parameter]);
-        let middle = task.on(arc, middle);
-        middle.is_some_and(|x| is_within(&task.q(&x), stops))
+) -> Vec<Part> {
+    let inside = |variable: f64| {
+        let point = task.on(curve, curve.parameter(variable));
+        point.is_some_and(|x| is_within(&task.q(&x), stops))
     };
-    let mut parts: Vec<Arc> = Vec::new();
-    let mut goes_on = false;
-    for pair in ends.windows(2) {
-        let [from, to] = [pair[0], pair[1]];
-        if !inside(&from, &to) {
-            goes_on = false;
+    let whole = curve.whole();
+    let mut ends = alloc::vec![whole.from];
+    ends.extend(crossings(task, curve, stops));
+    ends.push(whole.to);
+    ends.sort_by(f64::total_cmp);
+    let mut parts: Vec<Part> = Vec::new();
+    for pair in ends.windows(2).filter(|pair| pair[0] < pair[1]) {
+        if !inside(pair[0] + AMID * (pair[1] - pair[0])) {
             continue;
         }
-        let between = points.iter().filter(|x| {
-            let value = x[parameter];
-            from[parameter] < value && value < to[parameter]
-        });
-        let piece = between.copied().chain([to]);
-        match parts.last_mut().filter(|_| goes_on) {
-            Some(part) => part.points.extend(piece),
-            None => parts.push(Arc {
-                points: core::iter::once(from).chain(piece).collect(),
+        match parts.last_mut().filter(|part| pair[0] - part.to < SAME) {
+            Some(part) => part.to = pair[1],
+            None => parts.push(Part {
+                from: pair[0],
+                to: pair[1],
                 is_closed: false,
             }),
         }
-        goes_on = true;
     }
-    let whole = parts.len() == 1 && ends.len() >= 2 && {
-        let all = &parts[0].points;
-        all.first() == ends.first() && all.last() == ends.last()
-    };
-    if whole {
-        parts[0].is_closed = arc.is_closed;
-    } else if arc.is_closed && parts.len() > 1 {
-        join_round(&mut parts, &ends, parameter);
+    if curve.is_closed {
+        join_round(&mut parts, &whole);
     }
     parts
 }
 
-/// Of a closed arc, the last part goes on as the first if both reach where it was cut.
-fn join_round(parts: &mut Vec<Arc>, ends: &[Point], parameter: usize) {
-    let reaches_start = parts[0].points.first() == ends.first();
-    let reaches_end = parts.last().and_then(|part| part.points.last()) == ends.last();
-    if !(reaches_start && reaches_end) {
+/// Of a closed curve, the last part goes on as the first if both reach where it was cut.
+fn join_round(parts: &mut Vec<Part>, whole: &Part) {
+    let reaches = |part: Option<&Part>, end: fn(&Part) -> f64| {
+        part.is_some_and(|part| end(part) == end(whole))
+    };
+    if !(reaches(parts.first(), |part| part.from) && reaches(parts.last(), |part| part.to)) {
         return;
     }
-    let Some([first, last]) = ends.first().zip(ends.last()).map(|(a, b)| [a, b]) else {
+    if let [all] = &mut parts[..] {
+        all.is_closed = true;
         return;
-    };
-    let round = last[parameter] - first[parameter];
+    }
     let head = parts.remove(0);
     if let Some(tail) = parts.last_mut() {
-        tail.points
-            .extend(head.points.into_iter().skip(1).map(|mut x| {
-                x[parameter] += round;
-                x
-            }));
+        tail.to += head.to - head.from;
     }
 }
 
@@ -97,67 +78,41 @@ pub(super) fn is_within<const N: usize>(q: &[f64; N], stops: &[JointLimit; N]) -
     (0..N).all(|i| stops[i].nearest(q[i], q[i]).is_some())
 }
 
-/// The points of an arc, and between them those where a joint turns back.
-fn monotone<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+/// Where joints cross their bounds.
+fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
-    arc: &Arc,
-) -> Vec<Point> {
-    let parameter = task.parameter;
-    let mut points: Vec<Point> = Vec::new();
-    for pair in arc.points.windows(2) {
-        let (from, to) = (pair[0], pair[1]);
-        points.push(from);
-        let (Some(a), Some(b)) = (task.place(from), task.place(to)) else {
-            continue;
-        };
-        // In a fold the parameter's sense is not told by the tangent: by the way it is.
-        let way = task.way(&from, &to);
-        let sense = |tangent: &Point| {
-            let along: f64 = way.iter().zip(tangent).map(|(x, y)| x * y).sum();
-            tangent.map(|t| t * 1.0_f64.copysign(along))
-        };
-        let (u, v) = (sense(&a.tangent), sense(&b.tangent));
-        let mut turning: Vec<Point> = (0..N)
-            .filter(|&joint| joint != parameter && u[joint] * v[joint] < 0.0)
-            .filter_map(|joint| {
-                let start = super::task::Place {
-                    x: from,
-                    tangent: u,
-                };
-                let point = task.extremum(joint, &start, 1.0)?;
-                let inside = from[parameter] < point[parameter] && point[parameter] < to[parameter];
-                inside.then_some(point)
-            })
-            .collect();
-        turning.sort_by(|a, b| a[parameter].total_cmp(&b[parameter]));
-        points.extend(turning);
-    }
-    points.extend(arc.points.last());
-    points
-}
-
-/// Where a joint crosses a bound, between points that no joint turns back between.
-fn cross<K: RedundantKinematics<N> + ?Sized, const N: usize>(
-    task: &Task<K, N>,
-    points: &[Point],
-    joint: usize,
-    bound: f64,
-) -> Vec<Point> {
-    let off = |x: &Point| match task.turns(joint) {
-        true => math::wrap(x[joint] - bound),
-        false => x[joint] - bound,
+    curve: &Curve,
+    stops: &[JointLimit; N],
+) -> Vec<f64> {
+    let known: RefCell<BTreeMap<u64, Option<Point>>> = RefCell::default();
+    let at = |variable: f64| {
+        let mut known = known.borrow_mut();
+        *known
+            .entry(variable.to_bits())
+            .or_insert_with(|| task.on(curve, curve.parameter(variable)))
     };
+    let cosines = Cosines::new();
+    let whole = curve.whole();
     let mut found = Vec::new();
-    for pair in points.windows(2) {
-        let (a, b) = (off(&pair[0]), off(&pair[1]));
-        let crosses = a * b <= 0.0 && (!task.turns(joint) || (a - b).abs() < NEAR);
-        if !crosses || a == b {
+    for (joint, stop) in stops.iter().enumerate() {
+        let (lower, upper) = (stop.lower() - BEYOND, stop.upper() + BEYOND);
+        let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower));
+        let turns = task.turns(joint);
+        // By full turns it is always within.
+        if turns && half >= PI || lower == f64::NEG_INFINITY && upper == f64::INFINITY {
             continue;
         }
-        let way = task.way(&pair[0], &pair[1]);
-        let guess = along(&pair[0], &way, a / (a - b));
-        let value = pair[0][joint] - a;
-        found.extend(task.meet_at(joint, value, guess));
+        let least = math::sin_cos(half).1;
+        let inside = |q: f64| match turns {
+            // Steady where the angle wraps.
+            true => math::sin_cos(q - middle).1 - least,
+            false if half.is_finite() => half * half - (q - middle) * (q - middle),
+            false if lower.is_finite() => q - lower,
+            false => upper - q,
+        };
+        // Where there is no solution it crosses nothing.
+        let f = |variable: f64| at(variable).map_or(1.0, |x| inside(x[joint]));
+        found.extend(zeros(&cosines, &f, whole.from, whole.to, PIECES).crossing);
     }
     found
 }

@@ -13,6 +13,7 @@
 mod arcs;
 mod best;
 mod chebyshev;
+mod curve;
 mod eliminant;
 mod fold;
 mod halves;
@@ -33,6 +34,7 @@ pub use interval::FeasibleInterval;
 
 use crate::{JointLimit, Pose, RedundantKinematics};
 use alloc::vec::Vec;
+use curve::{Curve, Part};
 use task::Task;
 
 /// The intervals of the parameter in which a branch of solutions exists, of all branches.
@@ -41,10 +43,15 @@ pub(crate) fn feasible<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     target: &Pose,
 ) -> Vec<FeasibleInterval<N>> {
     let task = Task::new(robot, target);
-    task.intervals_of_lanes().unwrap_or_else(|| {
-        let arcs = arcs::arcs(&task);
-        arcs.iter().filter_map(|arc| task.interval(arc)).collect()
-    })
+    if let Some(intervals) = task.intervals_of_lanes() {
+        return intervals
+            .into_iter()
+            .map(|(_, interval)| interval)
+            .collect();
+    }
+    let curves = task.followed();
+    let whole = |curve: &Curve| task.interval(curve, &curve.whole());
+    curves.iter().filter_map(whole).collect()
 }
 
 /// The same as far as all joints are within their limits.
@@ -54,11 +61,11 @@ pub(crate) fn feasible_within<K: RedundantKinematics<N> + ?Sized, const N: usize
     stops: &[JointLimit; N],
 ) -> Vec<FeasibleInterval<N>> {
     let task = Task::new(robot, target);
-    let arcs = arcs::arcs(&task);
-    let parts = arcs
-        .iter()
-        .flat_map(|arc| limits::within(&task, arc, stops));
-    parts.filter_map(|arc| task.interval(&arc)).collect()
+    let curves = task.curves();
+    let parts = parts(&task, &curves, stops);
+    parts
+        .filter_map(|(curve, part)| task.interval(curve, &part))
+        .collect()
 }
 
 /// The best configuration within limits.
@@ -69,9 +76,40 @@ pub(crate) fn best<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     criterion: &Criterion<N>,
 ) -> Option<[f64; N]> {
     let task = Task::new(robot, target);
-    let arcs = arcs::arcs(&task);
-    let parts = arcs
-        .iter()
-        .flat_map(|arc| limits::within(&task, arc, stops));
-    best::best(&task, parts, stops, criterion)
+    let curves = task.curves();
+    best::best(&task, parts(&task, &curves, stops), stops, criterion)
+}
+
+/// What of the curves is within limits.
+fn parts<'a, K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+    curves: &'a [Curve],
+    stops: &[JointLimit; N],
+) -> impl Iterator<Item = (&'a Curve, Part)> {
+    let within = move |curve| {
+        limits::within(task, curve, stops)
+            .into_iter()
+            .map(move |part| (curve, part))
+    };
+    curves.iter().flat_map(within)
+}
+
+impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
+    /// All branches.
+    fn curves(&self) -> Vec<Curve> {
+        match self.intervals_of_lanes() {
+            Some(intervals) => {
+                let each = intervals.iter();
+                each.map(|(lane, interval)| self.curve(*lane, interval))
+                    .collect()
+            }
+            None => self.followed(),
+        }
+    }
+
+    fn followed(&self) -> Vec<Curve> {
+        let arcs = arcs::arcs(self).into_iter();
+        arcs.filter_map(|arc| Curve::of_points(self.parameter, arc))
+            .collect()
+    }
 }

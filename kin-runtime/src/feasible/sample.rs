@@ -57,6 +57,23 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         }
     }
 
+    /// Pairs what is left of places of two samples, the nearest first.
+    pub fn match_near(&self, from: &Sample, to: &Sample, matched: &mut Matched) {
+        let far = |i: usize, j: usize| norm(self.way(&from.places[i].x, &to.places[j].x));
+        let all = matched.ending.iter();
+        let all = all.flat_map(|&i| matched.beginning.iter().map(move |&j| (far(i, j), [i, j])));
+        let mut near: Vec<(f64, [usize; 2])> = all.filter(|(way, _)| *way <= FAR).collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, [i, j]) in near {
+            let (ending, beginning) = (&mut matched.ending, &mut matched.beginning);
+            if ending.contains(&i) && beginning.contains(&j) {
+                ending.retain(|&other| other != i);
+                beginning.retain(|&other| other != j);
+                matched.pairs.push([i, j]);
+            }
+        }
+    }
+
     fn leads(&self, from: &Place, to: &Place) -> bool {
         let way = self.way(&from.x, &to.x);
         let length = norm(way);

@@ -14,5 +14,5 @@ pub struct Acceptance {
     /// those of the arm as given; 0 if that is the ideal one.
     pub near_singular: Real,
     /// Bit i is set where joint i is prismatic.
-    pub prismatic: u32,
+    pub prismatic: u64,
 }

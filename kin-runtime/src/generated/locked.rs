@@ -15,14 +15,14 @@ pub struct Locked<const K: usize> {
     /// Radians in (−π, π], and metres.
     values: [Real; K],
     /// Bit i is set where joint i of all joints is prismatic.
-    prismatic: u32,
+    prismatic: u64,
 }
 
 impl<const K: usize> Locked<K> {
     /// From their places, ascending, their values, radians and metres, and the
     /// prismatic ones among all joints.
     #[inline(always)]
-    pub fn new(joints: [usize; K], values: [Real; K], prismatic: u32) -> Self {
+    pub fn new(joints: [usize; K], values: [Real; K], prismatic: u64) -> Self {
         let wrapped = |k: usize| {
             let slides = prismatic >> joints[k] & 1 == 1;
             math::select(slides, values[k], math::wrap(values[k]))

@@ -57,7 +57,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// The joints that are held at a value as well, as bits: those of an arm with several
     /// parameters ([`Along`](crate::Along)).
-    const HELD: u32 = 0;
+    const HELD: u64 = 0;
 
     /// [`RedundantKinematics::PARAMETER`], or that of a robot that is known when the program
     /// runs.
@@ -80,7 +80,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// [`RedundantKinematics::HELD`], in the same way.
     #[doc(hidden)]
-    fn held(&self) -> u32 {
+    fn held(&self) -> u64 {
         Self::HELD
     }
 
@@ -219,6 +219,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// As [`RedundantKinematics::feasible`], as far as all joints are within limits; angles
     /// may be wound by full turns to be.
+    ///
+    /// Ends are where a joint goes beyond a limit by a tenth of [`JointLimit::TOLERANCE`]: joint
+    /// values along a branch are polynomials to nine digits, of which all crossings are found. An
+    /// angle that a singular target leaves free has the value that solutions have.
     #[cfg(feature = "alloc")]
     fn feasible_within(&self, target: &Pose, limits: &[JointLimit; N]) -> Vec<FeasibleInterval<N>> {
         feasible_within(self, target, limits)

@@ -96,7 +96,7 @@ const fn held_turn<const P: usize>(parameters: &[Parameter; P], moving: usize) -
 }
 
 /// The joints among some parameters but number `moving`, as bits.
-const fn held_joints<const P: usize>(parameters: &[Parameter; P], moving: usize) -> u32 {
+const fn held_joints<const P: usize>(parameters: &[Parameter; P], moving: usize) -> u64 {
     let (mut held, mut i) = (0, 0);
     while i < P {
         if let (Parameter::Joint(joint), true) = (parameters[i], i != moving) {
@@ -169,7 +169,7 @@ where
     const PARAMETER: Parameter = K::PARAMETERS[I];
     const BRANCHES_AT: usize = K::BRANCHES_AT;
     const ROOTS: usize = K::ROOTS;
-    const HELD: u32 = held_joints(&K::PARAMETERS, I);
+    const HELD: u64 = held_joints(&K::PARAMETERS, I);
 
     fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
         self.robot.ik_at(target, &self.with(parameter))

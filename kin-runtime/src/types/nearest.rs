@@ -92,7 +92,7 @@ impl<const N: usize> Nearest<N> {
     /// What the joints' motions cost, of which i is prismatic where bit i of
     /// the mask is set.
     #[inline(always)]
-    pub(crate) fn motion(&self, prismatic: u32) -> Motion<N> {
+    pub(crate) fn motion(&self, prismatic: u64) -> Motion<N> {
         let mut motion = Motion {
             travel: self.travel,
             toward: [0.0; N],

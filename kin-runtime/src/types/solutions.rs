@@ -52,7 +52,7 @@ const CAPACITY: usize = 16;
 pub struct Solutions<const N: usize> {
     // In front of the slots: behind them, the compiler zeroes the whole lot.
     len: usize,
-    prismatic: u32,
+    prismatic: u64,
     /// The first `len` are initialized; the last is never counted, so that
     /// `push_if` has a place to write even when full.
     slots: [MaybeUninit<Solution<N>>; CAPACITY + 1],
@@ -71,14 +71,14 @@ impl<const N: usize> Solutions<N> {
 
     /// Bit i is set where joint i is prismatic.
     #[inline(always)]
-    pub(crate) const fn prismatic(&self) -> u32 {
+    pub(crate) const fn prismatic(&self) -> u64 {
         self.prismatic
     }
 
     /// None yet, for an arm whose joint i is prismatic where bit i of the mask
     /// is set. Only [`Solutions::nearest`] asks: metres do not wrap.
     #[inline(always)]
-    pub const fn with_prismatic(mask: u32) -> Self {
+    pub const fn with_prismatic(mask: u64) -> Self {
         Solutions {
             len: 0,
             prismatic: mask,
@@ -88,7 +88,7 @@ impl<const N: usize> Solutions<N> {
 
     /// Forgets all, for other solutions of an arm with these prismatic joints.
     #[inline(always)]
-    pub(crate) fn clear(&mut self, mask: u32) {
+    pub(crate) fn clear(&mut self, mask: u64) {
         self.len = 0;
         self.prismatic = mask;
     }
@@ -114,7 +114,7 @@ impl<const N: usize> Solutions<N> {
     /// As [`Solutions::build`], for an arm with prismatic joints; see
     /// [`Solutions::with_prismatic`].
     #[inline]
-    pub fn build_with_prismatic(mask: u32, fill: impl FnOnce(&mut Self)) -> Self {
+    pub fn build_with_prismatic(mask: u64, fill: impl FnOnce(&mut Self)) -> Self {
         let mut place = MaybeUninit::uninit();
         Self::fill(&mut place, mask, fill);
         // SAFETY: `fill` has written the place.
@@ -123,7 +123,7 @@ impl<const N: usize> Solutions<N> {
 
     /// A call that is kept as one gets the caller's place to write to.
     #[inline(never)]
-    fn fill(place: &mut MaybeUninit<Self>, mask: u32, fill: impl FnOnce(&mut Self)) {
+    fn fill(place: &mut MaybeUninit<Self>, mask: u64, fill: impl FnOnce(&mut Self)) {
         fill(place.write(Self::with_prismatic(mask)));
     }
 

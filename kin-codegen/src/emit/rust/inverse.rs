@@ -328,7 +328,7 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
         prismatic,
     } = solver.acceptance();
     let [size, tolerance, near_singular] = [size, tolerance, near_singular].map(literal);
-    let prismatic = Literal::u32_unsuffixed(prismatic);
+    let prismatic = Literal::u64_unsuffixed(prismatic);
     let beside = match &solver.refinement {
         Refinement::Univariate(arm) => Some(univariate::constant(arm)),
         _ => None,

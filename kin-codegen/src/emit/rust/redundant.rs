@@ -159,7 +159,7 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
     let joints = redundancy.joints.iter().map(|&joint| usize_literal(joint));
     let slides = |variable: &usize| !model.turns(*variable);
     let prismatic = (0..model.variables.len()).filter(slides);
-    let prismatic = Literal::u32_unsuffixed(prismatic.fold(0, |mask, i| mask | 1 << i));
+    let prismatic = Literal::u64_unsuffixed(prismatic.fold(0, |mask, i| mask | 1 << i));
     let locked = (k > 0)
         .then(|| quote!(let locked = Locked::new([#(#joints),*], [#(#given),*], #prismatic);));
     let answer = match &solver.inverse {

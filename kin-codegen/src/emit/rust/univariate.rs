@@ -63,7 +63,7 @@ pub fn methods(arm: &Arm, joints: usize, what: &str) -> TokenStream {
 
 pub fn constant(arm: &Arm) -> TokenStream {
     let fixed = arm.frames.fixed.iter().map(pose);
-    let prismatic = Literal::u32_unsuffixed(arm.frames.prismatic);
+    let prismatic = Literal::u64_unsuffixed(arm.frames.prismatic);
     let size = literal(arm.size);
     let counts = Ident::new(&format!("{:?}", arm.counts), Span::call_site());
     let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));

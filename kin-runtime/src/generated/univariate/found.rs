@@ -160,7 +160,7 @@ impl Waiting {
     }
 
     /// The same, unless one is near it already.
-    pub fn push_distinct(&mut self, prismatic: u32, q: [f64; 6]) {
+    pub fn push_distinct(&mut self, prismatic: u64, q: [f64; 6]) {
         let mut known = self.q[..self.count].iter();
         if !known.any(|known| within(FAMILY, prismatic, known, &q)) {
             self.push(q);

@@ -8,7 +8,7 @@ pub struct Frames {
     /// A₀ … A₆; lengths, those of slides included, in units of half the arm's size.
     pub fixed: [Pose; 7],
     /// Bit i is set where joint i slides.
-    pub prismatic: u32,
+    pub prismatic: u64,
 }
 
 impl Frames {
@@ -43,12 +43,12 @@ impl Frames {
 }
 
 #[inline(always)]
-pub(super) fn slides(prismatic: u32, joint: usize) -> bool {
+pub(super) fn slides(prismatic: u64, joint: usize) -> bool {
     prismatic >> joint & 1 == 1
 }
 
 /// Values of joints, angles in (−π, π].
-pub(super) fn wrapped(prismatic: u32, q: [f64; 6]) -> [f64; 6] {
+pub(super) fn wrapped(prismatic: u64, q: [f64; 6]) -> [f64; 6] {
     core::array::from_fn(|i| match slides(prismatic, i) {
         true => q[i],
         false => math::wrap(q[i]),
@@ -56,7 +56,7 @@ pub(super) fn wrapped(prismatic: u32, q: [f64; 6]) -> [f64; 6] {
 }
 
 /// Whether no joint is farther from where it is in the other configuration.
-pub(super) fn within(distance: f64, prismatic: u32, a: &[f64; 6], b: &[f64; 6]) -> bool {
+pub(super) fn within(distance: f64, prismatic: u64, a: &[f64; 6], b: &[f64; 6]) -> bool {
     let apart = core::array::from_fn(|i| a[i] - b[i]);
     let apart = wrapped(prismatic, apart);
     apart.iter().all(|apart| apart.abs() <= distance)
