@@ -46,8 +46,8 @@ pub fn random_arm(pattern: &[Neighbour; 5], random: &mut Random) -> Frames {
 }
 
 /// Which joints slide, one or two, as bits.
-pub fn slides() -> Vec<u32> {
-    (1..64).filter(|mask: &u32| mask.count_ones() < 3).collect()
+pub fn slides() -> Vec<u64> {
+    (1..64).filter(|mask: &u64| mask.count_ones() < 3).collect()
 }
 
 /// Right angles, upper arm and forearm in one plane, and a wrist whose last axis
