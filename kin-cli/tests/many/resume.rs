@@ -15,8 +15,9 @@ struct Fixture {
 }
 
 impl Fixture {
-    fn new(format: Format) -> Self {
-        let folder = folder(&format!("resume_{}", format.extension()));
+    /// In a folder of the test's own.
+    fn new(test: &str, format: Format) -> Self {
+        let folder = folder(&format!("{test}_{}", format.extension()));
         let robot = load("ur5e.urdf", RobotOptions::default());
         joints(&robot, 5 * PORTIONS - 2, &folder.join("joints.csv"));
         let fixture = Fixture {
@@ -81,7 +82,7 @@ const ALL_OF_IT: usize = usize::MAX;
 #[test]
 fn a_job_goes_on_where_it_was_stopped() {
     for format in ALL {
-        let fixture = Fixture::new(format);
+        let fixture = Fixture::new("goes_on", format);
         let whole = fixture.run("whole", "ur5e", ALL_OF_IT);
         assert!(!whole.is_stopped && whole.before == 0 && whole.tally.rows == 58);
         let mut before = 0;
@@ -106,7 +107,7 @@ const SHARES: usize = 7;
 #[test]
 fn what_was_lost_or_damaged_is_made_again() {
     for format in ALL {
-        let fixture = Fixture::new(format);
+        let fixture = Fixture::new("made_again", format);
         fixture.run("whole", "ur5e", ALL_OF_IT);
         fixture.run("parts", "ur5e", 6);
         let files = ["partial", "journal"].map(|ending| fixture.hidden("parts", ending));
@@ -133,7 +134,7 @@ fn what_was_lost_or_damaged_is_made_again() {
 
 #[test]
 fn nothing_is_gone_on_with_that_was_made_otherwise() {
-    let fixture = Fixture::new(Format::Parquet);
+    let fixture = Fixture::new("made_otherwise", Format::Parquet);
     fixture.run("parts", "ur5e", 6);
     let other = fixture.run("parts", "another robot", 6);
     assert_eq!(other.before, 0);
