@@ -16,6 +16,8 @@ pub(crate) const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
 /// Plans tried at one tolerance before the next: the cheap ones of an arm with
 /// aligned or meeting axes may degenerate where the arm does not.
 const PLANS: usize = 200;
+/// The same of an arm that a polynomial solves already, but for a few targets.
+const INSTEAD: usize = 8;
 /// Plans of which the one with the fewest operations is tried first.
 const COMPARED: usize = 4;
 /// As [`CERTIFIED`], on an idealized arm: refinement makes a certificate dear.
@@ -139,7 +141,12 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             }
             best = Some(found);
         }
-        match solve_idealized(&trials, idealized, target) {
+        let stands = best.as_ref().map(|best| &best.form.inverse);
+        let most = match stands {
+            Some(Inverse::Univariate(_)) => INSTEAD,
+            _ => PLANS,
+        };
+        match solve_idealized(&trials, idealized, target, most) {
             Ok(found) => {
                 // The reading that answers more singular targets wins; one
                 // that is exact or answers all cannot be beaten.
@@ -282,6 +289,7 @@ fn solve_idealized(
     trials: &Trials,
     idealized: Idealized,
     target: Target,
+    most: usize,
 ) -> Result<Certified, NoClosedForm> {
     let reading = Reading::new(trials.model(), trials.linkage(), idealized, target)
         .ok_or(NoClosedForm::NoPlan(target))?;
@@ -329,7 +337,7 @@ fn solve_idealized(
         told: 0,
         telling: None,
     };
-    for tried in 0..PLANS {
+    for tried in 0..most {
         let next = first.next().or_else(|| {
             let lost = if exact { trials.lost() } else { Vec::new() };
             let plan = later.next(&lost, best.is_some())?;

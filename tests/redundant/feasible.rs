@@ -290,12 +290,12 @@ fn right_angles_have_their_intervals<K: RedundantKinematics<N>, const N: usize>(
             held_at_all += held;
         }
         // Which takes longer.
-        if k % 4 == 0 {
+        if k % 8 == 0 {
             held_within += within_limits_and_best(robot, &q, &lengths, &points);
         }
     }
     assert!(held_at_all > 1000, "{held_at_all}");
-    assert!(held_within > 50, "{held_within}");
+    assert!(held_within > 20, "{held_within}");
 }
 
 /// How many solutions within limits there were.
