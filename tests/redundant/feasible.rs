@@ -348,6 +348,15 @@ right_angles! {
     right_angles_of_a_kr6 Kr6R900 "../robots/kr6_r900.yaml" Pose,
 }
 
+/// Where curves cross, nothing tells how they go on, however near to each other samples are.
+#[test]
+fn curves_that_cross_are_not_cut_to_pieces() {
+    let robot = Subject::new(crate::Sawyer, "../robots/sawyer.yaml", Target::Pose);
+    let q = [PI, PI, 0.0, PI, 0.0, PI / 2.0, PI];
+    let intervals = robot.arm.feasible(&robot.chain.fk(&q));
+    assert!((1..100).contains(&intervals.len()), "{}", intervals.len());
+}
+
 /// Stretched, an arm with spherical shoulder and wrist has no choice of its last joint.
 #[test]
 fn a_branch_that_exists_at_one_value_has_an_interval_without_length() {
