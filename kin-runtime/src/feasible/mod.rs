@@ -4,11 +4,12 @@
 //! The configurations that reach a target are curves. Over the parameter they fall into
 //! arcs, which end where they turn back: where the other joints are singular. Where branches
 //! come from square roots, those are the zeros of the roots' arguments, and all of them are found
-//! (`unfold`, `zeros`). Otherwise the arcs
-//! are followed from sample to sample of the parameter, each sample with all of its
-//! solutions, and one between any two places where a polynomial has double roots (`eliminant`,
-//! `patch` with `signs` and `halves`) or a plan nearly ceases to have solutions (`suspects`); what is not carried over by tangents has to end in a fold with another one
-//! that is not, and is sampled more finely until it does.
+//! (`unfold`, `zeros`). Otherwise the arcs are followed from sample to sample of the parameter,
+//! each sample with all of its solutions, and one between any two places where a polynomial has
+//! double roots (`eliminant`, `patch` with `signs` and `halves`) or a plan nearly ceases to have
+//! solutions (`suspects`); what is not carried over by tangents has to end in a fold with another
+//! one that is not, and is sampled more finely until it does. Either way a branch over its interval
+//! is a `curve`, which is cut where a joint crosses a limit (`limits`).
 
 mod arcs;
 mod best;
