@@ -48,7 +48,7 @@ fn answers<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>>
     said
 }
 
-/// Poses and Jacobians of a batch.
+/// Poses and Jacobians one by one, which a batch has as well.
 fn forward<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>> {
     let mut random = Random::new(12);
     let q: [[f64; N]; 43] = std::array::from_fn(|_| std::array::from_fn(|_| random.angle()));
@@ -56,6 +56,8 @@ fn forward<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Option<Vec<u64>>>
     robot.fk_batch(&q, &mut poses);
     let mut both = q.map(|_| robot.fk_jacobian(&[0.0; N]));
     robot.fk_jacobian_batch(&q, &mut both);
+    assert_eq!(poses, q.map(|q| robot.fk(&q)));
+    assert_eq!(both, q.map(|q| robot.fk_jacobian(&q)));
     let entries = poses.iter().chain(both.iter().map(|(pose, _)| pose));
     let entries =
         entries.flat_map(|pose| pose.rotation.as_flattened().iter().chain(&pose.translation));

@@ -97,9 +97,10 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 #[doc(hidden)]
 pub mod __private {
     pub use crate::generated::acceptance::Acceptance;
-    pub use crate::generated::batch::{self, Forward};
+    pub use crate::generated::batch;
     pub use crate::generated::branches::Branches;
     pub use crate::generated::dispatch::{self, Dispatched, dispatch};
+    pub use crate::generated::forward::{Forward, evaluate};
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use crate::generated::lanes::{self, widen};

@@ -20,8 +20,8 @@
 mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Elimination, Forward, Frames, Inverse, Lanes, SideBySide,
-        SinCos, Univariate, lanes, math, widen,
+        Acceptance, Branches, Elimination, Forward, Frames, Inverse, Lanes, SinCos,
+        Univariate, evaluate, lanes, math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -191,7 +191,7 @@ mod __Calibrated {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -708,7 +708,7 @@ mod __Calibrated {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         const ACCEPT: Acceptance = Acceptance {

@@ -20,7 +20,7 @@
 mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
+        Acceptance, Branches, Forward, Inverse, Lanes, SinCos, evaluate, lanes, math,
         solve, solve_nearest, widen,
     };
     use ::kinematics::{
@@ -196,7 +196,7 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -508,7 +508,7 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         const ACCEPT: Acceptance = Acceptance {

@@ -20,7 +20,7 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Forward, Inverse, Lanes, Locked, SideBySide, SinCos, lanes,
+        Acceptance, Branches, Forward, Inverse, Lanes, Locked, SinCos, evaluate, lanes,
         math, widen,
     };
     use ::kinematics::{
@@ -156,7 +156,7 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 7]) -> Pose {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -495,7 +495,7 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 7]) -> (Pose, Jacobian<7>) {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// What [`Self::ik_at`] takes beside a target.

@@ -20,7 +20,7 @@
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::single::__private::{
-        Acceptance, Branches, Forward, Inverse, Lanes, SideBySide, SinCos, lanes, math,
+        Acceptance, Branches, Forward, Inverse, Lanes, SinCos, evaluate, lanes, math,
         solve, solve_nearest,
     };
     use ::kinematics::single::{
@@ -139,7 +139,7 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f32; 4]) -> Pose {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -258,7 +258,7 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f32; 4]) -> (Pose, Jacobian<4>) {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         const ACCEPT: Acceptance = Acceptance {

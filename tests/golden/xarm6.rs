@@ -18,7 +18,7 @@
 mod __Xarm6 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Elimination, Forward, Frames, SideBySide, SinCos, Univariate, lanes,
+        Elimination, Forward, Frames, SinCos, Univariate, evaluate, lanes,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -126,7 +126,7 @@ mod __Xarm6 {
         #[inline]
         #[must_use]
         pub fn fk(&self, q: &[f64; 6]) -> Pose {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// The pose, in the base frame, of the link that each joint moves, in
@@ -458,7 +458,7 @@ mod __Xarm6 {
         #[inline]
         #[must_use]
         pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-            Self::at(q, SideBySide)
+            evaluate(self, q)
         }
 
         /// The arm, lengths in units of half its size, and what is left of it when

@@ -84,9 +84,13 @@ where
     }
 }
 
+/// How many numbers a vector of AVX2 has.
+const VECTOR: usize = 32 / size_of::<Real>();
+
 /// The sines and cosines of all angles, radians; see [`math::sin_cos`].
 ///
-/// One loop over them becomes packed instructions where single calls do not.
+/// Loops over them become packed instructions where single calls do not; of no more than AVX2's
+/// width, since straight-line code takes the lanes apart again, which costs more of wider vectors.
 ///
 /// ```
 /// use kin_runtime::__private::{lanes, math};
@@ -98,26 +102,36 @@ where
 pub fn sin_cos<const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
     match N {
         // No vectors: Rust uses none of 32-bit Arm, whose subnormal numbers are zeros.
-        _ if cfg!(target_arch = "arm") => each_sin_cos(angles),
-        3 => filled_up::<N, 4>(angles),
-        5..=7 => filled_up::<N, 8>(angles),
-        9..=15 => filled_up::<N, 16>(angles),
-        _ => each_sin_cos(angles),
+        _ if cfg!(target_arch = "arm") => side_by_side(angles),
+        3 => filled_up::<N, 4, 4>(angles),
+        5..=8 => filled_up::<N, 8, VECTOR>(angles),
+        9..=16 => filled_up::<N, 16, VECTOR>(angles),
+        _ => side_by_side(angles),
     }
 }
 
-/// With zeros behind them, so that they are `L`: whole vectors.
+/// With zeros behind them, so that they are `L`: whole vectors of `V`.
 #[inline(always)]
-fn filled_up<const N: usize, const L: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
+fn filled_up<const N: usize, const L: usize, const V: usize>(
+    angles: [Real; N],
+) -> ([Real; N], [Real; N]) {
     let mut all = [0.0; L];
     all[..N].copy_from_slice(&angles);
-    let (sines, cosines) = each_sin_cos(all);
+    let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
+    for vector in 0..L / V {
+        let part = vector * V..(vector + 1) * V;
+        let angles: [Real; V] = core::array::from_fn(|k| all[part.start + k]);
+        let (s, c) = side_by_side(angles);
+        sines[part.clone()].copy_from_slice(&s);
+        cosines[part].copy_from_slice(&c);
+    }
     let first = |all: [Real; L]| core::array::from_fn(|i| all[i]);
     (first(sines), first(cosines))
 }
 
+/// In one loop, however wide.
 #[inline(always)]
-fn each_sin_cos<const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
+pub(super) fn side_by_side<const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     for k in 0..N {
         (sines[k], cosines[k]) = math::sin_cos(angles[k]);

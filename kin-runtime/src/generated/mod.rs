@@ -6,6 +6,7 @@ pub mod acceptance;
 pub mod batch;
 pub mod branches;
 pub mod dispatch;
+pub mod forward;
 pub mod free_angle;
 pub mod inverse;
 pub mod lanes;

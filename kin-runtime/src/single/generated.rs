@@ -6,6 +6,8 @@ pub mod acceptance;
 pub mod batch;
 #[path = "../generated/branches.rs"]
 pub mod branches;
+#[path = "../generated/forward.rs"]
+pub mod forward;
 #[path = "../generated/free_angle.rs"]
 pub mod free_angle;
 #[path = "../generated/inverse.rs"]

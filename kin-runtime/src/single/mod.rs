@@ -57,8 +57,9 @@ pub use types::{
 #[doc(hidden)]
 pub mod __private {
     pub use super::generated::acceptance::Acceptance;
-    pub use super::generated::batch::{self, Forward};
+    pub use super::generated::batch;
     pub use super::generated::branches::Branches;
+    pub use super::generated::forward::{Forward, evaluate};
     pub use super::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use super::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use super::generated::lanes::{self, widen};

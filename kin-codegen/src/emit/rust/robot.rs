@@ -256,7 +256,7 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         #[doc = #fk_cost]
         #[inline]
         #[must_use]
-        pub fn fk(&self, q: &[f64; #n]) -> Pose { Self::at(q, SideBySide) }
+        pub fn fk(&self, q: &[f64; #n]) -> Pose { evaluate(self, q) }
 
         /// The pose, in the base frame, of the link that each joint moves, in
         /// the order of `q`; what is fixed behind the last joint is not in it.
@@ -295,7 +295,7 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         #[doc = #both_cost]
         #[inline]
         #[must_use]
-        pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { Self::at(q, SideBySide) }
+        pub fn fk_jacobian(&self, q: &[f64; #n]) -> (Pose, Jacobian<#n>) { evaluate(self, q) }
     }
 }
 

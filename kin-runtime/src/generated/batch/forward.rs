@@ -8,19 +8,13 @@
 //! bit.
 
 use super::super::super::generated::dispatch::{Dispatched, dispatch};
+use super::super::super::generated::forward::Forward;
 use super::super::super::generated::lanes;
 use super::super::super::generated::sin_cos::{SideBySide, SinCos};
 use super::super::super::scalar::Real;
 use super::super::super::{Jacobian, Pose};
 use super::LANES;
 use core::marker::PhantomData;
-
-/// Straight-line code from joint values to a pose, or to a pose with its
-/// Jacobian, that needs the sines and cosines of M angles.
-pub trait Forward<Output, const N: usize, const M: usize> {
-    /// At `q`, radians and metres. To be `#[inline(always)]`.
-    fn at(q: &[Real; N], sin_cos: impl SinCos<M>) -> Output;
-}
 
 /// Fills `results` with what a robot computes of each configuration.
 ///
@@ -104,7 +98,7 @@ where
     }
     let (mut sines, mut cosines) = ([Lanes::ZERO; M], [Lanes::ZERO; M]);
     for i in 0..M {
-        (sines[i].0, cosines[i].0) = lanes::sin_cos(angles[i].0);
+        (sines[i].0, cosines[i].0) = lanes::side_by_side(angles[i].0);
     }
     let mut entries = Output::NONE;
     for k in 0..LANES {

@@ -4,7 +4,7 @@
 mod forward;
 mod inverse;
 
-pub use forward::{Forward, forward};
+pub use forward::forward;
 pub use inverse::inverse;
 
 /// How many are computed side by side: a vector of AVX-512.
