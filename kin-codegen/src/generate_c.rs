@@ -26,9 +26,8 @@ pub struct GeneratedC {
 }
 
 /// Compiles a robot file to C99 that compiles as C++ as well: forward kinematics, Jacobians, and
-/// the closed forms that are exact. Of an arm that needs more than these, the elimination of all
-/// joints but one or the refinement of solutions, the C has no inverse kinematics, and a warning
-/// says why. The option `name` is what all symbols begin with, by default the file's stem in
+/// inverse kinematics, by closed forms or a polynomial in one joint. Of an arm that is off its
+/// design, whose solutions are refined, the C has no inverse kinematics, and a warning says why. The option `name` is what all symbols begin with, by default the file's stem in
 /// lower case.
 ///
 /// ```

@@ -1309,12 +1309,14 @@ static double ur5e_norm(const double error[6])
 /* Levenberg's method from a configuration that nearly reaches the target, damped by the
  * square of what is missing (Yamashita and Fukushima, Computing Supplement 15, 2001), for at
  * most twelve evaluations. Whether the Jacobian loses rank where it has arrived. */
-static int ur5e_correct(const double target[12], const ur5e_given *given, ur5e_linearization *here)
+static int ur5e_correct(
+    const double target[12], const ur5e_given *given, int evaluations, ur5e_linearization *here)
 {
     double lower[UR5E_CORRECTED][UR5E_CORRECTED], weight = 1.0, miss, least, most;
     ur5e_linearize(target, given, here);
     miss = ur5e_norm(here->error);
-    for (int step = 0; step < 12 && here->residual >= 1e-14 * UR5E_SIZE && weight <= 1e12; ++step) {
+    for (int step = 0; step < evaluations && here->residual >= 1e-14 * UR5E_SIZE && weight <= 1e12;
+         ++step) {
         ur5e_linearization there;
         double x[UR5E_CORRECTED], next;
         ur5e_factor(here->rows, weight * miss * miss, lower);
@@ -1396,7 +1398,7 @@ static int ur5e_add_corrected(
             for (int i = 0; i < UR5E_SOLVED; ++i) {
                 here.q[i] = lanes->q[i][k];
             }
-            found.singular = ur5e_correct(target, given, &here) || lanes->singular[k] > 0.0;
+            found.singular = ur5e_correct(target, given, 12, &here) || lanes->singular[k] > 0.0;
             for (int i = 0; i < UR5E_SOLVED; ++i) {
                 here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
             }
@@ -1443,7 +1445,7 @@ static int ur5e_solve(
 
 int ur5e_ik(const double pose[12], ur5e_solution solutions[UR5E_MAX_SOLUTIONS])
 {
-    static const double seed[UR5E_JOINTS] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    static const double seed[UR5E_SOLVED] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     return ur5e_solve(pose, seed, 0, solutions);
 }
 

@@ -115,7 +115,8 @@ typedef struct ur5e_solution {
      * of the distance and of the angle at the distance of the arm's size, as far as these
      * count. */
     double residual;
-    /* Which combination of the plan's roots this is, below UR5E_BRANCHES. */
+    /* Which combination of the plan's roots this is, below UR5E_BRANCHES; of the roots of a
+     * polynomial in one joint its place. */
     int branch;
     /* Not 0 where the target is singular: q stands for a family of solutions, or for two that
      * have met. */

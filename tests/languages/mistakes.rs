@@ -17,6 +17,32 @@ const BOUNDS: [[&str; 2]; 5] = [
     ["counts && !(", "counts && ("],
 ];
 
+/// The same of the search for the roots of a polynomial in one joint. A wrong pivot is not of them:
+/// the noise tells, and reflections make up for it.
+const OF_SEARCH: [[&str; 2]; 15] = [
+    ["- 2.0 * (across + ", "+ 2.0 * (across + "],
+    [
+        "im[2][k] = re[1][k] - re[0][k]",
+        "im[2][k] = re[1][k] + re[0][k]",
+    ],
+    ["odd = values[j] - mirrored", "odd = values[j] + mirrored"],
+    [
+        "of_cosines[arc] - of_sines[arc]",
+        "of_cosines[arc] + of_sines[arc]",
+    ],
+    ["changes == 1 ?", "changes == 2 ?"],
+    ["a * b < 0.0 && i", "a * b > 0.0 && i"],
+    ["(a - b) * (a + b)", "(a - b) * (a - b)"],
+    ["line[3 + i][k] - of->", "line[3 + i][k] + of->"],
+    ["b * cosine[k] - a * sine[k]", "b * cosine[k] + a * sine[k]"],
+    ["_EXTRANEOUS 0.05", "_EXTRANEOUS 1e-15"],
+    ["0.3 / longest[k]", "-0.3 / longest[k]"],
+    ["residual <= 1e-13", "residual <= 1e-3"],
+    ["q[i]) < 1e-6", "q[i]) < 1.0"],
+    ["_SINGULAR 1e-5", "_SINGULAR 1e-2"],
+    ["found->gap <= 1e-9", "found->gap <= 1e-1"],
+];
+
 /// The text with one of its lines changed.
 fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
     let line = |(i, line): (usize, &str)| match i == number {
@@ -44,27 +70,45 @@ fn differences(text: &str) -> Vec<usize> {
 
 #[test]
 fn mistakes_are_found() {
-    if !Compiler::C.is_there() {
-        return;
-    }
-    let path = "robots/kr6_r900.yaml";
-    let right = generated(path, "mistaken", &Options::default());
-    let rust = Robot::load(&read(path), &Options::default()).unwrap();
-    let subject = Subject::new(path, &right, String::new(), rust);
+    let asked = Asked::of("robots/kr6_r900.yaml", Options::default());
+    let right = generated(asked.path, "mistaken", &asked.options);
     let text = &right.source;
     let differences = differences(text).into_iter();
     let signs = differences.map(|line| with_line(text, line, |it| it.replacen(" - ", " + ", 1)));
-    let bounds = BOUNDS.iter().map(|[there, instead]| {
+    let all: Vec<String> = signs.chain(replaced(text, &BOUNDS)).collect();
+    assert!(all.len() >= SIGNS + BOUNDS.len());
+    each_is_found("mistakes", &asked, &right, &all);
+}
+
+#[test]
+fn mistakes_of_the_search_are_found() {
+    let asked = Asked {
+        eliminates: true,
+        ..Asked::of("robots/xarm6.yaml", Options::default())
+    };
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_SEARCH).collect();
+    each_is_found("mistakes_of_search", &asked, &right, &all);
+}
+
+/// A text with one passage replaced, for each of them.
+fn replaced<'t>(text: &'t str, all: &'t [[&str; 2]]) -> impl Iterator<Item = String> + 't {
+    all.iter().map(move |[there, instead]| {
         assert!(text.contains(there), "{there}");
         text.replacen(there, instead, 1)
-    });
-    let all: Vec<String> = [text.clone()]
-        .into_iter()
-        .chain(signs)
-        .chain(bounds)
-        .collect();
-    assert!(all.len() > SIGNS + BOUNDS.len());
-    let mut program = Program::new("mistakes");
+    })
+}
+
+/// Whether the comparison passes what is right, and nothing else.
+fn each_is_found(name: &str, asked: &Asked, right: &GeneratedC, wrong: &[String]) {
+    if !Compiler::C.is_there() {
+        return;
+    }
+    let rust = Robot::load(&read(asked.path), &asked.options).unwrap();
+    let subject = Subject::new(asked, right, String::new(), rust);
+    let text = &right.source;
+    let all: Vec<&String> = [text].into_iter().chain(wrong).collect();
+    let mut program = Program::new(name);
     for (number, source) in all.iter().enumerate() {
         let name = format!("wrong{number}");
         program.add(&GeneratedC {
@@ -74,7 +118,7 @@ fn mistakes_are_found() {
             ..right.clone()
         });
     }
-    let built = program.build(Compiler::C, &["-O0"], "mistakes");
+    let built = program.build(Compiler::C, &["-O0"], name);
     let told = built.run(&subject.input.repeat(all.len()));
     for (source, told) in all.iter().zip(told.split_inclusive(program::END)) {
         let run = || compare(std::slice::from_ref(&subject), told);

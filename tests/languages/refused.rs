@@ -1,11 +1,12 @@
-//! What is not written as C is said, with a reason and a remedy.
+//! What is not written as C or JavaScript is said, with a reason and a remedy.
 
 use crate::program::generated;
-use kin_codegen::{Error, GeneratedC, Options, Source, generate_c};
+use kin_codegen::spec::Diagnostic;
+use kin_codegen::{Error, GeneratedC, Options, Source, generate_c, generate_js};
 use std::path::Path;
 
-fn told(c: &GeneratedC) -> String {
-    let warnings = c.warnings.iter();
+fn told(warnings: &[Diagnostic]) -> String {
+    let warnings = warnings.iter();
     let lines = warnings.map(|it| format!("{}\nhelp: {}", it.reason, it.remedy));
     lines.collect::<Vec<_>>().join("\n")
 }
@@ -34,14 +35,17 @@ fn is_forward_alone(c: &GeneratedC, why: &str) {
 
 #[test]
 fn an_arm_without_a_closed_form() {
-    let c = generated("robots/xarm6.yaml", "arm", &Options::default());
-    is_forward_alone(&c, "the arm has no closed form");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let source = Source::read("robots/xarm6.yaml", &root).unwrap();
+    let js = generate_js(&source, &Options::default()).unwrap();
     assert_eq!(
-        told(&c),
-        "no inverse kinematics in C: the arm has no closed form, and the polynomial in one joint \
-         that solves it, univariate(q1,q2,q3,q4,q5,q6), is not written as C\nhelp: generate Rust, \
-         which has it; `--ik none` says that C without it is meant"
+        told(&js.warnings),
+        "no inverse kinematics in JavaScript: the arm has no closed form, and the polynomial in \
+         one joint that solves it, univariate(q1,q2,q3,q4,q5,q6), is not written as JavaScript\n\
+         help: generate Rust, which has it; `--ik none` says that JavaScript without it is meant"
     );
+    let c = generated("robots/xarm6.yaml", "arm", &Options::default());
+    assert_eq!(told(&c.warnings), "");
 }
 
 #[test]
@@ -52,7 +56,7 @@ fn an_arm_off_its_design() {
         &Options::default(),
     );
     is_forward_alone(&c, "the closed form is that of an arm whose tip is up to");
-    assert!(told(&c).ends_with(
+    assert!(told(&c.warnings).ends_with(
         "and the refinement of its solutions is not written as C\nhelp: write the relations \
          between the axes exactly, as `kin explain` has them, or generate Rust, which has it; \
          `--ik none` says that C without it is meant"
@@ -65,12 +69,14 @@ fn strict_makes_errors_of_it() {
         strict: true,
         ..Options::default()
     };
-    let said = error("robots/xarm6.yaml", &strict);
+    let said = error("tests/robots/noisy/calibrated.yaml", &strict);
     assert!(
-        said.starts_with("robots/xarm6.yaml: no inverse kinematics in C: "),
+        said.starts_with("tests/robots/noisy/calibrated.yaml: no inverse kinematics in C: "),
         "{said}"
     );
-    assert_eq!(told(&generated("robots/ur5e.urdf", "arm", &strict)), "");
+    for robot in ["robots/ur5e.urdf", "robots/xarm6.yaml"] {
+        assert_eq!(told(&generated(robot, "arm", &strict).warnings), "");
+    }
 }
 
 #[test]

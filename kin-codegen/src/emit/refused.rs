@@ -1,16 +1,19 @@
-//! Inverse kinematics that is written as Rust alone: it calls what of the runtime is large.
+//! Inverse kinematics that is not written in another language: it calls what of the runtime is
+//! large.
 
 use crate::arm::CompiledArm;
 use crate::closed_form::{Inverse, Refinement};
 use crate::spec::Diagnostic;
 
-/// Why the inverse kinematics of an arm is left out of another language, if it has any and it is.
-pub fn refused(compiled: &CompiledArm, language: &str) -> Option<Diagnostic> {
+/// Why the inverse kinematics of an arm is left out of another language, if it has any and it is;
+/// of one that has the search for the roots of a polynomial in one joint, or does without.
+pub fn refused(compiled: &CompiledArm, language: &str, has_search: bool) -> Option<Diagnostic> {
     let form = compiled.form()?;
     let in_rust = format!(
         "generate Rust, which has it; `--ik none` says that {language} without it is meant"
     );
     let (reason, remedy) = match (&form.inverse, &form.refinement) {
+        (Inverse::Univariate(_), _) if has_search => return None,
         (Inverse::Univariate(_), _) => (
             format!(
                 "the arm has no closed form, and the polynomial in one joint that solves it, {}, \

@@ -1,9 +1,10 @@
 //! The header.
 
+use super::inverse::size;
 use super::name::named;
 use super::{form, refused, text};
 use crate::arm::CompiledArm;
-use crate::closed_form::ClosedForm;
+use crate::closed_form::{ClosedForm, Inverse};
 use crate::emit::headings::{list, steps};
 use crate::emit::postures::Postures;
 use crate::emit::text::{degrees, number};
@@ -17,6 +18,7 @@ const FORWARD: &str = include_str!("runtime/forward.h");
 const FRAMES: &str = include_str!("runtime/frames.h");
 const SOLUTION: &str = include_str!("runtime/solution.h");
 const IK: &str = include_str!("runtime/ik.h");
+const IK_OF_ROOTS: &str = include_str!("runtime/univariate/ik.h");
 const IK_AT: &str = include_str!("runtime/ik_at.h");
 
 /// What it declares beside functions.
@@ -64,6 +66,7 @@ pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
         parts.push(SOLUTION.to_owned());
         parts.push(match compiled.redundancy {
             Some(_) => IK_AT.to_owned(),
+            None if form.expressions().is_none() => IK_OF_ROOTS.to_owned(),
             None => IK.to_owned(),
         });
     }
@@ -127,13 +130,20 @@ fn solved(compiled: &CompiledArm, form: &ClosedForm) -> Vec<String> {
             "Inverse kinematics of {reads}. Solutions reach the target to {:.1e} m, angles \
              counted at the distance of {:.4} m.",
             form.acceptance().tolerance,
-            form.acceptance().size
+            size(form)
         ),
     ];
     out.extend(redundancy.map(|redundancy| parameters(&compiled.model, redundancy)));
-    if let Some(inverse) = form.expressions() {
-        let steps = steps(&form.plan, &form.linkage, &inverse.parts);
-        out.extend((1..).zip(steps).map(|(i, step)| format!("{i}. {step}")));
+    match &form.inverse {
+        Inverse::Expressions(inverse) => {
+            let steps = steps(&form.plan, &form.linkage, &inverse.parts);
+            out.extend((1..).zip(steps).map(|(i, step)| format!("{i}. {step}")));
+        }
+        Inverse::Univariate(_) => out.push(format!(
+            "Solved by {}: a trigonometric polynomial in one joint, whose roots are isolated, and \
+             Newton's method. The branch of a solution is its place.",
+            form.plan
+        )),
     }
     let Some(postures) = Postures::of(form) else {
         return out;

@@ -33,10 +33,10 @@ pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
         true => String::new(),
         false => format!("{}\n", frames::function(compiled)),
     };
-    let inverse = match form(compiled).and_then(|form| Some((form, form.expressions()?))) {
-        Some((form, graph)) => {
+    let inverse = match form(compiled) {
+        Some(form) => {
             let redundancy = compiled.redundancy.as_ref();
-            format!("\n{}", inverse::functions(model, form, graph, redundancy))
+            format!("\n{}", inverse::functions(model, form, redundancy))
         }
         None => String::new(),
     };

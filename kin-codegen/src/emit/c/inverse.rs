@@ -1,8 +1,8 @@
 //! Inverse kinematics as C functions.
 
 use super::language::signed;
-use super::{lanes, runtime};
-use crate::closed_form::ClosedForm;
+use super::{lanes, runtime, univariate};
+use crate::closed_form::{ClosedForm, Inverse};
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
@@ -11,12 +11,28 @@ use kin_runtime::Swivel;
 use std::fmt::Write as _;
 
 /// The definitions that solve for joint values.
-pub fn functions(
+pub fn functions(model: &Model, solver: &ClosedForm, redundancy: Option<&Redundancy>) -> String {
+    let solve = match &solver.inverse {
+        Inverse::Expressions(inverse) => by_expressions(model, solver, inverse, redundancy),
+        Inverse::Univariate(arm) => vec![
+            runtime::SOLUTIONS.to_owned(),
+            univariate::search(arm),
+            univariate::solve(solver, arm),
+        ],
+    };
+    let parts = [constants(solver), whole(model, solver)].into_iter();
+    let parts = parts.chain(solve).chain([entry(redundancy, solver)]);
+    let parts = parts.filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("\n")
+}
+
+/// The branches of a plan, and `kin_solve`.
+fn by_expressions(
     model: &Model,
     solver: &ClosedForm,
     inverse: &InverseGraph,
     redundancy: Option<&Redundancy>,
-) -> String {
+) -> Vec<String> {
     let swivel = redundancy.and_then(|redundancy| redundancy.swivel);
     let correction = match swivel {
         Some(swivel) => [
@@ -30,31 +46,35 @@ pub fn functions(
         None if solver.plan.target.is_projected() => String::new(),
         None => [runtime::SEEN, runtime::CORRECTION, runtime::CORRECTED].join("\n"),
     };
-    let parts = [
-        constants(solver),
-        whole(model, solver),
+    vec![
         lanes::function(solver, inverse),
         runtime::DISPATCH.to_owned(),
         branches(solver, inverse),
         runtime::SOLUTIONS.to_owned(),
         correction,
         solve(solver, swivel.is_some()),
-        entry(redundancy, solver),
-    ];
-    let parts = parts.into_iter().filter(|part| !part.is_empty());
-    parts.collect::<Vec<_>>().join("\n")
+    ]
+}
+
+/// The distance at which angles count as lengths, metres: an elimination has that of the joints
+/// that are solved for.
+pub fn size(solver: &ClosedForm) -> f64 {
+    match &solver.inverse {
+        Inverse::Univariate(arm) => arm.size,
+        Inverse::Expressions(_) => solver.acceptance().size,
+    }
 }
 
 /// What the runtime's pieces take from the arm.
 fn constants(solver: &ClosedForm) -> String {
-    let accept = solver.acceptance();
+    let (size, tolerance) = (size(solver), solver.acceptance().tolerance);
     let target = solver.plan.target;
     let is = |holds: bool| i32::from(holds);
     let translation = !matches!(target, Target::Direction | Target::Orientation);
     let all = [
         ("SOLVED", solver.given.variables().to_string()),
-        ("SIZE", signed(accept.size)),
-        ("TOLERANCE", signed(accept.tolerance)),
+        ("SIZE", signed(size)),
+        ("TOLERANCE", signed(tolerance)),
         ("COUNTS_TRANSLATION", is(translation).to_string()),
         (
             "COUNTS_ROTATION",
@@ -212,11 +232,18 @@ fn solve(solver: &ClosedForm, swivel: bool) -> String {
 /// The public functions.
 fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
     let zeros = vec!["0.0"; solver.given.variables()].join(", ");
+    // Of a polynomial all roots are found without a seed.
+    let (seeds, seed) = match solver.inverse {
+        Inverse::Expressions(_) => (
+            format!("    static const double seed[KIN_SOLVED] = {{{zeros}}};\n"),
+            "seed",
+        ),
+        Inverse::Univariate(_) => (String::new(), "0"),
+    };
     let Some(redundancy) = redundancy else {
         return format!(
-            "int kin_ik(const double pose[12], kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n    \
-             static const double seed[KIN_JOINTS] = {{{zeros}}};\n    \
-             return kin_solve(pose, seed, 0, solutions);\n}}\n\n\
+            "int kin_ik(const double pose[12], kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n{seeds}    \
+             return kin_solve(pose, {seed}, 0, solutions);\n}}\n\n\
              int kin_ik_seeded(\n    const double pose[12], const double seed[KIN_JOINTS],\n    \
              kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n    \
              return kin_solve(pose, seed, 0, solutions);\n}}\n\n{}\n\
@@ -267,9 +294,8 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
     };
     format!(
         "int kin_ik_at(\n    const double pose[12], const double parameters[KIN_PARAMETERS],\n    \
-         kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n    \
-         static const double seed[KIN_SOLVED] = {{{zeros}}};\n{turned}    \
-         return kin_solve({target}, seed, parameters, solutions);\n}}\n\n\
+         kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n{seeds}{turned}    \
+         return kin_solve({target}, {seed}, parameters, solutions);\n}}\n\n\
          void kin_redundancy(\n    const double pose[12], const double q[KIN_JOINTS], \
          double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{told}}}\n"
     )

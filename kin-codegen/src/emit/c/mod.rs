@@ -9,7 +9,9 @@ mod lanes;
 mod language;
 mod name;
 mod runtime;
+mod tables;
 mod text;
+mod univariate;
 
 pub(crate) use name::prefix;
 
@@ -39,7 +41,7 @@ pub(crate) fn arm(compiled: &CompiledArm, prefix: &str, told: &Header) -> Files 
 
 /// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
 pub(crate) fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
-    refused::refused(compiled, "C")
+    refused::refused(compiled, "C", true)
 }
 
 /// The closed form, where it is written as C.

@@ -31,6 +31,39 @@ pub const SWIVEL: &str = include_str!("runtime/swivel.c");
 pub const AT_SWIVEL: &str = include_str!("runtime/at_swivel.c");
 /// A branch at a swivel angle that rounding keeps from its target, behind these.
 pub const SWIVELLED: &str = include_str!("runtime/swivelled.c");
+/// One elimination of an arm that is solved by a polynomial in one joint, as data.
+pub const ELIMINATION: &str = include_str!("runtime/univariate/elimination.c");
+/// Behind the eliminations of an arm, the search for what solves a target: the same algorithms,
+/// thresholds and bounds as in the files of `generated/univariate` of the runtime that are named
+/// behind them. Who changes the one changes the other.
+pub const SEARCH: [&str; 18] = [
+    include_str!("runtime/univariate/lanes.c"),     // lanes.rs
+    include_str!("runtime/univariate/poses.c"),     // `Pose`
+    include_str!("runtime/univariate/line.c"),      // line.rs
+    include_str!("runtime/univariate/places.c"),    // matrix.rs
+    include_str!("runtime/univariate/equations.c"), // elimination.rs
+    include_str!("runtime/univariate/matrix.c"),    // matrix.rs
+    include_str!("runtime/univariate/factors.c"),   // determinant.rs
+    include_str!("runtime/univariate/triangle.c"),  // determinant.rs
+    include_str!("runtime/univariate/harmonics.c"), // harmonics.rs
+    include_str!("runtime/univariate/polynomial.c"), // polynomial.rs
+    include_str!("runtime/univariate/bernstein.c"), // bernstein.rs
+    include_str!("runtime/univariate/roots.c"),     // roots.rs
+    include_str!("runtime/univariate/sharing.c"),   // sharing.rs
+    include_str!("runtime/univariate/recover.c"),   // recover.rs
+    include_str!("runtime/univariate/polish.c"),    // polish.rs
+    include_str!("runtime/univariate/split.c"),     // polish.rs
+    include_str!("runtime/univariate/found.c"),     // found.rs
+    include_str!("runtime/univariate/search.c"),    // search.rs
+];
+/// All eliminations in turn, as in `search.rs`.
+pub const SOLVE: &str = include_str!("runtime/univariate/solve.c");
+/// Solutions of six joints, as in `short.rs`.
+pub const WHOLE: &str = include_str!("runtime/univariate/whole.c");
+/// Solutions of fewer, as there, behind [`SEEN`] and [`CORRECTION`].
+pub const SHORT: &str = include_str!("runtime/univariate/short.c");
+/// A target moved by joints that are given.
+pub const CARRY: &str = include_str!("runtime/univariate/carry.c");
 /// Values inside the limits.
 pub const LIMITS: &str = include_str!("runtime/limits.c");
 /// The solution that moves the joints least.

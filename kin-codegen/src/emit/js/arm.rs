@@ -27,7 +27,7 @@ pub fn arm(compiled: &CompiledArm) -> String {
     let form =
         form(compiled).and_then(|form| Some(form::form(compiled, form, form.expressions()?)));
     let none = || "null".to_owned();
-    let why = refused(compiled, "JavaScript").map(|it| string(&it.reason));
+    let why = refused(compiled, "JavaScript", false).map(|it| string(&it.reason));
     let aim = [
         ("size", signed(size(model))),
         ("counts_translation", "true".into()),
@@ -93,7 +93,7 @@ pub fn arm(compiled: &CompiledArm) -> String {
 
 /// The closed form, where it is written as JavaScript.
 fn form(compiled: &CompiledArm) -> Option<&ClosedForm> {
-    let is_written = refused(compiled, "JavaScript").is_none();
+    let is_written = refused(compiled, "JavaScript", false).is_none();
     compiled.form().filter(|_| is_written)
 }
 

@@ -62,6 +62,6 @@ pub fn why_not(compiled: &CompiledMechanism) -> Option<Diagnostic> {
         LegForm::Whole(whole) => vec![&**whole],
         LegForm::Split(split) => vec![&split.head, &split.tail],
     });
-    let mut reasons = arms.filter_map(|arm| refused(arm, "JavaScript"));
+    let mut reasons = arms.filter_map(|arm| refused(arm, "JavaScript", false));
     reasons.next()
 }

@@ -14,7 +14,7 @@ static int kin_add_corrected(
             for (int i = 0; i < KIN_SOLVED; ++i) {
                 here.q[i] = lanes->q[i][k];
             }
-            found.singular = kin_correct(target, given, &here) || lanes->singular[k] > 0.0;
+            found.singular = kin_correct(target, given, 12, &here) || lanes->singular[k] > 0.0;
             for (int i = 0; i < KIN_SOLVED; ++i) {
                 here.q[i] = kin_turns[kin_solved[i]] ? kin_wrap(here.q[i]) : here.q[i];
             }

@@ -95,12 +95,14 @@ static double kin_norm(const double error[6])
 /* Levenberg's method from a configuration that nearly reaches the target, damped by the
  * square of what is missing (Yamashita and Fukushima, Computing Supplement 15, 2001), for at
  * most twelve evaluations. Whether the Jacobian loses rank where it has arrived. */
-static int kin_correct(const double target[12], const kin_given *given, kin_linearization *here)
+static int kin_correct(
+    const double target[12], const kin_given *given, int evaluations, kin_linearization *here)
 {
     double lower[KIN_CORRECTED][KIN_CORRECTED], weight = 1.0, miss, least, most;
     kin_linearize(target, given, here);
     miss = kin_norm(here->error);
-    for (int step = 0; step < 12 && here->residual >= 1e-14 * KIN_SIZE && weight <= 1e12; ++step) {
+    for (int step = 0; step < evaluations && here->residual >= 1e-14 * KIN_SIZE && weight <= 1e12;
+         ++step) {
         kin_linearization there;
         double x[KIN_CORRECTED], next;
         kin_factor(here->rows, weight * miss * miss, lower);

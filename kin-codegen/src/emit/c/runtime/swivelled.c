@@ -22,7 +22,7 @@ static int kin_add_corrected(
         here.q[i] = q[i + (i >= given.joint)];
     }
     found.branch = k;
-    found.singular = kin_correct(target, &given, &here) || lanes->singular[k] > 0.0;
+    found.singular = kin_correct(target, &given, 12, &here) || lanes->singular[k] > 0.0;
     if (!(here.residual <= KIN_TOLERANCE)) {
         return count;
     }

@@ -1,0 +1,410 @@
+/* Eliminations that are asked at most: where one is not sure of its answer, the next is. */
+#define KIN_ASKED (KIN_ELIMINATIONS < 3 ? KIN_ELIMINATIONS : 3)
+/* Cosines and sines that are off by more are those of an extraneous root; where they are off by
+ * less than the second, a null vector is of one solution, and no mixture. */
+#define KIN_EXTRANEOUS 0.05
+#define KIN_PURE 1e-3
+/* Below this another solution may be so near that roots of the polynomial do not tell the two
+ * apart. */
+#define KIN_MEETING 3e-3
+/* Steps of Newton's method at most; twice as many where it converges slowly. */
+#define KIN_NEWTON_STEPS 6
+
+/* What is known of one target. */
+typedef struct kin_search {
+    /* Orthonormal; lengths in units of half the arm's size. */
+    double target[12];
+    kin_found found;
+    /* The branch of the next solution. */
+    int branch;
+    /* Configurations to start Newton's method from, and those near the target that it led to, and
+     * no further. */
+    kin_queue starts, stuck;
+    /* Below this independence another solution may be near. */
+    double meeting;
+    /* Whether another target is the one that is meant. */
+    int is_beside;
+    /* Of so many regular and singular solutions the neighbours were looked for. */
+    int looked_at, looked_at_singular;
+} kin_search;
+
+/* A target's rotation, made orthonormal by Newton's method where it nearly is. */
+static void kin_orthonormalize(double target[12])
+{
+    if (!(kin_rotation_error(target) <= 0.1)) {
+        return;
+    }
+    for (int step = 0; step < 5; ++step) {
+        double dual[9], volume = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            const double *x = target + 4 * ((i + 1) % 3), *y = target + 4 * ((i + 2) % 3);
+            for (int j = 0; j < 3; ++j) {
+                const int a = (j + 1) % 3, b = (j + 2) % 3;
+                dual[3 * i + j] = x[a] * y[b] - x[b] * y[a];
+            }
+        }
+        for (int j = 0; j < 3; ++j) {
+            volume += target[j] * dual[j];
+        }
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                target[4 * i + j] = 0.5 * (target[4 * i + j] + dual[3 * i + j] / volume);
+            }
+        }
+    }
+}
+
+/* A rotation whose third column is along that of a target (Duff et al., J. Computer Graphics
+ * Techniques 6, 2017). */
+static void kin_complete_axis(double target[12])
+{
+    const double x0 = target[2], y0 = target[6], z0 = target[10];
+    const double length = sqrt(x0 * x0 + y0 * y0 + z0 * z0);
+    const double x = x0 / length, y = y0 / length, z = z0 / length;
+    const double sign = copysign(1.0, z), a = -1.0 / (sign + z), b = x * y * a;
+    const double rotation[9] = {
+        1.0 + sign * x * x * a, b, x, sign * b, sign + y * y * a, y, -sign * x, -y, z};
+    for (int i = 0; i < 9; ++i) {
+        target[i / 3 * 4 + i % 3] = rotation[i];
+    }
+}
+
+/* Nothing is known of the target yet, which is a rotation. */
+static void kin_forget(kin_search *search)
+{
+    search->found.gap = 0.0;
+    search->found.regular_count = search->found.singular_count = 0;
+    search->found.again = 0;
+    search->branch = search->is_beside = 0;
+    search->starts.count = search->stuck.count = 0;
+    search->looked_at = search->looked_at_singular = 0;
+    search->meeting = KIN_MEETING;
+}
+
+/* Of a target, lengths in metres. */
+static void kin_begin(const double target[12], kin_search *search)
+{
+    for (int i = 0; i < 12; ++i) {
+        search->target[i] = target[i] * (i % 4 == 3 ? 2.0 / KIN_SIZE : 1.0);
+    }
+    if (KIN_COUNTS_AXIS) {
+        kin_complete_axis(search->target);
+    } else {
+        kin_orthonormalize(search->target);
+    }
+    kin_forget(search);
+    search->found.gap = kin_rotation_error(target);
+}
+
+static int kin_insert_new(kin_search *search, const kin_arrived *arrived, int lane)
+{
+    kin_found *found = &search->found;
+    const int before = found->regular_count + found->singular_count;
+    const int reached = kin_insert_arrived(found, arrived, lane, search->branch);
+    search->branch += found->regular_count + found->singular_count > before;
+    return reached;
+}
+
+/* Keeps where Newton's method has come near to a target that it converges to slowly, or that is out
+ * of reach by little. */
+static void kin_stick(kin_search *search, kin_arrived *arrived, int lane)
+{
+    double q[6];
+    if (!(arrived->residual[lane] < 1e-3)) {
+        return;
+    }
+    kin_in_lane(arrived->q, lane, q);
+    for (int k = 0; k < search->stuck.count; ++k) {
+        if (kin_are_within(KIN_FAMILY, search->stuck.q[k], q)) {
+            return;
+        }
+    }
+    kin_enqueue(&search->stuck, q);
+}
+
+/* Starts Newton's method from the configurations that wait. */
+static void kin_arrive(kin_search *search)
+{
+    if (search->starts.count > 0) {
+        kin_pack from[6];
+        kin_arrived arrived;
+        const int count = kin_dequeue(&search->starts, from);
+        kin_polish(search->target, from, 2 * KIN_NEWTON_STEPS, &arrived);
+        for (int k = 0; k < count; ++k) {
+            if (!kin_insert_new(search, &arrived, k)) {
+                kin_stick(search, &arrived, k);
+            }
+        }
+    }
+}
+
+/* The same from one more, as soon as there are enough of them. */
+static void kin_start(kin_search *search, const double q[6])
+{
+    kin_enqueue(&search->starts, q);
+    if (search->starts.count == KIN_LANES) {
+        kin_arrive(search);
+    }
+}
+
+/* The same, if it may be near a solution that is not known. */
+static void kin_start_unknown(kin_search *search, kin_starts *starts, int lane)
+{
+    double q[6];
+    kin_in_lane(starts->q, lane, q);
+    if (starts->inconsistency[lane] < KIN_EXTRANEOUS
+        && !kin_is_known(&search->found, q, search->meeting)) {
+        kin_start(search, q);
+    }
+}
+
+/* Roots by number. */
+typedef struct kin_candidates {
+    int numbers[KIN_MOST_ROOTS];
+    int count;
+} kin_candidates;
+
+static void kin_push_candidate(kin_candidates *candidates, int number)
+{
+    candidates->numbers[candidates->count++ % KIN_MOST_ROOTS] = number;
+}
+
+/* Adds the solution at every root, if it has one; those that may have more. */
+static void kin_one_each(
+    kin_search *search, const kin_recovery *recovery, const kin_roots *roots,
+    kin_candidates *unclear)
+{
+    kin_found *found = &search->found;
+    unclear->count = 0;
+    for (int first = 0; first < roots->count; first += KIN_LANES) {
+        const int rest = roots->count - first, count = rest < KIN_LANES ? rest : KIN_LANES;
+        kin_pack kept, from[6];
+        kin_starts starts;
+        kin_queue fresh;
+        kin_arrived arrived;
+        int candidates[KIN_LANES], waiting;
+        for (int k = 0; k < KIN_LANES; ++k) {
+            kept[k] = roots->angles[first + (k < count ? k : count - 1)];
+        }
+        kin_recover(recovery, kept, &starts);
+        fresh.count = 0;
+        for (int k = 0; k < count; ++k) {
+            const int candidate = first + k;
+            const unsigned before = found->again;
+            const double off = starts.inconsistency[k];
+            const int one = !((roots->twice | roots->several) >> candidate & 1);
+            double q[6];
+            int known, mixed;
+            kin_in_lane(starts.q, k, q);
+            known = kin_is_known(found, q, search->meeting);
+            /* Next to another one a root is known to half of its digits. */
+            mixed = off >= KIN_EXTRANEOUS && kin_has_neighbour(roots, candidate);
+            if ((known && (found->again == before || off > KIN_PURE)) || !one || mixed) {
+                kin_push_candidate(unclear, candidate);
+            } else if (!known && off < KIN_EXTRANEOUS) {
+                candidates[fresh.count] = candidate;
+                kin_enqueue(&fresh, q);
+            }
+        }
+        if (fresh.count == 0) {
+            continue;
+        }
+        waiting = kin_dequeue(&fresh, from);
+        kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+        for (int k = 0; k < waiting; ++k) {
+            const unsigned before = found->again;
+            kin_insert_new(search, &arrived, k);
+            if (found->again == before) {
+                kin_push_candidate(unclear, candidates[k]);
+            }
+        }
+    }
+}
+
+/* Adds the solutions that share a value of the kept joint. */
+static void kin_several_each(
+    kin_search *search, const kin_recovery *recovery, const kin_roots *roots,
+    const kin_candidates *unclear)
+{
+    for (int first = 0; first < unclear->count; first += KIN_LANES) {
+        const int rest = unclear->count - first, count = rest < KIN_LANES ? rest : KIN_LANES;
+        const int *numbers = unclear->numbers + first;
+        kin_pack kept;
+        kin_starts starts[2 + KIN_SHARING];
+        int any = 0;
+        for (int k = 0; k < KIN_LANES; ++k) {
+            kept[k] = roots->angles[numbers[k < count ? k : count - 1]];
+        }
+        for (int k = 0; k < count; ++k) {
+            any |= roots->several >> numbers[k] & 1;
+        }
+        kin_recover_several(recovery, kept, any ? KIN_SHARING : 2, starts);
+        for (int i = 0; i < 2; ++i) {
+            for (int k = 0; k < count; ++k) {
+                kin_start_unknown(search, &starts[i], k);
+            }
+        }
+        for (int k = 0; k < count; ++k) {
+            if (roots->several >> numbers[k] & 1) {
+                for (int i = 0; i < KIN_SHARING; ++i) {
+                    kin_start_unknown(search, &starts[2 + i], k);
+                }
+            }
+        }
+    }
+    kin_arrive(search);
+}
+
+/* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's
+ * method got stuck; where several meet, each shows the next. */
+static void kin_meet(kin_search *search)
+{
+    kin_found *found = &search->found;
+    kin_queue points = search->stuck;
+    search->stuck.count = 0;
+    for (int round = 0; round < 4; ++round) {
+        kin_pack from[6], apart[2][6];
+        int count;
+        for (; points.count < KIN_LANES && search->looked_at < found->regular_count;
+             ++search->looked_at) {
+            if (found->independence[search->looked_at] < search->meeting) {
+                kin_enqueue(&points, found->regular[search->looked_at].q);
+            }
+        }
+        for (; points.count < KIN_LANES && search->looked_at_singular < found->singular_count;
+             ++search->looked_at_singular) {
+            kin_enqueue(&points, found->singular[search->looked_at_singular].q);
+        }
+        count = kin_dequeue(&points, from);
+        if (count == 0) {
+            break;
+        }
+        kin_split(search->target, from, apart);
+        for (int i = 0; i < 2; ++i) {
+            for (int k = 0; k < count; ++k) {
+                double q[6];
+                kin_in_lane(apart[i], k, q);
+                kin_start(search, q);
+            }
+        }
+        kin_arrive(search);
+    }
+    search->stuck.count = 0;
+}
+
+/* What one elimination says of the target, before any solution is computed. */
+typedef struct kin_asked {
+    kin_recovery recovery;
+    /* Of the polynomial. */
+    double noise;
+    /* Whether nothing stands out of it. */
+    int is_drowned;
+    kin_roots roots;
+} kin_asked;
+
+static void kin_ask(
+    const kin_search *search, const kin_elimination *elimination, kin_asked *asked)
+{
+    kin_harmonics f;
+    kin_begin_recovery(elimination, search->target, &asked->recovery);
+    kin_polynomial(&asked->recovery, &f);
+    asked->noise = f.noise;
+    asked->is_drowned = !(f.noise < 1e-3);
+    if (!asked->is_drowned) {
+        kin_find_roots(&f, &asked->roots);
+    }
+}
+
+/* Whether every root is known to be one, or two. */
+static int kin_is_clear(const kin_asked *asked)
+{
+    return asked->noise < KIN_NOISY && !asked->is_drowned && !asked->roots.several
+        && !asked->roots.incomplete;
+}
+
+/* Whether the solutions near a candidate are known to be all: two that share a value of the kept
+ * joint, and are regular. */
+static int kin_resolves(const kin_search *search, const kin_asked *asked, int candidate)
+{
+    const kin_roots *roots = &asked->roots;
+    const kin_elimination *elimination = asked->recovery.elimination;
+    const double kept = roots->angles[candidate], sign = elimination->backwards ? -1.0 : 1.0;
+    const int joint = elimination->joints[0];
+    double least = HUGE_VAL;
+    int count = 0, candidates = 0;
+    for (int i = 0; i < search->found.regular_count; ++i) {
+        const double q = sign * search->found.regular[i].q[joint];
+        if (fabs(kin_wrap(q - kept)) < KIN_CLUSTER) {
+            const double independence = search->found.independence[i];
+            least = independence < least ? independence : least;
+            ++count;
+        }
+    }
+    for (int i = 0; i < roots->count; ++i) {
+        candidates += fabs(kin_wrap(roots->angles[i] - kept)) < KIN_CLUSTER;
+    }
+    return (roots->twice >> candidate & 1) && candidates == 1 && count == 2 && least > KIN_MEETING;
+}
+
+static int kin_answer(kin_search *search, const kin_asked *asked);
+
+/* Where a family of solutions makes a polynomial of zeros, those of targets beside this one are
+ * none, and the regular solutions there are beside those here. */
+static void kin_ask_beside(kin_search *search, const kin_elimination *elimination)
+{
+    /* A turn by 1e-4 about (0.36, 0.48, 0.8), and lengths in units of half the arm's size. */
+    const double x = 0.36 * 0.5e-4, y = 0.48 * 0.5e-4, z = 0.8 * 0.5e-4, w = 1.0;
+    const double s = 2.0 / (x * x + y * y + z * z + w * w);
+    const double there[12] = {
+        1.0 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w), 3e-5,
+        s * (x * y + z * w), 1.0 - s * (x * x + z * z), s * (y * z - x * w), -5e-5,
+        s * (x * z - y * w), s * (y * z + x * w), 1.0 - s * (x * x + y * y), 8e-5};
+    if (search->is_beside) {
+        return;
+    }
+    /* Where solutions have met, one of the two is out of reach. */
+    for (int way = 0; way < 2; ++way) {
+        kin_search beside;
+        kin_asked asked;
+        double back[12];
+        kin_invert(there, back);
+        kin_compose(search->target, way == 0 ? there : back, beside.target);
+        kin_forget(&beside);
+        beside.is_beside = 1;
+        kin_ask(&beside, elimination, &asked);
+        kin_answer(&beside, &asked);
+        for (int i = 0; i < beside.found.regular_count; ++i) {
+            kin_start(search, beside.found.regular[i].q);
+        }
+        for (int i = 0; i < beside.found.singular_count; ++i) {
+            kin_start(search, beside.found.singular[i].q);
+        }
+    }
+    kin_arrive(search);
+    kin_meet(search);
+}
+
+/* Adds what one elimination finds; whether all solutions are sure to be among those found. */
+static int kin_answer(kin_search *search, const kin_asked *asked)
+{
+    const kin_roots *roots = &asked->roots;
+    const kin_elimination *elimination = asked->recovery.elimination;
+    kin_candidates unclear;
+    int certain;
+    if (asked->is_drowned) {
+        kin_ask_beside(search, elimination);
+        return 0;
+    }
+    search->found.again = 0;
+    kin_one_each(search, &asked->recovery, roots, &unclear);
+    kin_several_each(search, &asked->recovery, roots, &unclear);
+    if (roots->incomplete) {
+        kin_ask_beside(search, elimination);
+    }
+    kin_meet(search);
+    certain = !roots->incomplete && asked->noise < KIN_NOISY;
+    for (int i = 0; i < unclear.count; ++i) {
+        certain = certain && kin_resolves(search, asked, unclear.numbers[i]);
+    }
+    return certain && search->found.again == (1u << search->found.regular_count) - 1u;
+}

@@ -1,0 +1,38 @@
+/* Of an arm of fewer than six joints, the solutions among those that were found with others behind
+ * its tip: those that have these at zero, with what is given. How many there are. */
+static int kin_to_solutions(
+    const double target[12], const kin_found *found, const double *given, kin_solution *solutions)
+{
+    int count = 0;
+    for (int i = 0; i < found->regular_count + found->singular_count && i < KIN_MOST_FOUND; ++i) {
+        const kin_six *six = i < found->regular_count ? &found->regular[i]
+            : &found->singular[i - found->regular_count];
+        kin_linearization here;
+        kin_solution solution;
+        int is_at_zero = 1;
+        /* Where six joints are nearly singular, a target that is off by rounding is reached with
+         * the joints behind the tip this far from zero. A turn about the tip's axis, where it is
+         * free, is one that need not be at zero. */
+        for (int j = KIN_SOLVED + KIN_COUNTS_AXIS; j < 6; ++j) {
+            is_at_zero = is_at_zero && fabs(six->q[j]) < 1e-2;
+        }
+        if (!is_at_zero) {
+            continue;
+        }
+        for (int j = 0; j < KIN_SOLVED; ++j) {
+            here.q[j] = kin_slides[j] ? 0.5 * KIN_SIZE * six->q[j] : six->q[j];
+        }
+        /* A regular solution takes two evaluations. */
+        solution.singular = kin_correct(target, given, 24, &here);
+        for (int j = 0; j < KIN_SOLVED; ++j) {
+            here.q[j] = kin_slides[j] ? here.q[j] : kin_wrap(here.q[j]);
+        }
+        kin_whole(here.q, given, solution.q);
+        solution.residual = here.residual;
+        solution.branch = six->branch;
+        if (solution.residual <= 1e-9 * KIN_SIZE) {
+            count = kin_insert(&solution, solutions, count);
+        }
+    }
+    return count;
+}

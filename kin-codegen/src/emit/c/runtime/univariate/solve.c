@@ -1,0 +1,50 @@
+/* Asks the eliminations in turn until one is sure of its answer. Where roots are not told apart
+ * that costs more than the next polynomial, which is looked at before. */
+static void kin_search_all(kin_search *search)
+{
+    kin_asked asked[KIN_ASKED];
+    int unclear[KIN_ASKED];
+    for (int i = 0; i < KIN_ASKED; ++i) {
+        kin_ask(search, &kin_eliminations[i], &asked[i]);
+        unclear[i] = !kin_is_clear(&asked[i]);
+        if (!unclear[i] && kin_answer(search, &asked[i])) {
+            return;
+        }
+    }
+    for (int i = 0; i < KIN_ASKED; ++i) {
+        if (unclear[i] && kin_answer(search, &asked[i])) {
+            return;
+        }
+    }
+}
+
+/* The joint that is kept first, by which solutions are ordered. */
+static double kin_kept_joint(const kin_six *solution)
+{
+    return solution->q[kin_eliminations[0].joints[0]];
+}
+
+/* The solutions of a target as the joints that are solved for see it: the regular ones, then the
+ * singular ones as far as there is room. If the seed is a singular solution, it is among them. */
+static void kin_search_target(const double target[12], const double *seed, kin_search *search)
+{
+    kin_found *found = &search->found;
+    kin_begin(target, search);
+    if (seed) {
+        kin_pack from[6];
+        kin_arrived arrived;
+        for (int i = 0; i < 6; ++i) {
+            const double unit = kin_slides[i] ? 2.0 / KIN_SIZE : 1.0;
+            kin_fill(from[i], i < KIN_SOLVED ? unit * seed[i] : 0.0);
+        }
+        kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+        if (arrived.independence[0] < KIN_SINGULAR) {
+            kin_insert_arrived(found, &arrived, 0, 0);
+        }
+    }
+    if (found->gap <= 1e-9) {
+        kin_search_all(search);
+    }
+    kin_sort(found->regular, found->regular_count, kin_kept_joint);
+    kin_sort(found->singular, found->singular_count, kin_kept_joint);
+}

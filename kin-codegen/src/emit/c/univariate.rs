@@ -1,0 +1,166 @@
+//! Inverse kinematics by a polynomial in one joint: the arm's numbers, in front of what is the
+//! same for every arm.
+
+use super::language::signed;
+use super::{runtime, tables};
+use crate::closed_form::ClosedForm;
+use crate::geometry::Carried;
+use crate::univariate::Arm;
+use kin_runtime::__private::univariate::Elimination;
+use kin_runtime::{Pose, Target, Twist};
+use std::fmt::Write as _;
+
+/// The definitions that search for the solutions of a target.
+pub fn search(arm: &Arm) -> String {
+    let parts = [
+        runtime::ELIMINATION.to_owned(),
+        constants(arm),
+        runtime::SEARCH.join("\n"),
+    ];
+    parts.join("\n")
+}
+
+/// From what is found to solutions, and `kin_solve`; behind [`search`].
+pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
+    let carried = Carried::new(&solver.given);
+    let (carry, target) = match solver.given.locked.is_empty() {
+        true => (String::new(), "target"),
+        false => (carry(&carried), "carried"),
+    };
+    let free_turn = usize::from(arm.counts == Target::PositionAxis);
+    let is_whole = solver.given.variables() + free_turn == 6;
+    let (parts, found) = match is_whole {
+        true => (vec![runtime::WHOLE], "&search.found"),
+        false => (
+            vec![runtime::SEEN, runtime::CORRECTION, runtime::SHORT],
+            "target, &search.found",
+        ),
+    };
+    let carrying = match carry.is_empty() {
+        true => "",
+        false => "    double carried[12];\n    kin_carry(target, given, carried);\n",
+    };
+    let solve = format!(
+        "/* The solutions of a target. Of a polynomial's roots the branch is the place. */\n\
+         static int kin_solve(\n    const double target[12], const double *seed, \
+         const double *given,\n    kin_solution *solutions)\n{{\n    kin_search search;\n    \
+         int count;\n{carrying}    kin_search_target({target}, seed, &search);\n    \
+         count = kin_to_solutions({found}, given, solutions);\n    \
+         for (int i = 0; i < count; ++i) {{\n        solutions[i].branch = i;\n    }}\n    \
+         return count > 0 ? count : kin_why_none(target);\n}}\n"
+    );
+    let parts = parts.into_iter().map(str::to_owned);
+    let parts = parts.chain([runtime::SOLVE.to_owned(), carry, solve]);
+    let parts: Vec<String> = parts.filter(|part| !part.is_empty()).collect();
+    parts.join("\n")
+}
+
+/// The numbers of an arm.
+fn constants(arm: &Arm) -> String {
+    let degrees = arm.kept.iter().map(|kept| kept.elimination.degree);
+    let is_high = degrees.max() > Some(8);
+    let most = if is_high { 12 } else { 8 };
+    let fixed = arm.frames.fixed.iter().map(pose);
+    let slides = (0..6).map(|joint| i32::from(arm.frames.slides(joint)).to_string());
+    let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));
+    let mut out = format!(
+        "/* The highest degree of a polynomial. */\n#define KIN_DEGREE {most}\n{}",
+        tables::all(is_high)
+    );
+    let _ = writeln!(
+        out,
+        "\n/* The arm's six joints, some of which may stand behind its tip and stay at zero: the \
+         constant\n * motions between them, lengths in units of half its size, and which slide. */\n\
+         static const double kin_fixed[7][12] = {{\n    {}}};\n\
+         static const int kin_slides[6] = {{{}}};\n\n\
+         /* Those that are asked, the best first. */\n#define KIN_ELIMINATIONS {}\n\
+         static const kin_elimination kin_eliminations[KIN_ELIMINATIONS] = {{\n    {}}};",
+        fixed.collect::<Vec<_>>().join(",\n    "),
+        slides.collect::<Vec<_>>().join(", "),
+        arm.kept.len(),
+        eliminations.collect::<Vec<_>>().join(",\n    "),
+    );
+    out
+}
+
+/// As rows of four.
+fn pose(pose: &Pose) -> String {
+    let rows = pose.rotation.iter().zip(pose.translation);
+    let rows = rows.flat_map(|(&[x, y, z], t)| [x, y, z, t]);
+    numbers(rows)
+}
+
+fn numbers(values: impl IntoIterator<Item = f64>) -> String {
+    let values: Vec<String> = values.into_iter().map(signed).collect();
+    format!("{{{}}}", values.join(", "))
+}
+
+fn integers(values: &[u8]) -> String {
+    let values: Vec<String> = values.iter().map(u8::to_string).collect();
+    format!("{{{}}}", values.join(", "))
+}
+
+fn elimination(elimination: &Elimination) -> String {
+    let Elimination {
+        joints,
+        backwards,
+        degree,
+        functionals,
+        half,
+        third,
+        fold,
+        powers,
+        rows,
+        columns,
+    } = elimination;
+    let is_zero = |row: &[f64; 15]| row.iter().all(|x| *x == 0.0);
+    let count = functionals.iter().rposition(|row| !is_zero(row));
+    let count = count.map_or(0, |last| last + 1);
+    let rows: Vec<String> = rows.iter().map(|row| integers(row)).collect();
+    let vectors = |all: &[[f64; 15]]| {
+        let all: Vec<String> = all.iter().map(|row| numbers(*row)).collect();
+        format!("{{\n        {}}}", all.join(",\n        "))
+    };
+    format!(
+        "{{{}, {}, {degree}, {count}, {half}, {},\n    {},\n    {}, {}, {},\n    {{{}}},\n    {}}}",
+        integers(joints),
+        i32::from(*backwards),
+        vectors(functionals),
+        vectors(third),
+        i32::from(fold.is_some()),
+        signed(fold.unwrap_or(0.0)),
+        integers(powers),
+        rows.join(", "),
+        integers(columns),
+    )
+}
+
+/// The function that moves a target by the joints that are given, all at the ends of the arm.
+fn carry(carried: &Carried) -> String {
+    let Carried { front, behind } = carried;
+    let twists = front.iter().chain(behind);
+    let twists: Vec<String> = twists.map(twist).collect();
+    let count = twists.len();
+    format!(
+        "{}\n/* The target of the joints that are solved for: those that are given stand at the \
+         ends, and their\n * motions are known, the first ones seen from the base, the others from \
+         the tip. */\nstatic void kin_carry(const double target[12], const double *given, \
+         double carried[12])\n{{\n    static const double twists[{count}][6] = {{\n        {}}};\n    \
+         double motion[12], moved[12];\n    for (int i = 0; i < 12; ++i) {{\n        \
+         carried[i] = target[i];\n    }}\n    for (int n = 0; n < {count}; ++n) {{\n        \
+         const int i = n < {first} ? n : {first} + {count} - 1 - n;\n        \
+         kin_undo(twists[i], given[i], motion);\n        \
+         if (n < {first}) {{\n            kin_compose(motion, carried, moved);\n        \
+         }} else {{\n            kin_compose(carried, motion, moved);\n        }}\n        \
+         for (int k = 0; k < 12; ++k) {{\n            carried[k] = moved[k];\n        }}\n    }}\n}}\n",
+        runtime::CARRY,
+        twists.join(",\n        "),
+        first = front.len(),
+    )
+}
+
+/// Without the noise of composing frames.
+fn twist(twist: &Twist) -> String {
+    let clean = |x: &f64| if x.abs() < 1e-15 { 0.0 } else { *x };
+    numbers(twist.linear.iter().chain(&twist.angular).map(clean))
+}
