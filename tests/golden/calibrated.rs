@@ -1062,8 +1062,7 @@ mod __Calibrated {
             pose: &Pose,
             seed: &[f64; 6],
         ) -> ::core::option::Option<Solution<6>> {
-            let nearest = &Nearest::new(*seed, &Self::LIMITS);
-            self.ik_nearest_by(pose, nearest)
+            self.ik_nearest_by(pose, &Nearest::new(*seed, &Self::LIMITS))
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -1327,6 +1326,7 @@ mod __Calibrated {
     }
 
     impl Inverse<6, 8, 0, 4> for Calibrated {
+        const ACCEPT: Acceptance = Calibrated::ACCEPT;
         const WIDTH: usize = 4;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

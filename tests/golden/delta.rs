@@ -287,7 +287,6 @@ mod __Delta {
                     pose,
                     &[0.0; 3],
                     &[],
-                    &Self::ACCEPT,
                     |branches| self.sorted(pose, &branches),
                 )
             }
@@ -298,14 +297,7 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(
-                    self,
-                    pose,
-                    seed,
-                    &[],
-                    &Self::ACCEPT,
-                    |branches| self.sorted(pose, &branches),
-                )
+                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -340,6 +332,7 @@ mod __Delta {
         }
 
         impl Inverse<3, 4, 0, 2> for Head1 {
+            const ACCEPT: Acceptance = Head1::ACCEPT;
             const WIDTH: usize = 4;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -618,7 +611,6 @@ mod __Delta {
                     pose,
                     &[0.0; 2],
                     &[],
-                    &Self::ACCEPT,
                     |branches| self.sorted(pose, &branches),
                 )
             }
@@ -629,14 +621,7 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(
-                    self,
-                    pose,
-                    seed,
-                    &[],
-                    &Self::ACCEPT,
-                    |branches| self.sorted(pose, &branches),
-                )
+                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -671,6 +656,7 @@ mod __Delta {
         }
 
         impl Inverse<2, 1, 0, 0> for Tail1 {
+            const ACCEPT: Acceptance = Tail1::ACCEPT;
             const WIDTH: usize = 1;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -1029,7 +1015,6 @@ mod __Delta {
                     pose,
                     &[0.0; 3],
                     &[],
-                    &Self::ACCEPT,
                     |branches| self.sorted(pose, &branches),
                 )
             }
@@ -1040,14 +1025,7 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(
-                    self,
-                    pose,
-                    seed,
-                    &[],
-                    &Self::ACCEPT,
-                    |branches| self.sorted(pose, &branches),
-                )
+                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1082,6 +1060,7 @@ mod __Delta {
         }
 
         impl Inverse<3, 4, 0, 2> for Head2 {
+            const ACCEPT: Acceptance = Head2::ACCEPT;
             const WIDTH: usize = 4;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -1386,7 +1365,6 @@ mod __Delta {
                     pose,
                     &[0.0; 2],
                     &[],
-                    &Self::ACCEPT,
                     |branches| self.sorted(pose, &branches),
                 )
             }
@@ -1397,14 +1375,7 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(
-                    self,
-                    pose,
-                    seed,
-                    &[],
-                    &Self::ACCEPT,
-                    |branches| self.sorted(pose, &branches),
-                )
+                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1439,6 +1410,7 @@ mod __Delta {
         }
 
         impl Inverse<2, 2, 0, 1> for Tail2 {
+            const ACCEPT: Acceptance = Tail2::ACCEPT;
             const WIDTH: usize = 2;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -1866,7 +1838,6 @@ mod __Delta {
                     pose,
                     &[0.0; 3],
                     &[],
-                    &Self::ACCEPT,
                     |branches| self.sorted(pose, &branches),
                 )
             }
@@ -1877,14 +1848,7 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(
-                    self,
-                    pose,
-                    seed,
-                    &[],
-                    &Self::ACCEPT,
-                    |branches| self.sorted(pose, &branches),
-                )
+                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1919,6 +1883,7 @@ mod __Delta {
         }
 
         impl Inverse<3, 4, 0, 2> for Head3 {
+            const ACCEPT: Acceptance = Head3::ACCEPT;
             const WIDTH: usize = 4;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]
@@ -2224,7 +2189,6 @@ mod __Delta {
                     pose,
                     &[0.0; 2],
                     &[],
-                    &Self::ACCEPT,
                     |branches| self.sorted(pose, &branches),
                 )
             }
@@ -2235,14 +2199,7 @@ mod __Delta {
             /// seed that is not finite loses those of singular targets.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(
-                    self,
-                    pose,
-                    seed,
-                    &[],
-                    &Self::ACCEPT,
-                    |branches| self.sorted(pose, &branches),
-                )
+                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -2277,6 +2234,7 @@ mod __Delta {
         }
 
         impl Inverse<2, 2, 0, 1> for Tail3 {
+            const ACCEPT: Acceptance = Tail3::ACCEPT;
             const WIDTH: usize = 2;
             const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
             #[inline(always)]

@@ -531,14 +531,7 @@ mod __Kr6R900 {
         /// Solved by SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            solve(
-                self,
-                pose,
-                &[0.0; 6],
-                &[],
-                &Self::ACCEPT,
-                |branches| self.sorted(pose, &branches),
-            )
+            solve(self, pose, &[0.0; 6], &[], |branches| self.sorted(pose, &branches))
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -547,14 +540,7 @@ mod __Kr6R900 {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(
-                self,
-                pose,
-                seed,
-                &[],
-                &Self::ACCEPT,
-                |branches| self.sorted(pose, &branches),
-            )
+            solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -592,9 +578,14 @@ mod __Kr6R900 {
             pose: &Pose,
             seed: &[f64; 6],
         ) -> ::core::option::Option<Solution<6>> {
-            let nearest = const { Nearest::new([0.0; 6], &Self::LIMITS) };
-            let nearest = &nearest.from_seed(*seed);
-            self.ik_nearest_by(pose, nearest)
+            solve_nearest(
+                self,
+                pose,
+                &[],
+                const { &Nearest::new([0.0; 6], &Self::LIMITS) },
+                seed,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -610,8 +601,8 @@ mod __Kr6R900 {
                 self,
                 pose,
                 &[],
-                &Self::ACCEPT,
                 nearest,
+                &nearest.seed,
                 |branches| self.sorted(pose, &branches),
             )
         }
@@ -787,6 +778,7 @@ mod __Kr6R900 {
     }
 
     impl Inverse<6, 8, 0, 3> for Kr6R900 {
+        const ACCEPT: Acceptance = Kr6R900::ACCEPT;
         const WIDTH: usize = 4;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

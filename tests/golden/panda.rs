@@ -711,6 +711,7 @@ mod __Panda {
     }
 
     impl Inverse<6, 8, 1, 4> for Panda {
+        const ACCEPT: Acceptance = Panda::ACCEPT;
         const WIDTH: usize = 4;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

@@ -281,14 +281,7 @@ mod __Scara {
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<4> {
-            solve(
-                self,
-                pose,
-                &[0.0; 4],
-                &[],
-                &Self::ACCEPT,
-                |branches| self.sorted(pose, &branches),
-            )
+            solve(self, pose, &[0.0; 4], &[], |branches| self.sorted(pose, &branches))
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -297,14 +290,7 @@ mod __Scara {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f32; 4]) -> Solutions<4> {
-            solve(
-                self,
-                pose,
-                seed,
-                &[],
-                &Self::ACCEPT,
-                |branches| self.sorted(pose, &branches),
-            )
+            solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -342,9 +328,14 @@ mod __Scara {
             pose: &Pose,
             seed: &[f32; 4],
         ) -> ::core::option::Option<Solution<4>> {
-            let nearest = const { Nearest::new([0.0; 4], &Self::LIMITS) };
-            let nearest = &nearest.from_seed(*seed);
-            self.ik_nearest_by(pose, nearest)
+            solve_nearest(
+                self,
+                pose,
+                &[],
+                const { &Nearest::new([0.0; 4], &Self::LIMITS) },
+                seed,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -360,8 +351,8 @@ mod __Scara {
                 self,
                 pose,
                 &[],
-                &Self::ACCEPT,
                 nearest,
+                &nearest.seed,
                 |branches| self.sorted(pose, &branches),
             )
         }
@@ -433,6 +424,7 @@ mod __Scara {
     }
 
     impl Inverse<4, 2, 0, 1> for Scara {
+        const ACCEPT: Acceptance = Scara::ACCEPT;
         const WIDTH: usize = 2;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
         #[inline(always)]

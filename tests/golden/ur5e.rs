@@ -496,14 +496,7 @@ mod __Ur5e {
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            solve(
-                self,
-                pose,
-                &[0.0; 6],
-                &[],
-                &Self::ACCEPT,
-                |branches| self.sorted(pose, &branches),
-            )
+            solve(self, pose, &[0.0; 6], &[], |branches| self.sorted(pose, &branches))
         }
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
@@ -512,14 +505,7 @@ mod __Ur5e {
         /// seed that is not finite loses those of singular targets.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(
-                self,
-                pose,
-                seed,
-                &[],
-                &Self::ACCEPT,
-                |branches| self.sorted(pose, &branches),
-            )
+            solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -557,9 +543,14 @@ mod __Ur5e {
             pose: &Pose,
             seed: &[f64; 6],
         ) -> ::core::option::Option<Solution<6>> {
-            let nearest = const { Nearest::new([0.0; 6], &Self::LIMITS) };
-            let nearest = &nearest.from_seed(*seed);
-            self.ik_nearest_by(pose, nearest)
+            solve_nearest(
+                self,
+                pose,
+                &[],
+                const { &Nearest::new([0.0; 6], &Self::LIMITS) },
+                seed,
+                |branches| self.sorted(pose, &branches),
+            )
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,
@@ -575,8 +566,8 @@ mod __Ur5e {
                 self,
                 pose,
                 &[],
-                &Self::ACCEPT,
                 nearest,
+                &nearest.seed,
                 |branches| self.sorted(pose, &branches),
             )
         }
@@ -738,6 +729,7 @@ mod __Ur5e {
     }
 
     impl Inverse<6, 8, 0, 3> for Ur5e {
+        const ACCEPT: Acceptance = Ur5e::ACCEPT;
         const WIDTH: usize = 8;
         const FREE: ::core::option::Option<usize> = ::core::option::Option::Some(3);
         #[inline(always)]

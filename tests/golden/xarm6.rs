@@ -1060,8 +1060,7 @@ mod __Xarm6 {
             pose: &Pose,
             seed: &[f64; 6],
         ) -> ::core::option::Option<Solution<6>> {
-            let nearest = &Nearest::new(*seed, &Self::LIMITS);
-            self.ik_nearest_by(pose, nearest)
+            self.ik_nearest_by(pose, &Nearest::new(*seed, &Self::LIMITS))
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,

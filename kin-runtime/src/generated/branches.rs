@@ -1,7 +1,8 @@
 //! What generated inverse kinematics computes, before it is sorted out.
 
 use super::super::scalar::Real;
-use super::super::{Jacobian, JointLimit, Nearest, Pose, Solution, Solutions, Target, math};
+use super::super::types::nearest::Motion;
+use super::super::{Jacobian, Pose, Solution, Solutions, Target, math};
 use super::acceptance::Acceptance;
 use super::refinement::{AtSwivel, NEARLY, Problem, correct_branches, refine_branches};
 
@@ -46,29 +47,31 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     /// least, chosen side by side: as [`Solutions::nearest_by`] of
     /// [`Self::solutions`], without writing the others down.
     #[inline(always)]
-    pub(super) fn choose(&self, accept: &Acceptance, nearest: &Nearest<N>) -> Option<Solution<N>> {
-        let joints = nearest.motion(accept.prismatic);
+    pub(super) fn choose(
+        &self,
+        accept: &Acceptance,
+        joints: &Motion<'_, N>,
+    ) -> Option<Solution<N>> {
         let mut motions = [0.0; L];
         for k in 0..L {
             let mut motion = 0.0;
-            let mut excess = Real::NEG_INFINITY;
+            let mut allowed = true;
             for i in 0..N {
-                let (cost, beyond) = joints.cost(i, self.q[i][k]);
+                let (cost, is_allowed) = joints.cost(i, self.q[i][k]);
                 motion += cost;
-                excess = math::max(excess, beyond);
+                allowed &= is_allowed;
             }
             let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
-            let allowed = reaches & (excess <= JointLimit::TOLERANCE);
-            motions[k] = math::select(allowed, motion, Real::INFINITY);
+            let motion = math::select(reaches & allowed, motion, Real::INFINITY);
+            motions[k] = math::min(motion, Real::INFINITY);
         }
-        let mut best = 0;
-        let mut least = motions[0];
-        for k in 1..L {
-            best = if motions[k] < least { k } else { best };
-            least = math::select(motions[k] < least, motions[k], least);
-        }
+        let least = least(motions);
         if least == Real::INFINITY {
             return None;
+        }
+        let mut best = 0;
+        for k in (0..L).rev() {
+            best = if motions[k] == least { k } else { best };
         }
         let mut solution = self.lane(best);
         for i in 0..N {
@@ -186,6 +189,19 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         let problem = Problem::new(fk_jacobian, target, counts, accept);
         refine_branches(&problem, self.existing(), accept, steps)
     }
+}
+
+/// The least of numbers, by halves: as many as there are branches, a power of two.
+#[inline(always)]
+fn least<const L: usize>(mut numbers: [Real; L]) -> Real {
+    let mut half = L / 2;
+    while half > 0 {
+        for k in 0..half {
+            numbers[k] = math::min(numbers[k + half], numbers[k]);
+        }
+        half /= 2;
+    }
+    numbers[0]
 }
 
 impl<const L: usize> Branches<7, L> {

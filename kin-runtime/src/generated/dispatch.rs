@@ -151,8 +151,14 @@ mod x86_64 {
             AVX512 if T::WIDTH >= 8 => unsafe { with_avx512::<T, I>(input) },
             // SAFETY: as above.
             AVX2 | AVX512 => unsafe { with_avx2::<T, I>(input) },
-            _ => T::run_narrow(input),
+            _ => with_sse2::<T, I>(input),
         }
+    }
+
+    /// A function as well: its callers have no use for a copy.
+    #[inline(never)]
+    fn with_sse2<T: Dispatched<I>, I>(input: I) -> T::Output {
+        T::run_narrow(input)
     }
 
     #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]

@@ -1,6 +1,7 @@
 //! Closed forms in lanes, of one target or of several.
 
 use super::super::scalar::Real;
+use super::super::types::nearest::Motion;
 use super::super::{Nearest, Pose, Solution, Solutions, math};
 use super::acceptance::Acceptance;
 use super::branches::Branches;
@@ -13,6 +14,9 @@ use core::marker::PhantomData;
 /// A closed form with L branches for N joints, of which P more are given, that takes the
 /// sines and cosines of M angles of these and of a seed.
 pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize> {
+    /// What makes a branch a solution.
+    const ACCEPT: Acceptance;
+
     /// How many branches much of the arithmetic is done for.
     const WIDTH: usize;
 
@@ -70,19 +74,23 @@ impl<const N: usize, const L: usize, const T: usize> Lanes<N, L, T> {
         unsettled
     }
 
+    #[inline(always)]
+    fn reaches(&self, k: usize, t: usize, accept: &Acceptance) -> bool {
+        (self.invalid[k][t] <= 0.0) & (self.residual[k][t] <= accept.tolerance)
+    }
+
     /// Writes down the branches that reach target `t`.
     #[inline(always)]
     pub(super) fn write(&self, t: usize, accept: &Acceptance, solutions: &mut Solutions<N>) {
         solutions.clear(accept.prismatic);
         for k in 0..L {
-            let reaches = (self.invalid[k][t] <= 0.0) & (self.residual[k][t] <= accept.tolerance);
             let solution = Solution {
                 q: core::array::from_fn(|i| self.q[i][k][t]),
                 residual: self.residual[k][t],
                 branch: k as u32,
                 singular: self.singular[k][t] > 0.0,
             };
-            solutions.push_if(reaches, solution);
+            solutions.push_if(self.reaches(k, t, accept), solution);
         }
     }
 }
@@ -92,6 +100,16 @@ impl<const N: usize, const L: usize> Lanes<N, L, 1> {
     #[inline(always)]
     fn settled(&self, accept: &Acceptance) -> bool {
         !(self.free_angle().leaves_no_root() | self.branches().nearly(accept))
+    }
+
+    /// Whether of a branch that reaches the target a root is double or an angle free.
+    #[inline(always)]
+    fn singular(&self, accept: &Acceptance) -> bool {
+        let mut singular = false;
+        for k in 0..L {
+            singular |= self.reaches(k, 0, accept) & (self.singular[k][0] > 0.0);
+        }
+        singular
     }
 
     #[inline(always)]
@@ -128,8 +146,8 @@ fn alone<const L: usize>(lanes: &[[Real; 1]; L]) -> [Real; L] {
 
 /// What is asked of the branches of a target, and where to write it.
 enum Asked<'a, const N: usize> {
-    Solutions(&'a Acceptance, &'a mut Solutions<N>),
-    Nearest(&'a Acceptance, &'a Nearest<N>, &'a mut Option<Solution<N>>),
+    Solutions(&'a mut Solutions<N>),
+    Nearest(&'a Motion<'a, N>, &'a mut Option<Solution<N>>),
     Themselves,
 }
 
@@ -140,6 +158,8 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
+    /// Whether angles that are free are to be at this seed.
+    seeded: bool,
     solver: PhantomData<R>,
 }
 
@@ -158,6 +178,7 @@ where
             locked,
             sin_cos: Known::new(R::angles(seed, locked)),
             free: FREE_BELOW,
+            seeded: true,
             solver: PhantomData,
         }
     }
@@ -191,6 +212,28 @@ where
     }
 }
 
+impl<R, const N: usize, const L: usize, const P: usize, const M: usize> Given<'_, R, N, L, P, M>
+where
+    R: Inverse<N, L, P, M>,
+{
+    /// The solution that moves the joints least, angles that are free at the seed.
+    #[cold]
+    #[inline(never)]
+    fn nearest(
+        &self,
+        nearest: &Nearest<N>,
+        motion: &Motion<'_, N>,
+        otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+    ) -> Option<Solution<N>> {
+        let mut solution = None;
+        if let Some(found) = self.ask(Asked::Nearest(motion, &mut solution)) {
+            let nearest = nearest.from_seed(*self.seed);
+            solution = otherwise(self.with_root(found)).nearest_by(&nearest);
+        }
+        solution
+    }
+}
+
 /// The branches of one target and what is asked of them, in one function: what that has in
 /// registers does not go through memory to another.
 struct Single;
@@ -209,13 +252,16 @@ where
             pose, seed, locked, ..
         } = given;
         let lanes = R::lanes(&[**pose], seed, locked, given.sin_cos, given.free);
+        let accept = &R::ACCEPT;
         match asked {
-            Asked::Solutions(accept, place) if lanes.settled(accept) => {
+            Asked::Solutions(place) if lanes.settled(accept) => {
                 lanes.write(0, accept, place);
                 None
             }
-            Asked::Nearest(accept, nearest, place) if lanes.settled(accept) => {
-                *place = lanes.branches().choose(accept, nearest);
+            Asked::Nearest(motion, place)
+                if lanes.settled(accept) & (given.seeded | !lanes.singular(accept)) =>
+            {
+                *place = lanes.branches().choose(accept, motion);
                 None
             }
             _ => Some((lanes.branches(), lanes.free_angle())),
@@ -231,7 +277,6 @@ pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize>(
     pose: &Pose,
     seed: &[Real; N],
     locked: &[Real; P],
-    accept: &Acceptance,
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Solutions<N>
 where
@@ -239,33 +284,42 @@ where
 {
     // Here, where the seed is known: of zeros the sines are constants.
     let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
-    Solutions::build_with_prismatic(accept.prismatic, |solutions| {
-        if let Some(found) = given.ask(Asked::Solutions(accept, solutions)) {
+    Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
+        if let Some(found) = given.ask(Asked::Solutions(solutions)) {
             *solutions = otherwise(given.with_root(found));
         }
     })
 }
 
-/// Of the solutions of a robot for one target the one that moves the joints least, as
-/// [`Solutions::nearest_by`] of [`solve`], without writing the others down.
+/// Of the solutions of a robot for one target the one that moves the joints least from `seed`, as
+/// [`Solutions::nearest_by`] of [`solve`], without writing the others down. The seed of `nearest`
+/// is not read.
+///
+/// The branches do not wait for the sines of the seed, which count where an angle is free: they
+/// take those of zeros, which are constants, and run again for the few targets that have one.
 #[inline]
 pub fn solve_nearest<R, const N: usize, const L: usize, const P: usize, const M: usize>(
     _: &R,
     pose: &Pose,
     locked: &[Real; P],
-    accept: &Acceptance,
     nearest: &Nearest<N>,
+    seed: &[Real; N],
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Option<Solution<N>>
 where
     R: Inverse<N, L, P, M>,
 {
-    let given = Given::<R, N, L, P, M>::new(pose, &nearest.seed, locked);
+    let given = Given {
+        seeded: false,
+        ..Given::<R, N, L, P, M>::new(pose, &[0.0; N], locked)
+    };
+    let motion = nearest.motion(seed, R::ACCEPT.prismatic);
     let mut solution = None;
-    match given.ask(Asked::Nearest(accept, nearest, &mut solution)) {
-        None => solution,
-        Some(found) => otherwise(given.with_root(found)).nearest_by(nearest),
+    if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
+        let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
+        solution = given.nearest(nearest, &motion, otherwise);
     }
+    solution
 }
 
 impl<const N: usize, const L: usize> Branches<N, L> {

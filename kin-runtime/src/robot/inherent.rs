@@ -199,7 +199,6 @@ macro_rules! compute_in_batches {
         #[inline]
         fn ik_batch(&self, targets: &[$($root)*::Pose], solutions: &mut [$($root)*::Solutions<$n>]) {
             $($root)*::__private::batch::inverse::<$robot, $n, _, _>(
-                &$robot::ACCEPT,
                 targets,
                 solutions,
                 |target| self.ik(target),

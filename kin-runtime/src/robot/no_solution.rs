@@ -60,14 +60,14 @@ impl<const N: usize> NoSolution<N> {
     /// Why none of some solutions is wanted; none if there are none.
     #[cold]
     pub(crate) fn among(solutions: &Solutions<N>, nearest: &Nearest<N>) -> Option<Self> {
-        let joints = nearest.motion(solutions.prismatic());
+        let joints = nearest.motion(&nearest.seed, solutions.prismatic());
         let outside = |solution: &Solution<N>| {
             furthest::<N>(core::array::from_fn(|i| {
                 joints.beyond_limits(i, solution.q[i])
             }))
         };
         let too_far = |solution: &Solution<N>| {
-            furthest::<N>(core::array::from_fn(|i| joints.cost(i, solution.q[i]).1))
+            furthest::<N>(core::array::from_fn(|i| joints.beyond(i, solution.q[i])))
         };
         let inside = || {
             solutions

@@ -261,3 +261,9 @@ fn clamp(x: f64, bound: f64) -> f64 {
 pub fn max(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
+
+/// The smaller of two numbers, the second where either is NaN.
+#[inline(always)]
+pub fn min(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}

@@ -89,30 +89,32 @@ impl<const N: usize> Nearest<N> {
         })
     }
 
-    /// What the joints' motions cost, of which i is prismatic where bit i of
-    /// the mask is set.
+    /// What the joints' motions from a seed cost, of which i is prismatic where bit i
+    /// of the mask is set.
     #[inline(always)]
-    pub(crate) fn motion(&self, prismatic: u64) -> Motion<N> {
+    pub(crate) fn motion(&self, seed: &[Real; N], prismatic: u64) -> Motion<'_, N> {
         let mut motion = Motion {
-            travel: self.travel,
+            travel: &self.travel,
+            turn: [0.0; N],
             toward: [0.0; N],
             seed: [0.0; N],
             weight: [0.0; N],
             lower: [0.0; N],
             upper: [0.0; N],
         };
+        // Without comparisons of single joints, so that all are moved by packed instructions.
         for i in 0..N {
-            let known = self.seed[i].abs() < Real::INFINITY;
-            let seed = math::select(known, self.seed[i], 0.0);
-            let step = math::select(known, self.step[i], Real::INFINITY);
-            let (lower, upper) = (self.travel.lower[i], self.travel.upper[i]);
-            motion.seed[i] = seed;
-            motion.weight[i] = math::select(known, self.weights[i], 0.0);
-            motion.toward[i] = self.travel.toward(i, seed);
-            motion.lower[i] = math::select(seed - step > lower, seed - step, lower);
-            motion.upper[i] = math::select(seed + step < upper, seed + step, upper);
+            // The same, or no number.
+            let known = seed[i] + 0.0 * seed[i];
+            let is_known = !known.is_nan();
+            motion.seed[i] = math::select(is_known, known, 0.0);
+            motion.weight[i] = math::select(is_known, self.weights[i], 0.0);
+            motion.toward[i] = self.travel.toward(i, motion.seed[i]);
+            let [from, to] = [known - self.step[i], known + self.step[i]];
+            motion.lower[i] = math::max(from, self.travel.lower[i]) - JointLimit::TOLERANCE;
+            motion.upper[i] = math::min(to, self.travel.upper[i]) + JointLimit::TOLERANCE;
             let slides = prismatic >> i & 1 == 1;
-            motion.travel.turn[i] = math::select(slides, 0.0, self.travel.turn[i]);
+            motion.turn[i] = math::select(slides, 0.0, self.travel.turn[i]);
         }
         motion
     }
@@ -120,31 +122,38 @@ impl<const N: usize> Nearest<N> {
 
 /// What it takes to move joints from their seed.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion<const N: usize> {
-    travel: Travel<N>,
+pub(crate) struct Motion<'a, const N: usize> {
+    travel: &'a Travel<N>,
+    /// 2π, or 0 for metres.
+    turn: [Real; N],
     toward: [Real; N],
     seed: [Real; N],
     weight: [Real; N],
-    /// What limits and steps allow.
+    /// What limits and steps allow, to within [`JointLimit::TOLERANCE`].
     lower: [Real; N],
     upper: [Real; N],
 }
 
-impl<const N: usize> Motion<N> {
+impl<const N: usize> Motion<'_, N> {
     /// The value of joint i that is `q` but for full turns and costs least.
     #[inline(always)]
     pub fn value(&self, i: usize, q: Real) -> Real {
         self.travel.at_most_at_a_stop(i, self.wound(i, q))
     }
 
-    /// The square of its weighted distance from the seed, and how far it is
-    /// beyond what is allowed: more than [`JointLimit::TOLERANCE`] is too much.
+    /// The square of its weighted distance from the seed, and whether limits and steps allow it.
     #[inline(always)]
-    pub fn cost(&self, i: usize, q: Real) -> (Real, Real) {
+    pub fn cost(&self, i: usize, q: Real) -> (Real, bool) {
         let value = self.wound(i, q);
         let weighted = self.weight[i] * (value - self.seed[i]);
-        let excess = excess(value, self.lower[i], self.upper[i]);
-        (weighted * weighted, excess)
+        let allowed = (value >= self.lower[i]) & (value <= self.upper[i]);
+        (weighted * weighted, allowed)
+    }
+
+    /// How far what is `q` but for full turns is beyond limits and steps; to be allowed, no more
+    /// than [`JointLimit::TOLERANCE`].
+    pub fn beyond(&self, i: usize, q: Real) -> Real {
+        excess(self.wound(i, q), self.lower[i], self.upper[i]) + JointLimit::TOLERANCE
     }
 
     /// How far what is `q` but for full turns is beyond the limits.
@@ -154,7 +163,7 @@ impl<const N: usize> Motion<N> {
 
     #[inline(always)]
     fn wound(&self, i: usize, q: Real) -> Real {
-        wound(q, self.toward[i], self.travel.turn[i])
+        wound(q, self.toward[i], self.turn[i])
     }
 }
 
@@ -177,18 +186,18 @@ impl<const N: usize> Solutions<N> {
 
     /// As [`Solutions::nearest`], with weights and bounds on the steps.
     pub fn nearest_by(&self, nearest: &Nearest<N>) -> Option<Solution<N>> {
-        let joints = nearest.motion(self.prismatic());
+        let joints = nearest.motion(&nearest.seed, self.prismatic());
         let mut best = None;
         let mut least = Real::INFINITY;
         for solution in self {
             let mut motion = 0.0;
-            let mut excess = Real::NEG_INFINITY;
+            let mut allowed = true;
             for i in 0..N {
-                let (cost, beyond) = joints.cost(i, solution.q[i]);
+                let (cost, is_allowed) = joints.cost(i, solution.q[i]);
                 motion += cost;
-                excess = math::max(excess, beyond);
+                allowed &= is_allowed;
             }
-            if (excess <= JointLimit::TOLERANCE) & (motion < least) {
+            if allowed & (motion < least) {
                 least = motion;
                 let q = core::array::from_fn(|i| joints.value(i, solution.q[i]));
                 best = Some(Solution { q, ..*solution });

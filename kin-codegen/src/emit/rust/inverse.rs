@@ -76,7 +76,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
 /// All solutions of an arm that is solved without refinement.
 fn solve(seed: &TokenStream) -> TokenStream {
     quote! {
-        solve(self, pose, #seed, &[], &Self::ACCEPT, |branches| self.sorted(pose, &branches))
+        solve(self, pose, #seed, &[], |branches| self.sorted(pose, &branches))
     }
 }
 
@@ -179,6 +179,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let [level, no_root] = &lanes.free_angle;
     Some(quote! {
         impl Inverse<#n, #width, #locked, #count> for #robot {
+            const ACCEPT: Acceptance = #robot::ACCEPT;
             const WIDTH: usize = #busy;
             const FREE: ::core::option::Option<usize> = #free;
 
@@ -249,18 +250,24 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 /// The methods that choose the one solution that moves the joints least.
 pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
-    let (first, by) = match solver.inverse {
-        Inverse::Expressions(_) if solver.refinement == Refinement::None => (
-            quote! {
-                let nearest = const { Nearest::new([0.0; #n], &Self::LIMITS) };
-                let nearest = &nearest.from_seed(*seed);
-            },
-            quote! {
-                solve_nearest(self, pose, &[], &Self::ACCEPT, nearest, |branches| self.sorted(pose, &branches))
-            },
-        ),
+    let (from_seed, by) = match solver.inverse {
+        Inverse::Expressions(_) if solver.refinement == Refinement::None => {
+            let of = |nearest: TokenStream, seed: TokenStream| {
+                quote! {
+                    solve_nearest(
+                        self, pose, &[], #nearest, #seed,
+                        |branches| self.sorted(pose, &branches)
+                    )
+                }
+            };
+            let limits = quote!(const { &Nearest::new([0.0; #n], &Self::LIMITS) });
+            (
+                of(limits, quote!(seed)),
+                of(quote!(nearest), quote!(&nearest.seed)),
+            )
+        }
         _ => (
-            quote!(let nearest = &Nearest::new(*seed, &Self::LIMITS);),
+            quote!(self.ik_nearest_by(pose, &Nearest::new(*seed, &Self::LIMITS))),
             quote!(self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)),
         ),
     };
@@ -273,8 +280,7 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
         pub fn ik_nearest(&self, pose: &Pose, seed: &[f64; #n])
             -> ::core::option::Option<Solution<#n>>
         {
-            #first
-            self.ik_nearest_by(pose, nearest)
+            #from_seed
         }
 
         /// The solution that moves the joints least from the seed of `nearest`,

@@ -5,7 +5,6 @@
 //! rounding may keep from its target, is left to a call for that target alone: of
 //! random targets next to none.
 
-use super::super::super::generated::acceptance::Acceptance;
 use super::super::super::generated::dispatch::{Dispatched, dispatch};
 use super::super::super::generated::free_angle::FREE_BELOW;
 use super::super::super::generated::inverse::Inverse;
@@ -20,7 +19,6 @@ use core::marker::PhantomData;
 /// If there are not as many places for solutions as targets.
 #[inline]
 pub fn inverse<R, const N: usize, const L: usize, const M: usize>(
-    accept: &Acceptance,
     targets: &[Pose],
     solutions: &mut [Solutions<N>],
     alone: impl Fn(&Pose) -> Solutions<N>,
@@ -32,12 +30,12 @@ pub fn inverse<R, const N: usize, const L: usize, const M: usize>(
         solutions.len(),
         "a place for the solutions of each target"
     );
-    dispatch::<Blocks<R, L, M>, _>((accept, targets, solutions, alone));
+    dispatch::<Blocks<R, L, M>, _>((targets, solutions, alone));
 }
 
 struct Blocks<R, const L: usize, const M: usize>(PhantomData<R>);
 
-type Batch<'a, const N: usize, F> = (&'a Acceptance, &'a [Pose], &'a mut [Solutions<N>], F);
+type Batch<'a, const N: usize, F> = (&'a [Pose], &'a mut [Solutions<N>], F);
 
 impl<R, F, const N: usize, const L: usize, const M: usize> Dispatched<Batch<'_, N, F>>
     for Blocks<R, L, M>
@@ -48,27 +46,27 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn run((accept, targets, solutions, alone): Batch<'_, N, F>) {
+    fn run((targets, solutions, alone): Batch<'_, N, F>) {
         let (blocks, rest) = targets.as_chunks::<LANES>();
         let (filled, last) = solutions.as_chunks_mut::<LANES>();
         let seed = [0.0; N];
         let sin_cos = Known::new(R::angles(&seed, &[]));
         for (targets, solutions) in blocks.iter().zip(filled) {
             let lanes = R::lanes(targets, &seed, &[], sin_cos, FREE_BELOW);
-            let unsettled = lanes.unsettled(accept);
+            let unsettled = lanes.unsettled(&R::ACCEPT);
             for t in 0..LANES {
                 if unsettled[t] > 0.0 {
                     solutions[t] = alone(&targets[t]);
                 } else {
-                    lanes.write(t, accept, &mut solutions[t]);
+                    lanes.write(t, &R::ACCEPT, &mut solutions[t]);
                 }
             }
         }
-        Self::run_narrow((accept, rest, last, alone));
+        Self::run_narrow((rest, last, alone));
     }
 
     #[inline(always)]
-    fn run_narrow((_, targets, solutions, alone): Batch<'_, N, F>) {
+    fn run_narrow((targets, solutions, alone): Batch<'_, N, F>) {
         for (target, solutions) in targets.iter().zip(solutions) {
             *solutions = alone(target);
         }
