@@ -102,6 +102,8 @@ fn what_is_not_written_as_c_is_a_warning() {
         "--lang",
         "c",
         "tests/robots/noisy/calibrated.yaml",
+        "--target",
+        "position",
         "-o",
     ];
     let warned = kin(&[&command[..], &[folder.to_str().unwrap()]].concat());

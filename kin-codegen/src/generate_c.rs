@@ -26,8 +26,9 @@ pub struct GeneratedC {
 }
 
 /// Compiles a robot file to C99 that compiles as C++ as well: forward kinematics, Jacobians, and
-/// inverse kinematics, by closed forms or a polynomial in one joint. Of an arm that is off its
-/// design, whose solutions are refined, the C has no inverse kinematics, and a warning says why. The option `name` is what all symbols begin with, by default the file's stem in
+/// inverse kinematics, by closed forms or a polynomial in one joint. Of an arm off its design whose
+/// branches are refined without such a polynomial, for targets that are not whole poses or with
+/// joints given beside them, the C has no inverse kinematics, and a warning says why. The option `name` is what all symbols begin with, by default the file's stem in
 /// lower case.
 ///
 /// ```

@@ -773,10 +773,12 @@ int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
 
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, metres; what of a target counts. */
+ * and by how much solutions may miss the target, metres; below which conditioning of the Jacobian
+ * branches do not tell solutions, of an arm off its design; what of a target counts. */
 #define UR5E_SOLVED 6
 #define UR5E_SIZE 1.3122999999999998
 #define UR5E_TOLERANCE 1.3123e-9
+#define UR5E_NEAR_SINGULAR 0.0
 #define UR5E_COUNTS_TRANSLATION 1
 #define UR5E_COUNTS_ROTATION 1
 #define UR5E_COUNTS_AXIS 0

@@ -116,7 +116,7 @@ typedef struct ur5e_solution {
      * count. */
     double residual;
     /* Which combination of the plan's roots this is, below UR5E_BRANCHES; of the roots of a
-     * polynomial in one joint its place. */
+     * polynomial in one joint its place, from UR5E_BRANCHES on where these stand beside a plan. */
     int branch;
     /* Not 0 where the target is singular: q stands for a family of solutions, or for two that
      * have met. */

@@ -43,6 +43,16 @@ const OF_SEARCH: [[&str; 2]; 15] = [
     ["found->gap <= 1e-9", "found->gap <= 1e-1"],
 ];
 
+/// The same of what moves branches to the arm as given.
+const OF_REFINEMENT: [[&str; 2]; 3] = [
+    [
+        "if (!(lanes->invalid[k] <= 0.0))",
+        "if (lanes->invalid[k] <= 0.0)",
+    ],
+    ["if (!clear)", "if (clear > 1)"],
+    ["return solution->branch", "return -solution->branch"],
+];
+
 /// The text with one of its lines changed.
 fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
     let line = |(i, line): (usize, &str)| match i == number {
@@ -89,6 +99,18 @@ fn mistakes_of_the_search_are_found() {
     let right = generated(asked.path, "mistaken", &asked.options);
     let all: Vec<String> = replaced(&right.source, &OF_SEARCH).collect();
     each_is_found("mistakes_of_search", &asked, &right, &all);
+}
+
+#[test]
+fn mistakes_of_the_refinement_are_found() {
+    let asked = Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of("tests/robots/noisy/calibrated.yaml", Options::default())
+    };
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_REFINEMENT).collect();
+    each_is_found("mistakes_of_refinement", &asked, &right, &all);
 }
 
 /// A text with one passage replaced, for each of them.

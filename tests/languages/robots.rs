@@ -10,6 +10,8 @@ pub struct Asked {
     /// Whether a polynomial in one joint takes part: what of a family of solutions is found depends
     /// on rounding.
     pub eliminates: bool,
+    /// Whether branches of an idealized arm are refined.
+    pub refines: bool,
 }
 
 impl Asked {
@@ -19,6 +21,7 @@ impl Asked {
             path,
             options,
             eliminates: false,
+            refines: false,
         }
     }
 }
@@ -68,6 +71,15 @@ const ELIMINATED: &[(&str, Option<Target>)] = &[
     ("tests/ui/robots/general.yaml", None),
 ];
 
+/// Off their design, or with steps that degenerate where they do not: the branches of a closed form,
+/// refined, and a polynomial beside it.
+const REFINED: &[&str] = &[
+    "tests/robots/noisy/calibrated.yaml",
+    "tests/robots/noisy/stray_offset.yaml",
+    "tests/robots/noisy/truncated_pi.yaml",
+    "tests/robots/targets/welder.yaml",
+];
+
 /// For what of a target counts.
 const AIMED: &[(&str, Target)] = &[
     ("robots/planar_3r.yaml", Target::Planar),
@@ -97,6 +109,11 @@ pub fn all() -> Vec<Asked> {
             ..Asked::of(path, options)
         }
     });
+    let refined = REFINED.iter().map(|&path| Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of(path, RobotOptions::default())
+    });
     let aimed = AIMED.iter().map(|&(path, target)| {
         let options = RobotOptions {
             target: Some(target),
@@ -116,6 +133,10 @@ pub fn all() -> Vec<Asked> {
         };
         Asked::of(path, options)
     });
-    let all = by_default.chain(eliminated).chain(aimed).chain([seven]);
+    let all = by_default
+        .chain(eliminated)
+        .chain(refined)
+        .chain(aimed)
+        .chain([seven]);
     all.chain(forward_alone).collect()
 }

@@ -14,6 +14,9 @@ pub fn refused(compiled: &CompiledArm, language: &str, has_search: bool) -> Opti
     );
     let (reason, remedy) = match (&form.inverse, &form.refinement) {
         (Inverse::Univariate(_), _) if has_search => return None,
+        (_, Refinement::Univariate(_)) if has_search && form.given.locked.is_empty() => {
+            return None;
+        }
         (Inverse::Univariate(_), _) => (
             format!(
                 "the arm has no closed form, and the polynomial in one joint that solves it, {}, \

@@ -11,6 +11,7 @@ use crate::emit::text::{degrees, number};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::redundancy::Redundancy;
+use kin_runtime::Solutions;
 use std::fmt::Write as _;
 
 const CONVENTIONS: &str = include_str!("runtime/conventions.h");
@@ -55,7 +56,11 @@ pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
             "/* How many branches inverse kinematics looks at. */"
         );
         let _ = writeln!(sizes, "#define KIN_BRANCHES {branches}");
-        let _ = writeln!(sizes, "#define KIN_MAX_SOLUTIONS {branches}");
+        let solutions = match form.elimination() {
+            Some(_) => Solutions::<6>::CAPACITY,
+            None => branches,
+        };
+        let _ = writeln!(sizes, "#define KIN_MAX_SOLUTIONS {solutions}");
         if let Some(redundancy) = &compiled.redundancy {
             let _ = writeln!(
                 sizes,

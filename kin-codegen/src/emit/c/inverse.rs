@@ -2,7 +2,8 @@
 
 use super::language::signed;
 use super::{lanes, runtime, univariate};
-use crate::closed_form::{ClosedForm, Inverse};
+use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::emit::curly::indented;
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
@@ -44,7 +45,12 @@ fn by_expressions(
         ]
         .join("\n"),
         None if solver.plan.target.is_projected() => String::new(),
+        None if !solver.is_exact() => univariate::correction(solver),
         None => [runtime::SEEN, runtime::CORRECTION, runtime::CORRECTED].join("\n"),
+    };
+    let (search, refined) = match &solver.refinement {
+        Refinement::Univariate(arm) => univariate::refine(solver, arm),
+        _ => (String::new(), String::new()),
     };
     vec![
         lanes::function(solver, inverse),
@@ -52,7 +58,8 @@ fn by_expressions(
         branches(solver, inverse),
         runtime::SOLUTIONS.to_owned(),
         correction,
-        solve(solver, swivel.is_some()),
+        search,
+        solve(solver, swivel.is_some(), &refined),
     ]
 }
 
@@ -75,6 +82,7 @@ fn constants(solver: &ClosedForm) -> String {
         ("SOLVED", solver.given.variables().to_string()),
         ("SIZE", signed(size)),
         ("TOLERANCE", signed(tolerance)),
+        ("NEAR_SINGULAR", signed(solver.acceptance().near_singular)),
         ("COUNTS_TRANSLATION", is(translation).to_string()),
         (
             "COUNTS_ROTATION",
@@ -85,7 +93,8 @@ fn constants(solver: &ClosedForm) -> String {
     ];
     let mut out = String::from(
         "/* The joints that are solved for; the arm's size, at whose distance angles count as \
-         lengths,\n * and by how much solutions may miss the target, metres; what of a target \
+         lengths,\n * and by how much solutions may miss the target, metres; below which conditioning of \
+         the Jacobian\n * branches do not tell solutions, of an arm off its design; what of a target \
          counts. */\n",
     );
     for (name, value) in all {
@@ -190,8 +199,31 @@ fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> String {
     )
 }
 
-/// The branches that reach their target.
-fn solve(solver: &ClosedForm, swivel: bool) -> String {
+/// The branches that reach their target, or what becomes of them by the statements `refined`: of all
+/// of an arm off its design, and of an exact one where a step degenerates.
+fn solve(solver: &ClosedForm, swivel: bool, refined: &str) -> String {
+    if !solver.is_exact() {
+        return format!(
+            "/* The branches, refined to the arm as given. */\n\
+             static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
+             const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
+             kin_search search;\n    int count;\n    \
+             kin_compute_branches(target, seed, given, &lanes);\n{refined}}}\n"
+        );
+    }
+    let degenerates = match refined {
+        "" => String::new(),
+        _ => format!(
+            "    for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
+             degenerates |= (lanes.invalid[k] <= 0.0) & (lanes.singular[k] > 0.0);\n    }}\n    \
+             if (degenerates) {{\n        kin_search search;\n{}    }}\n",
+            indented(refined)
+        ),
+    };
+    let flag = match refined {
+        "" => "",
+        _ => "    int degenerates = 0;\n",
+    };
     let corrected = match solver.plan.target.is_projected() || swivel {
         true => "",
         false => {
@@ -216,7 +248,8 @@ fn solve(solver: &ClosedForm, swivel: bool) -> String {
         "/* The branches that reach their target, those that rounding keeps from it corrected. */\n\
          static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
          const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
-         int count = 0;\n{mark}    kin_compute_branches(target, seed, given, &lanes);\n    \
+         int count = 0;\n{mark}{flag}    kin_compute_branches(target, seed, given, &lanes);\n\
+         {degenerates}    \
          for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
          if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_TOLERANCE) {{\n            \
          double q[KIN_SOLVED];\n            \

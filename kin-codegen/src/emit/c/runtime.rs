@@ -62,6 +62,8 @@ pub const SOLVE: &str = include_str!("runtime/univariate/solve.c");
 pub const WHOLE: &str = include_str!("runtime/univariate/whole.c");
 /// Solutions of fewer, as there, behind [`SEEN`] and [`CORRECTION`].
 pub const SHORT: &str = include_str!("runtime/univariate/short.c");
+/// From branches of an idealized arm to solutions of the arm as given, as in `search.rs`.
+pub const REFINE: &str = include_str!("runtime/univariate/refine.c");
 /// A target moved by joints that are given.
 pub const CARRY: &str = include_str!("runtime/univariate/carry.c");
 /// Values inside the limits.

@@ -20,6 +20,45 @@ pub fn search(arm: &Arm) -> String {
     parts.join("\n")
 }
 
+/// Whether all six joints are the arm's own: then what is found are its solutions.
+fn is_whole(solver: &ClosedForm, arm: &Arm) -> bool {
+    let free_turn = usize::from(arm.counts == Target::PositionAxis);
+    solver.given.variables() + free_turn == 6
+}
+
+/// The call that makes solutions of what was found.
+fn to_solutions(solver: &ClosedForm, arm: &Arm) -> &'static str {
+    match is_whole(solver, arm) {
+        true => "kin_to_solutions(&search.found, given, solutions)",
+        false => "kin_to_solutions(target, &search.found, given, solutions)",
+    }
+}
+
+/// What [`refine`] needs of an arm off its design: of one with other joints behind its tip the
+/// correction.
+pub fn correction(solver: &ClosedForm) -> String {
+    match solver.elimination() {
+        Some(arm) if !is_whole(solver, arm) => [runtime::SEEN, runtime::CORRECTION].join("\n"),
+        _ => String::new(),
+    }
+}
+
+/// From branches of an idealized arm to solutions of this one, behind its branches and
+/// [`runtime::CORRECTION`]: what it is, and the statements that do it.
+pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
+    let short = match is_whole(solver, arm) {
+        true => runtime::WHOLE,
+        false => runtime::SHORT,
+    };
+    let parts = [&search(arm), short, runtime::REFINE].join("\n");
+    let refined = format!(
+        "    kin_refine(target, &lanes, &search);\n    count = {};\n    \
+         return count > 0 ? count : kin_why_none(target);\n",
+        to_solutions(solver, arm)
+    );
+    (parts, refined)
+}
+
 /// From what is found to solutions, and `kin_solve`; behind [`search`].
 pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
     let carried = Carried::new(&solver.given);
@@ -27,14 +66,10 @@ pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
         true => (String::new(), "target"),
         false => (carry(&carried), "carried"),
     };
-    let free_turn = usize::from(arm.counts == Target::PositionAxis);
-    let is_whole = solver.given.variables() + free_turn == 6;
-    let (parts, found) = match is_whole {
-        true => (vec![runtime::WHOLE], "&search.found"),
-        false => (
-            vec![runtime::SEEN, runtime::CORRECTION, runtime::SHORT],
-            "target, &search.found",
-        ),
+    let found = to_solutions(solver, arm);
+    let parts = match is_whole(solver, arm) {
+        true => vec![runtime::WHOLE],
+        false => vec![runtime::SEEN, runtime::CORRECTION, runtime::SHORT],
     };
     let carrying = match carry.is_empty() {
         true => "",
@@ -45,7 +80,7 @@ pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
          static int kin_solve(\n    const double target[12], const double *seed, \
          const double *given,\n    kin_solution *solutions)\n{{\n    kin_search search;\n    \
          int count;\n{carrying}    kin_search_target({target}, seed, &search);\n    \
-         count = kin_to_solutions({found}, given, solutions);\n    \
+         count = {found};\n    \
          for (int i = 0; i < count; ++i) {{\n        solutions[i].branch = i;\n    }}\n    \
          return count > 0 ? count : kin_why_none(target);\n}}\n"
     );
@@ -69,12 +104,14 @@ fn constants(arm: &Arm) -> String {
     );
     let _ = writeln!(
         out,
-        "\n/* The arm's six joints, some of which may stand behind its tip and stay at zero: the \
-         constant\n * motions between them, lengths in units of half its size, and which slide. */\n\
+        "\n/* The arm's size as given, metres, and its six joints, some of which may stand behind \
+         its tip and\n * stay at zero: the constant motions between them, lengths in units of half \
+         that size, and which\n * slide. */\n#define KIN_ARM_SIZE {}\n\
          static const double kin_fixed[7][12] = {{\n    {}}};\n\
          static const int kin_slides[6] = {{{}}};\n\n\
          /* Those that are asked, the best first. */\n#define KIN_ELIMINATIONS {}\n\
          static const kin_elimination kin_eliminations[KIN_ELIMINATIONS] = {{\n    {}}};",
+        signed(arm.size),
         fixed.collect::<Vec<_>>().join(",\n    "),
         slides.collect::<Vec<_>>().join(", "),
         arm.kept.len(),

@@ -7,7 +7,7 @@ typedef struct kin_solution {
      * count. */
     double residual;
     /* Which combination of the plan's roots this is, below KIN_BRANCHES; of the roots of a
-     * polynomial in one joint its place. */
+     * polynomial in one joint its place, from KIN_BRANCHES on where these stand beside a plan. */
     int branch;
     /* Not 0 where the target is singular: q stands for a family of solutions, or for two that
      * have met. */

@@ -80,7 +80,7 @@ static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int 
     for (int i = 0; i < 6; ++i) {
         solution.q[i] = kin_slides[i] ? arrived->q[i][lane] : kin_wrap(arrived->q[i][lane]);
     }
-    solution.residual = KIN_SIZE * sqrt(residual * residual + gap * gap);
+    solution.residual = KIN_ARM_SIZE * sqrt(residual * residual + gap * gap);
     solution.branch = branch;
     solution.singular = arrived->independence[lane] < KIN_SINGULAR;
     if (!solution.singular) {

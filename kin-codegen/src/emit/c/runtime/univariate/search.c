@@ -85,7 +85,7 @@ static void kin_forget(kin_search *search)
 static void kin_begin(const double target[12], kin_search *search)
 {
     for (int i = 0; i < 12; ++i) {
-        search->target[i] = target[i] * (i % 4 == 3 ? 2.0 / KIN_SIZE : 1.0);
+        search->target[i] = target[i] * (i % 4 == 3 ? 2.0 / KIN_ARM_SIZE : 1.0);
     }
     if (KIN_COUNTS_AXIS) {
         kin_complete_axis(search->target);
@@ -313,13 +313,6 @@ static void kin_ask(
     if (!asked->is_drowned) {
         kin_find_roots(&f, &asked->roots);
     }
-}
-
-/* Whether every root is known to be one, or two. */
-static int kin_is_clear(const kin_asked *asked)
-{
-    return asked->noise < KIN_NOISY && !asked->is_drowned && !asked->roots.several
-        && !asked->roots.incomplete;
 }
 
 /* Whether the solutions near a candidate are known to be all: two that share a value of the kept

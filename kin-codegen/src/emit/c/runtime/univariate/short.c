@@ -20,7 +20,7 @@ static int kin_to_solutions(
             continue;
         }
         for (int j = 0; j < KIN_SOLVED; ++j) {
-            here.q[j] = kin_slides[j] ? 0.5 * KIN_SIZE * six->q[j] : six->q[j];
+            here.q[j] = kin_slides[j] ? 0.5 * KIN_ARM_SIZE * six->q[j] : six->q[j];
         }
         /* A regular solution takes two evaluations. */
         solution.singular = kin_correct(target, given, 24, &here);
@@ -30,7 +30,7 @@ static int kin_to_solutions(
         kin_whole(here.q, given, solution.q);
         solution.residual = here.residual;
         solution.branch = six->branch;
-        if (solution.residual <= 1e-9 * KIN_SIZE) {
+        if (solution.residual <= 1e-9 * KIN_ARM_SIZE) {
             count = kin_insert(&solution, solutions, count);
         }
     }

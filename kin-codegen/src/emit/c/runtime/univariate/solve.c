@@ -1,3 +1,10 @@
+/* Whether every root is known to be one, or two. */
+static int kin_is_clear(const kin_asked *asked)
+{
+    return asked->noise < KIN_NOISY && !asked->is_drowned && !asked->roots.several
+        && !asked->roots.incomplete;
+}
+
 /* Asks the eliminations in turn until one is sure of its answer. Where roots are not told apart
  * that costs more than the next polynomial, which is looked at before. */
 static void kin_search_all(kin_search *search)
@@ -34,7 +41,7 @@ static void kin_search_target(const double target[12], const double *seed, kin_s
         kin_pack from[6];
         kin_arrived arrived;
         for (int i = 0; i < 6; ++i) {
-            const double unit = kin_slides[i] ? 2.0 / KIN_SIZE : 1.0;
+            const double unit = kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
             kin_fill(from[i], i < KIN_SOLVED ? unit * seed[i] : 0.0);
         }
         kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);

@@ -10,7 +10,7 @@ static int kin_to_solutions(const kin_found *found, const double *given, kin_sol
             break;
         }
         for (int j = 0; j < KIN_SOLVED; ++j) {
-            q[j] = kin_slides[j] ? 0.5 * KIN_SIZE * six->q[j] : six->q[j];
+            q[j] = kin_slides[j] ? 0.5 * KIN_ARM_SIZE * six->q[j] : six->q[j];
         }
         kin_whole(q, given, solutions[count].q);
         solutions[count].residual = six->residual;

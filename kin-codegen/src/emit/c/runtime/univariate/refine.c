@@ -1,0 +1,67 @@
+/* Starts Newton's method from branches of the idealized arm; whether all lead to regular solutions,
+ * each to one of its own. */
+static int kin_refine_some(kin_search *search, const int *numbers)
+{
+    kin_found *found = &search->found;
+    kin_pack from[6];
+    kin_arrived arrived;
+    const int count = kin_dequeue(&search->starts, from), before = found->regular_count;
+    kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+    for (int k = 0; k < count; ++k) {
+        if (!kin_insert_arrived(found, &arrived, k, numbers[k])) {
+            kin_stick(search, &arrived, k);
+        }
+    }
+    return found->regular_count == before + count;
+}
+
+static double kin_branch_of(const kin_six *solution)
+{
+    return solution->branch;
+}
+
+/* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers.
+ * Where one is flagged, lost, or too near to another one to tell them apart, an elimination is asked
+ * for the others, which are numbered from KIN_BRANCHES on. */
+static void kin_refine(const double target[12], const kin_lanes *lanes, kin_search *search)
+{
+    kin_found *found = &search->found;
+    int numbers[KIN_LANES], clear = 1;
+    kin_begin(target, search);
+    if (!(found->gap <= 1e-9)) {
+        return;
+    }
+    /* Where a root of the plan is flagged, the two solutions that differ by its sign may be as far
+     * from each other. */
+    search->meeting = kin_max(KIN_MEETING, 4.0 * KIN_NEAR_SINGULAR);
+    search->branch = KIN_BRANCHES;
+    for (int k = 0; k < KIN_BRANCHES; ++k) {
+        double q[6];
+        if (!(lanes->invalid[k] <= 0.0)) {
+            continue;
+        }
+        clear = clear && !(lanes->singular[k] > 0.0);
+        for (int i = 0; i < 6; ++i) {
+            q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
+            q[i] *= kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
+        }
+        numbers[search->starts.count] = k;
+        kin_enqueue(&search->starts, q);
+        if (search->starts.count == KIN_LANES) {
+            clear = kin_refine_some(search, numbers) && clear;
+        }
+    }
+    if (search->starts.count > 0) {
+        clear = kin_refine_some(search, numbers) && clear;
+    }
+    if (!clear) {
+        kin_asked asked;
+        kin_ask(search, &kin_eliminations[0], &asked);
+        kin_answer(search, &asked);
+    }
+    for (int i = 0; i < found->singular_count && found->regular_count < KIN_MOST_FOUND; ++i) {
+        found->regular[found->regular_count++] = found->singular[i];
+    }
+    found->singular_count = 0;
+    kin_sort(found->regular, found->regular_count, kin_branch_of);
+}
