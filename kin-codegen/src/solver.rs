@@ -8,7 +8,7 @@ use crate::geometry::{AxisRelation, Idealized, Linkage, Moved, axes, idealize, r
 use crate::model::{JointKind, Model};
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
-use crate::univariate::{self, Kept};
+use crate::univariate::{self, Kept, MOST};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
@@ -176,9 +176,11 @@ fn completed(trials: &Trials, best: Certified) -> Certified {
         form.is_exact() && form.refinement == Refinement::None && form.single.is_none()
     };
     let arm = (is_whole && asks(form)).then(|| univariate::Arm::new(trials.linkage()));
-    let Some(arm) = arm.flatten() else {
+    let Some(mut arm) = arm.flatten() else {
         return best;
     };
+    // Singular targets are why it is asked, of which none is sure.
+    arm.kept.truncate(1);
     let flagged = inverse(
         &form.linkage,
         &form.plan,
@@ -322,7 +324,7 @@ fn solve_idealized(
         });
     }
     let mut beside = match first.first() {
-        Some(first) if !exact => elimination_beside(trials, first),
+        Some(first) if !exact => eliminations_beside(trials, first),
         _ => None,
     };
     let mut chosen = 1;
@@ -376,7 +378,7 @@ fn solve_idealized(
             // What one elimination loses another may find.
             while outcome.is_err() && beside.is_some() && chosen < CHOICES {
                 chosen += 1;
-                let another = elimination_beside(trials, &form);
+                let another = eliminations_beside(trials, &form);
                 if another == beside {
                     break;
                 }
@@ -440,11 +442,12 @@ impl Later<'_> {
     }
 }
 
-/// The elimination to ask beside the branches of an idealized arm: near a singular
+/// The eliminations to ask beside the branches of an idealized arm: near a singular
 /// configuration two solutions are apart along the motion that moves the tip least, and
 /// a joint tells them apart if it takes part in that. Of those that lose least there and of what
-/// others have lost, the one that most motions move and whose polynomial has the least noise.
-fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
+/// others have lost, the one that most motions move and whose polynomial has the least noise; and
+/// behind it what finds most of what it loses.
+fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
     if form.plan.target != Target::Pose || trials.linkage().parameters() > 0 {
         return None;
     }
@@ -465,19 +468,33 @@ fn elimination_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::
             refinement: Refinement::Univariate(Box::new(arm.clone())),
             ..form.clone()
         };
-        let again = trials.lost_again(&form).into_iter();
-        trials.lost_near(&form, &near) + again.filter(|lost| *lost).count()
+        let mut lost = trials.lost_near(&form, &near);
+        lost.extend(trials.lost_again(&form));
+        lost
     };
-    let mut best: Option<(usize, univariate::Arm)> = None;
     arms.sort_by_key(quality);
+    let mut each = Vec::new();
     for arm in arms {
         let lost = lost(&arm);
-        if best.as_ref().is_none_or(|(fewest, _)| lost < *fewest) {
-            best = Some((lost, arm));
+        if !lost.contains(&true) {
+            return Some(arm);
         }
-        if lost == 0 {
+        each.push((arm, lost));
+    }
+    let count = |lost: &[bool]| lost.iter().filter(|lost| **lost).count();
+    let (mut best, mut left) = each.iter().min_by_key(|(_, lost)| count(lost)).cloned()?;
+    while best.kept.len() < MOST {
+        let both =
+            |lost: &[bool]| -> Vec<bool> { left.iter().zip(lost).map(|(a, b)| *a && *b).collect() };
+        let with = each.iter().map(|(arm, lost)| (arm, both(lost)));
+        let Some((arm, fewer)) = with.min_by_key(|(_, lost)| count(lost)) else {
+            break;
+        };
+        if count(&fewer) == count(&left) {
             break;
         }
+        best.kept.extend(&arm.kept);
+        left = fewer;
     }
-    best.map(|(_, arm)| arm)
+    Some(best)
 }

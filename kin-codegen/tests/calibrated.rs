@@ -215,23 +215,29 @@ fn nearly_parallel_axes_cost_no_digits() {
 }
 
 /// A slide that goes far beside a wrist that is off its point: the elimination that does best
-/// on random targets loses round configurations, and others are never sure and lose none.
+/// on random targets loses round configurations, and others are never sure and lose none. Of the
+/// first arm each loses some near the wrist's singularity, and two together none.
 #[test]
 fn round_configurations_of_a_noisy_arm_with_a_slide_come_back() {
     let design = design("robots/stanford.yaml");
-    for (noise, seed) in [(1e-3, 2), (1e-3, 7), (2e-3, 4), (2e-3, 8)] {
+    for (noise, seed, drowned) in [
+        (1e-3, 2, DROWNED),
+        (1e-3, 7, 1e-3),
+        (2e-3, 4, 1e-3),
+        (2e-3, 8, 1e-3),
+    ] {
         let mut random = Random(0x9e37_79b9 * seed + 12345);
         let model = measured(&design, noise, &mut random);
         let solved = solve(&model, &Linkage::new(&model), Target::Pose);
         let Certified { form, certificate } = solved.expect("a plan");
         assert_eq!(certificate.lost, 0, "{noise:e} {seed}");
         let (chain, length) = (model.chain(), size(&model));
-        for k in 0..200 {
+        for k in 0..600 {
             let q = configuration(k, &mut random);
             let conditioning = conditioning(&chain, &q, length, Target::Pose);
             let solutions = form.solutions(&chain.fk(&q));
             let back = recovered(&model, &q, &solutions, conditioning);
-            assert!(conditioning < 1e-3 || back.is_ok(), "{seed}: {back:?}");
+            assert!(conditioning < drowned || back.is_ok(), "{seed}: {back:?}");
         }
     }
 }

@@ -56,12 +56,11 @@ fn refinement(refinement: &Refinement) -> String {
             format!("At most {steps} Newton steps refine every branch onto the file's arm.")
         }
         Refinement::Univariate(arm) => {
-            let elimination = arm.kept[0].elimination;
+            let degree = arm.kept[0].elimination.degree;
             format!(
                 "Newton's method refines every branch onto the file's arm; near singular ones the \
-                 roots of a polynomial in q{} of degree {} tell the others.",
-                elimination.joints[0] + 1,
-                elimination.degree
+                 roots of a polynomial of degree {degree} in {} tell the others.",
+                arm.kept_beside(),
             )
         }
     }

@@ -210,15 +210,15 @@ impl<'a> Trials<'a> {
         near.take(NEAR).collect()
     }
 
-    /// How many of some configurations near singular ones a closed form loses.
-    pub fn lost_near(&self, form: &ClosedForm, near: &[NearSingular]) -> usize {
+    /// Which of some configurations near singular ones a closed form loses.
+    pub fn lost_near(&self, form: &ClosedForm, near: &[NearSingular]) -> Vec<bool> {
         let chain = self.model.chain();
         let tried = near.iter().step_by(near.len().div_ceil(TRIED).max(1));
-        let lost = tried.filter(|near| {
+        let lost = tried.map(|near| {
             let solutions = form.solutions(&chain.fk(&near.q));
             recovered(self.model, &near.q, &solutions, near.conditioning).is_err()
         });
-        lost.count()
+        lost.collect()
     }
 
     /// The configurations that some plan has lost, of an arm that takes nothing beside a target.

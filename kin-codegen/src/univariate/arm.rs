@@ -110,6 +110,22 @@ impl Arm {
             .collect()
     }
 
+    /// Which joint is kept, of an elimination beside branches: `q4`, and which others where that is
+    /// not sure of its answer.
+    pub fn kept_beside(&self) -> String {
+        let joints = self.kept.iter().map(|kept| kept.elimination.joints[0] + 1);
+        let mut joints = joints.map(|joint| format!("q{joint}"));
+        let first = joints.next().unwrap_or_default();
+        let others: Vec<String> = joints.collect();
+        match others.is_empty() {
+            true => first,
+            false => format!(
+                "{first}, or {} where that is not sure of all,",
+                others.join(", then ")
+            ),
+        }
+    }
+
     /// What generated code computes for a target from the branches of an idealized arm;
     /// see [`Univariate::refined`].
     pub fn refined<const N: usize>(

@@ -307,16 +307,15 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
         ));
     }
     if let Refinement::Univariate(arm) = &solver.refinement {
-        let elimination = arm.kept[0].elimination;
         let where_ = match solver.is_exact() {
             true => "Where a step degenerates",
             false => "Near singular configurations",
         };
         lines.push(format!(
             "{where_}, where branches do not tell all solutions, the roots of a polynomial of \
-             degree {} in q{} do; what they add is numbered from {} on.",
-            elimination.degree,
-            elimination.joints[0] + 1,
+             degree {} in {} do; what they add is numbered from {} on.",
+            arm.kept[0].elimination.degree,
+            arm.kept_beside(),
             solver.plan.branches(),
         ));
     }

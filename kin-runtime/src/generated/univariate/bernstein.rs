@@ -3,6 +3,7 @@
 use super::harmonics::{DEGREE, Harmonics};
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::turn::{cosine_of_turn, sine_of_turn};
+use crate::generated::dispatch::{Dispatched, dispatch};
 use core::f64::consts::TAU;
 
 /// The circle in arcs.
@@ -21,6 +22,11 @@ const FIRST_TURN: [f64; 2] = [0.999_311_873_934_065_4, 0.037_091_489_783_865_11]
 /// The middle of an arc, radians.
 pub(super) fn middle(arc: usize) -> f64 {
     FIRST + TAU / ARCS as f64 * arc as f64
+}
+
+/// The cosine and sine of it.
+pub(super) fn turn_of_middle(arc: usize) -> [f64; 2] {
+    MIDDLES[1][arc % ARCS]
 }
 
 /// tan of a quarter of an arc: an arc is θ = middle + 2 atan t, |t| up to this.
@@ -118,7 +124,85 @@ pub(super) struct Arcs {
 impl Arcs {
     /// The coefficients on one of them.
     pub fn of(&self, lane: usize) -> [f64; COEFFICIENTS] {
-        self.coefficients.map(|row| row[lane])
+        core::array::from_fn(|i| self.coefficients[i][lane])
+    }
+}
+
+/// Where an interval is cut, as a share of it; not quite halves, since roots like to be in the
+/// middle.
+pub(super) const CUT: f64 = 0.4871;
+
+/// De Casteljau's algorithm at [`CUT`] as two matrices, by column: the coefficients of either part
+/// are means of the whole's.
+struct Cut<const N: usize, const ROOM: usize> {
+    low: [[f64; ROOM]; N],
+    high: [[f64; ROOM]; N],
+}
+
+static CUT_LOW: Cut<17, 24> = Cut::new();
+static CUT_HIGH: Cut<COEFFICIENTS, 32> = Cut::new();
+
+impl<const N: usize, const ROOM: usize> Cut<N, ROOM> {
+    const fn new() -> Self {
+        let mut out = Self {
+            low: [[0.0; ROOM]; N],
+            high: [[0.0; ROOM]; N],
+        };
+        // Row i of the lower part: the chances of so many of i throws.
+        let mut row = [0.0; N];
+        row[0] = 1.0;
+        let mut other = row;
+        let mut i = 0;
+        while i < N {
+            let mut j = i + 1;
+            while j > 0 {
+                j -= 1;
+                out.low[j][i] = row[j];
+                out.high[N - 1 - j][N - 1 - i] = other[j];
+                if j + 1 < N {
+                    row[j + 1] += CUT * row[j];
+                    other[j + 1] += (1.0 - CUT) * other[j];
+                }
+                row[j] *= 1.0 - CUT;
+                other[j] *= CUT;
+            }
+            i += 1;
+        }
+        out
+    }
+
+    #[inline(always)]
+    fn parts(&self, whole: &[f64; COEFFICIENTS]) -> [[f64; COEFFICIENTS]; 2] {
+        let (mut low, mut high) = ([0.0; ROOM], [0.0; ROOM]);
+        for j in 0..N {
+            for i in 0..ROOM {
+                low[i] += self.low[j][i] * whole[j];
+                high[i] += self.high[j][i] * whole[j];
+            }
+        }
+        let mut out = [[0.0; COEFFICIENTS]; 2];
+        out[0][..N].copy_from_slice(&low[..N]);
+        out[1][..N].copy_from_slice(&high[..N]);
+        out
+    }
+}
+
+/// The coefficients of both parts of an interval that has so many.
+pub(super) fn cut(whole: &[f64; COEFFICIENTS], count: usize) -> [[f64; COEFFICIENTS]; 2] {
+    dispatch::<InParts, _>((whole, count))
+}
+
+struct InParts;
+
+impl Dispatched<(&[f64; COEFFICIENTS], usize)> for InParts {
+    type Output = [[f64; COEFFICIENTS]; 2];
+
+    #[inline(always)]
+    fn run((whole, count): (&[f64; COEFFICIENTS], usize)) -> Self::Output {
+        match count <= 17 {
+            true => CUT_LOW.parts(whole),
+            false => CUT_HIGH.parts(whole),
+        }
     }
 }
 
@@ -170,8 +254,12 @@ fn on_half<L: Lanes>(f: &Harmonics, arc: usize) -> Arcs {
         at = product.where_less(L::ZERO, L::splat((i - 1) as f64), at);
     }
     let share = at.plus(before, (before - behind).inverse());
+    let mut numbers = [[0.0; LANES]; COEFFICIENTS];
+    for i in 0..count {
+        numbers[i] = coefficients[i].numbers();
+    }
     Arcs {
-        coefficients: coefficients.map(L::numbers),
+        coefficients: numbers,
         count,
         least: least.numbers(),
         changes: changes.numbers(),
@@ -198,3 +286,28 @@ static MIDDLES: [[[f64; 2]; ARCS]; DEGREE + 1] = {
     }
     out
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_those_of_de_casteljau() {
+        for count in [17, COEFFICIENTS] {
+            let mut whole = [0.0; COEFFICIENTS];
+            for (i, x) in whole[..count].iter_mut().enumerate() {
+                *x = (1.7 * (i * i) as f64).sin();
+            }
+            let [low, high] = cut(&whole, count);
+            let mut rest = whole;
+            for i in 0..count {
+                assert!((low[i] - rest[0]).abs() < 1e-14, "{i} of {count}");
+                let last = rest[count - 1 - i];
+                assert!((high[count - 1 - i] - last).abs() < 1e-14, "{i} of {count}");
+                for j in 0..count - 1 - i {
+                    rest[j] += CUT * (rest[j + 1] - rest[j]);
+                }
+            }
+        }
+    }
+}

@@ -1,9 +1,9 @@
 //! Many matrices at once, in lanes: their determinants, and what they nearly take to
 //! zero.
 
-use super::elimination::{EQUATIONS, SIZE};
+use super::elimination::{AtValues, SIZE};
 use super::lanes::{Lanes, dot};
-use super::matrix::{Compact, Matrices, Places, Vectors, WIDTH};
+use super::matrix::{Compact, Places, Vectors, WIDTH};
 
 /// What is divided by instead of 0.
 const LEAST_PIVOT: f64 = 1e-30;
@@ -31,7 +31,7 @@ impl<L: Lanes> Factors<L> {
 
     /// Of the matrices of an elimination.
     #[inline(always)]
-    pub fn factor(&mut self, places: &Places, equations: &[[L; 9]; EQUATIONS]) {
+    pub fn factor(&mut self, places: &Places, equations: &AtValues<L>) {
         places.write(equations, &mut self.rows);
         self.shifted = places.shifted;
         const LOW: u16 = 0xff;
@@ -83,18 +83,12 @@ impl<L: Lanes> Factors<L> {
         }
     }
 
-    /// The column of pivot k in its row.
-    #[inline(always)]
-    fn column(k: usize) -> usize {
-        if k < 2 * BLOCK { k % BLOCK } else { k - BLOCK }
-    }
-
     /// Their product is the determinant.
     #[inline(always)]
     pub fn pivots(&self) -> Vectors<L> {
         let mut pivots = [L::ZERO; SIZE];
         for (k, row) in self.rows.iter().enumerate() {
-            pivots[k] = row[Self::column(k)];
+            pivots[k] = row[column_of(k)];
         }
         pivots
     }
@@ -104,90 +98,194 @@ impl<L: Lanes> Factors<L> {
     #[inline(always)]
     pub fn null_vectors(&self) -> Vectors<L> {
         // L times a vector of ones is as good a start as any.
-        let x = unit(&self.back_substituted([L::ONE; SIZE]));
-        unit(&self.back_substituted(self.forward_substituted(x)))
+        let mut x = [L::ONE; SIZE];
+        back_substitute(&self.rows, &self.inverses, &mut x);
+        x = unit(&x);
+        self.forward_substitute(&mut x);
+        back_substitute(&self.rows, &self.inverses, &mut x);
+        unit(&x)
     }
 
-    /// L⁻¹ x.
+    /// x becomes L⁻¹ x.
     #[inline(always)]
-    fn forward_substituted(&self, mut x: Vectors<L>) -> Vectors<L> {
-        for (i, row) in self.rows.iter().enumerate() {
-            let own = if i < 2 * BLOCK { i % BLOCK } else { BLOCK };
-            let first = match self.shifted >> i & 1 {
-                0 => 0,
-                _ => BLOCK,
-            };
-            let mut entry = x[i];
-            for k in 0..own {
-                entry = entry.minus(row[k], x[first + k]);
-            }
-            for k in 2 * BLOCK..i {
-                entry = entry.minus(row[k - BLOCK], x[k]);
-            }
-            x[i] = entry;
-        }
-        x
-    }
-
-    /// U⁻¹ x.
-    #[inline(always)]
-    fn back_substituted(&self, mut x: Vectors<L>) -> Vectors<L> {
-        for (i, row) in self.rows.iter().enumerate().rev() {
-            let mut entry = x[i];
-            for j in (i + 1).max(2 * BLOCK)..SIZE {
-                entry = entry.minus(row[j - BLOCK], x[j]);
-            }
-            if i < 2 * BLOCK {
-                for j in i % BLOCK + 1..BLOCK {
-                    entry = entry.minus(row[j], x[i / BLOCK * BLOCK + j]);
+    fn forward_substitute(&self, x: &mut Vectors<L>) {
+        for k in 0..BLOCK {
+            for i in k + 1..BLOCK {
+                for first in [0, BLOCK] {
+                    x[first + i] = x[first + i].minus(self.rows[first + i][k], x[first + k]);
                 }
             }
-            x[i] = entry * self.inverses[i];
         }
-        x
+        let both = [part(x, 0), part(x, 1)];
+        for i in 2 * BLOCK..SIZE {
+            let known = &both[usize::from(self.shifted >> i & 1)];
+            for k in 0..BLOCK {
+                x[i] = x[i].minus(self.rows[i][k], known[k]);
+            }
+        }
+        for k in 2 * BLOCK..SIZE {
+            for i in k + 1..SIZE {
+                x[i] = x[i].minus(self.rows[i][column_of(k)], x[k]);
+            }
+        }
     }
+}
+
+/// The column of pivot k, without the columns in which its row has no entry.
+#[inline(always)]
+fn column_of(k: usize) -> usize {
+    if k < 2 * BLOCK { k % BLOCK } else { k - BLOCK }
+}
+
+/// x becomes U⁻¹ x. Of the first two blocks of four pivots neither has entries in the other's
+/// columns.
+#[inline(always)]
+fn back_substitute<L: Lanes>(u: &Compact<L>, inverses: &Vectors<L>, x: &mut Vectors<L>) {
+    for block in (0..SIZE / BLOCK).rev() {
+        let first = BLOCK * block;
+        let mut own = part(x, block);
+        for behind in (block + 1).max(2)..SIZE / BLOCK {
+            let known = part(x, behind);
+            for j in 0..BLOCK {
+                for i in 0..BLOCK {
+                    let entry = u[first + i][column_of(BLOCK * behind) + j];
+                    own[i] = own[i].minus(entry, known[j]);
+                }
+            }
+        }
+        for k in (0..BLOCK).rev() {
+            own[k] *= inverses[first + k];
+            for i in 0..k {
+                own[i] = own[i].minus(u[first + i][column_of(first) + k], own[k]);
+            }
+        }
+        x[first..first + BLOCK].copy_from_slice(&own);
+    }
+}
+
+/// x becomes U⁻ᵀ x.
+#[inline(always)]
+fn back_substitute_transposed<L: Lanes>(u: &Compact<L>, inverses: &Vectors<L>, x: &mut Vectors<L>) {
+    for block in 0..SIZE / BLOCK {
+        let first = BLOCK * block;
+        let mut own = part(x, block);
+        for before in 0..if block < 2 { 0 } else { block } {
+            let known = part(x, before);
+            for i in 0..BLOCK {
+                for j in 0..BLOCK {
+                    let entry = u[BLOCK * before + i][column_of(first) + j];
+                    own[j] = own[j].minus(entry, known[i]);
+                }
+            }
+        }
+        for k in 0..BLOCK {
+            own[k] *= inverses[first + k];
+            for j in k + 1..BLOCK {
+                own[j] = own[j].minus(u[first + k][column_of(first) + j], own[k]);
+            }
+        }
+        x[first..first + BLOCK].copy_from_slice(&own);
+    }
+}
+
+/// A block's entries of a vector.
+#[inline(always)]
+fn part<L: Lanes>(x: &Vectors<L>, block: usize) -> [L; BLOCK] {
+    let first = BLOCK * block;
+    [x[first], x[first + 1], x[first + 2], x[first + 3]]
 }
 
 /// M = Q R by Householder's reflections, without Q: at twice the cost, and never
 /// worse than rounding. The determinant of Q is −1.
 pub(super) struct Triangle<L: Lanes> {
-    rows: Matrices<L>,
+    rows: Compact<L>,
     inverses: Vectors<L>,
 }
 
+/// Rows that are reflected together.
+#[derive(Clone, Copy, Default)]
+struct Together {
+    rows: [u8; SIZE],
+    count: usize,
+}
+
+impl Together {
+    fn push(&mut self, row: usize) {
+        self.rows[self.count % SIZE] = row as u8;
+        self.count += 1;
+    }
+}
+
 impl<L: Lanes> Triangle<L> {
+    /// Of the matrices of an elimination. Where a row has no entries nothing is reflected: first
+    /// the rows that are multiplied by the last joint's half tangent and the others, each with
+    /// four pivots of their own, then what is left of both.
     #[inline(always)]
-    pub fn new(mut m: Matrices<L>) -> Self {
-        let mut inverses = [L::ZERO; SIZE];
-        for k in 0..SIZE {
-            let mut square = L::ZERO;
-            for row in &m[k..] {
-                square = square.plus(row[k], row[k]);
-            }
-            let x = m[k][k];
-            let root = square.sqrt();
-            let mut image = x.where_less(L::ZERO, root, -root);
-            if k + 1 == SIZE {
-                image = x;
+    pub fn new(places: &Places, equations: &AtValues<L>) -> Self {
+        let mut out = Self {
+            rows: [[L::ZERO; WIDTH]; SIZE],
+            inverses: [L::ZERO; SIZE],
+        };
+        places.write(equations, &mut out.rows);
+        let mut together = [Together::default(); 3];
+        for row in 0..SIZE {
+            if row < 2 * BLOCK {
+                together[row / BLOCK].push(row);
             } else {
-                // Without cancellation by the choice of sign.
-                let weight = square.minus(image, x).max(L::splat(LEAST_PIVOT)).inverse();
-                m[k][k] = x - image;
-                for j in k + 1..SIZE {
-                    let mut along = L::ZERO;
-                    for row in &m[k..] {
-                        along = along.plus(row[k], row[j]);
-                    }
-                    along *= weight;
-                    for row in &mut m[k..] {
-                        row[j] = row[j].minus(along, row[k]);
-                    }
+                together[usize::from(places.shifted >> row & 1)].push(row);
+                together[2].push(row);
+            }
+        }
+        for k in 0..SIZE - 1 {
+            let block = (k / BLOCK).min(2);
+            let Together { rows, count } = &together[block];
+            out.reflect(k, &rows[k - block * BLOCK..*count]);
+        }
+        let last = out.rows[SIZE - 1][WIDTH - 1];
+        out.inverses[SIZE - 1] = last.away_from_zero(LEAST_PIVOT).inverse();
+        out
+    }
+
+    /// The first of some rows becomes that of pivot k, and the others have nothing in its column
+    /// but what nobody reads.
+    #[inline(always)]
+    fn reflect(&mut self, k: usize, rows: &[u8]) {
+        let column = column_of(k);
+        let at = |i: &u8| usize::from(*i) % SIZE;
+        let mut square = L::ZERO;
+        for i in rows {
+            let x = self.rows[at(i)][column];
+            square = square.plus(x, x);
+        }
+        let x = self.rows[k][column];
+        let root = square.sqrt();
+        // Without cancellation by the choice of sign.
+        let image = x.where_less(L::ZERO, root, -root);
+        let weight = square.minus(image, x).max(L::splat(LEAST_PIVOT)).inverse();
+        self.rows[k][column] = x - image;
+        // From the last columns on, since those about the pivot's spoil it.
+        for block in (column / BLOCK..WIDTH / BLOCK).rev() {
+            let first = BLOCK * block;
+            let mut along = [L::ZERO; BLOCK];
+            for i in rows {
+                let row = &self.rows[at(i)];
+                for j in 0..BLOCK {
+                    along[j] = along[j].plus(row[column], row[first + j]);
                 }
             }
-            m[k][k] = image;
-            inverses[k] = image.away_from_zero(LEAST_PIVOT).inverse();
+            for along in &mut along {
+                *along *= weight;
+            }
+            for i in rows {
+                let row = &mut self.rows[at(i)];
+                let x = row[column];
+                for j in 0..BLOCK {
+                    row[first + j] = row[first + j].minus(along[j], x);
+                }
+            }
         }
-        Self { rows: m, inverses }
+        self.rows[k][column] = image;
+        self.inverses[k] = image.away_from_zero(LEAST_PIVOT).inverse();
     }
 
     /// The diagonal of R: their product is minus the determinant.
@@ -195,7 +293,7 @@ impl<L: Lanes> Triangle<L> {
     pub fn pivots(&self) -> Vectors<L> {
         let mut pivots = [L::ZERO; SIZE];
         for (k, row) in self.rows.iter().enumerate() {
-            pivots[k] = row[k];
+            pivots[k] = row[column_of(k)];
         }
         pivots
     }
@@ -212,40 +310,22 @@ impl<L: Lanes> Triangle<L> {
             }
         }
         for _ in 0..3 {
+            for x in &mut space {
+                back_substitute_transposed(&self.rows, &self.inverses, x);
+                *x = unit(x);
+                back_substitute(&self.rows, &self.inverses, x);
+            }
             for n in 0..N {
-                let mut x = self.improved(&space[n]);
-                for before in &space[..n] {
-                    let along = dot(before, &x);
+                for m in 0..n {
+                    let along = dot(&space[m], &space[n]);
                     for i in 0..SIZE {
-                        x[i] = x[i].minus(along, before[i]);
+                        space[n][i] = space[n][i].minus(along, space[m][i]);
                     }
                 }
-                space[n] = unit(&x);
+                space[n] = unit(&space[n]);
             }
         }
         space
-    }
-
-    /// One step of inverse iteration on Rᵀ R.
-    #[inline(always)]
-    fn improved(&self, x: &Vectors<L>) -> Vectors<L> {
-        let mut x = *x;
-        for i in 0..SIZE {
-            let mut entry = x[i];
-            for j in 0..i {
-                entry = entry.minus(self.rows[j][i], x[j]);
-            }
-            x[i] = entry * self.inverses[i];
-        }
-        x = unit(&x);
-        for i in (0..SIZE).rev() {
-            let mut entry = x[i];
-            for j in i + 1..SIZE {
-                entry = entry.minus(self.rows[i][j], x[j]);
-            }
-            x[i] = entry * self.inverses[i];
-        }
-        x
     }
 }
 

@@ -63,7 +63,7 @@ impl Univariate<'_> {
         let elimination = self.eliminations.get(which)?;
         let search = Search::new(self, target);
         let recovery = Recovery::new(elimination, &self.frames, search.target());
-        let f = polynomial(elimination, &recovery.equations);
+        let f = polynomial(&recovery);
         let mut harmonics = [0.0; Eliminant::HARMONICS];
         for (k, harmonic) in harmonics.iter_mut().enumerate() {
             *harmonic = f.size

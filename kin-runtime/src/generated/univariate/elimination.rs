@@ -65,8 +65,9 @@ impl Elimination {
         let (sine, cosine) = crate::math::sin_cos(0.5 * kept);
 
         let [cosine, sine] = [cosine, sine].map(Portable::splat);
-        let equations = Equations::new(self, &round, &round.far_side()).at(cosine, sine);
-        equations.map(|row| row.map(|x| x.numbers()[0]))
+        let mut out = none();
+        Equations::new(self, &round, &round.far_side()).write(cosine, sine, &mut out);
+        out.map(|row| row.map(|x| x.numbers()[0]))
     }
 }
 
@@ -98,9 +99,15 @@ impl Loop {
     /// The other side of the loop: the line of the fourth joint in the frame of
     /// the kept one, as coefficients of (1, cos, sin) of the last joint, or (1, d, d²) where
     /// it slides, times those of the last but one, which change fastest.
+    #[inline(always)]
     pub fn far_side(&self) -> Lines<9> {
-        let [third, fourth, fifth] = [3, 4, 5].map(|i| self.behind[i].inverse());
-        let line = moved(&third, &Z_AXIS.map(|x| [x]));
+        let [.., third, fourth, fifth] = &self.behind;
+        let (third, fourth, fifth) = (third.inverse(), fourth.inverse(), fifth.inverse());
+        let mut axis = [[0.0; 1]; ENTRIES];
+        for (axis, z_axis) in axis.iter_mut().zip(Z_AXIS) {
+            axis[0] = z_axis;
+        }
+        let line = moved(&third, &axis);
         let lines = moved(&fourth, &gone_back::<1, 3>(self.slides[4], &line));
         moved(&fifth, &gone_back::<3, 9>(self.slides[5], &lines))
     }
@@ -117,58 +124,69 @@ pub(super) struct Equations {
 }
 
 impl Equations {
+    #[inline(always)]
     pub fn new(elimination: &Elimination, round: &Loop, far_side: &Lines<9>) -> Self {
+        let mut lines = *far_side;
+        for line in &mut lines {
+            *line = monomials(line, round.slides);
+        }
+        let all = &elimination.functionals;
+        let last = all.iter().rposition(|row| *row != [0.0; ENTRIES]);
+        let count = last.map_or(0, |last| last + 1);
         let half = usize::from(elimination.half).min(FUNCTIONALS);
         let mut functionals = [[[0.0; 9]; 3]; FUNCTIONALS];
-        let (halves, wholes) = functionals.split_at_mut(half);
-        let (pairs, others) = elimination.functionals.split_at(half);
-        for (rows, pair) in halves.chunks_exact_mut(2).zip(pairs.chunks_exact(2)) {
-            let [re, im] = [0, 1].map(|i| Parts::of(&pair[i], far_side));
-            rows[0] = [re.plus(1.0), im.plus(-1.0), [0.0; 9]];
-            rows[1] = [im.plus(1.0), re.plus(-1.0).map(|x| -x), [0.0; 9]];
+        for i in (0..half).step_by(2) {
+            let [re, im] = [Parts::of(&all[i], &lines), Parts::of(&all[i + 1], &lines)];
+            for k in 0..9 {
+                functionals[i][0][k] = re.fixed[k] + re.turning[k];
+                functionals[i][1][k] = im.fixed[k] - im.turning[k];
+                functionals[i + 1][0][k] = im.fixed[k] + im.turning[k];
+                functionals[i + 1][1][k] = re.turning[k] - re.fixed[k];
+            }
         }
-        for (row, functional) in wholes.iter_mut().zip(others) {
-            let Parts {
-                fixed,
-                turning,
-                ahead,
-            } = Parts::of(functional, far_side);
-            *row = [fixed, turning, ahead];
+        for i in half..count {
+            let parts = Parts::of(&all[i], &lines);
+            functionals[i] = [parts.fixed, parts.turning, parts.ahead];
         }
-        let [_, _, _, _, before, last] = round.slides;
-        let functionals = functionals.map(|row| row.each_ref().map(|x| powers(x, before, last)));
-        let all = &elimination.functionals;
-        let last = all.iter().rposition(|row| row.iter().any(|x| *x != 0.0));
         Self {
             functionals,
-            count: last.map_or(0, |last| last + 1),
+            count,
             half,
         }
     }
 
-    /// The equations at values of the kept joint, by the cosine and sine of its half.
+    /// Writes the equations at values of the kept joint, by the cosine and sine of its half, over
+    /// those at others or none.
     #[inline(always)]
-    pub fn at<L: Lanes>(&self, cosine: L, sine: L) -> [[L; 9]; EQUATIONS] {
+    pub fn write<L: Lanes>(&self, cosine: L, sine: L, out: &mut AtValues<L>) {
         let whole = (cosine * cosine).minus(sine, sine);
         let double = (cosine + cosine) * sine;
-        let mut out = [[L::ZERO; 9]; EQUATIONS];
-        out[FUNCTIONALS][0] = L::ONE;
-        let rows = self.functionals[..self.count].iter();
-        for (i, (out, [x, y, z])) in out.iter_mut().zip(rows).enumerate() {
+        for i in 0..self.count.min(FUNCTIONALS) {
+            let [x, y, z] = &self.functionals[i];
             if i < self.half {
                 for j in 0..9 {
-                    out[j] = cosine.scaled(x[j]).plus_scaled(sine, y[j]);
+                    out[i][j] = cosine.scaled(x[j]).plus_scaled(sine, y[j]);
                 }
             } else {
                 for j in 0..9 {
-                    out[j] = L::splat(x[j])
+                    out[i][j] = L::splat(x[j])
                         .plus_scaled(whole, y[j])
                         .plus_scaled(double, z[j]);
                 }
             }
         }
-        out
     }
+}
+
+/// By functional, the coefficients of the half tangents' monomials, and of the equation 1 = 0.
+pub(super) type AtValues<L> = [[L; 9]; EQUATIONS];
+
+/// Of no functional yet.
+#[inline(always)]
+pub(super) fn none<L: Lanes>() -> AtValues<L> {
+    let mut out = [[L::ZERO; 9]; EQUATIONS];
+    out[FUNCTIONALS][0] = L::ONE;
+    out
 }
 
 /// A functional on lines that turn back with the kept joint.
@@ -203,21 +221,23 @@ impl Parts {
         }
         parts
     }
-
-    /// What does not turn, and that many times what does.
-    fn plus(&self, share: f64) -> [f64; 9] {
-        core::array::from_fn(|k| self.fixed[k] + share * self.turning[k])
-    }
 }
 
 /// From (1, cos a, sin a) × (1, cos b, sin b) to the monomials of the half
 /// tangents, times the two cos² of the half angles. A slide's powers are monomials already.
-fn powers(x: &[f64; 9], b_slides: bool, a_slides: bool) -> [f64; 9] {
-    let of = |slides: bool, [one, c, s]: [f64; 3]| match slides {
-        true => [one, c, s],
-        false => [one + c, 2.0 * s, one - c],
-    };
-    let rows = [0, 3, 6].map(|i| of(b_slides, [x[i], x[i + 1], x[i + 2]]));
-    let columns = [0, 1, 2].map(|j| of(a_slides, [rows[0][j], rows[1][j], rows[2][j]]));
-    core::array::from_fn(|k| columns[k % 3][k / 3])
+#[inline(always)]
+fn monomials(x: &[f64; 9], slides: [bool; 6]) -> [f64; 9] {
+    let [.., b_slides, a_slides] = slides;
+    let mut x = *x;
+    for i in [0, 3, 6] {
+        if !b_slides {
+            (x[i], x[i + 1], x[i + 2]) = (x[i] + x[i + 1], 2.0 * x[i + 2], x[i] - x[i + 1]);
+        }
+    }
+    for i in 0..3 {
+        if !a_slides {
+            (x[i], x[i + 3], x[i + 6]) = (x[i] + x[i + 3], 2.0 * x[i + 6], x[i] - x[i + 3]);
+        }
+    }
+    x
 }

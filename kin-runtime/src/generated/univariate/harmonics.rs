@@ -193,9 +193,8 @@ impl Harmonics {
         (value, g[0])
     }
 
-    /// f, f′ and f″ at an angle, radians.
-    pub fn derivatives(&self, angle: f64) -> [f64; 3] {
-        let (sine, cosine) = math::sin_cos(angle);
+    /// f, f′ and f″ at the angle of a cosine and sine.
+    pub fn derivatives(&self, [cosine, sine]: [f64; 2]) -> [f64; 3] {
         let (mut c, mut s) = (1.0, 0.0);
         let mut out = [self.cosines[0], 0.0, 0.0];
         for k in 1..=self.degree {

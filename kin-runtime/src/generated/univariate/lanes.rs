@@ -89,15 +89,17 @@ pub(super) trait Lanes:
 /// The sum of products of what comes in pairs.
 #[inline(always)]
 pub(super) fn dot<L: Lanes, const N: usize>(a: &[L; N], b: &[L; N]) -> L {
-    let mut sum = L::ZERO;
+    // Two sums, of which neither waits for the other.
+    let mut sums = [L::ZERO; 2];
     for i in 0..N {
-        sum = sum.plus(a[i], b[i]);
+        sums[i % 2] = sums[i % 2].plus(a[i], b[i]);
     }
-    sum
+    sums[0] + sums[1]
 }
 
 /// What is computed in lanes. `run` and all that it calls has to be `#[inline(always)]`, for
-/// it is compiled for several instruction sets.
+/// it is compiled for several instruction sets; so arrays are filled by loops: what `map` and
+/// `from_fn` are given may be compiled by itself, where every operation is a call.
 pub(super) trait InLanes<I> {
     type Output;
     fn run<L: Lanes>(input: I) -> Self::Output;

@@ -89,8 +89,8 @@ impl Univariate<'_> {
     }
 
     /// All configurations that put the tip at the target, of an arm next to an idealized
-    /// one: Newton's method from that one's branches, and one elimination where these do
-    /// not tell all, because one is flagged singular, leads nowhere or where another one
+    /// one: Newton's method from that one's branches, and the eliminations, until one is sure of
+    /// its answer, where these do not tell all, because one is flagged singular, leads nowhere or where another one
     /// does, or to a solution whose Jacobian has a least pivot of less than
     /// `near_singular` times the largest. What it adds is numbered from `count` on, of
     /// which all branches are below.

@@ -63,7 +63,7 @@ fn newton<L: Lanes>(
     start: &[[f64; LANES]; 6],
     steps: usize,
 ) -> Polished {
-    let mut q = start.map(L::of);
+    let mut q = of_numbers::<L>(start);
     let mut step = 0;
     let mut before = [f64::INFINITY; LANES];
     let mut system = linearized(frames, target, &q);
@@ -78,7 +78,7 @@ fn newton<L: Lanes>(
         }
         if step == steps || !open {
             return Polished {
-                q: q.map(L::numbers),
+                q: numbers(&q),
                 residual,
                 independence: jacobian.independence().numbers(),
             };
@@ -140,7 +140,7 @@ fn apart<L: Lanes>(
     target: &Pose,
     q: &[[f64; LANES]; 6],
 ) -> [[[f64; LANES]; 6]; 2] {
-    let q = q.map(L::of);
+    let q = of_numbers::<L>(q);
     let here = linearized(frames, target, &q);
     let jacobian = Factored::new(&here.columns);
     let v = jacobian.weak();
@@ -168,6 +168,24 @@ fn apart<L: Lanes>(
             let there = (q[i] + across).plus(alpha, v[i]);
             out[i] = there.minus(half_square, bent_across).numbers();
         }
+    }
+    out
+}
+
+#[inline(always)]
+fn of_numbers<L: Lanes>(q: &[[f64; LANES]; 6]) -> Rows<L> {
+    let mut out = [L::ZERO; 6];
+    for i in 0..6 {
+        out[i] = L::of(q[i]);
+    }
+    out
+}
+
+#[inline(always)]
+fn numbers<L: Lanes>(q: &Rows<L>) -> [[f64; LANES]; 6] {
+    let mut out = [[0.0; LANES]; 6];
+    for i in 0..6 {
+        out[i] = q[i].numbers();
     }
     out
 }

@@ -1,10 +1,11 @@
 //! The determinant as a polynomial in the joint that is kept.
 
 use super::determinant::{Factors, Triangle};
-use super::elimination::{Elimination, Equations, SIZE};
+use super::elimination::{SIZE, none};
 use super::harmonics::{HALF_ANGLES, Harmonics, MOST_SAMPLES, samples};
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
-use super::matrix::{Places, Vectors};
+use super::matrix::Vectors;
+use super::recover::Recovery;
 
 /// Above this noise, relative to the largest harmonic, no pivot can be trusted that was
 /// not chosen for the target.
@@ -12,25 +13,31 @@ pub(super) const NOISY: f64 = 3e-13;
 
 /// Not a number where the target is none.
 #[inline(never)]
-pub(super) fn polynomial(elimination: &Elimination, equations: &Equations) -> Harmonics {
-    let f = in_lanes::<Sampled<false>, _>((elimination, equations));
+pub(super) fn polynomial(recovery: &Recovery) -> Harmonics {
+    let f = in_lanes::<Sampled<false>, _>(recovery);
     match f.noise < NOISY {
         true => f,
-        false => in_lanes::<Sampled<true>, _>((elimination, equations)),
+        false => in_lanes::<Sampled<true>, _>(recovery),
     }
 }
 
 /// The determinants, by reflections or with the pivots that were chosen for the arm.
 struct Sampled<const REFLECTED: bool>;
 
-impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFLECTED> {
+impl<const REFLECTED: bool> InLanes<&Recovery<'_>> for Sampled<REFLECTED> {
     type Output = Harmonics;
 
     #[inline(always)]
-    fn run<L: Lanes>((elimination, equations): (&Elimination, &Equations)) -> Harmonics {
+    fn run<L: Lanes>(recovery: &Recovery) -> Harmonics {
+        let Recovery {
+            elimination,
+            places,
+            equations,
+            ..
+        } = recovery;
         let degree = usize::from(elimination.degree);
-        let places = Places::new(elimination);
         let mut factors = Factors::<L>::EMPTY;
+        let mut at_values = none();
         let mut values = [0.0; MOST_SAMPLES];
         let values = &mut values[..samples(degree)];
         let mut largest: Vectors<L> = [L::ZERO; SIZE];
@@ -40,11 +47,11 @@ impl<const REFLECTED: bool> InLanes<(&Elimination, &Equations)> for Sampled<REFL
             for k in 0..LANES {
                 [cosine[k], sine[k]] = HALF_ANGLES[step * (LANES * chunk + k)];
             }
-            let equations = equations.at(L::of(cosine), L::of(sine));
+            equations.write(L::of(cosine), L::of(sine), &mut at_values);
             let pivots = match REFLECTED {
-                true => Triangle::new(places.matrices(&equations)).pivots(),
+                true => Triangle::new(places, &at_values).pivots(),
                 false => {
-                    factors.factor(&places, &equations);
+                    factors.factor(places, &at_values);
                     factors.pivots()
                 }
             };

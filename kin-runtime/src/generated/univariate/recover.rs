@@ -1,13 +1,14 @@
 //! The other joints from a value of the kept one.
 
 use super::determinant::{Factors, Triangle};
-use super::elimination::{EQUATIONS, Elimination, Equations, Loop};
+use super::elimination::{AtValues, Elimination, Equations, Loop, none};
 use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
 use super::sharing::{SHARING, monomial_vectors};
 use crate::Pose;
+use crate::generated::dispatch::{Dispatched, dispatch};
 
 /// A null vector that misses zero by more than this was spoilt by a small pivot.
 const SPOILT: f64 = 1e-9;
@@ -24,6 +25,7 @@ pub(super) struct Starts {
 /// One elimination at one target.
 pub(super) struct Recovery<'a> {
     pub elimination: &'a Elimination,
+    pub places: Places,
     pub equations: Equations,
     round: Loop,
     far_side: Lines<9>,
@@ -32,10 +34,11 @@ pub(super) struct Recovery<'a> {
 impl<'a> Recovery<'a> {
     pub fn new(elimination: &'a Elimination, frames: &Frames, target: &Pose) -> Self {
         let round = Loop::new(elimination, frames, target);
-        let far_side = round.far_side();
+        let (far_side, equations) = dispatch::<Opened, _>((elimination, &round));
         Self {
             elimination,
-            equations: Equations::new(elimination, &round, &far_side),
+            places: Places::new(elimination),
+            equations,
             round,
             far_side,
         }
@@ -135,11 +138,8 @@ impl<'a> Recovery<'a> {
     }
 
     #[inline(always)]
-    fn null_vectors<L: Lanes>(
-        &self,
-        places: &Places,
-        equations: &[[L; 9]; EQUATIONS],
-    ) -> Vectors<L> {
+    fn null_vectors<L: Lanes>(&self, equations: &AtValues<L>) -> Vectors<L> {
+        let places = &self.places;
         let mut factors = Factors::EMPTY;
         factors.factor(places, equations);
         let null = factors.null_vectors();
@@ -151,7 +151,7 @@ impl<'a> Recovery<'a> {
         if miss.numbers().iter().all(|&x| x < SPOILT) {
             return null;
         }
-        let [null] = Triangle::new(places.matrices(equations)).null_space();
+        let [null] = Triangle::new(places, equations).null_space();
         null
     }
 
@@ -159,20 +159,20 @@ impl<'a> Recovery<'a> {
     #[inline(always)]
     fn null_space<L: Lanes, const N: usize>(&self, kept: L) -> [Vectors<L>; N] {
         let [sine, cosine] = kept.scaled(0.5).sin_cos();
-        let equations = self.equations.at(cosine, sine);
-        let matrices = Places::new(self.elimination).matrices(&equations);
-        Triangle::new(matrices).null_space()
+        let mut equations = none();
+        self.equations.write(cosine, sine, &mut equations);
+        Triangle::new(&self.places, &equations).null_space()
     }
 
     /// The configurations of the vectors in a space that are monomials.
     #[inline(always)]
     fn of_space<L: Lanes, const N: usize>(&self, kept: L, space: &[Vectors<L>; N]) -> [Starts; N] {
-        let powers = self.elimination.powers;
-        let powers = powers.map(|power| usize::from(power.min(3)));
+        let [last, before] = self.elimination.powers;
+        let powers = [usize::from(last.min(3)), usize::from(before.min(3))];
         let vectors = monomial_vectors(space, &|i, j| self.column(i, j), powers);
         let mut out = [self.of_null_vectors(kept, &vectors[0]); N];
-        for (out, null) in out.iter_mut().zip(&vectors).skip(1) {
-            *out = self.of_null_vectors(kept, null);
+        for n in 1..N {
+            out[n] = self.of_null_vectors(kept, &vectors[n]);
         }
         out
     }
@@ -234,23 +234,27 @@ impl<'a> Recovery<'a> {
     #[inline(always)]
     fn second<L: Lanes>(&self, line: &[L; ENTRIES], third: [L; 2]) -> [L; 2] {
         let [kept, second, third_on, ..] = &self.round.behind;
-        let axis = third_on.rotation.map(|row| L::splat(row[2]));
-        let (l, p) = self.moved(2, third, &axis, &third_on.translation.map(L::splat));
+        let (mut axis, mut point, mut far_point) = ([L::ZERO; 3], [L::ZERO; 3], [L::ZERO; 3]);
+        for i in 0..3 {
+            axis[i] = L::splat(third_on.rotation[i][2]);
+            point[i] = L::splat(third_on.translation[i]);
+            far_point[i] = line[3 + i] - L::splat(kept.translation[i]);
+        }
+        let (l, p) = self.moved(2, third, &axis, &point);
         let near = [
             rotated(&second.rotation, &l),
             shifted(second, &rotated(&second.rotation, &p)),
         ];
-        let seen = |at: usize| [line[at], line[at + 1], line[at + 2]];
-        let mut point = seen(3);
-        for (x, t) in point.iter_mut().zip(kept.translation) {
-            *x = *x - L::splat(t);
-        }
-        let far = [seen(0), point].map(|x| rotated_back(&kept.rotation, &x));
+        let far = [
+            rotated_back(&kept.rotation, &[line[0], line[1], line[2]]),
+            rotated_back(&kept.rotation, &far_point),
+        ];
         let value = match self.round.slides[1] {
             true => far[1][2] - near[1][2],
             false => {
                 let (mut s, mut c) = (L::ZERO, L::ZERO);
-                for (near, far) in near.iter().zip(&far) {
+                for i in 0..2 {
+                    let (near, far) = (&near[i], &far[i]);
                     s = s.plus(near[0], far[1]).minus(near[1], far[0]);
                     c = c.plus(near[0], far[0]).plus(near[1], far[1]);
                 }
@@ -259,8 +263,9 @@ impl<'a> Recovery<'a> {
         };
         let (l, p) = self.moved(1, self.functions(1, value), &near[0], &near[1]);
         let mut off = L::ZERO;
-        for (x, far) in l.iter().zip(&far[0]).chain(p.iter().zip(&far[1])) {
-            off = off.max((*x - *far).abs());
+        for i in 0..3 {
+            off = off.max((l[i] - far[0][i]).abs());
+            off = off.max((p[i] - far[1][i]).abs());
         }
         [value, off]
     }
@@ -299,9 +304,22 @@ impl<'a> Recovery<'a> {
     }
 }
 
+/// The far side of the loop, and the equations.
+struct Opened;
 struct One;
 struct Pairs;
 struct Sharing;
+
+impl Dispatched<(&Elimination, &Loop)> for Opened {
+    type Output = (Lines<9>, Equations);
+
+    #[inline(always)]
+    fn run((elimination, round): (&Elimination, &Loop)) -> Self::Output {
+        let far_side = round.far_side();
+        let equations = Equations::new(elimination, round, &far_side);
+        (far_side, equations)
+    }
+}
 
 impl InLanes<(&Recovery<'_>, &[f64; LANES])> for One {
     type Output = Starts;
@@ -310,9 +328,9 @@ impl InLanes<(&Recovery<'_>, &[f64; LANES])> for One {
     fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> Starts {
         let kept = L::of(*kept);
         let [sine, cosine] = kept.scaled(0.5).sin_cos();
-        let equations = recovery.equations.at(cosine, sine);
-        let places = Places::new(recovery.elimination);
-        let null = recovery.null_vectors(&places, &equations);
+        let mut equations = none();
+        recovery.equations.write(cosine, sine, &mut equations);
+        let null = recovery.null_vectors(&equations);
         recovery.of_null_vectors(kept, &null)
     }
 }
@@ -345,11 +363,14 @@ impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Sharing {
 
 #[inline(always)]
 fn rotated<L: Lanes>(r: &[[f64; 3]; 3], x: &[L; 3]) -> [L; 3] {
-    r.map(|row| {
-        x[0].scaled(row[0])
+    let mut out = [L::ZERO; 3];
+    for (out, row) in out.iter_mut().zip(r) {
+        *out = x[0]
+            .scaled(row[0])
             .plus_scaled(x[1], row[1])
-            .plus_scaled(x[2], row[2])
-    })
+            .plus_scaled(x[2], row[2]);
+    }
+    out
 }
 
 #[inline(always)]

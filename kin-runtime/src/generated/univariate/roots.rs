@@ -8,9 +8,12 @@
 //! tells; intervals on which the signs are those of rounding end at a width.
 
 use super::LANES;
-use super::bernstein::{ARCS, Arcs, COEFFICIENTS, REACH, middle, on_arcs};
+use super::bernstein::{
+    ARCS, Arcs, COEFFICIENTS, CUT, REACH, cut, middle, on_arcs, turn_of_middle,
+};
 use super::harmonics::Harmonics;
 use crate::generated::dispatch::{Dispatched, dispatch};
+use crate::generated::lanes;
 use crate::math;
 
 /// Candidates at most: more than a polynomial of the highest degree has roots.
@@ -132,9 +135,10 @@ impl Dispatched<(&Search<'_>, &mut Roots)> for Simple {
     }
 }
 
-/// An interval with one root, radians, and where it may be.
+/// An interval of an arc with one root, and where it may be, from middle + 2 atan t.
 #[derive(Clone, Copy)]
 struct Bracket {
+    middle: f64,
     ends: [f64; 2],
     guess: f64,
     rises: bool,
@@ -152,6 +156,24 @@ enum Signs {
 
 fn signs(coefficients: &[f64], noise: f64) -> Signs {
     let last = coefficients.len() - 1;
+    let (mut least, mut changes) = (coefficients[0].abs(), 0.0);
+    for pair in coefficients.windows(2) {
+        least = math::select(pair[1].abs() < least, pair[1].abs(), least);
+        changes += math::select(pair[0] * pair[1] < 0.0, 1.0, 0.0);
+    }
+    if least > noise {
+        return match changes {
+            0.0 => Signs::None,
+            1.0 => {
+                let change = |i: &usize| coefficients[*i] * coefficients[i + 1] < 0.0;
+                let i = (0..last).find(change).unwrap_or(0);
+                let (a, b) = (coefficients[i], coefficients[i + 1]);
+                Signs::One((i as f64 + a / (a - b)) / last as f64)
+            }
+            2.0 => Signs::Two,
+            _ => Signs::Many,
+        };
+    }
     let unsigned = |x: f64| x.is_nan() || x.abs() <= noise;
     if unsigned(coefficients[0]) || unsigned(coefficients[last]) {
         return Signs::Many;
@@ -203,20 +225,12 @@ impl Interval {
         self.coefficients[0] < 0.0
     }
 
-    /// Leaves the upper part, and gives the lower, by de Casteljau's algorithm; not quite
-    /// halves, since roots like to be in the middle.
-    fn halve(&mut self, n: usize, low: &mut Self) {
-        const SHARE: f64 = 0.4871;
-        let cut = self.t[0] + SHARE * (self.t[1] - self.t[0]);
-        low.t = [self.t[0], cut];
-        self.t[0] = cut;
-        for i in 0..n {
-            low.coefficients[i] = self.coefficients[0];
-            for j in 0..n - 1 - i {
-                let (a, b) = (self.coefficients[j], self.coefficients[j + 1]);
-                self.coefficients[j] = a + SHARE * (b - a);
-            }
-        }
+    /// Its parts, the upper one first.
+    fn halves(&self, n: usize) -> [Self; 2] {
+        let [low, high] = cut(&self.coefficients, n);
+        let at = self.at(CUT);
+        let part = |coefficients, t| Self { coefficients, t };
+        [part(high, [at, self.t[1]]), part(low, [self.t[0], at])]
     }
 }
 
@@ -235,6 +249,7 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
         f,
         noise: UNSIGNED * f.noise,
         brackets: [Bracket {
+            middle: 0.0,
             ends: [0.0; 2],
             guess: 0.0,
             rises: true,
@@ -248,7 +263,7 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
     };
     for (first, arcs) in (0..ARCS).step_by(LANES).zip(on_arcs(f)) {
         for lane in 0..LANES {
-            search.on_arc(middle(first + lane), &arcs, lane, &mut found);
+            search.on_arc(first + lane, &arcs, lane, &mut found);
         }
     }
     search.simple(&mut found);
@@ -266,7 +281,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn on_arc(&mut self, middle: f64, arcs: &Arcs, lane: usize, found: &mut Roots) {
+    fn on_arc(&mut self, arc: usize, arcs: &Arcs, lane: usize, found: &mut Roots) {
         let signed = arcs.least[lane] > self.noise;
         if signed && arcs.changes[lane] == 0.0 {
             return;
@@ -278,10 +293,10 @@ impl Search<'_> {
         };
         if signed && arcs.changes[lane] == 1.0 {
             let guess = whole.at(arcs.share[lane]);
-            self.bracket(middle, whole.t, guess, whole.rises(), found);
+            self.bracket(arc, whole.t, guess, whole.rises(), found);
             return;
         }
-        let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
+        let angle = |t: f64| middle(arc) + 2.0 * math::atan2(t, 1.0);
         self.waiting[0] = whole;
         let mut count = 1;
         while count > 0 {
@@ -292,9 +307,9 @@ impl Search<'_> {
                 Signs::None => {}
                 Signs::One(share) => {
                     let (guess, rises) = (interval.at(share), interval.rises());
-                    self.bracket(middle, [low, high], guess, rises, found);
+                    self.bracket(arc, [low, high], guess, rises, found);
                 }
-                Signs::Two if self.extremum(middle, count, n, found) => {}
+                Signs::Two if self.extremum(arc, count, n, found) => {}
                 Signs::Two | Signs::Many if 2.0 * (high - low) < NARROW => {
                     found.push_cluster(angle(0.5 * (low + high)));
                 }
@@ -311,8 +326,8 @@ impl Search<'_> {
                 }
                 Signs::Two | Signs::Many => {
                     self.halvings += 1;
-                    let (first, second) = self.waiting[count..].split_at_mut(1);
-                    first[0].halve(n, &mut second[0]);
+                    let halves = interval.halves(n);
+                    self.waiting[count..count + 2].copy_from_slice(&halves);
                     count += 2;
                 }
             }
@@ -320,15 +335,15 @@ impl Search<'_> {
     }
 
     /// An interval with one root, and where it may be.
-    fn bracket(&mut self, middle: f64, t: [f64; 2], guess: f64, rises: bool, found: &mut Roots) {
+    fn bracket(&mut self, arc: usize, ends: [f64; 2], guess: f64, rises: bool, found: &mut Roots) {
         let Some(place) = self.brackets.get_mut(self.count) else {
             found.incomplete = true;
             return;
         };
-        let angle = |t: f64| middle + 2.0 * math::atan2(t, 1.0);
         *place = Bracket {
-            ends: t.map(angle),
-            guess: angle(guess),
+            middle: middle(arc),
+            ends,
+            guess,
             rises,
         };
         self.count += 1;
@@ -336,7 +351,7 @@ impl Search<'_> {
 
     /// The roots on an interval that waits, with two or none, if g = (1 + t²)ᵈ f has one
     /// extremum there: the sign at that tells which. False if it may have more.
-    fn extremum(&mut self, middle: f64, waiting: usize, n: usize, found: &mut Roots) -> bool {
+    fn extremum(&mut self, arc: usize, waiting: usize, n: usize, found: &mut Roots) -> bool {
         let interval = &self.waiting[waiting];
         let mut rise = [0.0; COEFFICIENTS];
         for i in 0..n - 1 {
@@ -347,10 +362,10 @@ impl Search<'_> {
         };
         let [low, high] = interval.t;
         let (opens, at_ends) = (rise[0] < 0.0, interval.coefficients[0]);
-        let (t, [f, curvature]) = self.steady(middle, interval.t, interval.at(share), n, opens);
+        let (t, [f, curvature]) = self.steady(arc, interval.t, interval.at(share), n, opens);
         let blur = 2.0 * self.noise + 0.5 * CLOSE * curvature.abs();
         if f.abs() <= blur || f.is_nan() {
-            let at = middle + 2.0 * math::atan2(t, 1.0);
+            let at = middle(arc) + 2.0 * math::atan2(t, 1.0);
             match curvature.abs() > CURVED {
                 true => found.push_double(at),
                 false => found.push_cluster(at),
@@ -358,9 +373,9 @@ impl Search<'_> {
         } else if f * at_ends < 0.0 {
             // Where a parabola has them.
             let apart = 0.5 * math::sqrt((2.0 * f / curvature).abs());
-            self.bracket(middle, [low, t], math::max(t - apart, low), !opens, found);
+            self.bracket(arc, [low, t], math::max(t - apart, low), !opens, found);
             let guess = -math::max(-(t + apart), -high);
-            self.bracket(middle, [t, high], guess, opens, found);
+            self.bracket(arc, [t, high], guess, opens, found);
         }
         true
     }
@@ -369,20 +384,23 @@ impl Search<'_> {
     /// on g′, halving where it leaves the bracket. `opens` tells the sign of g″.
     fn steady(
         &self,
-        middle: f64,
+        arc: usize,
         [mut from, mut to]: [f64; 2],
         mut t: f64,
         n: usize,
         opens: bool,
     ) -> (f64, [f64; 2]) {
         let degree = (n / 2) as f64;
+        let [x, y] = turn_of_middle(arc);
         let mut at = [0.0; 2];
         for _ in 0..STEPS {
-            let [f, slope, curvature] = self.f.derivatives(middle + 2.0 * math::atan2(t, 1.0));
+            let share = 1.0 / (1.0 + t * t);
+            let (c, s) = ((1.0 - t * t) * share, 2.0 * t * share);
+            let [f, slope, curvature] = self.f.derivatives([x * c - y * s, y * c + x * s]);
             at = [f, curvature];
             // But for powers of 1 + t².
             let g = slope + degree * t * f;
-            let change = (curvature + degree * t * slope) * 2.0 / (1.0 + t * t) + degree * f;
+            let change = 2.0 * share * (curvature + degree * t * slope) + degree * f;
             match (g < 0.0) == opens {
                 true => from = t,
                 false => to = t,
@@ -410,11 +428,19 @@ impl Search<'_> {
     fn newton(&self, found: &mut Roots) {
         for chunk in self.brackets[..self.count].chunks(LANES) {
             let at = |k: usize| chunk[k.min(chunk.len() - 1)];
-            let mut x: [f64; LANES] = core::array::from_fn(|k| at(k).guess);
-            let mut low: [f64; LANES] = core::array::from_fn(|k| at(k).ends[0]);
-            let mut high: [f64; LANES] = core::array::from_fn(|k| at(k).ends[1]);
-            let rises: [f64; LANES] =
-                core::array::from_fn(|k| if at(k).rises { 1.0 } else { -1.0 });
+            let (mut x, mut low, mut high) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+            let (mut middle, mut rises) = ([0.0; LANES], [0.0; LANES]);
+            for k in 0..LANES {
+                let bracket = at(k);
+                middle[k] = bracket.middle;
+                (x[k], [low[k], high[k]]) = (bracket.guess, bracket.ends);
+                rises[k] = if bracket.rises { 1.0 } else { -1.0 };
+            }
+            for k in 0..LANES {
+                x[k] = middle[k] + 2.0 * lanes::angle(x[k], 1.0);
+                low[k] = middle[k] + 2.0 * lanes::angle(low[k], 1.0);
+                high[k] = middle[k] + 2.0 * lanes::angle(high[k], 1.0);
+            }
             let mut slope = [0.0; LANES];
             for _ in 0..STEPS {
                 let value;
@@ -488,7 +514,7 @@ mod tests {
         let mut both = with_roots([1.1, 1.1, 2.0, 4.0]);
         let told = roots(&both);
         assert_eq!((told.count, found(&told, 1.1)), (3, 2), "{told:?}");
-        let [_, _, curvature] = both.derivatives(1.1);
+        let [_, _, curvature] = both.derivatives([1.1_f64.cos(), 1.1_f64.sin()]);
         both.cosines[0] += 1e-9 * curvature.signum();
         let told = roots(&both);
         assert_eq!((told.count, found(&told, 1.1)), (2, 0), "{told:?}");

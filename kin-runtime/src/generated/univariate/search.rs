@@ -133,7 +133,7 @@ impl<'a> Search<'a> {
     }
 
     /// Moves the branches of an idealized arm to solutions of this one. Where one is lost,
-    /// or too near to another one to tell them apart, an elimination is asked for the
+    /// or too near to another one to tell them apart, the eliminations are asked in turn for the
     /// others, which are numbered from `count` on.
     pub fn refine(
         mut self,
@@ -159,8 +159,8 @@ impl<'a> Search<'a> {
         if self.starts.count > 0 {
             clear &= self.refined(&numbers);
         }
-        if let (false, Some(elimination)) = (clear, self.arm.eliminations.first()) {
-            self.ask(elimination);
+        for elimination in self.arm.eliminations {
+            clear = clear || self.ask(elimination).certain;
         }
         self.found.by_branch()
     }
@@ -192,7 +192,7 @@ impl<'a> Search<'a> {
 
     fn asked<'e>(&self, elimination: &'e Elimination) -> Asked<'e> {
         let recovery = Recovery::new(elimination, &self.arm.frames, &self.target);
-        let f = polynomial(elimination, &recovery.equations);
+        let f = polynomial(&recovery);
         Asked {
             recovery,
             noise: f.noise,

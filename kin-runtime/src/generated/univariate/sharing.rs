@@ -189,7 +189,13 @@ fn orthogonal_and_triangular<L: Lanes, const N: usize>(
 
 #[inline(always)]
 fn transposed<L: Lanes, const N: usize>(a: &Square<L, N>) -> Square<L, N> {
-    core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]))
+    let mut out = *a;
+    for i in 0..N {
+        for j in 0..N {
+            out[i][j] = a[j][i];
+        }
+    }
+    out
 }
 
 #[inline(always)]
