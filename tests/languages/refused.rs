@@ -41,7 +41,7 @@ fn an_arm_without_a_closed_form() {
     assert_eq!(
         told(&js.warnings),
         "no inverse kinematics in JavaScript: the arm has no closed form, and the polynomial in \
-         one joint that solves it, univariate(q1,q2,q3,q4,q5,q6), is not written as JavaScript\n\
+         one joint that solves it, univariate(q6,q5,q4,q3,q2,q1), is not written as JavaScript\n\
          help: generate Rust, which has it; `--ik none` says that JavaScript without it is meant"
     );
     let c = generated("robots/xarm6.yaml", "arm", &Options::default());

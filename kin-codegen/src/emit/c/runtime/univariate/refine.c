@@ -21,7 +21,7 @@ static double kin_branch_of(const kin_six *solution)
 }
 
 /* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers.
- * Where one is flagged, lost, or too near to another one to tell them apart, an elimination is asked
+ * Where one is flagged, lost, or too near to another one to tell them apart, eliminations are asked
  * for the others, which are numbered from KIN_BRANCHES on. */
 static void kin_refine(const double target[12], const kin_lanes *lanes, kin_search *search)
 {
@@ -54,10 +54,10 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
     if (search->starts.count > 0) {
         clear = kin_refine_some(search, numbers) && clear;
     }
-    if (!clear) {
+    for (int i = 0; i < KIN_ASKED && !clear; ++i) {
         kin_asked asked;
-        kin_ask(search, &kin_eliminations[0], &asked);
-        kin_answer(search, &asked);
+        kin_ask(search, &kin_eliminations[i], &asked);
+        clear = kin_answer(search, &asked);
     }
     for (int i = 0; i < found->singular_count && found->regular_count < KIN_MOST_FOUND; ++i) {
         found->regular[found->regular_count++] = found->singular[i];
