@@ -49,7 +49,7 @@ const OF_REFINEMENT: [[&str; 2]; 3] = [
         "if (!(lanes->invalid[k] <= 0.0))",
         "if (lanes->invalid[k] <= 0.0)",
     ],
-    ["i < KIN_ASKED && !clear", "i < KIN_ASKED && clear > 1"],
+    ["&& !clear; ++i", "&& clear > 1; ++i"],
     ["return solution->branch", "return -solution->branch"],
 ];
 
