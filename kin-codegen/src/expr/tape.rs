@@ -24,6 +24,16 @@ enum Instruction {
     Sub(Place, [Place; 2]),
     Mul(Place, [Place; 2]),
     Div(Place, [Place; 2]),
+    /// a b + c, where nothing else reads the product; it is rounded as well.
+    ProductAdd(Place, [Place; 3]),
+    /// a b − c.
+    ProductSub(Place, [Place; 3]),
+    /// a − b c.
+    SubProduct(Place, [Place; 3]),
+    /// a b + c d.
+    ProductsAdd(Place, [Place; 4]),
+    /// a b − c d.
+    ProductsSub(Place, [Place; 4]),
     Max(Place, [Place; 2]),
     Atan2(Place, [Place; 2]),
     /// The same angle in all lanes of some inputs: generated code has another polynomial for it.
@@ -192,14 +202,23 @@ impl Tape {
     ) {
         let at = |place: Place| place as usize;
         // Plain loops: macros run this in builds without optimizations, where closures are calls.
+        macro_rules! rounded {
+            ($value:expr) => {{
+                let value: f64 = $value;
+                if SINGLE {
+                    f64::from(value as f32)
+                } else {
+                    value
+                }
+            }};
+        }
         macro_rules! lane_by_lane {
             ($to:ident, [$($operand:ident),*], $k:ident => $value:expr) => {{
                 $(let $operand = values[at($operand)];)*
                 let out = &mut values[at($to)];
                 let mut $k = 0;
                 while $k < L {
-                    let value: f64 = $value;
-                    out[$k] = if SINGLE { f64::from(value as f32) } else { value };
+                    out[$k] = rounded!($value);
                     $k += 1;
                 }
             }};
@@ -209,6 +228,21 @@ impl Tape {
             Instruction::Sub(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] - b[k]),
             Instruction::Mul(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] * b[k]),
             Instruction::Div(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] / b[k]),
+            Instruction::ProductAdd(to, [a, b, c]) => {
+                lane_by_lane!(to, [a, b, c], k => rounded!(a[k] * b[k]) + c[k]);
+            }
+            Instruction::ProductSub(to, [a, b, c]) => {
+                lane_by_lane!(to, [a, b, c], k => rounded!(a[k] * b[k]) - c[k]);
+            }
+            Instruction::SubProduct(to, [a, b, c]) => {
+                lane_by_lane!(to, [a, b, c], k => a[k] - rounded!(b[k] * c[k]));
+            }
+            Instruction::ProductsAdd(to, [a, b, c, d]) => {
+                lane_by_lane!(to, [a, b, c, d], k => rounded!(a[k] * b[k]) + rounded!(c[k] * d[k]));
+            }
+            Instruction::ProductsSub(to, [a, b, c, d]) => {
+                lane_by_lane!(to, [a, b, c, d], k => rounded!(a[k] * b[k]) - rounded!(c[k] * d[k]));
+            }
             Instruction::Max(to, [a, b]) => lane_by_lane!(to, [a, b], k => math::max(a[k], b[k])),
             Instruction::Atan2(to, [y, x]) => {
                 lane_by_lane!(to, [y, x], k => match SINGLE {
@@ -270,7 +304,9 @@ struct Writer<'a> {
     needed: Vec<bool>,
     /// By node, how many choices it sees.
     levels: Vec<u8>,
-    /// By node, the last one that reads it; outputs are read by none of them.
+    /// Products that are read by a single sum or difference, whose instruction has them.
+    inside: Vec<bool>,
+    /// By node, the last one whose instruction reads it; outputs are read by none of them.
     last: Vec<usize>,
     /// By node, its place.
     place: Vec<Place>,
@@ -284,25 +320,41 @@ impl<'a> Writer<'a> {
     fn new(graph: &'a Graph, outputs: &[Expr]) -> Self {
         let needed = graph.reachable(outputs);
         let nodes = graph.nodes();
-        let mut last = vec![0; nodes.len()];
-        for (i, node) in nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
-            for operand in node.operands() {
-                last[operand.index()] = i;
-            }
-        }
-        for output in outputs {
-            last[output.index()] = usize::MAX;
-        }
-        Self {
+        let inside = products_inside(graph, &needed, outputs);
+        let mut writer = Self {
             graph,
             needed,
             levels: graph.levels(),
-            last,
+            inside,
+            last: vec![0; nodes.len()],
             place: vec![0; nodes.len()],
             written: vec![false; nodes.len()],
             free: Vec::new(),
             tape: Tape::default(),
+        };
+        for i in 0..nodes.len() {
+            if writer.needed[i] && !writer.inside[i] {
+                for operand in writer.operands(i) {
+                    writer.last[operand.index()] = i;
+                }
+            }
         }
+        for output in outputs {
+            writer.last[output.index()] = usize::MAX;
+        }
+        writer
+    }
+
+    /// What the instruction of a node reads.
+    fn operands(&self, i: usize) -> Vec<Expr> {
+        let mut operands = Vec::new();
+        for operand in self.graph.nodes()[i].operands() {
+            match self.inside[operand.index()] {
+                true => operands.extend(self.graph.node(operand).operands()),
+                false => operands.push(operand),
+            }
+        }
+        operands
     }
 
     fn write(mut self, outputs: &[Expr]) -> Tape {
@@ -326,6 +378,9 @@ impl<'a> Writer<'a> {
         }
         let partners = self.partners();
         for i in needed {
+            if self.inside[i] {
+                continue;
+            }
             if !self.written[i] {
                 self.instruction(i, &partners);
             }
@@ -364,8 +419,7 @@ impl<'a> Writer<'a> {
 
     /// The places that a node was the last to read.
     fn release(&mut self, i: usize) {
-        let node = self.graph.nodes()[i];
-        let operands: Vec<usize> = node.operands().map(Expr::index).collect();
+        let operands: Vec<usize> = self.operands(i).into_iter().map(Expr::index).collect();
         for (k, &operand) in operands.iter().enumerate() {
             let made = self.graph.nodes()[operand].operands().next().is_some();
             if made && self.last[operand] == i && !operands[..k].contains(&operand) {
@@ -425,8 +479,26 @@ impl<'a> Writer<'a> {
                 let to = self.next();
                 self.place[i] = to;
                 match node {
-                    Node::Add(a, b) => Instruction::Add(to, [a, b].map(|e| of(self, e))),
-                    Node::Sub(a, b) => Instruction::Sub(to, [a, b].map(|e| of(self, e))),
+                    Node::Add(a, b) | Node::Sub(a, b) => {
+                        let is_sum = matches!(node, Node::Add(..));
+                        let places = self.operands(i).into_iter().map(|e| of(self, e));
+                        let places: Vec<Place> = places.collect();
+                        let inside = [a, b].map(|e| self.inside[e.index()]);
+                        match (inside, is_sum, &places[..]) {
+                            ([true, false], true, &[a, b, c])
+                            | ([false, true], true, &[c, a, b]) => {
+                                Instruction::ProductAdd(to, [a, b, c])
+                            }
+                            (_, true, &[a, b, c, d]) => Instruction::ProductsAdd(to, [a, b, c, d]),
+                            ([true, _], false, &[a, b, c]) => {
+                                Instruction::ProductSub(to, [a, b, c])
+                            }
+                            (_, false, &[a, b, c]) => Instruction::SubProduct(to, [a, b, c]),
+                            (_, false, &[a, b, c, d]) => Instruction::ProductsSub(to, [a, b, c, d]),
+                            (_, true, _) => Instruction::Add(to, [a, b].map(|e| of(self, e))),
+                            (_, false, _) => Instruction::Sub(to, [a, b].map(|e| of(self, e))),
+                        }
+                    }
                     Node::Mul(a, b) => Instruction::Mul(to, [a, b].map(|e| of(self, e))),
                     Node::Div(a, b) => Instruction::Div(to, [a, b].map(|e| of(self, e))),
                     Node::Max(a, b) => Instruction::Max(to, [a, b].map(|e| of(self, e))),
@@ -444,6 +516,28 @@ impl<'a> Writer<'a> {
         };
         self.tape.instructions.push(instruction);
     }
+}
+
+/// The products that a single sum or difference reads, and nothing else.
+fn products_inside(graph: &Graph, needed: &[bool], outputs: &[Expr]) -> Vec<bool> {
+    let nodes = graph.nodes();
+    let mut readers = vec![0; nodes.len()];
+    let mut inside = vec![false; nodes.len()];
+    for (i, node) in nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
+        for operand in node.operands() {
+            readers[operand.index()] += 1;
+            let is_sum = matches!(nodes[i], Node::Add(..) | Node::Sub(..));
+            let is_product = matches!(graph.node(operand), Node::Mul(..));
+            inside[operand.index()] = is_sum && is_product;
+        }
+    }
+    for output in outputs {
+        inside[output.index()] = false;
+    }
+    let alone = inside.iter().zip(&readers);
+    alone
+        .map(|(inside, readers)| *inside && *readers == 1)
+        .collect()
 }
 
 #[cfg(test)]
@@ -467,7 +561,17 @@ mod tests {
         let wrapped = g.wrap(angle);
         let less = g.select_less(wrapped, cos, root, other);
         let minus = g.neg(less);
-        let outputs = [less, angle, minus, sin, y, first];
+        let [product, another, third] = [[sin, y], [cos, less], [y, y]].map(|[a, b]| g.mul(a, b));
+        let sums = [
+            g.add(product, angle),
+            g.sub(another, angle),
+            g.sub(angle, third),
+        ];
+        let [fourth, fifth] = [[sums[0], y], [sums[1], cos]].map(|[a, b]| g.mul(a, b));
+        let both = g.add(fourth, fifth);
+        let [sixth, seventh] = [[both, y], [sums[2], cos]].map(|[a, b]| g.mul(a, b));
+        let apart = g.sub(sixth, seventh);
+        let outputs = [less, angle, minus, sin, y, first, both, apart];
         let tape = Tape::new(&g, &outputs);
         let inputs = [0.7, 2.3];
         let four = tape.run::<4>(&inputs, 0);
