@@ -139,22 +139,29 @@ pub struct View {
     pub output: PathBuf,
 }
 
-/// Plot the joints of an arm along a straight line of its tip: all branches, limits, the solution
-/// taken, and how far it is from singular
+/// Plot the joints of a robot along a path: all branches, limits, the solution taken, how far it
+/// is from singular, and the robot itself
+///
+/// The path is a straight line of an arm's tip, a drive of a mechanism's actuated joints, or
+/// stands in a table.
 #[derive(Debug, Args)]
 pub struct Plot {
     /// The robot file, URDF or YAML
     pub file: String,
+    /// A table with a row for each point: poses as `kin ik` takes them, solutions as it writes
+    /// them, or the values of the joints, of a mechanism those of the actuated ones
+    #[arg(required_unless_present = "from", conflicts_with_all = ["from", "to", "steps"])]
+    pub table: Option<PathBuf>,
     #[command(flatten)]
     pub options: RobotOptions,
-    /// The configuration at whose pose the line begins, and that the arm is in there; radians
-    /// and metres
+    /// The configuration at whose pose the line begins, and that the arm is in there; of a
+    /// mechanism the values of its actuated joints; radians and metres
     #[arg(
         long,
         value_name = "Q1,Q2,..",
         value_delimiter = ',',
         allow_hyphen_values = true,
-        required = true
+        requires = "to"
     )]
     pub from: Vec<f64>,
     /// The configuration at whose pose it ends
@@ -163,10 +170,10 @@ pub struct Plot {
         value_name = "Q1,Q2,..",
         value_delimiter = ',',
         allow_hyphen_values = true,
-        required = true
+        requires = "from"
     )]
     pub to: Vec<f64>,
-    /// Steps along the line
+    /// Steps from one to the other
     #[arg(long, value_name = "COUNT", default_value_t = 400, value_parser = at_least_one)]
     pub steps: usize,
     /// The picture: .svg or .png

@@ -170,9 +170,10 @@ fn pictures_show_the_numbers() {
     let maps = Maps::of("planar_3r", &["--samples", "8", "--cells", "21"]);
     let path = maps.folder.join(format!("{}_xy.png", maps.robot));
     let (width, height, pixels) = read_png(&path);
-    // The square between the axes.
-    let (left, top, side) = (62, 36, 326.0);
-    assert_eq!((width, height), (left + 326 + 12 + 96, top + 326 + 48));
+    // The square between the axes, of two dots to a pixel.
+    let (left, top, side) = (2 * 62, 2 * 36, 2.0 * 326.0);
+    let size = (left + 2 * (326 + 12 + 96), top + 2 * (326 + 48));
+    assert_eq!((width, height), size);
     let (mut outside, mut everywhere) = (0, 0);
     for (row, column) in maps.all() {
         // Not where the arm is drawn.
@@ -189,7 +190,7 @@ fn pictures_show_the_numbers() {
     }
     assert!(outside > 50 && everywhere > 50);
     let (width, height, _) = read_png(&maps.folder.join("planar_3r_workspace.png"));
-    assert_eq!((width, height), (3 * 400 + 96, 2 * 410));
+    assert_eq!((width, height), (2 * (3 * 400 + 96), 2 * 2 * 410));
 }
 
 /// The same as vectors, with what a reader needs, and with names that stay text.

@@ -24,19 +24,27 @@ impl<'a> Forward<'a> {
     ///
     /// They are not there.
     pub fn find(&self, path: &Path, header: &Header) -> Result<Vec<usize>, Fault> {
-        let joints = self.robot.joint_names();
-        match header {
-            Header::Names(names) => joints.iter().map(|it| joint(path, names, it)).collect(),
-            Header::Width(width) if *width == joints.len() => Ok((0..*width).collect()),
-            Header::Width(width) => Err(Fault::whole(
-                path,
-                format!(
-                    "rows of {width} numbers, where the robot has {} joints",
-                    joints.len()
-                ),
-                format!("let rows have the values of {}", joints.join(", ")),
-            )),
-        }
+        columns(path, header, &self.robot.joint_names())
+    }
+}
+
+/// The columns of a file that have the values of these joints.
+///
+/// # Errors
+///
+/// They are not there.
+pub fn columns(path: &Path, header: &Header, joints: &[&str]) -> Result<Vec<usize>, Fault> {
+    match header {
+        Header::Names(names) => joints.iter().map(|it| joint(path, names, it)).collect(),
+        Header::Width(width) if *width == joints.len() => Ok((0..*width).collect()),
+        Header::Width(width) => Err(Fault::whole(
+            path,
+            format!(
+                "rows of {width} numbers, where the robot has {} joints",
+                joints.len()
+            ),
+            format!("let rows have the values of {}", joints.join(", ")),
+        )),
     }
 }
 

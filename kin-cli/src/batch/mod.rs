@@ -39,8 +39,8 @@ mod pose;
 mod task;
 
 pub use folder::{Pair, Share, pairs};
-pub use forward::Forward;
+pub use forward::{Forward, columns};
 pub use inverse::{Inverse, Kept};
 pub use job::{Job, Report, forget_all};
-pub use pose::Written;
+pub use pose::{PoseColumns, Written};
 pub use task::{Tally, Task};

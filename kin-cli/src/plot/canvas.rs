@@ -3,7 +3,10 @@
 use plotters::coord::Shift;
 use plotters::drawing::DrawingAreaErrorKind;
 use plotters::prelude::{BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
-use plotters::style::{FontStyle, RGBColor, WHITE, register_font};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{
+    Color, FontDesc, FontStyle, RGBColor, ShapeStyle, TextStyle, WHITE, register_font,
+};
 use std::io;
 
 /// What a drawing may fail of.
@@ -11,8 +14,12 @@ pub type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::Error
 /// Where one draws.
 pub type Area<B> = DrawingArea<B, Shift>;
 
+/// Places on an area are integers; there are so many to a pixel, as high and as wide, so that
+/// curves have no stairs and letters stand where they belong. A dot of a PNG is two of them high
+/// and wide, and so half a pixel, for screens and printers that show it.
+const FINE: u32 = 4;
 /// The typeface: the one of whoever looks at an SVG, and Noto Sans, which comes along, in a PNG.
-pub const TYPEFACE: &str = "sans-serif";
+const TYPEFACE: &str = "sans-serif";
 /// Axes and text.
 pub const INK: RGBColor = RGBColor(38, 44, 52);
 /// Lines that stand back.
@@ -20,38 +27,83 @@ pub const FAINT: RGBColor = RGBColor(226, 229, 234);
 /// Links, and whatever stands on colours.
 pub const LINK: RGBColor = RGBColor(20, 22, 26);
 
+/// A length of so many pixels on an area.
+pub const fn px(pixels: u32) -> u32 {
+    pixels * FINE
+}
+
+/// A line or an outline that is so many pixels wide.
+pub fn line(colour: impl Color, pixels: u32) -> ShapeStyle {
+    colour.stroke_width(px(pixels))
+}
+
+/// Letters so many pixels high.
+pub fn font(pixels: u32) -> TextStyle<'static> {
+    FontDesc::from((TYPEFACE, px(pixels))).color(&INK)
+}
+
+/// The same behind a place, at its height.
+pub fn font_behind(pixels: u32) -> TextStyle<'static> {
+    font(pixels).pos(Pos::new(HPos::Left, VPos::Center))
+}
+
 /// Something that can be drawn.
 pub trait Picture {
     /// Width and height, pixels.
     fn size(&self) -> (u32, u32);
-    /// Draws it on an area of this size.
+    /// Draws it on an area of this size in [`px`].
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B>;
 }
 
 /// As vectors.
 pub fn svg(picture: &impl Picture) -> io::Result<Vec<u8>> {
     let mut text = String::new();
-    on(picture, SVGBackend::with_string(&mut text, picture.size()))?;
-    Ok(text.into_bytes())
-}
-
-/// As pixels, with a palette where 256 colours are enough.
-pub fn png(picture: &impl Picture) -> io::Result<Vec<u8>> {
     let (width, height) = picture.size();
-    let mut pixels = vec![255; width as usize * height as usize * 3];
     on(
         picture,
-        BitMapBackend::with_buffer(&mut pixels, (width, height)),
+        SVGBackend::with_string(&mut text, (px(width), px(height))),
     )?;
+    let fine = format!("width=\"{}\" height=\"{}\"", px(width), px(height));
+    let shown = format!("width=\"{width}\" height=\"{height}\"");
+    Ok(text.replacen(&fine, &shown, 1).into_bytes())
+}
+
+/// As pixels.
+pub fn png(picture: &impl Picture) -> io::Result<Vec<u8>> {
+    let (width, height) = picture.size();
+    let (width, height) = (px(width) as usize, px(height) as usize);
+    let mut fine = vec![255; width * height * 3];
+    let size = (width as u32, height as u32);
+    on(picture, BitMapBackend::with_buffer(&mut fine, size))?;
+    let dots = dots(&fine, width);
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    let size = (width / 2, height / 2);
+    let mut encoder = png::Encoder::new(&mut bytes, size.0 as u32, size.1 as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::High);
+    encoder.set_compression(png::Compression::Balanced);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&pixels)?;
+    writer.write_image_data(&dots)?;
     writer.finish()?;
     Ok(bytes)
+}
+
+/// The means of squares of two by two in rows of `width`.
+fn dots(fine: &[u8], width: usize) -> Vec<u8> {
+    let mut dots = Vec::with_capacity(fine.len() / 4);
+    for rows in fine.chunks_exact(6 * width) {
+        let (upper, lower) = rows.split_at(3 * width);
+        for column in 0..width / 2 {
+            for place in 6 * column..6 * column + 3 {
+                let sum = u16::from(upper[place])
+                    + u16::from(upper[place + 3])
+                    + u16::from(lower[place])
+                    + u16::from(lower[place + 3]);
+                dots.push((sum / 4) as u8);
+            }
+        }
+    }
+    dots
 }
 
 fn on<B: DrawingBackend>(picture: &impl Picture, backend: B) -> io::Result<()> {
@@ -105,4 +157,16 @@ pub fn hue(number: usize) -> RGBColor {
         RGBColor(110, 110, 110),
     ];
     HUES[number % HUES.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dot_is_the_mean_of_its_square() {
+        let fine: Vec<u8> = (0..2 * 4 * 3).map(|k| k as u8).collect();
+        // Squares of columns 0, 1 and 2, 3: rows are 12 apart, neighbours 3.
+        assert_eq!(dots(&fine, 4), [7, 8, 9, 13, 14, 15]);
+    }
 }

@@ -1,48 +1,128 @@
 //! `kin plot`, and pictures as people publish them: axes with units, titles, and the same as
 //! vectors and as pixels.
 
+mod arm;
 pub mod canvas;
+pub mod figure;
+mod line;
+mod mechanism;
 mod path;
+mod table;
 mod trajectory;
 
 use crate::arguments::{self, read};
 use crate::{Done, Exit};
-use kin_codegen::Ik;
-use kin_codegen::spec::one_line;
+use kin_codegen::model::Model;
+use kin_codegen::spec::{Spec, one_line};
+use kin_codegen::{Ik, Options, Source, compile};
 use kinematics::Robot;
-use path::Path;
+use path::{Path, Subject};
 use std::fs;
+use table::Table;
 use trajectory::Trajectory;
 
 pub fn run(arguments: &arguments::Plot) -> Done {
+    match plot(arguments) {
+        Ok(report) => Done::printing(report),
+        Err(done) => done,
+    }
+}
+
+fn plot(arguments: &arguments::Plot) -> Result<String, Done> {
     let options = arguments.options.options();
     if options.ik == Ik::None {
         let reason = "a path is followed by inverse kinematics: leave out `--ik none`";
-        return Done::failing(Exit::Usage, reason);
+        return Err(Done::failing(Exit::Usage, reason));
     }
-    let source = match read(&arguments.file) {
-        Ok(source) => source,
-        Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
+    let source = read(&arguments.file).map_err(|error| Done::failing(Exit::Broken, error))?;
+    let spec = Spec::parse(&source).map_err(|error| Done::failing(Exit::Broken, error))?;
+    match spec {
+        Spec::Arm(spec) => {
+            let robot = Robot::load(&source, &options)
+                .map_err(|error| Done::failing(Exit::from(&error), error))?;
+            let (base, tip) = (options.base.as_deref(), options.tip.as_deref());
+            let model =
+                Model::new(&spec, base, tip).map_err(|error| Done::failing(Exit::Broken, error))?;
+            let subject = arm::subject(&robot);
+            let path = match &arguments.table {
+                Some(table) => Table::open(table)
+                    .and_then(|table| arm::of_table(&robot, table))
+                    .map_err(|fault| Done::failing(Exit::Broken, fault))?,
+                None => {
+                    check(arguments, &robot.joint_names())?;
+                    let (from, to) = (&arguments.from, &arguments.to);
+                    arm::along_line(&robot, from, to, arguments.steps)
+                }
+            };
+            let (figures, tip) = arm::figures(&model, &robot, &path);
+            write(arguments, &subject, &path, figures, tip)
+        }
+        Spec::Mechanism(_) => mechanism(arguments, &source, &options),
+    }
+}
+
+fn mechanism(
+    arguments: &arguments::Plot,
+    source: &Source,
+    options: &Options,
+) -> Result<String, Done> {
+    let compiled = compile(source, options);
+    let compiled = compiled.map_err(|error| Done::failing(Exit::from(&error), error))?;
+    let Some(compiled) = compiled.mechanism() else {
+        unreachable!("the specification of a mechanism compiles to one")
     };
-    let robot = match Robot::load(&source, &options) {
-        Ok(robot) => robot,
-        Err(error) => return Done::failing(Exit::from(&error), error),
+    let platform = mechanism::Platform::new(compiled);
+    let path = match &arguments.table {
+        Some(table) => Table::open(table)
+            .and_then(|table| platform.of_table(table))
+            .map_err(|fault| Done::failing(Exit::Broken, fault))?,
+        None => {
+            let actuated = platform.actuated();
+            check(
+                arguments,
+                &actuated.iter().map(String::as_str).collect::<Vec<_>>(),
+            )?;
+            let (from, to) = (&arguments.from, &arguments.to);
+            let driven = platform.driven(from, to, arguments.steps);
+            driven.ok_or_else(|| {
+                let reason = "`--from` is no place that the actuated joints bring the mechanism \
+                              to from home, evenly: its loops do not close on the way";
+                Done::failing(Exit::Usage, reason)
+            })?
+        }
     };
-    let joints = robot.joints();
+    let (figures, tip) = platform.figures(&path);
+    write(arguments, &platform.subject, &path, figures, tip)
+}
+
+/// That the ends of a path are configurations.
+fn check(arguments: &arguments::Plot, joints: &[&str]) -> Result<(), Done> {
     for (option, q) in [("from", &arguments.from), ("to", &arguments.to)] {
-        if q.len() != joints || !q.iter().all(|x| x.is_finite()) {
-            let names: Vec<String> = robot.joint_names().iter().map(|it| one_line(it)).collect();
+        if q.len() != joints.len() || !q.iter().all(|x| x.is_finite()) {
+            let names: Vec<String> = joints.iter().map(|it| one_line(it)).collect();
             let reason = format!(
-                "`--{option}` takes {joints} finite numbers, for {}",
+                "`--{option}` takes {} finite numbers, for {}",
+                joints.len(),
                 names.join(", ")
             );
-            return Done::failing(Exit::Usage, reason);
+            return Err(Done::failing(Exit::Usage, reason));
         }
     }
-    let path = Path::new(&robot, &arguments.from, &arguments.to, arguments.steps);
+    Ok(())
+}
+
+fn write(
+    arguments: &arguments::Plot,
+    subject: &Subject,
+    path: &Path,
+    figures: Vec<figure::Figure>,
+    tip: Vec<[f64; 3]>,
+) -> Result<String, Done> {
     let trajectory = Trajectory {
-        robot: &robot,
-        path: &path,
+        subject,
+        path,
+        figures,
+        tip,
     };
     let is = |ending: &str| {
         let own = arguments.output.extension();
@@ -54,30 +134,36 @@ pub fn run(arguments: &arguments::Plot) -> Done {
         () if is("png") => canvas::png(&trajectory),
         () => {
             let reason = format!("{shown}: pictures are written as .svg or .png");
-            return Done::failing(Exit::Usage, reason);
+            return Err(Done::failing(Exit::Usage, reason));
         }
     };
     let written = picture.and_then(|picture| fs::write(&arguments.output, picture));
     match written {
-        Ok(()) => Done::printing(report(&path)),
-        Err(error) => Done::failing(Exit::Broken, format!("cannot write {shown}: {error}")),
+        Ok(()) => Ok(report(subject, path)),
+        Err(error) => {
+            let reason = format!("cannot write {shown}: {error}");
+            Err(Done::failing(Exit::Broken, reason))
+        }
     }
 }
 
-/// How the arm got along.
-fn report(path: &Path) -> String {
+/// How the robot got along.
+fn report(subject: &Subject, path: &Path) -> String {
     let points = path.taken.len();
-    let taken = path.taken.iter().flatten().count();
-    let least = path.least.iter().flatten().copied();
+    let taken = path.taken.iter().flatten();
+    let within = taken.filter(|q| subject.is_within(q)).count();
+    let least = path.measure.iter().flatten().copied();
     let least = least.fold(f64::INFINITY, f64::min);
-    let mut text = format!("{taken} of {points} points within limits");
+    let mut text = format!("{within} of {points} points within limits");
     match path.jumps().len() {
         0 => {}
         1 => text += ", 1 jump",
         jumps => text += &format!(", {jumps} jumps"),
     }
     if least.is_finite() {
-        text += &format!("; least singular value {least:.4}");
+        let measure = subject.measure[0];
+        let measure = measure.strip_suffix(" of the Jacobian").unwrap_or(measure);
+        text += &format!("; {measure} {least:.4} at least");
     }
     text + "\n"
 }

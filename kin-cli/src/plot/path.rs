@@ -1,95 +1,146 @@
-//! A straight line of the tip, and all solutions along it.
+//! What is plotted: all solutions along a path, and the ones taken.
 
 use kin_runtime::__private::math;
-use kin_runtime::Pose;
-use kinematics::Robot;
+use kin_runtime::JointLimit;
 
 /// Solutions of one branch at neighbouring points this far apart, radians, are not one curve: one
 /// has gone through a turn, or the branch has ended and begun again.
 const APART: f64 = 0.5;
-/// A shorter line is rounding: the way is a turn alone; metres.
-const SHORTEST: f64 = 1e-9;
+/// Beyond a limit by more is beyond it, radians and metres.
+const AT_A_STOP: f64 = 1e-6;
 
-/// All solutions along a line, and the ones that an arm on it takes.
+/// Solutions along a path, point by point.
 pub struct Path {
-    /// Whether the way is a length, metres; else it is an angle, radians.
-    pub is_length: bool,
-    /// How far each point is along it.
+    /// What the points are counted by, with its unit.
+    pub axis: String,
+    /// How far each point is along the path, in that unit.
     pub way: Vec<f64>,
-    /// By branch, pieces of curves: the point's number and the joint values.
-    pub curves: Vec<Vec<Curve>>,
-    /// Within limits and nearest to the point before, as far as there is one.
+    /// Of all branches.
+    pub curves: Curves,
+    /// The configuration at each point, as far as there is one.
     pub taken: Vec<Option<Vec<f64>>>,
-    /// The least singular value of the geometric Jacobian there.
-    pub least: Vec<Option<f64>>,
+    /// How far from singular it is there; see [`Subject::measure`].
+    pub measure: Vec<Option<f64>>,
 }
 
-/// Points of a branch without a gap.
-pub type Curve = Vec<(usize, Vec<f64>)>;
+/// Whose path it is.
+pub struct Subject {
+    pub name: String,
+    /// What of it is on the path.
+    pub tip: String,
+    /// Of a configuration.
+    pub joints: Vec<Joint>,
+    /// What tells how far from singular a configuration is, and its unit.
+    pub measure: [&'static str; 2],
+}
 
-impl Path {
-    /// From one configuration's pose to another's, the origin along a line and the rotation about
-    /// one axis; parameters go from the one's to the other's. The arm starts from `from`.
-    pub fn new(robot: &Robot, from: &[f64], to: &[f64], steps: usize) -> Self {
-        let ends = [robot.fk(from), robot.fk(to)];
-        let parameters =
-            [(&ends[0], from), (&ends[1], to)].map(|(pose, q)| robot.redundancy(pose, q));
-        let line = Line::new(&ends[0], &ends[1]);
-        let is_length = line.length > SHORTEST;
-        let scale = if is_length { line.length } else { line.angle };
-        let mut path = Path {
-            is_length,
-            way: Vec::new(),
-            curves: Vec::new(),
-            taken: Vec::new(),
-            least: Vec::new(),
+/// A joint, or a coordinate of an arm some joints of which mimic others.
+pub struct Joint {
+    pub name: String,
+    pub limit: JointLimit,
+    /// Whether it has a panel: what a mechanism's passive joints do follows from the others.
+    pub is_shown: bool,
+}
+
+impl Subject {
+    /// Whether a configuration is within all limits.
+    pub fn is_within(&self, q: &[f64]) -> bool {
+        let stays = |limit: JointLimit, x| {
+            let inside = limit.nearest(x, x);
+            inside.is_some_and(|inside| (inside - x).abs() <= AT_A_STOP)
         };
-        let mut seed = from.to_vec();
-        for k in 0..=steps {
-            let share = k as f64 / steps as f64;
-            let target = line.at(share);
-            let mix = |(a, b): (&f64, &f64)| a + share * math::wrap(b - a);
-            let given: Vec<f64> = parameters[0].iter().zip(&parameters[1]).map(mix).collect();
-            path.way.push(share * scale);
-            for answer in robot.ik_at(&target, &given).iter() {
-                let branch = answer.branch as usize;
-                if path.curves.len() <= branch {
-                    path.curves.resize(branch + 1, Vec::new());
-                }
-                let pieces = &mut path.curves[branch];
-                let turns = robot.limits();
-                let goes_on =
-                    pieces
-                        .last()
-                        .and_then(|piece| piece.last())
-                        .is_some_and(|(last, q)| {
-                            *last + 1 == k
-                                && q.iter().zip(answer.q).zip(turns).all(|((a, b), limit)| {
-                                    !limit.is_revolute() || (a - b).abs() < APART
-                                })
-                        });
-                if !goes_on {
-                    pieces.push(Vec::new());
-                }
-                if let Some(piece) = pieces.last_mut() {
-                    piece.push((k, answer.q.to_vec()));
-                }
-            }
-            let nearest = robot
-                .ik_nearest_at(&target, &given, &seed)
-                .map(|found| found.q);
-            path.least
-                .push(nearest.as_ref().map(|q| robot.manipulability(q).sigma_min));
-            if let Some(q) = &nearest {
-                seed.clone_from(q);
-            }
-            path.taken.push(nearest);
+        (self.joints.iter().zip(q)).all(|(joint, &x)| stays(joint.limit, x))
+    }
+}
+
+/// Curves that grow point by point.
+pub struct Curves {
+    /// All of them, those that have ended too.
+    pub pieces: Vec<Piece>,
+    /// By joint.
+    turns: Vec<bool>,
+}
+
+/// A curve without a gap.
+pub struct Piece {
+    /// Curves of one branch have one colour; those of branches without numbers have one, too.
+    pub branch: Option<usize>,
+    /// The first joint that it tells.
+    pub first: usize,
+    /// The point's number, and the values of that joint and of some behind it.
+    pub points: Vec<(usize, Vec<f64>)>,
+}
+
+impl Curves {
+    pub fn new(limits: impl Iterator<Item = JointLimit>) -> Self {
+        Self {
+            pieces: Vec::new(),
+            turns: limits.map(JointLimit::is_revolute).collect(),
         }
-        path
     }
 
-    /// Where the arm on the line takes another branch than before, or begins again: the points
-    /// at which a joint jumps.
+    /// Adds a solution of a branch.
+    pub fn push(&mut self, point: usize, branch: usize, q: &[f64]) {
+        let turns = &self.turns;
+        let last = self
+            .pieces
+            .iter_mut()
+            .rev()
+            .find(|it| it.branch == Some(branch));
+        let place = last.filter(|piece| piece.leads_to(point, q, turns).is_some());
+        match place {
+            Some(piece) => piece.points.push((point, q.to_vec())),
+            None => self.pieces.push(Piece {
+                branch: Some(branch),
+                first: 0,
+                points: vec![(point, q.to_vec())],
+            }),
+        }
+    }
+
+    /// Adds the solutions of a chain, whose branches have no numbers, each to the nearest curve.
+    pub fn push_all(&mut self, point: usize, first: usize, solutions: &[Vec<f64>]) {
+        for q in solutions {
+            let turns = &self.turns;
+            let own = self.pieces.iter_mut().filter(|it| it.first == first);
+            let near = own.filter_map(|it| Some((it.leads_to(point, q, turns)?, it)));
+            match near.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                Some((_, piece)) => piece.points.push((point, q.clone())),
+                None => self.pieces.push(Piece {
+                    branch: None,
+                    first,
+                    points: vec![(point, q.clone())],
+                }),
+            }
+        }
+    }
+
+    /// The branches, in order.
+    pub fn branches(&self) -> Vec<usize> {
+        let branches = self.pieces.iter().filter_map(|piece| piece.branch);
+        let mut branches: Vec<usize> = branches.collect();
+        branches.sort_unstable();
+        branches.dedup();
+        branches
+    }
+}
+
+impl Piece {
+    /// How far a solution is from this curve's end, if the curve goes on with it.
+    fn leads_to(&self, point: usize, q: &[f64], turns: &[bool]) -> Option<f64> {
+        let (last, end) = self.points.last()?;
+        let apart = end.iter().zip(q).zip(&turns[self.first..]);
+        let farthest = apart
+            .filter(|(_, turns)| **turns)
+            .map(|((a, b), _)| (a - b).abs())
+            .fold(0.0, f64::max);
+        (*last + 1 == point && farthest < APART).then_some(farthest)
+    }
+}
+
+impl Path {
+    /// Where another branch than before is taken, or one begins again: the points at which a
+    /// joint jumps.
     pub fn jumps(&self) -> Vec<usize> {
         let far = |a: &[f64], b: &[f64]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > APART);
         let jumps = |&k: &usize| match (&self.taken[k - 1], &self.taken[k]) {
@@ -100,148 +151,123 @@ impl Path {
     }
 }
 
-/// A way between two poses.
-struct Line {
-    from: Pose,
-    shift: [f64; 3],
-    /// Metres.
-    length: f64,
-    axis: [f64; 3],
-    /// Radians.
-    angle: f64,
-}
-
-impl Line {
-    fn new(from: &Pose, to: &Pose) -> Self {
-        let turned = Pose {
-            translation: [0.0; 3],
-            ..*to
-        } * Pose {
-            translation: [0.0; 3],
-            ..*from
-        }
-        .inverse();
-        let turn = turned.log().angular;
-        let norm = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let angle = norm(turn);
-        let shift: [f64; 3] = std::array::from_fn(|i| to.translation[i] - from.translation[i]);
-        Line {
-            from: *from,
-            shift,
-            length: norm(shift),
-            axis: if angle > 0.0 {
-                turn.map(|x| x / angle)
-            } else {
-                [0.0, 0.0, 1.0]
-            },
-            angle,
-        }
+/// One solution of each point, so that their sequence moves least in total (R. Bellman, *Dynamic
+/// Programming*, 1957): the sum of all motions, radians and metres as they stand, angles by
+/// their shorter way. None where a point has none.
+pub fn least_motion(layers: &[Vec<Vec<f64>>], limits: &[JointLimit]) -> Vec<Option<Vec<f64>>> {
+    let distance = |a: &[f64], b: &[f64]| {
+        let joints = a.iter().zip(b).zip(limits);
+        let square = joints.map(|((a, b), limit)| match limit.is_revolute() {
+            true => math::wrap(a - b).powi(2),
+            false => (a - b).powi(2),
+        });
+        square.sum::<f64>().sqrt()
+    };
+    // By point and solution: the motion so far, and which solution of the point before.
+    let mut ways: Vec<(usize, Vec<(f64, usize)>)> = Vec::new();
+    for (k, layer) in layers.iter().enumerate().filter(|(_, it)| !it.is_empty()) {
+        let way = |q: &Vec<f64>| match ways.last() {
+            None => (0.0, 0),
+            Some((before, reached)) => {
+                let all = reached.iter().zip(&layers[*before]).enumerate();
+                let all = all.map(|(i, (way, from))| (way.0 + distance(from, q), i));
+                let least = all.min_by(|a, b| a.0.total_cmp(&b.0));
+                least.unwrap_or((0.0, 0))
+            }
+        };
+        let here = layer.iter().map(way).collect();
+        ways.push((k, here));
     }
-
-    fn at(&self, share: f64) -> Pose {
-        let turn = Pose::from_axis_angle(self.axis, share * self.angle, [0.0; 3]);
-        let rotation = (turn
-            * Pose {
-                translation: [0.0; 3],
-                ..self.from
-            })
-        .rotation;
-        Pose {
-            rotation,
-            translation: std::array::from_fn(|i| self.from.translation[i] + share * self.shift[i]),
-        }
+    let mut taken = vec![None; layers.len()];
+    let ends = ways.last().map(|(_, ways)| ways.iter().enumerate());
+    let end = ends.and_then(|mut ends| ends.by_ref().min_by(|a, b| a.1.0.total_cmp(&b.1.0)));
+    let mut place = end.map_or(0, |(i, _)| i);
+    for (k, ways) in ways.iter().rev() {
+        taken[*k] = Some(layers[*k][place].clone());
+        place = ways[place].1;
     }
+    // Full turns within limits, where these lead nearer.
+    let mut before: Option<Vec<f64>> = None;
+    for q in taken.iter_mut().flatten() {
+        if let Some(before) = &before {
+            for ((x, limit), seed) in q.iter_mut().zip(limits).zip(before) {
+                *x = limit.nearest(*x, *seed).unwrap_or(*x);
+            }
+        }
+        before = Some(q.clone());
+    }
+    taken
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kinematics::{RobotOptions, RobotSource};
+    use std::f64::consts::{PI, TAU};
 
-    fn robot(file: &str) -> Robot {
-        let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-        let source = RobotSource::read(file, root).unwrap();
-        Robot::load(&source, &RobotOptions::default()).unwrap()
+    #[test]
+    fn the_least_motion_looks_ahead() {
+        // The nearest at the first step, 0.1, has only a far one behind it.
+        let layer = |all: &[f64]| all.iter().map(|x| vec![*x]).collect::<Vec<_>>();
+        let layers = [
+            layer(&[0.0]),
+            layer(&[0.1, -0.2]),
+            layer(&[]),
+            layer(&[-0.3, 2.0]),
+        ];
+        let taken = least_motion(&layers, &[JointLimit::prismatic(-9.0, 9.0)]);
+        let expected = [Some(0.0), Some(-0.2), None, Some(-0.3)];
+        assert_eq!(taken, expected.map(|it| it.map(|x| vec![x])));
     }
 
-    /// That the tip of all solutions is on the line, and turns evenly.
-    fn is_straight(robot: &Robot, path: &Path) {
-        let solutions = path.curves.iter().flatten().flatten();
-        let steps = (path.way.len() - 1) as f64;
-        let taken = path.taken.iter().enumerate();
-        let taken = taken.filter_map(|(k, q)| Some((k, q.as_ref()?)));
-        let all: Vec<(usize, &Vec<f64>)> = solutions.map(|(k, q)| (*k, q)).chain(taken).collect();
-        let place = |k: usize| {
-            let q = path.taken[k].as_ref().unwrap();
-            robot.fk(q)
+    #[test]
+    fn the_least_motion_is_that_of_the_whole_path() {
+        // The shortest last step begins far away.
+        let layers = [
+            vec![vec![0.0]],
+            vec![vec![0.1], vec![-5.0]],
+            vec![vec![-5.1], vec![2.0]],
+        ];
+        let taken = least_motion(&layers, &[JointLimit::prismatic(-9.0, 9.0)]);
+        assert_eq!(taken, [0.0, 0.1, 2.0].map(|x| Some(vec![x])));
+    }
+
+    #[test]
+    fn the_least_motion_goes_on_over_a_turn() {
+        let layers = [3.0, -3.1, -2.9].map(|x| vec![vec![x]]);
+        let free = least_motion(&layers, &[JointLimit::Continuous]);
+        let told = |taken: &[Option<Vec<f64>>]| -> Vec<f64> {
+            taken.iter().flatten().map(|q| q[0]).collect()
         };
-        let (first, last) = (place(0), place(path.way.len() - 1));
-        for (k, q) in all {
-            let pose = robot.fk(q);
-            let share = k as f64 / steps;
-            for i in 0..3 {
-                let [a, b] = [&first, &last].map(|end| end.translation[i]);
-                assert!((pose.translation[i] - a - share * (b - a)).abs() < 1e-8);
+        let expected = [3.0, TAU - 3.1, TAU - 2.9];
+        assert!(
+            told(&free)
+                .iter()
+                .zip(expected)
+                .all(|(a, b)| (a - b).abs() < 1e-12)
+        );
+        let stopped = least_motion(&layers, &[JointLimit::revolute(-PI, PI)]);
+        assert_eq!(told(&stopped), [3.0, -3.1, -2.9]);
+    }
+
+    #[test]
+    fn solutions_without_numbers_go_to_the_nearest_curve() {
+        let mut curves = Curves::new([JointLimit::Continuous; 2].into_iter());
+        for k in 0..4 {
+            let x = 0.1 * k as f64;
+            let mut all = vec![vec![x], vec![1.0 - x]];
+            if k % 2 == 1 {
+                all.reverse();
             }
-            let turned = share * first.rotation_distance(&last);
-            assert!((pose.rotation_distance(&first) - turned).abs() < 1e-6);
+            curves.push_all(k, 1, &all);
         }
-    }
-
-    #[test]
-    fn all_branches_are_along_the_line() {
-        let arm = robot("robots/ur5e.urdf");
-        let (from, to) = (
-            [0.3, -1.2, 1.5, -0.7, 1.1, 0.4],
-            [1.3, -1.6, 1.1, -1.0, 0.6, 0.2],
-        );
-        let path = Path::new(&arm, &from, &to, 100);
-        is_straight(&arm, &path);
-        assert!(path.is_length && path.jumps().is_empty());
-        let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
-        assert!(near(path.taken[0].as_ref().unwrap(), &from));
-        assert!(near(path.taken[100].as_ref().unwrap(), &to));
-        for k in [0, 100] {
-            let points = path.curves.iter().flatten().flatten();
-            assert_eq!(points.filter(|(point, _)| *point == k).count(), 8);
+        assert_eq!(curves.pieces.len(), 2);
+        for (piece, slope) in curves.pieces.iter().zip([0.1, -0.1]) {
+            let values: Vec<f64> = piece.points.iter().map(|(_, q)| q[0]).collect();
+            assert!(
+                values
+                    .windows(2)
+                    .all(|it| (it[1] - it[0] - slope).abs() < 1e-12)
+            );
         }
-    }
-
-    #[test]
-    fn a_joint_to_spare_goes_along() {
-        let arm = robot("robots/panda.yaml");
-        let from = [0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6];
-        let to = [0.4, 0.4, -0.1, -1.7, 0.3, 2.0, 0.9];
-        let path = Path::new(&arm, &from, &to, 40);
-        is_straight(&arm, &path);
-        let sevenths = path.taken.iter().flatten().map(|q| q[6]);
-        let expected = (0..=40).map(|k| 0.6 + 0.3 * f64::from(k) / 40.0);
-        assert!(sevenths.zip(expected).all(|(q, x)| (q - x).abs() < 1e-12));
-    }
-
-    #[test]
-    fn curves_end_where_branches_do() {
-        // From stretched to one side to stretched to the other, past where the arm is folded.
-        let arm = robot("robots/planar_2r.yaml");
-        let path = Path::new(&arm, &[0.2, 0.1], &[2.9, 0.1], 60);
-        assert_eq!(path.curves.len(), 2);
-        let seen = path.curves[0].iter().flatten().count();
-        let taken = path.taken.iter().flatten().count();
-        assert!(seen >= taken && taken > 10);
-        assert!(path.curves.iter().flatten().all(|piece| !piece.is_empty()));
-        assert_eq!(
-            path.taken.iter().map(Option::is_some).collect::<Vec<_>>(),
-            path.least.iter().map(Option::is_some).collect::<Vec<_>>()
-        );
-    }
-
-    #[test]
-    fn a_way_may_be_a_turn_alone() {
-        let arm = robot("robots/puma560.yaml");
-        let from = [0.2, -1.0, 0.9, 0.4, 0.7, -0.3];
-        let to = [0.2, -1.0, 0.9, 0.4, 0.7, 0.9];
-        let path = Path::new(&arm, &from, &to, 20);
-        assert!(!path.is_length && (path.way[20] - 1.2).abs() < 1e-9);
-        assert!((path.taken[20].as_ref().unwrap()[5] - 0.9).abs() < 1e-9);
     }
 }

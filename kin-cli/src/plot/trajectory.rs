@@ -1,59 +1,77 @@
-//! The joints along a path: a panel for each, with all branches, the limits, and what an arm on
-//! the path takes.
+//! The joints along a path: the robot at its ends, a panel for each joint with all branches, the
+//! limits, and what is taken, and one for how far that is from singular.
 
-use super::canvas::{Area, Drawn, FAINT, INK, LINK, Picture, TYPEFACE, hue, label};
-use super::path::{Curve, Path};
-use kin_codegen::spec::one_line;
+use super::canvas::{
+    Area, Drawn, FAINT, INK, LINK, Picture, font, font_behind, hue, label, line, px,
+};
+use super::figure::{Figure, GHOST, Weight};
+use super::path::{Path, Piece, Subject};
 use kin_runtime::JointLimit;
-use kinematics::Robot;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::ops::Range;
 
-/// Pixels: of a panel, of the title, of the legend.
-const PANEL: (u32, u32) = (600, 232);
-const TITLE: u32 = 40;
-const LEGEND: u32 = 34;
+/// Pixels: of a panel, of a view of the robot, of the title, of a line of the legend.
+const PANEL: (u32, u32) = (600, 236);
+const VIEW: (u32, u32) = (400, 380);
+const TITLE: u32 = 44;
+const LEGEND: u32 = 30;
+/// What of a line of the legend may be used, pixels.
+const LEGEND_WIDTH: (i32, i32) = (72, 1180);
 /// Beyond limits.
 const BEYOND: RGBColor = RGBColor(179, 38, 30);
+/// Branches that have no numbers.
+const OTHERS: RGBColor = RGBColor(86, 180, 233);
+/// The path of the tip.
+const WAY: RGBColor = RGBColor(0, 114, 178);
 
 /// The picture.
 pub struct Trajectory<'a> {
-    pub robot: &'a Robot,
+    pub subject: &'a Subject,
     pub path: &'a Path,
+    /// Where the path begins, and where it ends.
+    pub figures: Vec<Figure>,
+    /// The origin of the tip at all points, base coordinates, metres.
+    pub tip: Vec<[f64; 3]>,
 }
 
 /// A panel.
 struct Panel<'a> {
-    title: String,
+    title: &'a str,
     /// What y is, with its unit.
     axis: String,
-    /// From the values of a configuration to y.
-    curves: Vec<(usize, &'a Curve)>,
+    curves: Vec<&'a Piece>,
     taken: Vec<Option<f64>>,
+    /// The joint, and its unit in radians or metres; none of a measure, which is never below 0.
     of: Option<(usize, f64)>,
     limits: Option<[f64; 2]>,
 }
 
 impl Picture for Trajectory<'_> {
     fn size(&self) -> (u32, u32) {
-        let rows = (self.robot.joints() as u32 + 1).div_ceil(2);
-        (2 * PANEL.0, rows * PANEL.1 + TITLE + LEGEND)
+        let rows = self.panels().len().div_ceil(2) as u32;
+        let legend = LEGEND * (1 + self.entries().1);
+        (2 * PANEL.0, TITLE + VIEW.1 + rows * PANEL.1 + legend)
     }
 
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
-        let (_, height) = self.size();
-        let (head, rest) = area.split_vertically(TITLE);
-        let (panels, legend) = rest.split_vertically(height - TITLE - LEGEND);
-        let style = (TYPEFACE, 19).into_font().color(&INK);
-        let style = style.pos(Pos::new(HPos::Left, VPos::Center));
+        let (head, rest) = area.split_vertically(px(TITLE));
         let title = format!(
-            "{}: joints along a line of {}",
-            one_line(self.robot.name()),
-            one_line(self.robot.tip())
+            "{}: joints along a path of {}",
+            self.subject.name, self.subject.tip
         );
-        head.draw_text(&title, &style, (20, TITLE as i32 / 2 + 2))?;
+        let middle = px(TITLE) as i32 / 2;
+        head.draw_text(&title, &font_behind(19), (px(20) as i32, middle))?;
+        let (mut x, y) = (2 * PANEL.0 as i32 - 240, TITLE as i32 / 2);
+        for (text, colour, width) in [("begin", GHOST, 3), ("end", LINK, 3), ("path", WAY, 2)] {
+            Entry::new((x, y), text, colour, width).draw(&head)?;
+            x += 78;
+        }
+        let (views, rest) = rest.split_vertically(px(VIEW.1));
+        self.views(&views)?;
         let all = self.panels();
-        let places = panels.split_evenly((all.len().div_ceil(2), 2));
+        let rows = all.len().div_ceil(2);
+        let (panels, legend) = rest.split_vertically(px(PANEL.1) * rows as u32);
+        let places = panels.split_evenly((rows, 2));
         for (place, panel) in places.iter().zip(&all) {
             self.panel(place, panel)?;
         }
@@ -62,33 +80,97 @@ impl Picture for Trajectory<'_> {
 }
 
 impl Trajectory<'_> {
+    /// The robot at the ends of the path, in three views of one scale.
+    fn views<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        let points = self.figures.iter().flat_map(Figure::points);
+        let points: Vec<[f64; 3]> = points.chain(self.tip.iter().copied()).collect();
+        let ends = [0, 1, 2].map(|axis: usize| {
+            let all = points.iter().map(|point| point[axis]);
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+                [low.min(x), high.max(x)]
+            })
+        });
+        let widest = ends
+            .iter()
+            .map(|[low, high]| high - low)
+            .fold(0.0, f64::max);
+        let half = (0.58 * widest).max(1e-3);
+        let window = |axis: usize| -> Range<f64> {
+            let middle = match points.is_empty() {
+                true => 0.0,
+                false => 0.5 * (ends[axis][0] + ends[axis][1]),
+            };
+            middle - half..middle + half
+        };
+        let digits = (-(0.4 * half).log10().floor()).clamp(0.0, 6.0) as usize;
+        let names = ["x", "y", "z"];
+        let places = area.split_evenly((1, 3));
+        for (place, [right, up]) in places.iter().zip([[0, 2], [1, 2], [0, 1]]) {
+            let mut chart = ChartBuilder::on(place)
+                .margin_right(px(12))
+                .margin_left(px(8))
+                .margin_bottom(px(4))
+                .x_label_area_size(px(44))
+                .y_label_area_size(px(54))
+                .build_cartesian_2d(window(right), window(up))?;
+            chart
+                .configure_mesh()
+                .x_labels(5)
+                .y_labels(5)
+                .x_desc(format!("{} in m", names[right]))
+                .y_desc(format!("{} in m", names[up]))
+                .light_line_style(WHITE)
+                .bold_line_style(line(FAINT, 1))
+                .axis_style(line(INK, 1))
+                .set_all_tick_mark_size(px(4))
+                .label_style(font(13))
+                .axis_desc_style(font(13))
+                .x_label_formatter(&|x| label(*x, digits))
+                .y_label_formatter(&|x| label(*x, digits))
+                .draw()?;
+            if let [begin, end] = &self.figures[..] {
+                begin.draw(&mut chart, [right, up], Weight::Ghost)?;
+                end.draw(&mut chart, [right, up], Weight::Full)?;
+            }
+            let way = self.tip.iter().map(|point| (point[right], point[up]));
+            chart.draw_series(LineSeries::new(way, line(WAY, 2)))?;
+        }
+        Ok(())
+    }
+
     fn panels(&self) -> Vec<Panel<'_>> {
-        let (robot, path) = (self.robot, self.path);
-        let names = robot.joint_names();
+        let (subject, path) = (self.subject, self.path);
         let mut panels = Vec::new();
-        for (i, (name, limit)) in names.iter().zip(robot.limits()).enumerate() {
-            let (unit, scale) = match limit.is_revolute() {
+        for (i, joint) in subject
+            .joints
+            .iter()
+            .enumerate()
+            .filter(|(_, it)| it.is_shown)
+        {
+            let (unit, scale) = match joint.limit.is_revolute() {
                 true => ("°", 1.0_f64.to_degrees()),
                 false => ("mm", 1000.0),
             };
-            let curves = path.curves.iter().enumerate();
-            let curves =
-                curves.flat_map(|(branch, pieces)| pieces.iter().map(move |it| (branch, it)));
+            let tells = |it: &&Piece| {
+                let joints = it.points.first().map_or(0, |(_, q)| q.len());
+                (it.first..it.first + joints).contains(&i)
+            };
             let taken = path.taken.iter().map(|q| q.as_ref().map(|q| scale * q[i]));
             panels.push(Panel {
-                title: one_line(name),
+                title: &joint.name,
                 axis: format!("in {unit}"),
-                curves: curves.collect(),
+                curves: path.curves.pieces.iter().filter(tells).collect(),
                 taken: taken.collect(),
                 of: Some((i, scale)),
-                limits: bounds(*limit).map(|ends| ends.map(|x| scale * x)),
+                limits: bounds(joint.limit).map(|ends| ends.map(|x| scale * x)),
             });
         }
+        let [title, unit] = subject.measure;
         panels.push(Panel {
-            title: "least singular value of the Jacobian".into(),
-            axis: "metres, radians".into(),
+            title,
+            axis: unit.into(),
             curves: Vec::new(),
-            taken: path.least.clone(),
+            taken: path.measure.clone(),
             of: None,
             limits: None,
         });
@@ -96,99 +178,136 @@ impl Trajectory<'_> {
     }
 
     fn panel<B: DrawingBackend>(&self, area: &Area<B>, panel: &Panel) -> Drawn<B> {
-        let scale = if self.path.is_length {
-            1000.0
-        } else {
-            1.0_f64.to_degrees()
-        };
-        let way: Vec<f64> = self.path.way.iter().map(|x| scale * x).collect();
-        let end = way.last().copied().unwrap_or(1.0).max(1e-9);
+        let way = &self.path.way;
+        let (begin, end) = (way.first().copied(), way.last().copied());
+        let (begin, end) = (begin.unwrap_or(0.0), end.unwrap_or(1.0));
+        let (begin, end) = (begin.min(end), begin.max(end).max(begin + 1e-9));
         let [low, high] = panel.range();
         let mut chart = ChartBuilder::on(area)
-            .caption(&panel.title, (TYPEFACE, 15).into_font().color(&INK))
-            .margin_right(18)
-            .margin_left(8)
-            .x_label_area_size(38)
-            .y_label_area_size(64)
-            .build_cartesian_2d(0.0..end, low..high)?;
+            .caption(panel.title, font(15))
+            .margin_top(px(6))
+            .margin_right(px(18))
+            .margin_left(px(8))
+            .x_label_area_size(px(42))
+            .y_label_area_size(px(64))
+            .build_cartesian_2d(begin..end, low..high)?;
         let digits = usize::from(high - low < 20.0) + 2 * usize::from(high - low < 1.0);
-        let of_way = if self.path.is_length {
-            "along the path in mm"
-        } else {
-            "along the path in °"
-        };
         chart
             .configure_mesh()
             .y_labels(6)
             .x_labels(8)
-            .x_desc(of_way)
+            .x_desc(&self.path.axis)
             .y_desc(&panel.axis)
             .light_line_style(WHITE)
-            .bold_line_style(FAINT)
-            .axis_style(INK)
-            .label_style((TYPEFACE, 13).into_font().color(&INK))
-            .axis_desc_style((TYPEFACE, 13).into_font().color(&INK))
-            .x_label_formatter(&|x| label(*x, 0))
+            .bold_line_style(line(FAINT, 1))
+            .axis_style(line(INK, 1))
+            .set_all_tick_mark_size(px(4))
+            .label_style(font(13))
+            .axis_desc_style(font(13))
+            .x_label_formatter(&|x| label(*x, usize::from(end - begin < 8.0)))
             .y_label_formatter(&|y| label(*y, digits))
             .draw()?;
-        for limit in panel
+        for (limit, beyond) in panel
             .limits
             .iter()
-            .flatten()
-            .filter(|x| (low..=high).contains(*x))
+            .flat_map(|[l, h]| [(*l, low), (*h, high)])
         {
-            let beyond = if *limit > 0.5 * (low + high) {
-                high
-            } else {
-                low
-            };
-            let region = [(0.0, *limit), (end, beyond)];
+            if !(low..=high).contains(&limit) {
+                continue;
+            }
+            let region = [(begin, limit), (end, beyond)];
             chart.draw_series([Rectangle::new(region, BEYOND.mix(0.07).filled())])?;
-            let line = [(0.0, *limit), (end, *limit)];
-            chart.draw_series(DashedLineSeries::new(line, 7, 5, BEYOND.stroke_width(1)))?;
+            let ends = [(begin, limit), (end, limit)];
+            let dashes = DashedLineSeries::new(ends, px(7), px(5), line(BEYOND, 1));
+            chart.draw_series(dashes)?;
         }
         if let Some((joint, to)) = panel.of {
-            for (branch, curve) in &panel.curves {
-                let points = curve.iter().map(|(k, q)| (way[*k], to * q[joint]));
-                let style = hue(*branch).stroke_width(2);
+            for piece in &panel.curves {
+                let points = piece.points.iter();
+                let points = points.map(|(k, q)| (way[*k], to * q[joint - piece.first]));
+                let style = line(piece.branch.map_or(OTHERS, hue), 2);
                 chart.draw_series(LineSeries::new(points, style))?;
             }
         }
         for piece in pieces(&panel.taken, &self.path.jumps()) {
             let points = piece.iter().map(|&(k, y)| (way[k], y));
-            chart.draw_series(LineSeries::new(points, LINK.stroke_width(3)))?;
+            chart.draw_series(LineSeries::new(points, line(LINK, 3)))?;
         }
         Ok(())
     }
 
-    fn legend<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
-        let style = (TYPEFACE, 14).into_font().color(&INK);
-        let style = style.pos(Pos::new(HPos::Left, VPos::Center));
-        let middle = LEGEND as i32 / 2 - 2;
-        let mut x = 72;
-        let curves = self.path.curves.iter().enumerate();
-        let used = curves.filter(|(_, pieces)| !pieces.is_empty());
-        let branches = used.map(|(branch, _)| (format!("branch {branch}"), hue(branch), 2));
-        let all = [
-            ("taken".to_owned(), LINK, 3),
-            ("limit".to_owned(), BEYOND, 1),
-        ];
-        for (text, colour, width) in all.into_iter().chain(branches) {
-            let line = vec![(x, middle), (x + 26, middle)];
-            area.draw(&PathElement::new(line, colour.stroke_width(width)))?;
-            area.draw_text(&text, &style, (x + 32, middle))?;
-            x += 44 + 8 * text.len() as i32;
+    /// What the legend has, with its place, pixels, and how many lines it is high.
+    fn entries(&self) -> (Vec<Entry>, u32) {
+        let curves = &self.path.curves;
+        let branches = curves.branches().into_iter();
+        let branches = branches.map(|branch| (format!("branch {branch}"), hue(branch), 2));
+        let others = curves.pieces.iter().any(|piece| piece.branch.is_none());
+        let others = others.then(|| ("all postures".to_owned(), OTHERS, 2));
+        let shown = |panel: &Panel| {
+            let [low, high] = panel.range();
+            let limits = panel.limits.iter().flatten();
+            limits.into_iter().any(|limit| (low..=high).contains(limit))
+        };
+        let limit = self.panels().iter().any(shown);
+        let limit = limit.then(|| ("limit".to_owned(), BEYOND, 1));
+        let taken = [("taken".to_owned(), LINK, 3)].into_iter();
+        let all = taken.chain(limit).chain(others).chain(branches);
+        let (mut x, mut row) = (LEGEND_WIDTH.0, 0);
+        let mut entries = Vec::new();
+        for (text, colour, width) in all {
+            let advance = 52 + 8 * text.len() as i32;
+            if x + advance > LEGEND_WIDTH.1 {
+                (x, row) = (LEGEND_WIDTH.0, row + 1);
+            }
+            let at = (x, (LEGEND * row + LEGEND / 2) as i32);
+            entries.push(Entry::new(at, &text, colour, width));
+            x += advance;
         }
-        Ok(())
+        (entries, row)
+    }
+
+    fn legend<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        self.entries()
+            .0
+            .iter()
+            .try_for_each(|entry| entry.draw(area))
+    }
+}
+
+/// A line of one colour and what it is.
+struct Entry {
+    at: (i32, i32),
+    text: String,
+    colour: RGBColor,
+    width: u32,
+}
+
+impl Entry {
+    fn new(at: (i32, i32), text: &str, colour: RGBColor, width: u32) -> Self {
+        Self {
+            at,
+            text: text.into(),
+            colour,
+            width,
+        }
+    }
+
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        let [x, y] = [self.at.0, self.at.1].map(|pixels| px(pixels as u32) as i32);
+        let [end, text] = [26, 32].map(|pixels| x + px(pixels) as i32);
+        let sample = vec![(x, y), (end, y)];
+        area.draw(&PathElement::new(sample, line(self.colour, self.width)))?;
+        area.draw_text(&self.text, &font_behind(14), (text, y))
     }
 }
 
 impl Panel<'_> {
     /// What is shown of y: all values, and limits that are not far from them.
     fn range(&self) -> [f64; 2] {
-        let to = self.of.unwrap_or((0, 1.0));
-        let curves = self.curves.iter().flat_map(|(_, curve)| curve.iter());
-        let values = curves.map(|(_, q)| to.1 * q[to.0]);
+        let (joint, to) = self.of.unwrap_or((0, 1.0));
+        let curves = self.curves.iter();
+        let values =
+            curves.flat_map(|it| it.points.iter().map(move |(_, q)| to * q[joint - it.first]));
         let values = values.chain(self.taken.iter().copied().flatten());
         let mut ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| {
             [low.min(y), high.max(y)]
@@ -226,7 +345,7 @@ fn bounds(limit: JointLimit) -> Option<[f64; 2]> {
 fn pieces(values: &[Option<f64>], jumps: &[usize]) -> Vec<Vec<(usize, f64)>> {
     let mut pieces: Vec<Vec<(usize, f64)>> = vec![Vec::new()];
     for (k, value) in values.iter().enumerate() {
-        if value.is_none() || jumps.contains(&k) {
+        if value.is_none() || jumps.binary_search(&k).is_ok() {
             pieces.push(Vec::new());
         }
         if let (Some(y), Some(piece)) = (value, pieces.last_mut()) {

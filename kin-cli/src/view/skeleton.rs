@@ -62,16 +62,6 @@ impl Skeleton {
         }
         Self { bones, axes: drawn }
     }
-
-    /// The corners from base to tip with all joints at 0, in base coordinates.
-    pub fn at_home(&self, model: &Model) -> Vec<[f64; 3]> {
-        let links = model.joints.iter().map(|joint| joint.frame);
-        let poses = [Pose::IDENTITY].into_iter().chain(links);
-        let bones = poses.zip(&self.bones);
-        bones
-            .flat_map(|(pose, bone)| bone.iter().map(move |point| pose.transform_point(*point)))
-            .collect()
-    }
 }
 
 /// Where the common normal of two axes leaves the first; of parallel ones, which have many, the

@@ -9,7 +9,7 @@ mod picture;
 use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::plot::canvas;
-use crate::view::Skeleton;
+use crate::plot::figure::Figure;
 use crate::{Done, Exit};
 use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Ik, compile};
@@ -38,7 +38,14 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         Compiled::Mechanism(compiled) => mechanism::sampling(compiled, arguments),
     };
     match sampling {
-        Some(sampling) => draw(arguments, &drawn(&robot), &sampling),
+        Some(sampling) => {
+            let (name, figure) = drawn(&robot);
+            let shown = picture::Robot {
+                name: one_line(name),
+                figure,
+            };
+            draw(arguments, name, &shown, &sampling)
+        }
         None => Done::failing(
             Exit::Usage,
             format!("{}: {}", one_line(&arguments.file), placeless(&robot)),
@@ -46,22 +53,18 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
     }
 }
 
-/// What of a robot is drawn.
-fn drawn(robot: &Compiled) -> picture::Robot {
-    let (name, models) = match robot {
-        Compiled::Arm(arm) => (&arm.model.name, vec![&arm.model]),
-        Compiled::Mechanism(compiled) => {
-            let legs = compiled.mechanism.legs.iter();
-            let models = legs.map(|leg| &leg.model).collect();
-            (&compiled.mechanism.name, models)
+/// The robot as it is drawn, and its name.
+fn drawn(robot: &Compiled) -> (&str, Figure) {
+    match robot {
+        Compiled::Arm(arm) => {
+            let home = vec![0.0; arm.model.variables.len()];
+            (&arm.model.name, Figure::arm(&arm.model, &home))
         }
-    };
-    let chains = models
-        .iter()
-        .map(|model| Skeleton::new(model).at_home(model));
-    picture::Robot {
-        name: name.clone(),
-        chains: chains.collect(),
+        Compiled::Mechanism(compiled) => {
+            let mechanism = &compiled.mechanism;
+            let home = vec![0.0; mechanism.joints()];
+            (&mechanism.name, Figure::mechanism(mechanism, &home))
+        }
     }
 }
 
@@ -78,11 +81,16 @@ fn placeless(robot: &Compiled) -> String {
     }
 }
 
-fn draw(arguments: &arguments::Workspace, robot: &picture::Robot, sampling: &Sampling) -> Done {
+fn draw(
+    arguments: &arguments::Workspace,
+    name: &str,
+    robot: &picture::Robot,
+    sampling: &Sampling,
+) -> Done {
     let bar = Bar::new(&arguments.file, sampling.points(), "points");
     let map = sampling.map(&|points| bar.advance(points));
     drop(bar);
-    match write(arguments, robot, sampling, &map) {
+    match write(arguments, name, robot, sampling, &map) {
         Ok(files) => Done::printing(report(sampling, &map, &files)),
         Err((path, error)) => Done::failing(
             Exit::Broken,
@@ -109,11 +117,12 @@ fn shown(path: &Path) -> String {
 /// Writes all files and tells which.
 fn write(
     arguments: &arguments::Workspace,
+    name: &str,
     robot: &picture::Robot,
     sampling: &Sampling,
     map: &Map,
 ) -> Result<Vec<PathBuf>, (PathBuf, io::Error)> {
-    let (folder, stem) = (&arguments.out, in_file_name(&robot.name));
+    let (folder, stem) = (&arguments.out, in_file_name(name));
     fs::create_dir_all(folder).map_err(|error| (folder.clone(), error))?;
     let mut files = Vec::new();
     let mut file = |name: &str, content: io::Result<Vec<u8>>| {
@@ -126,17 +135,13 @@ fn write(
         Ok(())
     };
     let shape = [3, map.cells, map.cells];
-    let shown = picture::Robot {
-        name: one_line(&robot.name),
-        chains: robot.chains.clone(),
-    };
     let names = sampling.slices.iter().map(|slice| slice.name);
     let parts = names.enumerate().map(|(i, name)| (name, Some(i)));
     for (name, only) in parts.chain([("workspace", None)]) {
         let maps = picture::Maps {
             sampling,
             map,
-            robot: &shown,
+            robot,
             only,
         };
         file(&format!("{name}.svg"), canvas::svg(&maps))?;

@@ -1,9 +1,11 @@
 //! Maps as pictures.
 
 use super::map::{Map, Sampling, Slice};
-use crate::plot::canvas::{Area, Drawn, FAINT, INK, LINK, Picture, TYPEFACE, label, viridis};
+use crate::plot::canvas::{
+    Area, Drawn, FAINT, INK, Picture, font, font_behind, label, line, px, viridis,
+};
+use crate::plot::figure::{Figure, Weight};
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::Range;
 
 /// Pixels: of a panel with its axes, of a colour bar with its numbers, of a title.
@@ -13,12 +15,12 @@ const TITLE: u32 = 34;
 /// Colours told apart; neighbours of one colour are drawn as one.
 const SHADES: f64 = 32.0;
 
-/// What is drawn on a map beside its values: points of the robot at home, base coordinates.
+/// What is drawn on a map beside its values.
 pub struct Robot {
     /// Its name, as it may be shown.
     pub name: String,
-    /// Lines from the base to the tip.
-    pub chains: Vec<Vec<[f64; 3]>>,
+    /// It at home.
+    pub figure: Figure,
 }
 
 /// Values of a map.
@@ -55,11 +57,10 @@ impl Picture for Maps<'_> {
         };
         let strips = area.split_evenly((rows.len(), 1));
         for (strip, layer) in strips.iter().zip(rows) {
-            let (head, rest) = strip.split_vertically(TITLE);
-            let style = (TYPEFACE, 17).into_font().color(&INK);
-            let style = style.pos(Pos::new(HPos::Left, VPos::Center));
-            head.draw_text(&self.title(layer), &style, (18, TITLE as i32 / 2 + 3))?;
-            let (panels, bar) = rest.split_horizontally(PANEL.0 * slices.len() as u32);
+            let (head, rest) = strip.split_vertically(px(TITLE));
+            let place = (px(18) as i32, px(TITLE / 2 + 3) as i32);
+            head.draw_text(&self.title(layer), &font_behind(17), place)?;
+            let (panels, bar) = rest.split_horizontally(px(PANEL.0) * slices.len() as u32);
             let panels = panels.split_evenly((1, slices.len()));
             for (panel, &slice) in panels.iter().zip(&slices) {
                 self.panel(panel, slice, layer)?;
@@ -124,11 +125,11 @@ impl Maps<'_> {
         let [across, up] = self.window(slice);
         let step = self.sampling.step;
         let mut chart = ChartBuilder::on(area)
-            .margin_right(12)
-            .margin_top(2)
-            .margin_bottom(4)
-            .x_label_area_size(44)
-            .y_label_area_size(62)
+            .margin_right(px(12))
+            .margin_top(px(2))
+            .margin_bottom(px(4))
+            .x_label_area_size(px(44))
+            .y_label_area_size(px(62))
             .build_cartesian_2d(across.clone(), up.clone())?;
         let names = ["x", "y", "z"];
         let axis = |axis: usize| format!("{} in m", names[axis]);
@@ -143,10 +144,11 @@ impl Maps<'_> {
             .x_desc(x_axis)
             .y_desc(y_axis)
             .light_line_style(WHITE)
-            .bold_line_style(FAINT)
-            .axis_style(INK)
-            .label_style((TYPEFACE, 13).into_font().color(&INK))
-            .axis_desc_style((TYPEFACE, 14).into_font().color(&INK))
+            .bold_line_style(line(FAINT, 1))
+            .axis_style(line(INK, 1))
+            .set_all_tick_mark_size(px(4))
+            .label_style(font(13))
+            .axis_desc_style(font(14))
             .x_label_formatter(&number_of)
             .y_label_formatter(&number_of)
             .draw()?;
@@ -162,38 +164,15 @@ impl Maps<'_> {
                 chart.draw_series([Rectangle::new(cell, colour)])?;
             }
         }
-        let seen = |point: &[f64; 3]| (point[slice.across], point[slice.up]);
-        for (colour, width) in [(WHITE, 6), (LINK, 3)] {
-            let style = colour.stroke_width(width);
-            // One by one: a corner of a thick line at a link seen from its end would be a spike.
-            for ends in self.robot.chains.iter().flat_map(|chain| chain.windows(2)) {
-                let [from, to] = [seen(&ends[0]), seen(&ends[1])];
-                if (from.0 - to.0).hypot(from.1 - to.1) > 0.1 * step {
-                    chart.draw_series([PathElement::new([from, to], style)])?;
-                }
-            }
-        }
-        for chain in &self.robot.chains {
-            let joints = chain
-                .iter()
-                .map(|point| Circle::new(seen(point), 3, LINK.filled()));
-            chart.draw_series(joints)?;
-        }
-        let base = [(8, WHITE), (5, LINK)].map(|(size, colour)| {
-            TriangleMarker::new(
-                (seen(&[0.0; 3]).0, seen(&[0.0; 3]).1),
-                size,
-                colour.filled(),
-            )
-        });
-        chart.draw_series(base)?;
-        Ok(())
+        let axes = [slice.across, slice.up];
+        self.robot.figure.draw(&mut chart, axes, Weight::Outline)
     }
 
     /// The colours and their numbers.
     fn bar<B: DrawingBackend>(&self, area: &Area<B>, layer: Layer) -> Drawn<B> {
         let (_, height) = area.dim_in_pixel();
-        let (top, bottom) = (6, height as i32 - 50);
+        let [left, right, text] = [4, 20, 26].map(|x| px(x) as i32);
+        let (top, bottom) = (px(6) as i32, height as i32 - px(50) as i32);
         let greatest = self.greatest(layer);
         let steps = 128;
         let place = |share: f64| bottom - (share * f64::from(bottom - top)).round() as i32;
@@ -201,20 +180,21 @@ impl Maps<'_> {
             let [low, high] = [k, k + 1].map(|k| f64::from(k) / f64::from(steps));
             let colour = viridis(low).filled();
             area.draw(&Rectangle::new(
-                [(4, place(high)), (20, place(low))],
+                [(left, place(high)), (right, place(low))],
                 colour,
             ))?;
         }
-        area.draw(&Rectangle::new([(4, top), (20, bottom)], INK))?;
-        let style = (TYPEFACE, 13).into_font().color(&INK);
-        let style = style.pos(Pos::new(HPos::Left, VPos::Center));
+        area.draw(&Rectangle::new(
+            [(left, top), (right, bottom)],
+            line(INK, 1),
+        ))?;
         for k in 0..=4 {
             let share = f64::from(k) / 4.0;
-            let text = match layer {
+            let number = match layer {
                 Layer::Share => format!("{:.0} %", 100.0 * share),
                 Layer::Measure => number(share * greatest),
             };
-            area.draw_text(&text, &style, (26, place(share)))?;
+            area.draw_text(&number, &font_behind(13), (text, place(share)))?;
         }
         Ok(())
     }
