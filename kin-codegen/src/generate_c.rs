@@ -28,8 +28,9 @@ pub struct GeneratedC {
 /// Compiles a robot file to C99 that compiles as C++ as well: forward kinematics, Jacobians, and
 /// inverse kinematics, by closed forms or a polynomial in one joint. Of an arm off its design whose
 /// branches are refined without such a polynomial, for targets that are not whole poses or with
-/// joints given beside them, the C has no inverse kinematics, and a warning says why. The option `name` is what all symbols begin with, by default the file's stem in
-/// lower case.
+/// joints given beside them, the C has no inverse kinematics, and a warning says why. A parallel
+/// mechanism has the same functions as in Rust, and its chains are arms beside it. The option `name`
+/// is what all symbols begin with, by default the file's stem in lower case.
 ///
 /// ```
 /// use kin_codegen::{Options, Source, generate_c};
@@ -42,8 +43,8 @@ pub struct GeneratedC {
 ///
 /// # Errors
 ///
-/// What is wrong with the file or the options, or why the arm has no closed form; a parallel
-/// mechanism is not written as C. With the option `strict`, what would be a warning.
+/// What is wrong with the file or the options, or why the robot has no closed form. With the option
+/// `strict`, what would be a warning.
 pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Error> {
     let refused = |diagnostic| Diagnostics::one(&source.path, diagnostic);
     let name = c::prefix(options, &source.path).map_err(refused)?;
@@ -59,13 +60,11 @@ pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Erro
         return Err(refused(diagnostic).into());
     }
     let robot = compile(source, options)?;
-    let Some(arm) = robot.arm() else {
-        let reason = "a parallel mechanism is not written as C";
-        let remedy = "generate Rust, or C of its chains as arms, by `base` and `tip`";
-        return Err(refused(Diagnostic::whole(reason, remedy)).into());
-    };
     let mut warnings = robot.warnings().to_vec();
-    warnings.extend(c::refused(arm));
+    warnings.extend(match &robot {
+        Compiled::Arm(arm) => c::refused(arm),
+        Compiled::Mechanism(mechanism) => c::refused_mechanism(mechanism),
+    });
     if options.strict
         && let Some(warnings) = Diagnostics::of(&source.path, warnings.clone())
     {
@@ -76,7 +75,10 @@ pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Erro
     let Files {
         header,
         source: code,
-    } = c::arm(arm, &name, &told);
+    } = match &robot {
+        Compiled::Arm(arm) => c::arm(arm, &name, &told),
+        Compiled::Mechanism(mechanism) => c::mechanism(mechanism, &name, &told),
+    };
     Ok(GeneratedC {
         name,
         header,

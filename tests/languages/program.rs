@@ -1,6 +1,6 @@
 //! A program of many robots' C, and a driver that asks all of them.
 
-use kin_codegen::{GeneratedC, Options, generate_c};
+use kin_codegen::{Compiled, GeneratedC, Options, generate_c};
 use kinematics::RobotSource;
 use std::fmt::Write as _;
 use std::fs;
@@ -103,7 +103,11 @@ impl Program {
 
     /// Adds a robot, and asks it for what is in the input.
     pub fn add(&mut self, robot: &GeneratedC) {
-        self.add_with(robot, include_str!("driver.c"));
+        let driver = match robot.robot {
+            Compiled::Arm(_) => include_str!("driver.c"),
+            Compiled::Mechanism(_) => include_str!("mechanism_driver.c"),
+        };
+        self.add_with(robot, driver);
     }
 
     /// Adds a robot, and asks it for the name of its first joint: its bytes.

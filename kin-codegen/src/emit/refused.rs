@@ -3,6 +3,7 @@
 
 use crate::arm::CompiledArm;
 use crate::closed_form::{Inverse, Refinement};
+use crate::mechanism::{CompiledMechanism, LegForm};
 use crate::spec::Diagnostic;
 
 /// Why the inverse kinematics of an arm is left out of another language, if it has any and it is;
@@ -46,4 +47,19 @@ pub fn refused(compiled: &CompiledArm, language: &str, has_search: bool) -> Opti
     };
     let reason = format!("no inverse kinematics in {language}: {reason}");
     Some(Diagnostic::whole(reason, remedy).warning())
+}
+
+/// The same of a mechanism: why that of one of its chains is.
+pub fn of_mechanism(
+    compiled: &CompiledMechanism,
+    language: &str,
+    has_search: bool,
+) -> Option<Diagnostic> {
+    let legs = compiled.inverse.iter().flat_map(|inverse| &inverse.legs);
+    let arms = legs.flat_map(|leg| match leg {
+        LegForm::Whole(whole) => vec![&**whole],
+        LegForm::Split(split) => vec![&split.head, &split.tail],
+    });
+    let mut reasons = arms.filter_map(|arm| refused(arm, language, has_search));
+    reasons.next()
 }

@@ -41,6 +41,9 @@ pub struct Placed {
     pub solutions: Vec<Vec<Vec<f64>>>,
 }
 
+/// A chain by its number, and what it does at a pose.
+type Led = (usize, Vec<f64>);
+
 impl CompiledMechanism {
     /// What the generated inverse kinematics will return, computed by the
     /// interpreter: the poses that a target stands for (see [`Aim`]) and all
@@ -61,21 +64,35 @@ impl CompiledMechanism {
         let Some(inverse) = &self.inverse else {
             return Vec::new();
         };
-        let poses = match inverse.aim {
-            Aim::Pose => vec![*target],
-            Aim::Translation => vec![Pose {
-                translation: target.translation,
-                ..self.mechanism.home()
-            }],
+        let home = self.mechanism.home();
+        // What the chain that leads does at a pose is known, and others of its solutions for the
+        // target lead to other poses.
+        let poses: Vec<(Pose, Option<Led>)> = match inverse.aim {
+            Aim::Pose => vec![(*target, None)],
+            Aim::Translation => {
+                let translation = target.translation;
+                vec![(
+                    Pose {
+                        translation,
+                        ..home
+                    },
+                    None,
+                )]
+            }
             Aim::Lead(lead) => {
                 let chain = self.mechanism.legs[lead].chain();
                 let solutions = inverse.legs[lead].solutions(target);
-                solutions.iter().map(|q| chain.fk(q)).collect()
+                let led = |q: Vec<f64>| (chain.fk(&q), Some((lead, q)));
+                solutions.into_iter().map(led).collect()
             }
         };
-        let placed = |pose: Pose| {
-            let reached = |leg: &LegForm| Some(leg.solutions(&pose)).filter(|q| !q.is_empty());
-            let solutions = inverse.legs.iter().map(reached).collect::<Option<_>>()?;
+        let placed = |(pose, led): (Pose, Option<Led>)| {
+            let reached = |(k, leg): (usize, &LegForm)| match &led {
+                Some((lead, q)) if *lead == k => Some(vec![q.clone()]),
+                _ => Some(leg.solutions(&pose)).filter(|q| !q.is_empty()),
+            };
+            let legs = inverse.legs.iter().enumerate();
+            let solutions = legs.map(reached).collect::<Option<_>>()?;
             Some(Placed { pose, solutions })
         };
         poses.into_iter().filter_map(placed).collect()

@@ -40,8 +40,23 @@ extern const double kin_effort_limits[KIN_JOINTS];
 
 /// All of it, behind the comment at the top.
 pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
-    let model = &compiled.model;
     let about = text::comment(&about(compiled));
+    guarded(prefix, &about, CONVENTIONS, &of_arm(compiled, prefix))
+}
+
+/// Declarations as a header, with what holds of all of them in front.
+pub fn guarded(prefix: &str, about: &str, conventions: &str, declarations: &str) -> String {
+    let conventions = named(conventions, prefix);
+    let guard = named("KIN_H", prefix);
+    format!(
+        "#ifndef {guard}\n#define {guard}\n\n{about}\n{conventions}\n#ifdef __cplusplus\n\
+         extern \"C\" {{\n#endif\n\n{declarations}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
+    )
+}
+
+/// An arm's sizes, constants, types and functions.
+pub fn of_arm(compiled: &CompiledArm, prefix: &str) -> String {
+    let model = &compiled.model;
     let mut sizes = format!("#define KIN_JOINTS {}\n", model.variables.len());
     let mut parts = vec![CONSTANTS.to_owned(), FORWARD.to_owned()];
     if !model.frames.is_empty() {
@@ -75,17 +90,12 @@ pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
             None => IK.to_owned(),
         });
     }
-    let (conventions, parts) = (named(CONVENTIONS, prefix), named(&parts.join("\n"), prefix));
-    let guard = named("KIN_H", prefix);
-    let sizes = named(&sizes, prefix);
-    format!(
-        "#ifndef {guard}\n#define {guard}\n\n{about}\n{conventions}\n#ifdef __cplusplus\n\
-         extern \"C\" {{\n#endif\n\n{sizes}\n{parts}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
-    )
+    let (sizes, parts) = (named(&sizes, prefix), named(&parts.join("\n"), prefix));
+    format!("{sizes}\n{parts}")
 }
 
 /// What the robot is.
-fn about(compiled: &CompiledArm) -> Vec<String> {
+pub fn about(compiled: &CompiledArm) -> Vec<String> {
     let model = &compiled.model;
     let mut out = vec![
         format!(

@@ -5,7 +5,7 @@ use super::name::named;
 use super::text::string;
 use super::{form, forward, frames, inverse, runtime};
 use crate::arm::CompiledArm;
-use crate::model::{Model, Variable};
+use crate::model::Variable;
 use crate::spec::Rating;
 
 /// What stands in front of all functions.
@@ -28,6 +28,20 @@ extern double sqrt(double) __attribute__((__const__));
 
 /// All of it, behind the comment at the top.
 pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
+    let code = runtime::with_pieces(&functions(compiled));
+    file(prefix, &constants(compiled, prefix), &named(&code, prefix))
+}
+
+/// Definitions as a file.
+pub fn file(prefix: &str, constants: &str, code: &str) -> String {
+    format!(
+        "#include \"{prefix}.h\"\n\n#include <math.h>\n\n{}\n{constants}\n{code}",
+        named(PREAMBLE, prefix),
+    )
+}
+
+/// An arm's functions, not yet named after it.
+pub fn functions(compiled: &CompiledArm) -> String {
     let model = &compiled.model;
     let frames = match model.frames.is_empty() {
         true => String::new(),
@@ -46,17 +60,11 @@ pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
         runtime::LIMITS.to_owned(),
         inverse,
     ];
-    let code = runtime::with_pieces(&functions.join("\n"));
-    let constants = constants(compiled, prefix);
-    format!(
-        "#include \"{prefix}.h\"\n\n#include <math.h>\n\n{}\n{constants}\n{}",
-        named(PREAMBLE, prefix),
-        named(&code, prefix)
-    )
+    functions.join("\n")
 }
 
 /// The constants, whose names are data.
-fn constants(compiled: &CompiledArm, prefix: &str) -> String {
+pub fn constants(compiled: &CompiledArm, prefix: &str) -> String {
     let model = &compiled.model;
     let variables = &model.variables;
     let joints = variables.iter().map(|variable| string(&variable.name));
@@ -78,11 +86,13 @@ fn constants(compiled: &CompiledArm, prefix: &str) -> String {
         let declared = named(&format!("const char *const kin_{what}"), prefix);
         out += &format!("{declared} = {};\n", string(name));
     }
-    out + &named(&limits(model), prefix)
+    let variables = variables.iter().enumerate();
+    let variables = variables.map(|(i, variable)| (variable, model.turns(i)));
+    out + &named(&limits(&variables.collect::<Vec<_>>()), prefix)
 }
 
-fn limits(model: &Model) -> String {
-    let variables = &model.variables;
+/// The kinds and the travel of joints that turn or do not.
+pub fn limits(variables: &[(&Variable, bool)]) -> String {
     let bound = |variable: &Variable, i: usize| {
         variable
             .limits
@@ -94,14 +104,15 @@ fn limits(model: &Model) -> String {
     let all = |what: &str, of: &dyn Fn(&Variable) -> f64| {
         let values: Vec<String> = variables
             .iter()
-            .map(|variable| signed(of(variable)))
+            .map(|(variable, _)| signed(of(variable)))
             .collect();
         format!(
             "const double kin_{what}[KIN_JOINTS] = {{{}}};\n",
             values.join(", ")
         )
     };
-    let turns = (0..variables.len()).map(|i| i32::from(model.turns(i)).to_string());
+    let turns = variables.iter();
+    let turns = turns.map(|(_, turns)| i32::from(*turns).to_string());
     let turns = turns.collect::<Vec<_>>().join(", ");
     [
         format!("const int kin_turns[KIN_JOINTS] = {{{turns}}};\n"),

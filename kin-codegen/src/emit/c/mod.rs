@@ -7,6 +7,7 @@ mod frames;
 mod inverse;
 mod lanes;
 mod language;
+mod mechanism;
 mod name;
 mod runtime;
 mod tables;
@@ -19,6 +20,7 @@ use super::header::Header;
 use super::refused;
 use crate::arm::CompiledArm;
 use crate::closed_form::ClosedForm;
+use crate::mechanism::CompiledMechanism;
 use crate::spec::Diagnostic;
 
 /// The two files.
@@ -37,6 +39,20 @@ pub(crate) fn arm(compiled: &CompiledArm, prefix: &str, told: &Header) -> Files 
         header: format!("{told}\n{}", declarations::all(compiled, prefix)),
         source: format!("{told}\n{}", definitions::all(compiled, prefix)),
     }
+}
+
+/// The files that a mechanism becomes.
+pub(crate) fn mechanism(compiled: &CompiledMechanism, prefix: &str, told: &Header) -> Files {
+    let told = text::header(&told.paragraphs, &told.made_by);
+    Files {
+        header: format!("{told}\n{}", mechanism::declarations(compiled, prefix)),
+        source: format!("{told}\n{}", mechanism::definitions(compiled, prefix)),
+    }
+}
+
+/// Why the inverse kinematics of a mechanism is left out of its C, if it has any and it is.
+pub(crate) fn refused_mechanism(compiled: &CompiledMechanism) -> Option<Diagnostic> {
+    refused::of_mechanism(compiled, "C", true)
 }
 
 /// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.

@@ -92,6 +92,25 @@ pub fn named(code: &str, prefix: &str) -> String {
     lines.collect::<Vec<_>>().join(&format!("{upper}_"))
 }
 
+/// Code of a part of a robot, whose names get the part's behind `kin_`, but for what `shared` says
+/// is the same for all parts, by how it goes on there.
+pub fn of_part(code: &str, part: &str, shared: impl Fn(&str) -> bool) -> String {
+    let own = |code: &str, prefix: &str, part: &str| {
+        let mut pieces = code.split(prefix);
+        let mut out = pieces.next().unwrap_or_default().to_owned();
+        for piece in pieces {
+            out += prefix;
+            if !shared(piece) {
+                out += part;
+                out.push('_');
+            }
+            out += piece;
+        }
+        out
+    };
+    own(&own(code, "kin_", part), "KIN_", &part.to_ascii_uppercase())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,6 +132,16 @@ mod tests {
         assert_eq!(
             named("kin_fk(KIN_JOINTS)", "AKIN_kin"),
             "AKIN_kin_fk(AKIN_KIN_JOINTS)"
+        );
+    }
+
+    #[test]
+    fn parts_share_what_is_the_same() {
+        let code = "KIN_INLINE kin_fk(KIN_JOINTS); kin_max(kin_maximum)";
+        let shared = |rest: &str| ["INLINE ", "max("].iter().any(|it| rest.starts_with(it));
+        assert_eq!(
+            of_part(code, "chain1", shared),
+            "KIN_INLINE kin_chain1_fk(KIN_CHAIN1_JOINTS); kin_max(kin_chain1_maximum)"
         );
     }
 

@@ -71,6 +71,32 @@ pub const LIMITS: &str = include_str!("runtime/limits.c");
 /// The solution that moves the joints least.
 pub const NEAREST: &str = include_str!("runtime/nearest.c");
 
+/// Twists and motions, poses, and of a mechanism which joints are actuated, what chains span, and
+/// triangles.
+pub const MECHANISM: [&str; 7] = [
+    include_str!("runtime/mechanism/motions.c"), // exponential.rs
+    include_str!("runtime/univariate/poses.c"),
+    include_str!("runtime/mechanism/actuated.c"),
+    include_str!("runtime/mechanism/span.c"),   // span.rs
+    include_str!("runtime/mechanism/linear.c"), // givens.rs, singular_values.rs
+    include_str!("runtime/mechanism/rates.c"),  // posture.rs
+    include_str!("runtime/mechanism/newton.c"), // newton.rs
+];
+/// The answers of a mechanism's inverse kinematics, as in `postures.rs`.
+pub const POSTURES: &str = include_str!("runtime/mechanism/postures.c");
+/// Where three spheres meet, as in `spheres.rs`.
+pub const SPHERES: &str = include_str!("runtime/mechanism/spheres.c");
+
+/// Whether a name of this beginning, behind `kin_` or `KIN_`, is that of a piece, or of what stands
+/// in front of all.
+pub fn is_shared(name: &str) -> bool {
+    let pieces = PIECES.iter();
+    let mut names = pieces.filter_map(|(function, _)| function.strip_prefix("kin_"));
+    name.starts_with("INLINE ")
+        || name.starts_with("root ")
+        || names.any(|function| name.starts_with(function))
+}
+
 /// The pieces that code needs, in front of it.
 pub fn with_pieces(code: &str) -> String {
     let mut out = code.to_owned();

@@ -3,7 +3,7 @@
 use super::arm::{arm, rows};
 use super::language::{array, numbers, object, signed};
 use super::text::string;
-use crate::emit::refused::refused;
+use crate::emit::refused::of_mechanism;
 use crate::mechanism::{Aim, CompiledMechanism, LegForm};
 use crate::spec::Diagnostic;
 
@@ -57,11 +57,5 @@ fn chain(compiled: &CompiledMechanism, i: usize) -> String {
 
 /// Why inverse kinematics is left out, if a chain's is.
 pub fn why_not(compiled: &CompiledMechanism) -> Option<Diagnostic> {
-    let legs = compiled.inverse.iter().flat_map(|inverse| &inverse.legs);
-    let arms = legs.flat_map(|leg| match leg {
-        LegForm::Whole(whole) => vec![&**whole],
-        LegForm::Split(split) => vec![&split.head, &split.tail],
-    });
-    let mut reasons = arms.filter_map(|arm| refused(arm, "JavaScript", false));
-    reasons.next()
+    of_mechanism(compiled, "JavaScript", false)
 }

@@ -92,17 +92,20 @@ const $mechanism = (mechanism) => {
     if (mechanism.aim !== null) {
         /* The poses that a target stands for, and by chain all solutions of each. */
         mechanism.ik = (target) => {
-            let poses = [target];
+            let poses = [{ pose: target }];
             if (mechanism.aim === "translation") {
                 const upright = Float64Array.from(mechanism.home);
                 [3, 7, 11].forEach((i) => (upright[i] = target[i]));
-                poses = [upright];
+                poses = [{ pose: upright }];
             } else if (mechanism.aim !== "pose") {
                 const lead = chains[mechanism.aim];
-                poses = $chain_solutions(lead, target).map((q) => lead.arm.fk(q));
+                poses = $chain_solutions(lead, target).map((q) => ({ pose: lead.arm.fk(q), q }));
             }
-            const placed = poses.map((pose) =>
-                ({ pose, solutions: chains.map((chain) => $chain_solutions(chain, pose)) }));
+            const placed = poses.map(({ pose, q }) => ({
+                pose,
+                solutions: chains.map((chain, i) =>
+                    (i === mechanism.aim ? [q] : $chain_solutions(chain, pose))),
+            }));
             return placed.filter(({ solutions }) => solutions.every((found) => found.length > 0));
         };
     }
