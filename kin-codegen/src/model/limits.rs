@@ -49,7 +49,16 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
         diagnostics.at(
             at,
             format!("joint `{name}` has the lower limit {lower} above the upper limit {upper}"),
-            "swap them",
+            match turns {
+                true => {
+                    "swap them if that is what is meant; where it means no limits, as some \
+                     simulators read it, make the joint continuous"
+                }
+                false => {
+                    "swap them if that is what is meant; where it means no limits, as some \
+                     simulators read it, write how far the joint slides"
+                }
+            },
         );
     } else if lower == 0.0 && upper == 0.0 {
         let reason = format!(

@@ -11,7 +11,8 @@
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
 //!    or on which the fingers hang.
 //!
-//! Chains that fork otherwise (two arms in one file) are ambiguous.
+//! Chains that fork otherwise (two arms in one file) are ambiguous; what is listed of them are the
+//! arms, fingers left out.
 
 use super::mimic::{Followed, followed};
 use crate::spec::{ArmSpec, Collector, JointType, Limits};
@@ -177,6 +178,18 @@ impl Below<'_> {
 
     /// One line of moving joints, perhaps with a finger at its end.
     fn single(&self, base: usize, end: &[usize], diagnostics: &mut Collector) -> usize {
+        let arm = self.without_fingers(end);
+        if arm == end.len() {
+            return self.rigid_tip(self.spec.joints[end[arm - 1]].child, false, diagnostics);
+        }
+        let carrier = self.spec.joints[end[arm]].parent;
+        let tip = self.rigid_tip(carrier, true, diagnostics);
+        self.warn_of_fingers(base, tip, &end[arm..], diagnostics);
+        tip
+    }
+
+    /// How many joints of a line are the arm's.
+    fn without_fingers(&self, end: &[usize]) -> usize {
         let mut arm = end.len();
         while arm > 1 && self.is_finger(&end[..arm]) {
             arm -= 1;
@@ -189,13 +202,21 @@ impl Below<'_> {
                 arm -= 1;
             }
         }
-        if arm == end.len() {
-            return self.rigid_tip(self.spec.joints[end[arm - 1]].child, false, diagnostics);
+        arm
+    }
+
+    /// How many of the joints that all these lines begin with are an arm's, if the rest are
+    /// fingers on it.
+    fn hand(&self, ends: &[Vec<usize>]) -> Option<usize> {
+        let common = |k: usize| ends.iter().all(|end| end.get(k) == ends[0].get(k));
+        let mut arm = (0..ends[0].len()).take_while(|&k| common(k)).count();
+        // A finger may be one joint that drives the others.
+        while arm > 1 && self.is_finger(&ends[0][..arm]) {
+            arm -= 1;
         }
-        let carrier = self.spec.joints[end[arm]].parent;
-        let tip = self.rigid_tip(carrier, true, diagnostics);
-        self.warn_of_fingers(base, tip, &end[arm..], diagnostics);
-        tip
+        let most = FINGER_JOINTS.min(arm);
+        let fingers = ends.iter().all(|end| end.len() - arm <= most);
+        (arm >= ARM_JOINTS && fingers).then_some(arm)
     }
 
     /// Several lines of moving joints: fingers on one arm, or several arms.
@@ -205,25 +226,41 @@ impl Below<'_> {
         ends: &[Vec<usize>],
         diagnostics: &mut Collector,
     ) -> Option<usize> {
-        let common = |k: usize| ends.iter().all(|end| end.get(k) == ends[0].get(k));
-        let mut arm = (0..ends[0].len()).take_while(|&k| common(k)).count();
-        // A finger may be one joint that drives the others.
-        while arm > 1 && self.is_finger(&ends[0][..arm]) {
-            arm -= 1;
-        }
-        let fingers = ends
-            .iter()
-            .all(|end| end.len() - arm <= FINGER_JOINTS.min(arm));
-        if arm < ARM_JOINTS || !fingers {
+        let Some(arm) = self.hand(ends) else {
             self.report_ambiguous(base, ends, diagnostics);
             return None;
-        }
-        let mut moving: Vec<usize> = ends.iter().flat_map(|end| end[arm..].to_vec()).collect();
-        moving.sort_unstable();
-        moving.dedup();
+        };
+        let moving = fingers(ends, arm);
         let tip = self.rigid_tip(self.carrier(&moving), true, diagnostics);
         self.warn_of_fingers(base, tip, &moving, diagnostics);
         Some(tip)
+    }
+
+    /// The arms among lines of moving joints: their joints, and the link that they end with. Of
+    /// lines that begin alike, the most that are fingers on one arm are that arm.
+    fn arms(&self, ends: &[Vec<usize>]) -> Vec<(Vec<usize>, usize)> {
+        let mut arms = Vec::new();
+        let mut rest = ends;
+        while let Some(first) = rest.first() {
+            // Sorted, those that begin alike stand together.
+            let alike = |depth: usize| {
+                let begin = &first[..depth];
+                rest.iter().take_while(|end| end.starts_with(begin)).count()
+            };
+            let groups = (ARM_JOINTS..=first.len()).map(|depth| &rest[..alike(depth)]);
+            let hands = groups.filter(|group| group.len() > 1);
+            let hand = hands
+                .filter_map(|group| Some((group, self.hand(group)?)))
+                .next();
+            let (group, arm) = hand.unwrap_or_else(|| (&rest[..1], self.without_fingers(first)));
+            let last = match &fingers(group, arm)[..] {
+                [] => self.spec.joints[first[arm - 1]].child,
+                moving => self.carrier(moving),
+            };
+            arms.push((first[..arm].to_vec(), last));
+            rest = &rest[group.len()..];
+        }
+        arms
     }
 
     /// The link on which all of some joints hang, the first that is above all.
@@ -315,14 +352,14 @@ impl Below<'_> {
         /// More are no help.
         const SHOWN: usize = 8;
         let name = |link: usize| self.spec.links[link].name.as_str();
-        let arm = |end: &Vec<usize>| {
-            let joints: Vec<&str> = end
+        let arms = self.arms(ends);
+        let arm = |(joints, last): &(Vec<usize>, usize)| {
+            let joints: Vec<&str> = joints
                 .iter()
                 .map(|&j| self.spec.joints[j].name.as_str())
                 .collect();
-            let last = end.last().map_or(base, |&j| self.spec.joints[j].child);
-            let rigid = self.rigid(last);
-            let tip = self.named(&rigid).unwrap_or(last);
+            let rigid = self.rigid(*last);
+            let tip = self.named(&rigid).unwrap_or(*last);
             format!(
                 "base `{}`, tip `{}`: {} moving {}, {}",
                 name(base),
@@ -332,20 +369,28 @@ impl Below<'_> {
                 crate::spec::list_names(&joints)
             )
         };
-        let mut listed: Vec<String> = ends.iter().take(SHOWN).map(arm).collect();
-        if ends.len() > SHOWN {
-            listed.push(format!("and {} more", ends.len() - SHOWN));
+        let mut listed: Vec<String> = arms.iter().take(SHOWN).map(arm).collect();
+        if arms.len() > SHOWN {
+            listed.push(format!("and {} more", arms.len() - SHOWN));
         }
         diagnostics.choice(
             format!(
                 "{} chains of joints begin at `{}`, and any could be the arm:",
-                ends.len(),
+                arms.len(),
                 name(base)
             ),
             listed,
             "name the end of the one you mean (tip), and where it begins (base)",
         );
     }
+}
+
+/// The joints behind so many of each line, in the order of the file.
+fn fingers(ends: &[Vec<usize>], arm: usize) -> Vec<usize> {
+    let mut moving: Vec<usize> = ends.iter().flat_map(|end| end[arm..].to_vec()).collect();
+    moving.sort_unstable();
+    moving.dedup();
+    moving
 }
 
 /// Whether a link has a name, perhaps behind a prefix.
