@@ -70,7 +70,7 @@ pub(super) trait Lanes:
     /// Sine and cosine of angles in radians.
     #[inline(always)]
     fn sin_cos(self) -> [Self; 2] {
-        let (sine, cosine) = lanes::sin_cos(self.numbers());
+        let (sine, cosine) = lanes::side_by_side(self.numbers());
         [Self::of(sine), Self::of(cosine)]
     }
 
