@@ -163,9 +163,9 @@ fn a_refinement_onto_another_arm_is_unsound() {
     assert!(!form.is_exact());
     let mut other = model.clone();
     other.home.translation[0] += 1e-6;
-    let other = Linkage::new(&other);
-    let arm = univariate::Arm::keeping_each(&other).remove(0);
-    (form.given, form.refinement) = (other, Refinement::Univariate(Box::new(arm)));
+    let given = Linkage::new(&other);
+    let arm = univariate::Arm::keeping_each(&other, &given).remove(0);
+    (form.given, form.refinement) = (given, Refinement::Univariate(Box::new(arm)));
     let tally = swept(&(model, form));
     assert!(tally.unsound > SETTINGS.targets, "{tally}");
 }

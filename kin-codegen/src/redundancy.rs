@@ -189,8 +189,8 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
 
 /// Finds and verifies a closed form of an arm with more joints than its targets have
 /// coordinates. Of the joints that may stay free, those are taken whose plan needs the
-/// fewest operations; where no others have a plan, those at an end of the chain that
-/// leave the best polynomial between them.
+/// fewest operations, of an arm off its design first those at the ends of the chain; where no
+/// others have a plan, those at an end that leave the best polynomial between them.
 ///
 /// # Errors
 ///
@@ -211,12 +211,18 @@ pub fn solve_redundant(
     let (aim, counts) = (target, if turn { Target::Pose } else { target });
     let (count, target) = (excess - usize::from(turn), counts);
     let swivel = match (&asked.joints[..], asked.swivel) {
-        ([], None) if count == 1 && target == Target::Pose => Swivel::of(model, MEETING),
+        // Off its design an arm is solved faster, and loses less, with a joint at an end given.
+        ([], None) if count == 1 && target == Target::Pose => {
+            Swivel::of(model, linkage.scalar.tolerances().unmoved)
+        }
         (_, swivel) => swivel,
     };
     if let Some(swivel) = swivel {
         match solve(model, &linkage.clone().with_swivel(Some(swivel)), target) {
-            Ok(found) if found.certificate.is_complete() || asked.swivel.is_some() => {
+            Ok(found)
+                if asked.swivel.is_some()
+                    || found.certificate.is_complete() && found.form.is_exact() =>
+            {
                 let redundancy = Redundancy {
                     joints: Vec::new(),
                     swivel: Some(swivel),
@@ -364,7 +370,8 @@ fn weigh(
     between(model, linkage, first, true)
 }
 
-/// The choices that leave the others a plan, the best first, and those that do not.
+/// The choices that leave the others a plan, the best first, and those that do not. Of an arm off
+/// its design those come first beside whose branches an elimination can be asked.
 fn planned(
     model: &Model,
     linkage: &Linkage,
@@ -374,9 +381,14 @@ fn planned(
     let mut weighed: Vec<Weighed> = Vec::new();
     let mut left = choices;
     let mut last: Option<Vec<Moved>> = None;
+    let mut shift = 0.0;
     for tolerance in TOLERANCES {
+        if !weighed.is_empty() {
+            break;
+        }
         let idealized = idealize(model, tolerance);
-        if !weighed.is_empty() || tip_shift(model, &idealized.model) > DESIGNED * linkage.size {
+        shift = tip_shift(model, &idealized.model);
+        if shift > DESIGNED * linkage.size {
             break;
         }
         if last.as_ref() == Some(&idealized.moved) {
@@ -400,8 +412,17 @@ fn planned(
         }
         left = rest;
     }
-    weighed.sort_by_key(|choice| choice.weight);
+    let is_noisy = shift >= linkage.scalar.tolerances().unmoved * linkage.size;
+    let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);
+    weighed.sort_by_key(|choice| (is_dear(&choice.joints), choice.weight));
     (weighed, left)
+}
+
+/// Whether the joints that are not locked stand in a row, for which all others can be
+/// eliminated.
+fn leaves_row(linkage: &Linkage, locked: &[usize]) -> bool {
+    let linkage = linkage.clone().with_locked(locked);
+    Carried::new(&linkage).between().is_empty()
 }
 
 /// Whether the joints that are not locked are independent at most configurations.
@@ -423,10 +444,9 @@ fn between(
     matters: bool,
 ) -> Vec<Weighed> {
     let locked = |joints: &Vec<usize>| linkage.clone().with_locked(joints);
-    let rows = choices.into_iter().filter(|joints| {
-        let linkage = locked(joints);
-        Carried::new(&linkage).is_all(&linkage)
-    });
+    let rows = choices
+        .into_iter()
+        .filter(|joints| leaves_row(linkage, joints));
     let quality = |joints: &Vec<usize>| {
         let arm = matters.then(|| univariate::Arm::between(model, &locked(joints)));
         let kept = arm.flatten().map(|arm| arm.kept[0]);

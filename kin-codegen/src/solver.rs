@@ -448,11 +448,11 @@ impl Later<'_> {
 /// others have lost, the one that most motions move and whose polynomial has the least noise; and
 /// behind it what finds most of what it loses.
 fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
-    if form.plan.target != Target::Pose || trials.linkage().parameters() > 0 {
+    if form.plan.target != Target::Pose || trials.linkage().swivel.is_some() {
         return None;
     }
     let near = trials.near_singular(form.untold());
-    let mut arms = univariate::Arm::keeping_each(trials.linkage());
+    let mut arms = univariate::Arm::keeping_each(trials.model(), trials.linkage());
     arms.retain(|arm| arm.kept[0].noise < NOISY);
     let quality = |arm: &univariate::Arm| {
         let Kept {

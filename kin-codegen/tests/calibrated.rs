@@ -10,6 +10,7 @@ use kin_codegen::geometry::{Linkage, conditioning, size};
 use kin_codegen::model::Model;
 use kin_codegen::plan::Target;
 use kin_codegen::random::Random;
+use kin_codegen::redundancy::{Asked, solve_redundant};
 use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
 use kin_runtime::Pose;
@@ -49,7 +50,7 @@ fn nothing_is_lost(path: &str) {
         assert!(noise > 1e-11 || form.is_exact(), "{noise:e}");
         assert!(certificate.excused_share < 0.02, "{noise:e}");
         for k in 0..600 {
-            let q = configuration(k, &mut random);
+            let q = configuration(6, k, &mut random);
             let target = chain.fk(&q);
             let solutions = form.solutions(&target);
             let numbers: BTreeSet<u32> = solutions.iter().map(|s| s.branch).collect();
@@ -86,6 +87,68 @@ fn nothing_is_lost_of_an_offset_shoulder_and_a_wrist() {
     nothing_is_lost("robots/puma560.yaml");
 }
 
+/// Of seven joints, at values of one that is given: at an end of the chain, where an arm is not asked
+/// for another, or between the others, for which eliminations are asked that do not depend on it.
+fn nothing_is_lost_of_seven(path: &str, free: Option<usize>) {
+    let design = design(path);
+    let mut random = Random(0x5eed);
+    let asked = Asked {
+        joints: free.into_iter().collect(),
+        ..Asked::default()
+    };
+    for noise in [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let model = measured(&design, noise, &mut random);
+        let (chain, length) = (model.chain(), size(&model));
+        let solved = solve_redundant(&model, &Linkage::new(&model), Target::Pose, &asked);
+        let (Certified { form, certificate }, redundancy) = solved.unwrap();
+        match free {
+            Some(joint) => assert_eq!(redundancy.joints, [joint], "{noise:e}"),
+            None => assert!(matches!(redundancy.joints[..], [0 | 6]), "{noise:e}"),
+        }
+        assert!(form.elimination().is_some(), "{noise:e}");
+        assert!(certificate.excused_share < 0.03, "{noise:e}");
+        for k in 0..300 {
+            let q = configuration(7, k, &mut random);
+            let target = chain.fk(&q);
+            let (parameters, solved) = form.split(&q);
+            let solutions = form.solutions_at(&target, &parameters);
+            let numbers: BTreeSet<u32> = solutions.iter().map(|s| s.branch).collect();
+            assert_eq!(numbers.len(), solutions.len(), "{noise:e} {q:?}");
+            for solution in &solutions {
+                let whole = form.whole(&solution.q, &parameters);
+                let miss = Target::Pose.distance(&chain.fk(&whole), &target, length);
+                assert!(
+                    miss < Scalar::F64.tolerances().solved * length,
+                    "{noise:e} {q:?}: {solution:?}"
+                );
+            }
+            let held = model.locked(&redundancy.joints, &parameters);
+            let conditioning = conditioning(&held.chain(), &solved, length, Target::Pose);
+            let back = recovered(&held, &solved, &solutions, conditioning);
+            assert!(
+                conditioning < DROWNED || back.is_ok(),
+                "{noise:e}, conditioning {conditioning:e}: {back:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_is_lost_of_a_spherical_shoulder() {
+    nothing_is_lost_of_seven("robots/panda.yaml", None);
+}
+
+#[test]
+fn nothing_is_lost_of_a_spherical_shoulder_and_wrist() {
+    nothing_is_lost_of_seven("robots/iiwa14.yaml", None);
+}
+
+#[test]
+fn nothing_is_lost_at_values_of_an_inner_joint() {
+    nothing_is_lost_of_seven("robots/iiwa14.yaml", Some(2));
+    nothing_is_lost_of_seven("robots/iiwa14.yaml", Some(5));
+}
+
 /// Solutions next to a singularity of the design are there in twos and fours: the
 /// branches alone do not tell them.
 #[test]
@@ -99,7 +162,7 @@ fn branches_alone_lose_some() {
         let mut random = Random(7);
         let mut lost = 0;
         for k in 0..600 {
-            let q = configuration(k, &mut random);
+            let q = configuration(6, k, &mut random);
             let conditioning = conditioning(&chain, &q, linkage.size, Target::Pose);
             let solutions = form.solutions(&chain.fk(&q));
             lost += usize::from(recovered(&model, &q, &solutions, conditioning).is_err());
@@ -164,7 +227,7 @@ fn known_branches_are_those_of_targets_beside() {
             branches.iter().map(|branch| branch.branch).collect()
         };
         for k in 0..1500 {
-            let target = chain.fk(&configuration(k, &mut random));
+            let target = chain.fk(&configuration(6, k, &mut random));
             let here = form.branches_at(&target, &[]);
             if here.iter().any(|branch| branch.singular) {
                 continue;
@@ -205,7 +268,7 @@ fn nearly_parallel_axes_cost_no_digits() {
             let model = measured(&design("robots/tx60.yaml"), tilt, &mut random);
             let (chain, linkage) = (model.chain(), Linkage::new(&model));
             for k in 0..20 {
-                let q = configuration(k, &mut random);
+                let q = configuration(6, k, &mut random);
                 let (here, _) = linkage.fk_jacobian::<6>(q[..].try_into().unwrap(), &[]);
                 let apart = Target::Pose.distance(&here, &chain.fk(&q), linkage.size);
                 assert!(apart < 2e-14 * linkage.size, "{tilt:e} {q:?}: {apart:e}");
@@ -233,7 +296,7 @@ fn round_configurations_of_a_noisy_arm_with_a_slide_come_back() {
         assert_eq!(certificate.lost, 0, "{noise:e} {seed}");
         let (chain, length) = (model.chain(), size(&model));
         for k in 0..600 {
-            let q = configuration(k, &mut random);
+            let q = configuration(6, k, &mut random);
             let conditioning = conditioning(&chain, &q, length, Target::Pose);
             let solutions = form.solutions(&chain.fk(&q));
             let back = recovered(&model, &q, &solutions, conditioning);

@@ -107,7 +107,9 @@ pub mod __private {
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement::{self, AtSwivel};
     pub use crate::generated::sin_cos::{SideBySide, SinCos};
-    pub use crate::generated::univariate::{self, Eliminant, Elimination, Frames, Univariate};
+    pub use crate::generated::univariate::{
+        self, Between, Eliminant, Elimination, Frames, Univariate,
+    };
     pub use crate::linear::singular_values::SingularValues;
     pub use crate::linear::span::Span;
     pub use crate::parallel::three_spheres;

@@ -48,7 +48,7 @@ fn an_arm_without_a_closed_form() {
     assert_eq!(told(&c.warnings), "");
 }
 
-/// Of an arm off its design, with a parameter: no elimination stands beside its branches.
+/// Of an arm off its design, for positions: no elimination stands beside its branches.
 fn refined() -> Options {
     Options {
         target: Some(Target::Position),
@@ -65,6 +65,29 @@ fn an_arm_off_its_design() {
          between the axes exactly, as `kin explain` has them, or generate Rust, which has it; \
          `--ik none` says that C without it is meant"
     ));
+}
+
+/// Of an arm without a closed form, and of one off its design.
+#[test]
+fn a_joint_that_is_given_between_others() {
+    for (robot, joint) in [
+        ("robots/sawyer.yaml", "right_j4"),
+        ("tests/robots/redundant/stray_iiwa.yaml", "joint_a3"),
+    ] {
+        let options = Options {
+            free: vec![joint.into()],
+            ..Options::default()
+        };
+        let c = generated(robot, "arm", &options);
+        is_forward_alone(&c, "joints between those that are solved for are given");
+        assert_eq!(
+            told(&c.warnings),
+            "no inverse kinematics in C: joints between those that are solved for are given, and \
+             their elimination at the values of these is not written as C\n\
+             help: let joints at the ends of the chain stay free, or generate Rust, which has it; \
+             `--ik none` says that C without it is meant"
+        );
+    }
 }
 
 #[test]

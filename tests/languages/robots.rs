@@ -126,6 +126,15 @@ pub fn all() -> Vec<Asked> {
         ..RobotOptions::default()
     };
     let seven = Asked::of("robots/iiwa14.yaml", free);
+    let rail = RobotOptions {
+        free: vec!["rail".into()],
+        ..RobotOptions::default()
+    };
+    let carried = Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of("tests/robots/redundant/calibrated_rail.yaml", rail)
+    };
     let forward_alone = FORWARD_ALONE.iter().map(|&path| {
         let options = RobotOptions {
             ik: Ik::None,
@@ -137,6 +146,6 @@ pub fn all() -> Vec<Asked> {
         .chain(eliminated)
         .chain(refined)
         .chain(aimed)
-        .chain([seven]);
+        .chain([seven, carried]);
     all.chain(forward_alone).collect()
 }

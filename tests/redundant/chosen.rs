@@ -196,6 +196,45 @@ tip: tip
     );
 }
 
+/// An arm off its design has no swivel angle unless it is asked for: with a joint given that leaves
+/// the others an exact closed form, or stands at an end, it is solved in bounded time.
+#[test]
+fn an_arm_off_its_design_is_given_a_joint() {
+    let compiled = compile(
+        &source("robots/redundant/stray_iiwa.yaml"),
+        &Options::default(),
+    );
+    let arm = compiled.unwrap().arm().unwrap().clone();
+    assert_eq!(arm.redundancy.as_ref().unwrap().joints, [4]);
+    assert!(arm.form().unwrap().is_exact());
+    let told = |robot, joint| {
+        let explained = explain(&source(robot), &free(&[joint])).unwrap();
+        let inverse = explained.arm().unwrap().inverse.unwrap();
+        inverse.idealization.unwrap().refinement
+    };
+    for joint in ["joint_a7", "joint_a3"] {
+        let refinement = told("robots/redundant/stray_iiwa.yaml", joint);
+        assert!(
+            refinement.contains("the roots of a polynomial of degree"),
+            "{refinement}"
+        );
+    }
+}
+
+/// The elimination of others does not depend on the value of an inner joint, but for the middle
+/// one.
+#[test]
+fn an_inner_joint_without_a_closed_form_is_given_to_an_elimination() {
+    for (joint, is_solved) in [1, 2, 3, 4, 5]
+        .into_iter()
+        .zip([true, true, false, true, true])
+    {
+        let options = free(&[&format!("right_j{joint}")]);
+        let solved = compile(&source("../robots/sawyer.yaml"), &options);
+        assert_eq!(solved.is_ok(), is_solved, "{joint}");
+    }
+}
+
 #[test]
 fn an_inner_joint_without_a_closed_form_is_refused() {
     assert_refused(

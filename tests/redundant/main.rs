@@ -14,8 +14,11 @@ macro_rules! for_every_robot {
                 panda_by_shoulder PandaByShoulder "../robots/panda.yaml" Pose,
                 sawyer Sawyer "../robots/sawyer.yaml" Pose,
                 sawyer_by_flange SawyerByFlange "../robots/sawyer.yaml" Pose,
+                sawyer_by_wrist SawyerByWrist "../robots/sawyer.yaml" Pose,
                 rail Rail "robots/redundant/rail.yaml" Pose,
                 stray_iiwa StrayIiwa "robots/redundant/stray_iiwa.yaml" Pose,
+                stray_iiwa_by_flange StrayIiwaByFlange "robots/redundant/stray_iiwa.yaml" Pose,
+                stray_iiwa_by_elbow StrayIiwaByElbow "robots/redundant/stray_iiwa.yaml" Pose,
                 stray_iiwa_by_wrist StrayIiwaByWrist "robots/redundant/stray_iiwa.yaml" Pose,
                 ur5e Ur5e "../robots/ur5e.urdf" Pose,
                 kr6_r900 Kr6R900 "../robots/kr6_r900.yaml" Pose,
@@ -76,8 +79,23 @@ kinematics!(
     name = SawyerByFlange,
     free = "right_j6"
 );
+kinematics!(
+    "../robots/sawyer.yaml",
+    name = SawyerByWrist,
+    free = "right_j4"
+);
 kinematics!("robots/redundant/rail.yaml", free = "rail");
-kinematics!("robots/redundant/stray_iiwa.yaml");
+kinematics!("robots/redundant/stray_iiwa.yaml", free = "swivel");
+kinematics!(
+    "robots/redundant/stray_iiwa.yaml",
+    name = StrayIiwaByFlange,
+    free = "joint_a7"
+);
+kinematics!(
+    "robots/redundant/stray_iiwa.yaml",
+    name = StrayIiwaByElbow,
+    free = "joint_a3"
+);
 kinematics!(
     "robots/redundant/stray_iiwa.yaml",
     name = StrayIiwaByWrist,

@@ -44,13 +44,13 @@ impl Idealization {
             tolerance: form.idealized.tolerance,
             moved: form.idealized.moved.iter().map(moved).collect(),
             tip_shift: form.tip_shift,
-            refinement: refinement(&form.refinement),
+            refinement: refinement(form),
         })
     }
 }
 
-fn refinement(refinement: &Refinement) -> String {
-    match refinement {
+fn refinement(form: &ClosedForm) -> String {
+    match &form.refinement {
         Refinement::None => String::new(),
         Refinement::Branches(steps) => {
             format!("At most {steps} Newton steps refine every branch onto the file's arm.")
@@ -60,7 +60,7 @@ fn refinement(refinement: &Refinement) -> String {
             format!(
                 "Newton's method refines every branch onto the file's arm; near singular ones the \
                  roots of a polynomial of degree {degree} in {} tell the others.",
-                arm.kept_beside(),
+                arm.kept_beside(&form.given),
             )
         }
     }

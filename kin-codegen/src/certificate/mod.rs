@@ -35,7 +35,7 @@ const ELSEWHERE: usize = 32;
 /// Random configurations whose conditioning tells how many are excused.
 const SHARE: usize = 400;
 
-/// Configurations near singular ones.
+/// Configurations near singular ones, for each value of the locked joints.
 const NEAR: usize = 240;
 
 /// Of these, those on which an elimination is tried.
@@ -104,6 +104,8 @@ impl fmt::Display for Failure {
 
 /// A configuration near a singular one.
 pub struct NearSingular {
+    /// At which values of the locked joints.
+    held: usize,
     /// Radians and metres.
     pub q: Vec<f64>,
     /// How far from singular.
@@ -182,8 +184,8 @@ impl<'a> Trials<'a> {
     }
 
     /// Configurations that are nearer to singular than some conditioning, though not
-    /// singular: next to singular ones there are some at every distance. Of arms of six
-    /// joints that take nothing beside a target.
+    /// singular: next to singular ones there are some at every distance. Of arms that are solved
+    /// for six joints, by whole poses.
     pub fn near_singular(&self, untold: f64) -> Vec<NearSingular> {
         let mut random = Random(0x94d0_49bb_1331_11eb);
         let mut nearby = |q: &[f64]| -> Vec<f64> {
@@ -191,32 +193,36 @@ impl<'a> Trials<'a> {
             let shifted = q.iter().map(|x| x + off * random.between(-1.0, 1.0));
             shifted.collect()
         };
-        let Some(held) = self.held.first().filter(|held| held.parameters.is_empty()) else {
-            return Vec::new();
-        };
         let size = self.linkage.size;
-        let starts = held.all.iter().cycle().take(16 * held.all.len());
-        let near = starts.filter_map(|trial| {
-            let q = nearby(&trial.q);
-            let conditioning = geometry::conditioning(&held.chain, &q, size, self.target);
-            let is_near = (0.01 * SINGULAR..untold).contains(&conditioning);
-            let motion = is_near.then(|| geometry::weak_motion(&held.chain, &q, size))??;
-            Some(NearSingular {
-                q,
-                conditioning,
-                motion,
-            })
-        });
-        near.take(NEAR).collect()
+        let mut all = Vec::new();
+        for (number, held) in self.held.iter().enumerate() {
+            let starts = held.all.iter().cycle().take(16 * held.all.len());
+            let near = starts.filter_map(|trial| {
+                let q = nearby(&trial.q);
+                let conditioning = geometry::conditioning(&held.chain, &q, size, self.target);
+                let is_near = (0.01 * SINGULAR..untold).contains(&conditioning);
+                let motion = is_near.then(|| geometry::weak_motion(&held.chain, &q, size))??;
+                Some(NearSingular {
+                    held: number,
+                    q,
+                    conditioning,
+                    motion,
+                })
+            });
+            all.extend(near.take(NEAR));
+        }
+        all
     }
 
     /// Which of some configurations near singular ones a closed form loses.
     pub fn lost_near(&self, form: &ClosedForm, near: &[NearSingular]) -> Vec<bool> {
-        let chain = self.model.chain();
-        let tried = near.iter().step_by(near.len().div_ceil(TRIED).max(1));
+        let tried = near
+            .iter()
+            .step_by(near.len().div_ceil(TRIED * self.held.len()).max(1));
         let lost = tried.map(|near| {
-            let solutions = form.solutions(&chain.fk(&near.q));
-            recovered(self.model, &near.q, &solutions, near.conditioning).is_err()
+            let held = &self.held[near.held];
+            let solutions = form.solutions_at(&held.chain.fk(&near.q), &held.parameters);
+            recovered(&held.model, &near.q, &solutions, near.conditioning).is_err()
         });
         lost.collect()
     }

@@ -210,7 +210,8 @@ impl ClosedForm {
                 })
             }
             (Inverse::Univariate(arm), _) => {
-                let carried = Carried::new(&self.given).target(target, parameters);
+                let (carried, between) = self.carried(target, parameters);
+                let arm = arm.at(between);
                 match seed {
                     None => arm.solutions(&carried),
                     Some(seed) => arm.solutions_near(&carried, seed),
@@ -219,10 +220,22 @@ impl ClosedForm {
             (_, Refinement::Univariate(arm))
                 if !self.is_exact() || branches.iter().any(|branch| branch.singular) =>
             {
-                arm.refined(target, starts, self.plan.branches(), self.untold())
+                let (carried, between) = self.carried(target, parameters);
+                arm.at(between)
+                    .refined(&carried, starts, self.plan.branches(), self.untold())
             }
             _ => self.refined(target, parameters, starts),
         }
+    }
+
+    /// The target of the joints between those that are locked at the ends, and the values of
+    /// those that are locked between them.
+    fn carried<'a>(&self, target: &Pose, parameters: &'a [f64]) -> (Pose, &'a [f64]) {
+        let carried = Carried::new(&self.given);
+        (
+            carried.target(target, parameters),
+            &parameters[carried.between()],
+        )
     }
 
     /// All joint values, from those that a target is solved for and those of locked

@@ -5,7 +5,6 @@ use super::branches::inputs;
 use super::{ClosedForm, Inverse};
 use crate::expr::Tape;
 use crate::expr::inverse::InverseGraph;
-use crate::geometry::Carried;
 use kin_runtime::__private::Eliminant;
 use kin_runtime::{Pose, Solution};
 
@@ -105,8 +104,8 @@ impl ClosedForm {
         let Inverse::Univariate(arm) = &self.inverse else {
             return None;
         };
-        let carried = Carried::new(&self.given).target(target, parameters);
-        arm.eliminant(&carried, which)
+        let (carried, between) = self.carried(target, parameters);
+        arm.at(between).eliminant(&carried, which)
     }
 
     /// What its expressions are computed from, with free angles at 0.

@@ -14,9 +14,17 @@ pub fn refused(compiled: &CompiledArm, language: &str, has_search: bool) -> Opti
         "generate Rust, which has it; `--ik none` says that {language} without it is meant"
     );
     let (reason, remedy) = match (&form.inverse, &form.refinement) {
-        (Inverse::Univariate(_), _) if has_search => return None,
-        (_, Refinement::Univariate(_)) if has_search && form.given.locked.is_empty() => {
-            return None;
+        (Inverse::Univariate(arm), _) | (_, Refinement::Univariate(arm)) if has_search => {
+            if arm.between.is_empty() {
+                return None;
+            }
+            (
+                format!(
+                    "joints between those that are solved for are given, and their elimination at \
+                     the values of these is not written as {language}"
+                ),
+                format!("let joints at the ends of the chain stay free, or {in_rust}"),
+            )
         }
         (Inverse::Univariate(_), _) => (
             format!(

@@ -7,8 +7,8 @@ use crate::geometry::Swivel;
 use crate::plan::{Atom, Dependence, Invariant, Kind, Plan, Relation, Step, Subproblem};
 use crate::redundancy::{Redundancy, Weighed};
 use crate::univariate::{Arm, Kept};
-use kin_runtime::__private::univariate::{Elimination, Frames};
-use kin_runtime::{Pose, Target};
+use kin_runtime::__private::univariate::{Between, Elimination, Frames};
+use kin_runtime::{Pose, Target, Twist};
 use std::ops::Range;
 
 /// Something that can be read back.
@@ -65,8 +65,10 @@ fields! {
     Redundancy { joints, swivel, turn, target, weighed }
     Swivel { shoulder, elbow, wrist, reference }
     Weighed { joints, weight }
-    Arm { frames, size, counts, kept, others }
+    Arm { frames, between, size, counts, kept, others }
     Frames { fixed, prismatic }
+    Between { behind, twist }
+    Twist { linear, angular }
     Pose { rotation, translation }
     Kept { elimination, lost, unsure, noise }
     Elimination {

@@ -7,6 +7,7 @@
 
 use super::Linkage;
 use kin_runtime::{Pose, Twist};
+use std::ops::Range;
 
 /// The twists of the locked joints of a linkage that stand at its ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +17,8 @@ pub struct Carried {
     pub front: Vec<Twist>,
     /// Of those behind, from the first to the tip; in the coordinates of the tip.
     pub behind: Vec<Twist>,
+    /// How many joints are locked, at the ends and between.
+    count: usize,
 }
 
 impl Carried {
@@ -30,19 +33,21 @@ impl Carried {
         Self {
             front: (0..front).map(|joint| linkage.twist(joint)).collect(),
             behind: (n - behind..n).map(seen).collect(),
+            count: linkage.locked.len(),
         }
     }
 
-    /// Whether these are all the locked joints of a linkage.
-    pub fn is_all(&self, linkage: &Linkage) -> bool {
-        self.front.len() + self.behind.len() == linkage.locked.len()
+    /// Which of the locked joints stand between joints that are not locked, by their places
+    /// among the locked ones.
+    pub fn between(&self) -> Range<usize> {
+        self.front.len()..self.count - self.behind.len()
     }
 
-    /// The target of the joints in between.
+    /// The target of the joints in between, from the values of all locked ones.
     pub fn target(&self, target: &Pose, parameters: &[f64]) -> Pose {
-        let (front, behind) = parameters.split_at(self.front.len());
-        let front = self.front.iter().zip(front);
-        let behind = self.behind.iter().zip(behind).rev();
+        let between = self.between();
+        let front = self.front.iter().zip(parameters);
+        let behind = self.behind.iter().zip(&parameters[between.end..]).rev();
         let carried = front.fold(*target, |target, (twist, &q)| Pose::exp(twist, -q) * target);
         behind.fold(carried, |target, (twist, &q)| target * Pose::exp(twist, -q))
     }

@@ -1,11 +1,12 @@
 //! An arm that is solved by a polynomial in one joint.
 
 use super::choose::{Kept, MOST, choose, each};
-use super::frames::frames;
-use crate::geometry::{Carried, Linkage};
+use super::frames::{Family, frames};
+use crate::geometry::Linkage;
 use crate::model::Model;
-use kin_runtime::__private::univariate::{Eliminant, Elimination, Frames, Univariate};
+use kin_runtime::__private::univariate::{Between, Eliminant, Elimination, Frames, Univariate};
 use kin_runtime::{Pose, Solution, Solutions, Target};
+use std::borrow::Cow;
 
 /// Targets that tell how noisy an elimination is.
 const FEW: usize = 16;
@@ -14,8 +15,10 @@ const FEW: usize = 16;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
     /// The constant motions between its joints, the last of which may be added behind its
-    /// tip.
+    /// tip; joints between them that are given are at zero.
     pub frames: Frames,
+    /// Those joints.
+    pub between: Vec<Between>,
     /// The arm's size, metres.
     pub size: f64,
     /// What of a target counts.
@@ -29,14 +32,18 @@ pub struct Arm {
 impl Arm {
     /// None if there are more than six joints, or none can be kept.
     pub fn new(linkage: &Linkage) -> Option<Self> {
-        let frames = frames(linkage)?;
-        let kept = choose(&frames, linkage.links.len());
-        (!kept.is_empty()).then(|| Self::keeping(linkage, frames, kept))
+        Self::of(&frames(linkage)?.into(), linkage)
     }
 
-    fn keeping(linkage: &Linkage, frames: Frames, mut kept: Vec<Kept>) -> Self {
+    fn of(family: &Family, linkage: &Linkage) -> Option<Self> {
+        let kept = choose(family, linkage.links.len());
+        (!kept.is_empty()).then(|| Self::keeping(linkage, family, kept))
+    }
+
+    fn keeping(linkage: &Linkage, family: &Family, mut kept: Vec<Kept>) -> Self {
         Self {
-            frames,
+            frames: family.frames,
+            between: family.between.clone(),
             size: linkage.size,
             counts: match linkage.has_free_turn {
                 true => Target::PositionAxis,
@@ -83,38 +90,45 @@ impl Arm {
         }
     }
 
-    /// The arm between the locked joints of a linkage, which have to stand at its ends;
-    /// its targets are [`Carried`].
+    /// The arm of the joints that are not locked: at values of the locked ones [between](Self::at)
+    /// them, and for targets that are carried by those at its ends, see
+    /// [`Carried`](crate::geometry::Carried).
     pub fn between(model: &Model, linkage: &Linkage) -> Option<Self> {
-        let locked = &linkage.locked;
-        match locked.is_empty() {
-            true => Self::new(linkage),
-            false if !Carried::new(linkage).is_all(linkage) => None,
-            false => {
-                let between = model.locked(locked, &vec![0.0; locked.len()]);
-                Self::new(&Linkage::new(&between))
-            }
+        let (family, linkage) = Family::of(model, linkage)?;
+        Self::of(&family, &linkage)
+    }
+
+    /// The arm with the joints between its own at these values, radians and metres.
+    pub fn at(&self, values: &[f64]) -> Cow<'_, Self> {
+        match self.between.is_empty() {
+            true => Cow::Borrowed(self),
+            false => Cow::Owned(Self {
+                frames: self.frames.at(&self.between, values),
+                between: Vec::new(),
+                ..self.clone()
+            }),
         }
     }
 
-    /// The arm with every joint kept that can be, one at a time; none if there are more than
+    /// The same with every joint kept that can be, one at a time; none if there are more than
     /// six.
-    pub fn keeping_each(linkage: &Linkage) -> Vec<Self> {
-        let Some(frames) = frames(linkage) else {
+    pub fn keeping_each(model: &Model, linkage: &Linkage) -> Vec<Self> {
+        let Some((family, linkage)) = Family::of(model, linkage) else {
             return Vec::new();
         };
-        let arm = |kept| Self::keeping(linkage, frames, vec![kept]);
-        each(&frames, linkage.links.len(), FEW)
+        let arm = |kept| Self::keeping(&linkage, &family, vec![kept]);
+        each(&family, linkage.links.len(), FEW)
             .into_iter()
             .map(arm)
             .collect()
     }
 
     /// Which joint is kept, of an elimination beside branches: `q4`, and which others where that is
-    /// not sure of its answer.
-    pub fn kept_beside(&self) -> String {
-        let joints = self.kept.iter().map(|kept| kept.elimination.joints[0] + 1);
-        let mut joints = joints.map(|joint| format!("q{joint}"));
+    /// not sure of its answer; as the joints are numbered of the arm with this linkage.
+    pub fn kept_beside(&self, given: &Linkage) -> String {
+        let joints = self.kept.iter().map(|kept| kept.elimination.joints[0]);
+        let joints = joints.filter_map(|joint| given.joint_of(joint.into()));
+        let mut joints = joints.map(|joint| format!("q{}", joint + 1));
         let first = joints.next().unwrap_or_default();
         let others: Vec<String> = joints.collect();
         match others.is_empty() {

@@ -1,6 +1,7 @@
 //! Which joints to keep.
 
 use super::eliminate::eliminate;
+use super::frames::Family;
 use crate::random::Random;
 use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
 use kin_runtime::Target;
@@ -33,8 +34,8 @@ pub struct Kept {
 
 /// The joints to keep of the first ones, the one that separates solutions best first; empty
 /// where no joint will do. The first [`MOST`] are asked, where those are enough.
-pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
-    let mut kept = each(frames, joints, TARGETS);
+pub fn choose(family: &Family, joints: usize) -> Vec<Kept> {
+    let mut kept = each(family, joints, TARGETS);
     kept.retain(|kept| kept.unsure < 100.0 || kept.lost * MANY < TARGETS);
     let by_quality = |a: &Kept, b: &Kept| {
         a.lost
@@ -48,7 +49,7 @@ pub fn choose(frames: &Frames, joints: usize) -> Vec<Kept> {
 
 /// The first joints that can be kept, as they did on random targets and on those of
 /// nearly round configurations, at which solutions like to share values of a joint.
-pub fn each(frames: &Frames, joints: usize, targets: usize) -> Vec<Kept> {
+pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let target = |k: usize| {
         let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
@@ -60,25 +61,29 @@ pub fn each(frames: &Frames, joints: usize, targets: usize) -> Vec<Kept> {
         q
     };
     let targets: Vec<[f64; 6]> = (0..targets).map(target).collect();
-    let eliminations = (0..joints).flat_map(|joint| eliminate(frames, joint));
+    let samples = family.sampled();
+    let eliminations = (0..joints).flat_map(|joint| eliminate(family, joint));
     eliminations
-        .map(|elimination| tried(frames, elimination, &targets))
+        .map(|elimination| tried(&samples, elimination, &targets))
         .collect()
 }
 
-fn tried(frames: &Frames, elimination: Elimination, targets: &[[f64; 6]]) -> Kept {
-    let arm = Univariate {
-        frames: *frames,
-        size: 2.0,
-        counts: Target::Pose,
-        eliminations: &[],
-    };
+fn tried(samples: &[Frames], elimination: Elimination, targets: &[[f64; 6]]) -> Kept {
     let mut lost = 0;
-    let told = targets.iter().map(|q| {
-        let (told, found) = arm.told(&elimination, &frames.forward(q));
-        lost += usize::from(!found.iter().any(|found| frames.within(SAME, &found.q, q)));
-        told
-    });
+    let told = targets
+        .iter()
+        .zip(samples.iter().cycle())
+        .map(|(q, frames)| {
+            let arm = Univariate {
+                frames: *frames,
+                size: 2.0,
+                counts: Target::Pose,
+                eliminations: &[],
+            };
+            let (told, found) = arm.told(&elimination, &frames.forward(q));
+            lost += usize::from(!found.iter().any(|found| frames.within(SAME, &found.q, q)));
+            told
+        });
     let told: Vec<_> = told.collect();
     let unsure = told.iter().filter(|told| !told.certain).count();
     let mut noises: Vec<f64> = told.iter().map(|told| told.noise).collect();

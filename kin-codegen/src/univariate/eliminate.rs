@@ -1,11 +1,12 @@
 //! The constants of an elimination: what vanishes on one side of the loop.
 
 use super::fold::fold;
+use super::frames::Family;
 use super::order::orders;
 use super::turning::turns;
 use kin_runtime::__private::Span;
 use kin_runtime::__private::univariate::{
-    ENTRIES, Elimination, FUNCTIONALS, Frames, Z_AXIS, gone_back, moved,
+    ENTRIES, Elimination, FUNCTIONALS, Z_AXIS, gone_back, moved,
 };
 use kin_runtime::Pose;
 
@@ -23,11 +24,13 @@ const DEPENDENT: f64 = 1e-9;
 type Functional = [f64; ENTRIES];
 
 /// The eliminations that keep a joint, from 0; none where two joints do not move
-/// the axis behind them in nine independent ways, or where the joint or that axis slides.
+/// the axis behind them in nine independent ways, or as joints do that are given, or where the
+/// joint or that axis slides.
 ///
 /// The first three joints are kept on the way from base to tip, the others on the
 /// way back, so that the target never stands between the three.
-pub fn eliminate(frames: &Frames, kept: usize) -> Vec<Elimination> {
+pub fn eliminate(family: &Family, kept: usize) -> Vec<Elimination> {
+    let frames = &family.frames;
     let backwards = kept >= 3;
     let joints: [usize; 6] = std::array::from_fn(|i| match backwards {
         false => (kept + i) % 6,
@@ -37,8 +40,9 @@ pub fn eliminate(frames: &Frames, kept: usize) -> Vec<Elimination> {
         false => frames.fixed[joints[i] + 1],
         true => frames.fixed[joints[i]].inverse(),
     };
+    let is_moved = |i: usize| family.moves(joints[i] + usize::from(!backwards));
     let slides = joints.map(|joint| frames.slides(joint));
-    if slides[0] || slides[3] {
+    if slides[0] || slides[3] || (0..3).any(is_moved) {
         return Vec::new();
     }
     let near_side = near_side([behind(0), behind(1), behind(2)], [slides[1], slides[2]]);
@@ -65,8 +69,10 @@ pub fn eliminate(frames: &Frames, kept: usize) -> Vec<Elimination> {
         rows: [[0; 2]; 16],
         columns: std::array::from_fn(|i| i as u8),
     };
-    elimination.fold = fold(&elimination, frames);
-    orders(&elimination, frames)
+    if !family.moves(kept + usize::from(backwards)) {
+        elimination.fold = fold(&elimination, frames);
+    }
+    orders(&elimination, &family.sampled())
 }
 
 /// The line of the fourth joint as the two before it move it, in the frame of the

@@ -1,10 +1,87 @@
 //! An arm of six joints as constant motions between turns about z and slides along it.
 
-use crate::geometry::Linkage;
-use crate::model::JointKind;
-use kin_runtime::__private::univariate::Frames;
-use kin_runtime::Pose;
+use crate::geometry::{Carried, Linkage, norm};
+use crate::model::{JointKind, Model};
+use crate::random::Random;
+use kin_runtime::__private::univariate::{Between, Frames};
+use kin_runtime::{Pose, Twist};
 use std::f64::consts::PI;
+
+/// Values of joints that are given at which an arm is looked at.
+const VALUES: usize = 24;
+
+/// The frames of the joints that are solved for, and the joints that are given between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Family {
+    /// With these at zero.
+    pub frames: Frames,
+    /// From the base to the tip.
+    pub between: Vec<Between>,
+}
+
+impl Family {
+    /// Of the joints of an arm that are not locked, and the linkage of these; the others may
+    /// stand between them, or at the ends, where they [carry](Carried) the target. None if more
+    /// than six are left, or some mimic others.
+    pub fn of(model: &Model, linkage: &Linkage) -> Option<(Self, Linkage)> {
+        let locked = &linkage.locked;
+        if locked.is_empty() {
+            return Some((frames(linkage)?.into(), linkage.clone()));
+        }
+        let left = Linkage::new(&model.locked(locked, &vec![0.0; locked.len()]));
+        let frames = frames(&left)?;
+        let unit = 2.0 / left.size;
+        let between = locked[Carried::new(linkage).between()]
+            .iter()
+            .map(|&joint| {
+                let behind = joint - locked.iter().filter(|&&other| other < joint).count();
+                let twist = linkage.twist(joint);
+                let twist = Twist {
+                    linear: twist.linear.map(|x| unit * x),
+                    ..twist
+                };
+                // At home.
+                let in_front = (0..behind).fold(Pose::IDENTITY, |pose, i| pose * frames.fixed[i]);
+                Between {
+                    behind: behind as u8,
+                    twist: in_front.adjoint_inverse(&twist),
+                }
+            });
+        let between = between.collect();
+        Some((Self { frames, between }, left))
+    }
+
+    /// At several values; at one where nothing is given.
+    pub fn sampled(&self) -> Vec<Frames> {
+        let mut random = Random(0x1656_67b1_9e37_79f9);
+        let count = if self.between.is_empty() { 1 } else { VALUES };
+        let mut anywhere = || {
+            let value = |joint: &Between| match joint.twist.angular == [0.0; 3] {
+                true => random.between(-1.0, 1.0) / norm(joint.twist.linear),
+                false => random.between(-PI, PI),
+            };
+            let values: Vec<f64> = self.between.iter().map(value).collect();
+            self.frames.at(&self.between, &values)
+        };
+        (0..count).map(|_| anywhere()).collect()
+    }
+
+    /// Whether what is behind so many joints depends on values that are given.
+    pub fn moves(&self, behind: usize) -> bool {
+        let mut between = self.between.iter();
+        between.any(|joint| usize::from(joint.behind) == behind)
+    }
+}
+
+impl From<Frames> for Family {
+    /// Nothing is given.
+    fn from(frames: Frames) -> Self {
+        Self {
+            frames,
+            between: Vec::new(),
+        }
+    }
+}
 
 /// The frames of an arm, lengths in units of half its size; none if it has more than six
 /// joints, or some mimic others. An arm of fewer joints gets others behind its tip, which is

@@ -11,4 +11,4 @@ mod turning;
 pub use arm::Arm;
 pub use choose::{Kept, MOST, choose};
 pub use eliminate::eliminate;
-pub use frames::frames;
+pub use frames::{Family, frames};

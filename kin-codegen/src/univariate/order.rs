@@ -32,13 +32,15 @@ struct Monomials {
     powers: [u8; 2],
 }
 
-/// Chooses rows and columns by elimination at sample targets: next is always the
+/// Chooses rows and columns by elimination at sample targets of arms that differ in what the
+/// functionals do not depend on: next is always the
 /// pivot that is largest on the average, of the functionals that raise the degree
 /// least.
 ///
 /// The high powers of slides have solutions at infinity: with two slides there are not rows
 /// enough for all monomials, but for fewer of them, of which some sets tell more than others.
-pub fn orders(elimination: &Elimination, frames: &Frames) -> Vec<Elimination> {
+pub fn orders(elimination: &Elimination, samples: &[Frames]) -> Vec<Elimination> {
+    let frames = &samples[0];
     let [before, last] = [4, 5].map(|i| frames.slides(elimination.joints[i].into()));
     let set = |has, powers| Monomials { has, powers };
     let mut sets = vec![set(|_, _| true, [3, 3])];
@@ -57,7 +59,7 @@ pub fn orders(elimination: &Elimination, frames: &Frames) -> Vec<Elimination> {
             powers: set.powers,
             ..*elimination
         };
-        order(&mut elimination, frames, set.has).map(|()| elimination)
+        order(&mut elimination, samples, set.has).map(|()| elimination)
     };
     sets.into_iter().filter_map(of).collect()
 }
@@ -65,7 +67,7 @@ pub fn orders(elimination: &Elimination, frames: &Frames) -> Vec<Elimination> {
 /// The same for a set of monomials.
 fn order(
     elimination: &mut Elimination,
-    frames: &Frames,
+    arms: &[Frames],
     has: fn(usize, usize) -> bool,
 ) -> Option<()> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
@@ -75,6 +77,7 @@ fn order(
         .flat_map(|f| (0..4).map(move |shift| [f, shift]))
         .collect();
     let sees_missing = |row: &Row| {
+        let frames = &arms[0];
         let target = frames.forward(&[0.4, -1.1, 0.7, 1.9, -0.6, 1.3]);
         let row = spread(&elimination.coefficients(frames, &target, 0.9), *row);
         missing
@@ -83,8 +86,9 @@ fn order(
     };
     candidates.retain(|row| !sees_missing(row));
     candidates.extend(missing.iter().map(|&c| [EQUATIONS as u8 - 1, c]));
-    let samples: Vec<Vec<[f64; SIZE]>> = (0..SAMPLES)
-        .map(|_| {
+    let arms = arms.iter().cycle().take(SAMPLES);
+    let samples: Vec<Vec<[f64; SIZE]>> = arms
+        .map(|frames| {
             let q = std::array::from_fn(|_| random.between(-PI, PI));
             let kept = random.between(-PI, PI);
             let equations = elimination.coefficients(frames, &frames.forward(&q), kept);

@@ -27,12 +27,12 @@ pub fn measured(design: &Model, noise: f64, random: &mut Random) -> Model {
     model
 }
 
-/// Anywhere, or with a joint or two as near to a round value as 1e-6.
-pub fn configuration(k: usize, random: &mut Random) -> Vec<f64> {
-    let mut q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
+/// Of so many joints, anywhere, or with a joint or two as near to a round value as 1e-6.
+pub fn configuration(joints: usize, k: usize, random: &mut Random) -> Vec<f64> {
+    let mut q: Vec<f64> = (0..joints).map(|_| random.between(-PI, PI)).collect();
     for _ in 0..k % 3 {
         let round = random.below(4) as f64 * FRAC_PI_2;
-        q[random.below(6)] = round + 10_f64.powf(random.between(-6.0, -1.0));
+        q[random.below(joints as u64)] = round + 10_f64.powf(random.between(-6.0, -1.0));
     }
     q
 }

@@ -31,7 +31,7 @@ fn solutions(frames: &Frames, eliminations: &[Elimination], target: &Pose) -> So
 }
 
 fn chosen(frames: &Frames) -> Vec<Elimination> {
-    choose(frames, 6)
+    choose(&(*frames).into(), 6)
         .iter()
         .take(MOST)
         .map(|kept| kept.elimination)
@@ -78,7 +78,7 @@ fn functionals_vanish_along_the_loop() {
             prismatic: if k < 36 { 0 } else { slides.next().unwrap() },
             ..random_arm(&pattern, &mut random)
         };
-        for elimination in (0..6).flat_map(|kept| eliminate(&frames, kept)) {
+        for elimination in (0..6).flat_map(|kept| eliminate(&frames.into(), kept)) {
             let q = anywhere(&mut random);
             let joints = elimination.joints.map(usize::from);
             let along = joints.map(|joint| {
@@ -111,7 +111,7 @@ fn harmonics_above_the_degree_vanish() {
     let mut random = Random(12);
     for pattern in [GENERAL].into_iter().chain(patterns().step_by(7)) {
         let frames = random_arm(&pattern, &mut random);
-        for elimination in (0..6).flat_map(|kept| eliminate(&frames, kept)) {
+        for elimination in (0..6).flat_map(|kept| eliminate(&frames.into(), kept)) {
             let arm = Univariate {
                 frames,
                 size: 2.0,

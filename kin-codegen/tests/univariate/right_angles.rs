@@ -113,7 +113,7 @@ fn roots_beside_complex_ones_are_not_extraneous() {
         -1.5707963280776196,
     ];
     let target = model.chain().fk(&q);
-    let mut arms = Arm::keeping_each(&Linkage::new(&model)).into_iter();
+    let mut arms = Arm::keeping_each(&model, &Linkage::new(&model)).into_iter();
     let arm = arms.find(|arm| arm.kept[0].elimination.joints[0] == 4);
     assert_eq!(arm.unwrap().solutions::<6>(&target).len(), 4);
 }

@@ -50,30 +50,24 @@ pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
         true => runtime::WHOLE,
         false => runtime::SHORT,
     };
-    let parts = [&search(arm), short, runtime::REFINE].join("\n");
+    let (carry, carrying, target) = carry(solver);
+    let parts = [&search(arm), short, runtime::REFINE, &carry];
+    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     let refined = format!(
-        "    kin_refine(target, &lanes, &search);\n    count = {};\n    \
+        "{carrying}    kin_refine({target}, &lanes, &search);\n    count = {};\n    \
          return count > 0 ? count : kin_why_none(target);\n",
         to_solutions(solver, arm)
     );
-    (parts, refined)
+    (parts.join("\n"), refined)
 }
 
 /// From what is found to solutions, and `kin_solve`; behind [`search`].
 pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
-    let carried = Carried::new(&solver.given);
-    let (carry, target) = match solver.given.locked.is_empty() {
-        true => (String::new(), "target"),
-        false => (carry(&carried), "carried"),
-    };
+    let (carry, carrying, target) = carry(solver);
     let found = to_solutions(solver, arm);
     let parts = match is_whole(solver, arm) {
         true => vec![runtime::WHOLE],
         false => vec![runtime::SEEN, runtime::CORRECTION, runtime::SHORT],
-    };
-    let carrying = match carry.is_empty() {
-        true => "",
-        false => "    double carried[12];\n    kin_carry(target, given, carried);\n",
     };
     let solve = format!(
         "/* The solutions of a target. Of a polynomial's roots the branch is the place. */\n\
@@ -172,9 +166,18 @@ fn elimination(elimination: &Elimination) -> String {
     )
 }
 
-/// The function that moves a target by the joints that are given, all at the ends of the arm.
-fn carry(carried: &Carried) -> String {
-    let Carried { front, behind } = carried;
+/// The function that moves a target by the joints that are given, all at the ends of the arm, its
+/// call, and what the target is behind that.
+fn carry(solver: &ClosedForm) -> (String, &'static str, &'static str) {
+    if solver.given.locked.is_empty() {
+        return (String::new(), "", "target");
+    }
+    let call = "    double carried[12];\n    kin_carry(target, given, carried);\n";
+    (carrying(&Carried::new(&solver.given)), call, "carried")
+}
+
+fn carrying(carried: &Carried) -> String {
+    let Carried { front, behind, .. } = carried;
     let twists = front.iter().chain(behind);
     let twists: Vec<String> = twists.map(twist).collect();
     let count = twists.len();

@@ -315,7 +315,7 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
             "{where_}, where branches do not tell all solutions, the roots of a polynomial of \
              degree {} in {} do; what they add is numbered from {} on.",
             arm.kept[0].elimination.degree,
-            arm.kept_beside(),
+            arm.kept_beside(&solver.given),
             solver.plan.branches(),
         ));
     }

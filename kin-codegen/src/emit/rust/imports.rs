@@ -29,9 +29,10 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 21] = [
+const PRIVATE: [&str; 22] = [
     "Acceptance",
     "AtSwivel",
+    "Between",
     "Branches",
     "Eliminant",
     "Elimination",

@@ -4,6 +4,7 @@ use super::comment::comment;
 use crate::emit::language::{Function, Language, Operator};
 use crate::emit::straight::{self, Trig};
 use crate::expr::{RootField, RootPart};
+use kin_runtime::Twist;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -156,4 +157,16 @@ pub fn array(value: &str) -> Ident {
 /// What is called `name`.
 pub fn identifier(name: &str) -> Ident {
     format_ident!("{name}")
+}
+
+/// A vector without the noise of composing frames.
+pub fn vector(v: [f64; 3]) -> TokenStream {
+    let entries = v.map(|x| signed(if x.abs() < 1e-15 { 0.0 } else { x }));
+    quote!([#(#entries),*])
+}
+
+/// A twist, in the same way.
+pub fn twist(twist: &Twist) -> TokenStream {
+    let [linear, angular] = [twist.linear, twist.angular].map(vector);
+    quote!(Twist { linear: #linear, angular: #angular })
 }

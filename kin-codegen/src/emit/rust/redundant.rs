@@ -2,7 +2,7 @@
 //! methods that take the values of the joints that stay free, or the turn of the tool.
 
 use super::lanes::Lanes;
-use super::language::signed;
+use super::language::{twist, vector};
 use super::{Names, inverse, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::emit::headings::list;
@@ -165,11 +165,12 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
     let answer = match &solver.inverse {
         Inverse::Univariate(_) => {
             let target = carried(solver, &given);
+            let arm = at_given(solver, &given);
             match k {
-                0 => quote!(Self::UNIVARIATE.solutions(#target)),
+                0 => quote!(#arm.solutions(#target)),
                 _ => {
                     let solved = usize_literal(solver.given.variables());
-                    quote!(locked.all(&Self::UNIVARIATE.solutions::<#solved>(#target)))
+                    quote!(locked.all(&#arm.solutions::<#solved>(#target)))
                 }
             }
         }
@@ -179,7 +180,7 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
             let given: Vec<TokenStream> = given.into_iter().chain(swivel.clone()).collect();
             let sorted = match &swivel {
                 Some(angle) => at_swivel(solver, angle),
-                None => sorted(solver, k > 0),
+                None => sorted(solver, &given),
             };
             let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
             quote! {
@@ -196,8 +197,8 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
 }
 
 /// How the branches become solutions.
-fn sorted(solver: &ClosedForm, locked: bool) -> TokenStream {
-    if !locked {
+fn sorted(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
+    if given.is_empty() {
         return inverse::sorted(solver);
     }
     let target = solver.plan.target;
@@ -206,10 +207,16 @@ fn sorted(solver: &ClosedForm, locked: bool) -> TokenStream {
     }
     let target = format_ident!("{target:?}");
     let arm = quote!(|q| self.fk_jacobian(q), pose, Target::#target);
-    match solver.refinement {
+    match &solver.refinement {
         Refinement::Branches(steps) => {
-            let steps = usize_literal(steps);
+            let steps = usize_literal(*steps);
             quote!(locked.refined(&branches, #arm, #steps, &Self::ACCEPT))
+        }
+        Refinement::Univariate(_) => {
+            let (arm, target) = (at_given(solver, given), carried(solver, given));
+            quote! {
+                locked.all(&branches.refined_onto(&#arm, #target, &Self::ACCEPT))
+            }
         }
         _ => quote!(locked.corrected(&branches, #arm, &Self::ACCEPT)),
     }
@@ -237,11 +244,12 @@ fn at_swivel(solver: &ClosedForm, angle: &TokenStream) -> TokenStream {
 
 /// The target of the joints between those that are given.
 fn carried(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
-    let Carried { front, behind } = Carried::new(&solver.given);
-    if given.is_empty() {
+    let all = Carried::new(&solver.given);
+    let Carried { front, behind, .. } = &all;
+    if all.between().len() == given.len() {
         return quote!(pose);
     }
-    let (in_front, at_the_tip) = given.split_at(front.len());
+    let (in_front, at_the_tip) = (given, &given[all.between().end..]);
     let undone = |(twist, value): (&Twist, &TokenStream)| {
         let twist = self::twist(twist);
         quote!(Pose::exp(&#twist, -#value))
@@ -249,6 +257,15 @@ fn carried(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
     let front = front.iter().zip(in_front).map(undone).rev();
     let behind = behind.iter().zip(at_the_tip).map(undone).rev();
     quote!(&(#(#front *)* *pose #(* #behind)*))
+}
+
+/// The arm of the joints that are solved for.
+fn at_given(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
+    let between = &given[Carried::new(&solver.given).between()];
+    match between.is_empty() {
+        true => quote!(Self::UNIVARIATE),
+        false => quote!(Self::UNIVARIATE.at(&Self::BETWEEN, &[#(#between),*])),
+    }
 }
 
 /// The points of a swivel.
@@ -270,17 +287,6 @@ fn swivel(swivel: &kin_runtime::Swivel) -> TokenStream {
             reference: #reference,
         }
     }
-}
-
-/// A vector without the noise of composing frames.
-fn vector(v: [f64; 3]) -> TokenStream {
-    let entries = v.map(|x| signed(if x.abs() < 1e-15 { 0.0 } else { x }));
-    quote!([#(#entries),*])
-}
-
-fn twist(twist: &Twist) -> TokenStream {
-    let [linear, angular] = [twist.linear, twist.angular].map(vector);
-    quote!(Twist { linear: #linear, angular: #angular })
 }
 
 /// The parameters of a configuration.
@@ -461,14 +467,15 @@ fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> 
 fn eliminant(solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
     let turned = turned(redundancy);
     let given = (0..redundancy.joints.len()).map(|i| parameter(redundancy, i));
-    let target = carried(solver, &given.collect::<Vec<_>>());
+    let given: Vec<TokenStream> = given.collect();
+    let (arm, target) = (at_given(solver, &given), carried(solver, &given));
     let (takes, _) = argument(redundancy);
     quote! {
         fn eliminant_at(
             &self, pose: &Pose, #takes, which: usize
         ) -> ::core::option::Option<Eliminant> {
             #turned
-            Self::UNIVARIATE.eliminant(#target, which)
+            #arm.eliminant(#target, which)
         }
     }
 }

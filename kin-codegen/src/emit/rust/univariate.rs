@@ -1,9 +1,9 @@
 //! Inverse kinematics by a polynomial in one joint: the arm's numbers, and calls of
 //! what is the same for every arm.
 
-use super::language::{literal, signed};
+use super::language::{self, literal, signed};
 use crate::univariate::Arm;
-use kin_runtime::__private::univariate::Elimination;
+use kin_runtime::__private::univariate::{Between, Elimination};
 use kin_runtime::{Pose, Target};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -67,6 +67,7 @@ pub fn constant(arm: &Arm) -> TokenStream {
     let size = literal(arm.size);
     let counts = Ident::new(&format!("{:?}", arm.counts), Span::call_site());
     let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));
+    let between = between(&arm.between);
     quote! {
         /// The arm, lengths in units of half its size, and what is left of it when
         /// all joints but one are eliminated: the best to be kept first.
@@ -79,7 +80,25 @@ pub fn constant(arm: &Arm) -> TokenStream {
             counts: Target::#counts,
             eliminations: &[#(#eliminations),*],
         };
+        #between
     }
+}
+
+/// The joints that are given between those that are solved for.
+fn between(joints: &[Between]) -> Option<TokenStream> {
+    let count = Literal::usize_unsuffixed(joints.len());
+    let each = joints.iter().map(|Between { behind, twist }| {
+        let behind = Literal::u8_unsuffixed(*behind);
+        let twist = language::twist(twist);
+        quote!(Between { behind: #behind, twist: #twist })
+    });
+    (!joints.is_empty()).then(|| {
+        quote! {
+            /// The joints that are given between those of [`Self::UNIVARIATE`], which has them at
+            /// zero.
+            const BETWEEN: [Between; #count] = [#(#each),*];
+        }
+    })
 }
 
 fn pose(pose: &Pose) -> TokenStream {

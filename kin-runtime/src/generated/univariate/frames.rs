@@ -1,6 +1,6 @@
 //! An arm of six joints as constant motions with the joints between them.
 
-use crate::{Pose, math};
+use crate::{Pose, Twist, math};
 
 /// A₀ J₁ A₁ … J₆ A₆, where a joint J turns about z or slides along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,7 +11,26 @@ pub struct Frames {
     pub prismatic: u64,
 }
 
+/// A joint that is given with the target and stands between those that are solved for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Between {
+    /// It moves what is behind so many of these: A₁ … A₅.
+    pub behind: u8,
+    /// Its twist in the frame in front of that, lengths as in the frames.
+    pub twist: Twist,
+}
+
 impl Frames {
+    /// With these joints, from the base to the tip, at values in radians and metres; it has
+    /// them at zero.
+    pub fn at(mut self, between: &[Between], values: &[f64]) -> Self {
+        for (joint, &value) in between.iter().zip(values).rev() {
+            let behind = &mut self.fixed[usize::from(joint.behind % 7)];
+            *behind = Pose::exp(&joint.twist, value) * *behind;
+        }
+        self
+    }
+
     /// Whether a joint, from 0, slides.
     #[inline(always)]
     pub fn slides(&self, joint: usize) -> bool {

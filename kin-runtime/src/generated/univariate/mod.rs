@@ -36,7 +36,7 @@ mod turn;
 
 pub use eliminant::Eliminant;
 pub use elimination::{EQUATIONS, Elimination, FUNCTIONALS};
-pub use frames::Frames;
+pub use frames::{Between, Frames};
 #[cfg(feature = "std")]
 pub use lanes::reproducible::reproducibly;
 pub use line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
@@ -73,6 +73,15 @@ pub struct Told {
 }
 
 impl Univariate<'_> {
+    /// The arm with joints between its own at these values, radians and metres, on which the
+    /// eliminations do not depend; it has them at zero.
+    pub fn at(&self, between: &[Between], values: &[f64]) -> Self {
+        Self {
+            frames: self.frames.at(between, values),
+            ..*self
+        }
+    }
+
     /// All configurations that put the tip at the target, in the order of the joint
     /// that is kept first; those of singular targets last.
     ///
