@@ -1,6 +1,6 @@
 //! The slowest calls: inverse kinematics of arms without a closed form of their own,
 //! one call at a time. `cargo run --release --bin tail`, with how many targets of each
-//! kind as an argument.
+//! kind as an argument, and as a second one the instructions to use at most: `sse2`, `avx2`.
 //!
 //! A target is solved three times, and the fastest counts, so that what else the machine
 //! does is not taken for the solver's; the configuration that made it must be among the
@@ -92,9 +92,30 @@ fn times<K: Kinematics<6>>(
     }
 }
 
+/// In a program that is itself compiled for AVX2 nothing is chosen.
+#[cfg(all(target_arch = "x86_64", not(target_feature = "avx2")))]
+fn use_at_most(instructions: &str) {
+    use kinematics::__private::dispatch::{Instructions, use_at_most};
+    let wanted = match instructions {
+        "sse2" => Instructions::Sse2,
+        "avx2" => Instructions::Avx2,
+        _ => panic!("{instructions} is neither sse2 nor avx2"),
+    };
+    println!("{:?} at most\n", use_at_most(wanted));
+}
+
+#[cfg(not(all(target_arch = "x86_64", not(target_feature = "avx2"))))]
+fn use_at_most(_: &str) {
+    panic!("the instructions of this program were chosen when it was compiled");
+}
+
 fn main() {
-    let argument = std::env::args().nth(1);
-    let count = argument.map_or(20_000, |count| count.parse().expect("a number of targets"));
+    let mut arguments = std::env::args().skip(1);
+    let count = arguments.next();
+    let count = count.map_or(20_000, |count| count.parse().expect("a number of targets"));
+    if let Some(instructions) = arguments.next() {
+        use_at_most(&instructions);
+    }
     println!("| arm | targets | solutions | lost | p50 µs | p99 | p99.9 | worst |");
     println!("|---|---|---|---|---|---|---|---|");
     times("UR5e, exact", &Ur5e, count, |p| Ur5e.ik(p));

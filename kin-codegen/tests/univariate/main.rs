@@ -377,6 +377,34 @@ home: {xyz: [0.93, -0.185, 1.32]}
     }
 }
 
+/// Eight solutions in two fours, each of which shares the three joints that are kept up to 1e-3.
+#[test]
+fn four_solutions_that_have_almost_met_are_all_found() {
+    let source = Source {
+        path: "xarm6.yaml".into(),
+        text: include_str!("../../../robots/xarm6.yaml").into(),
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let arm = Arm::new(&Linkage::new(&model)).unwrap();
+    let chain = model.chain();
+    let at = [
+        3.0776154601465926,
+        -0.9580783495955061,
+        -2.9135827366114655,
+        3.14195863438341,
+        -0.9376459902799974,
+        -0.9876951411421047,
+    ];
+    let mut random = Random(29);
+    for _ in 0..300 {
+        let off = 10_f64.powf(random.between(-6.0, -2.0));
+        let q = at.map(|x| x + off * random.between(-1.0, 1.0));
+        let found: Solutions<6> = arm.solutions(&chain.fk(&q));
+        let is_known = |found: &Solution<6>| apart(&arm.frames, &found.q, &q) < 1e-6;
+        assert!(found.iter().any(is_known), "{q:?}: {found:?}");
+    }
+}
+
 /// At home one step of this elimination is zero for all angles, and what is left of it by
 /// rounding the same for all: a smooth polynomial with wrong roots.
 #[test]

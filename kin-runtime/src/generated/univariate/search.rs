@@ -14,6 +14,10 @@ use core::f64::consts::TAU;
 /// Cosines and sines that are off by more are those of an extraneous root.
 const EXTRANEOUS: f64 = 0.05;
 
+/// The same of several that have almost met: at one value of the kept joint what is nearly taken
+/// to zero is their space but for how far their own values are apart, and its vectors mix them.
+const MIXED: f64 = 0.5;
+
 /// Where they are off by less, a null vector is of one solution, and no mixture.
 const PURE: f64 = 1e-3;
 
@@ -304,16 +308,17 @@ impl<'a> Search<'a> {
             let shared = |k: &usize| roots.is_several(chunk[*k].into());
             if !(0..chunk.len()).any(|k| shared(&k)) {
                 for starts in recovery.pairs(&kept) {
-                    (0..chunk.len()).for_each(|k| self.start_of(&starts, k));
+                    (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
                 }
                 continue;
             }
             let (pairs, more) = recovery.sharing(&kept);
             for starts in pairs {
-                (0..chunk.len()).for_each(|k| self.start_of(&starts, k));
+                (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
             }
             for k in (0..chunk.len()).filter(shared) {
-                more.iter().for_each(|starts| self.start_of(starts, k));
+                more.iter()
+                    .for_each(|starts| self.start_of(starts, k, MIXED));
             }
         }
         self.arrive();
@@ -355,9 +360,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The same, if it may be near a solution that is not known.
-    fn start_of(&mut self, starts: &Starts, lane: usize) {
-        if starts.inconsistency[lane] < EXTRANEOUS && !self.knows(&starts.q, lane) {
+    /// The same, if it may be near a solution that is not known: if it is off by no more.
+    fn start_of(&mut self, starts: &Starts, lane: usize, off: f64) {
+        if starts.inconsistency[lane] < off && !self.knows(&starts.q, lane) {
             self.start(&starts.q, lane);
         }
     }

@@ -1,8 +1,10 @@
 /* Eliminations that are asked at most: where one is not sure of its answer, the next is. */
 #define KIN_ASKED (KIN_ELIMINATIONS < 3 ? KIN_ELIMINATIONS : 3)
-/* Cosines and sines that are off by more are those of an extraneous root; where they are off by
- * less than the second, a null vector is of one solution, and no mixture. */
+/* Cosines and sines that are off by more are those of an extraneous root; by more than the second,
+ * they are not of one of several that have almost met; where they are off by less than the third, a
+ * null vector is of one solution, and no mixture. */
 #define KIN_EXTRANEOUS 0.05
+#define KIN_MIXED 0.5
 #define KIN_PURE 1e-3
 /* Below this another solution may be so near that roots of the polynomial do not tell the two
  * apart. */
@@ -147,12 +149,12 @@ static void kin_start(kin_search *search, const double q[6])
     }
 }
 
-/* The same, if it may be near a solution that is not known. */
-static void kin_start_unknown(kin_search *search, kin_starts *starts, int lane)
+/* The same, if it may be near a solution that is not known: if it is off by no more. */
+static void kin_start_unknown(kin_search *search, kin_starts *starts, int lane, double off)
 {
     double q[6];
     kin_in_lane(starts->q, lane, q);
-    if (starts->inconsistency[lane] < KIN_EXTRANEOUS
+    if (starts->inconsistency[lane] < off
         && !kin_is_known(&search->found, q, search->meeting)) {
         kin_start(search, q);
     }
@@ -241,13 +243,13 @@ static void kin_several_each(
         kin_recover_several(recovery, kept, any ? KIN_SHARING : 2, starts);
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < count; ++k) {
-                kin_start_unknown(search, &starts[i], k);
+                kin_start_unknown(search, &starts[i], k, KIN_EXTRANEOUS);
             }
         }
         for (int k = 0; k < count; ++k) {
             if (roots->several >> numbers[k] & 1) {
                 for (int i = 0; i < KIN_SHARING; ++i) {
-                    kin_start_unknown(search, &starts[2 + i], k);
+                    kin_start_unknown(search, &starts[2 + i], k, KIN_MIXED);
                 }
             }
         }
