@@ -12,7 +12,7 @@ macro_rules! structures {
             const STEPS: &[Step] = &[$($step),*];
 
             proptest! {
-                #![proptest_config(cases(8))]
+                #![proptest_config(cases(6))]
 
                 #[test]
                 fn as_it_stands(arm in arm(STEPS), q in configuration(STEPS)) {
