@@ -260,15 +260,7 @@ fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) 
         written.same(solution.q, off, of);
     }
     if parameters.is_empty() {
-        let nearest = rust.ik_nearest(pose, seed);
-        let found = written.integer();
-        assert_eq!(found == 1, nearest.is_some(), "{of:?}");
-        if let Some(nearest) = nearest {
-            written.same(&nearest.q, MET, of);
-        } else {
-            // None at all, or none within limits.
-            assert_eq!(found == -3, !expected.is_empty(), "{of:?}");
-        }
+        nearest_is_the_same(subject, pose, seed, !expected.is_empty(), written);
     }
 }
 
@@ -312,14 +304,27 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
     let has_singular = expected.iter().any(|it| it.singular);
     assert_eq!(singular > 0, has_singular, "{of:?}: {expected:?}");
     if parameters.is_empty() {
-        let nearest = rust.ik_nearest(pose, seed);
-        let found = written.integer();
-        assert_eq!(found == 1, nearest.is_some(), "{of:?}");
-        if let Some(nearest) = nearest {
-            written.same(&nearest.q, MET, of);
-        } else {
-            assert_eq!(found == -3, !expected.is_empty(), "{of:?}");
-        }
+        nearest_is_the_same(subject, pose, seed, !expected.is_empty(), written);
+    }
+}
+
+/// The solution nearest to the seed, of a target that has solutions or none.
+fn nearest_is_the_same(
+    subject: &Subject,
+    pose: &Pose,
+    seed: &[f64],
+    is_reached: bool,
+    written: &mut Written,
+) {
+    let of = &(subject.path, pose, seed);
+    let nearest = subject.rust.ik_nearest(pose, seed);
+    let found = written.integer();
+    assert_eq!(found == 1, nearest.is_some(), "{of:?}");
+    if let Some(nearest) = nearest {
+        written.same(&nearest.q, MET, of);
+    } else {
+        // None at all, or none within limits.
+        assert_eq!(found == -3, is_reached, "{of:?}");
     }
 }
 

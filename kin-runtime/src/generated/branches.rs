@@ -194,6 +194,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
 /// The least of numbers, by halves: as many as there are branches, a power of two.
 #[inline(always)]
 fn least<const L: usize>(mut numbers: [Real; L]) -> Real {
+    const { assert!(L.is_power_of_two()) };
     let mut half = L / 2;
     while half > 0 {
         for k in 0..half {

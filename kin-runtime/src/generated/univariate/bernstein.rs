@@ -107,6 +107,15 @@ impl<const N: usize> Basis<N> {
     }
 }
 
+/// Coefficient i, of the first half, of cos kφ and of sin kφ on an arc about φ = 0, for degrees up
+/// to 8 or above: what tables of other languages are made of.
+pub fn coefficients_on_arc(is_high: bool, i: usize, k: usize) -> [f64; 2] {
+    match is_high {
+        true => [HIGH.cosines[i][k], HIGH.sines[i][k]],
+        false => [LOW.cosines[i][k], LOW.sines[i][k]],
+    }
+}
+
 /// Some neighbouring arcs, as lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Arcs {

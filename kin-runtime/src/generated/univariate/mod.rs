@@ -34,12 +34,14 @@ mod sharing;
 mod short;
 mod turn;
 
+pub use bernstein::coefficients_on_arc;
 pub use eliminant::Eliminant;
 pub use elimination::{EQUATIONS, Elimination, FUNCTIONALS};
 pub use frames::{Between, Frames};
 #[cfg(feature = "std")]
 pub use lanes::reproducible::reproducibly;
 pub use line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
+pub use turn::cosine_of_turn;
 
 use crate::{Pose, Solution, Solutions, Target};
 use lanes::LANES;

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 /// cos 2πi/n, correctly rounded but for a unit in the last place; n is a
 /// multiple of 8.
-pub(super) const fn cosine_of_turn(i: usize, n: usize) -> f64 {
+pub const fn cosine_of_turn(i: usize, n: usize) -> f64 {
     let i = i % n;
     let octant = n / 8;
     match i / octant {
