@@ -18,8 +18,9 @@ const BOUNDS: [[&str; 2]; 5] = [
 ];
 
 /// The same of the search for the roots of a polynomial in one joint. A wrong pivot is not of them:
-/// the noise tells, and reflections make up for it.
-const OF_SEARCH: [[&str; 2]; 15] = [
+/// the noise tells, and reflections make up for it. Nor are miscounted signs next to coefficients without
+/// one: such an interval is taken for several roots, of which all are found.
+const OF_SEARCH: [[&str; 2]; 14] = [
     ["- 2.0 * (across + ", "+ 2.0 * (across + "],
     [
         "im[2][k] = re[1][k] - re[0][k]",
@@ -31,7 +32,6 @@ const OF_SEARCH: [[&str; 2]; 15] = [
         "of_cosines[arc] + of_sines[arc]",
     ],
     ["changes == 1 ?", "changes == 2 ?"],
-    ["a * b < 0.0 && i", "a * b > 0.0 && i"],
     ["(a - b) * (a + b)", "(a - b) * (a - b)"],
     ["line[3 + i][k] - of->", "line[3 + i][k] + of->"],
     ["b * cosine[k] - a * sine[k]", "b * cosine[k] + a * sine[k]"],
