@@ -1,6 +1,8 @@
 //! Pictures as SVG and PNG.
 
+use plotters::chart::MeshStyle;
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::Ranged;
 use plotters::drawing::DrawingAreaErrorKind;
 use plotters::prelude::{BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -45,6 +47,19 @@ pub fn font(pixels: u32) -> TextStyle<'static> {
 /// The same behind a place, at its height.
 pub fn font_behind(pixels: u32) -> TextStyle<'static> {
     font(pixels).pos(Pos::new(HPos::Left, VPos::Center))
+}
+
+/// A mesh that stands back, and axes with their numbers and words.
+pub fn plain<'a, 'b, X: Ranged, Y: Ranged, B: DrawingBackend>(
+    mut mesh: MeshStyle<'a, 'b, X, Y, B>,
+) -> MeshStyle<'a, 'b, X, Y, B> {
+    mesh.light_line_style(WHITE)
+        .bold_line_style(line(FAINT, 1))
+        .axis_style(line(INK, 1))
+        .set_all_tick_mark_size(px(4))
+        .label_style(font(13))
+        .axis_desc_style(font(13));
+    mesh
 }
 
 /// Something that can be drawn.

@@ -1,9 +1,7 @@
 //! The joints along a path: the robot at its ends, a panel for each joint with all branches, the
 //! limits, and what is taken, and one for how far that is from singular.
 
-use super::canvas::{
-    Area, Drawn, FAINT, INK, LINK, Picture, font, font_behind, hue, label, line, px,
-};
+use super::canvas::{Area, Drawn, LINK, Picture, font, font_behind, hue, label, line, plain, px};
 use super::figure::{Figure, GHOST, Weight};
 use super::path::{Path, Piece, Subject};
 use kin_runtime::JointLimit;
@@ -113,18 +111,11 @@ impl Trajectory<'_> {
                 .x_label_area_size(px(44))
                 .y_label_area_size(px(54))
                 .build_cartesian_2d(window(right), window(up))?;
-            chart
-                .configure_mesh()
+            plain(chart.configure_mesh())
                 .x_labels(5)
                 .y_labels(5)
                 .x_desc(format!("{} in m", names[right]))
                 .y_desc(format!("{} in m", names[up]))
-                .light_line_style(WHITE)
-                .bold_line_style(line(FAINT, 1))
-                .axis_style(line(INK, 1))
-                .set_all_tick_mark_size(px(4))
-                .label_style(font(13))
-                .axis_desc_style(font(13))
                 .x_label_formatter(&|x| label(*x, digits))
                 .y_label_formatter(&|x| label(*x, digits))
                 .draw()?;
@@ -192,18 +183,11 @@ impl Trajectory<'_> {
             .y_label_area_size(px(64))
             .build_cartesian_2d(begin..end, low..high)?;
         let digits = usize::from(high - low < 20.0) + 2 * usize::from(high - low < 1.0);
-        chart
-            .configure_mesh()
+        plain(chart.configure_mesh())
             .y_labels(6)
             .x_labels(8)
             .x_desc(&self.path.axis)
             .y_desc(&panel.axis)
-            .light_line_style(WHITE)
-            .bold_line_style(line(FAINT, 1))
-            .axis_style(line(INK, 1))
-            .set_all_tick_mark_size(px(4))
-            .label_style(font(13))
-            .axis_desc_style(font(13))
             .x_label_formatter(&|x| label(*x, usize::from(end - begin < 8.0)))
             .y_label_formatter(&|y| label(*y, digits))
             .draw()?;

@@ -2,7 +2,7 @@
 
 use super::map::{Map, Sampling, Slice};
 use crate::plot::canvas::{
-    Area, Drawn, FAINT, INK, Picture, font, font_behind, label, line, px, viridis,
+    Area, Drawn, INK, Picture, font, font_behind, label, line, plain, px, viridis,
 };
 use crate::plot::figure::{Figure, Weight};
 use plotters::prelude::*;
@@ -137,17 +137,11 @@ impl Maps<'_> {
         let digits = usize::from(step * self.map.cells as f64 <= 6.0)
             + usize::from(step * self.map.cells as f64 <= 0.6);
         let number_of = |x: &f64| label(*x, digits);
-        chart
-            .configure_mesh()
+        plain(chart.configure_mesh())
             .x_labels(7)
             .y_labels(7)
             .x_desc(x_axis)
             .y_desc(y_axis)
-            .light_line_style(WHITE)
-            .bold_line_style(line(FAINT, 1))
-            .axis_style(line(INK, 1))
-            .set_all_tick_mark_size(px(4))
-            .label_style(font(13))
             .axis_desc_style(font(14))
             .x_label_formatter(&number_of)
             .y_label_formatter(&number_of)
