@@ -151,3 +151,49 @@ fn skew(joint: usize) -> Pose {
     let shift = [length * y.cos(), length * y.sin(), 0.4 * length];
     Pose::from_axis_angle(axis, 1.3, shift)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::{ArmSpec, Source};
+
+    /// Of two neighbours among them one moves the other, and not the reverse.
+    #[test]
+    fn joints_between_move_what_is_behind_them() {
+        let text = "\
+robot: eight
+units: {angle: rad, length: m}
+screws:
+  - {name: a, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: b, axis: [0, 0.6, 0.8], point: [0.1, 0, 0.3]}
+  - {name: c, axis: [1, 0, 0], point: [0, 0.2, 0.5]}
+  - {name: d, axis: [0.8, 0, 0.6], point: [0.3, 0.1, 0.4]}
+  - {name: e, axis: [0, 1, 0], point: [0.4, 0, 0.7]}
+  - {name: f, axis: [0, 0.8, -0.6], point: [0.5, 0.2, 0.6]}
+  - {name: g, axis: [0.6, 0.8, 0], point: [0.6, 0, 0.9]}
+  - {name: h, axis: [1, 0, 0], point: [0.7, 0.1, 0.8]}
+home: {xyz: [0.9, 0.1, 1.0]}
+";
+        let source = Source {
+            path: "eight.yaml".into(),
+            text: text.into(),
+        };
+        let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+        let q = [0.3, -0.7, 1.1, 0.4, -1.3, 0.9, -0.2, 1.7];
+        let target = model.chain().fk(&q);
+        for locked in [[3, 4], [2, 5], [1, 6]] {
+            let linkage = Linkage::new(&model).with_locked(&locked);
+            let (family, left) = Family::of(&model, &linkage).unwrap();
+            let at = family.frames.at(&family.between, &locked.map(|i| q[i]));
+            let solved: Vec<f64> = (0..8)
+                .filter(|i| !locked.contains(i))
+                .map(|i| q[i])
+                .collect();
+            let pose = at.forward(&solved.try_into().unwrap());
+            assert!(pose.rotation_distance(&target) < 1e-14, "{locked:?}");
+            for (x, y) in pose.translation.iter().zip(target.translation) {
+                assert!((0.5 * left.size * x - y).abs() < 1e-14, "{locked:?}");
+            }
+        }
+    }
+}
