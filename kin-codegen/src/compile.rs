@@ -31,7 +31,8 @@ pub fn compile(source: &Source, options: &Options) -> Result<Compiled, Error> {
 
 /// The same with a folder of what was found for robots before, by this version of the crate: for
 /// one of these nothing is searched for or certified again. What it has for another text or other
-/// options, or what is damaged, is not used. Where it cannot be written, nothing is kept.
+/// options, what is damaged, and what was certified as other expressions than this build writes for
+/// it is not used. Where it cannot be written, nothing is kept.
 ///
 /// Whoever can write that folder decides what a robot answers.
 ///

@@ -23,13 +23,14 @@ mod tangent;
 mod tape;
 
 pub use count::Operations;
+pub(crate) use hash::Multiplicative;
 use hash::NodeMap;
 pub use interpret::Lane;
 pub use tangent::Tangent;
 pub use tape::{Lanes, Tape};
 
 /// A node of a [`Graph`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Expr(u32);
 
 impl Expr {
@@ -284,13 +285,11 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&e) = self.index.get(&node) {
-            return e;
-        }
-        let e = Expr(self.nodes.len() as u32);
-        self.nodes.push(node);
-        self.index.insert(node, e);
-        e
+        let nodes = &mut self.nodes;
+        *self.index.entry(node).or_insert_with(|| {
+            nodes.push(node);
+            Expr(nodes.len() as u32 - 1)
+        })
     }
 
     /// If the node is −a, the a.

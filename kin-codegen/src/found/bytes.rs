@@ -17,6 +17,17 @@ pub trait Bytes: Sized {
     fn write(&self, to: &mut Vec<u8>);
     /// Takes it off the front; none if it is not there.
     fn read(from: &mut &[u8]) -> Option<Self>;
+    /// Appends the names and types of what is written, which tell it from what another version of
+    /// the type writes.
+    fn layout(to: &mut String);
+}
+
+/// The layout of a field.
+fn field<S, T: Bytes>(name: &str, _: fn(&S) -> &T, to: &mut String) {
+    to.push_str(name);
+    to.push(':');
+    T::layout(to);
+    to.push(',');
 }
 
 macro_rules! numbers {
@@ -30,6 +41,10 @@ macro_rules! numbers {
                 let (bytes, rest) = from.split_first_chunk()?;
                 *from = rest;
                 Some(Self::from_le_bytes(*bytes))
+            }
+
+            fn layout(to: &mut String) {
+                to.push_str(stringify!($number));
             }
         }
     )*};
@@ -48,11 +63,22 @@ macro_rules! fields {
             fn read(from: &mut &[u8]) -> Option<Self> {
                 Some(Self { $($field: Bytes::read(from)?),* })
             }
+
+            fn layout(to: &mut String) {
+                let name = concat!(stringify!($name), "{");
+                // A relation has another one in it.
+                let is_known = to.contains(name);
+                to.push_str(name);
+                if !is_known {
+                    $(field(stringify!($field), |it: &Self| &it.$field, to);)*
+                }
+                to.push('}');
+            }
         }
     )*};
 }
 fields! {
-    Found { plan, free, tolerance, elimination, certificate, redundancy }
+    Found { plan, free, tolerance, elimination, certificate, redundancy, expressions }
     Plan { steps, target }
     Step { subproblem, unknowns, relations, complement }
     Relation { from, to, depends, with, is_swivel }
@@ -90,6 +116,10 @@ macro_rules! words {
                 let number = u8::read(from)?;
                 [$(Self::$word),*].into_iter().find(|word| *word as u8 == number)
             }
+
+            fn layout(to: &mut String) {
+                to.push_str(concat!(stringify!($name), "(", $(stringify!($word), ","),*, ")"));
+            }
         }
     )*};
 }
@@ -116,6 +146,11 @@ impl Bytes for Atom {
             Some(run) => Atom::Sum { run, first, last },
         })
     }
+
+    fn layout(to: &mut String) {
+        to.push_str("Atom");
+        <(Option<usize>, [usize; 2])>::layout(to);
+    }
 }
 
 impl Bytes for FreeAngles {
@@ -135,6 +170,11 @@ impl Bytes for FreeAngles {
             (false, None) => FreeAngles::Seeded,
         })
     }
+
+    fn layout(to: &mut String) {
+        to.push_str("FreeAngles");
+        <(bool, Option<usize>)>::layout(to);
+    }
 }
 
 impl Bytes for usize {
@@ -145,6 +185,10 @@ impl Bytes for usize {
     fn read(from: &mut &[u8]) -> Option<Self> {
         u64::read(from)?.try_into().ok()
     }
+
+    fn layout(to: &mut String) {
+        to.push_str("usize");
+    }
 }
 
 impl Bytes for bool {
@@ -154,6 +198,10 @@ impl Bytes for bool {
 
     fn read(from: &mut &[u8]) -> Option<Self> {
         Some(u8::read(from)? != 0)
+    }
+
+    fn layout(to: &mut String) {
+        to.push_str("bool");
     }
 }
 
@@ -166,6 +214,14 @@ impl<A: Bytes, B: Bytes> Bytes for (A, B) {
     fn read(from: &mut &[u8]) -> Option<Self> {
         Some((A::read(from)?, B::read(from)?))
     }
+
+    fn layout(to: &mut String) {
+        to.push('(');
+        A::layout(to);
+        to.push(',');
+        B::layout(to);
+        to.push(')');
+    }
 }
 
 impl Bytes for Range<usize> {
@@ -177,6 +233,10 @@ impl Bytes for Range<usize> {
         let (start, end) = Bytes::read(from)?;
         Some(start..end)
     }
+
+    fn layout(to: &mut String) {
+        to.push_str("Range");
+    }
 }
 
 impl<T: Bytes, const N: usize> Bytes for [T; N] {
@@ -187,6 +247,12 @@ impl<T: Bytes, const N: usize> Bytes for [T; N] {
     fn read(from: &mut &[u8]) -> Option<Self> {
         let all: Option<Vec<T>> = (0..N).map(|_| T::read(from)).collect();
         all?.try_into().ok()
+    }
+
+    fn layout(to: &mut String) {
+        to.push('[');
+        T::layout(to);
+        to.push_str(&format!(";{N}]"));
     }
 }
 
@@ -204,6 +270,11 @@ impl<T: Bytes> Bytes for Vec<T> {
         }
         Some(all)
     }
+
+    fn layout(to: &mut String) {
+        to.push_str("Vec ");
+        T::layout(to);
+    }
 }
 
 impl<T: Bytes> Bytes for Option<T> {
@@ -218,6 +289,11 @@ impl<T: Bytes> Bytes for Option<T> {
             false => None,
         })
     }
+
+    fn layout(to: &mut String) {
+        to.push_str("Option ");
+        T::layout(to);
+    }
 }
 
 impl<T: Bytes> Bytes for Box<T> {
@@ -227,5 +303,63 @@ impl<T: Bytes> Bytes for Box<T> {
 
     fn read(from: &mut &[u8]) -> Option<Self> {
         T::read(from).map(Box::new)
+    }
+
+    fn layout(to: &mut String) {
+        T::layout(to);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Old {
+        first: u32,
+        second: f64,
+    }
+    mod new {
+        pub struct Old {
+            pub second: f64,
+            pub first: u32,
+        }
+        pub struct Long {
+            pub first: [u32; 2],
+        }
+        pub struct Short {
+            pub first: [u32; 3],
+        }
+    }
+    use new::{Long, Short};
+    type New = new::Old;
+    fields! { Old { first, second } Long { first } Short { first } }
+    mod reordered {
+        use super::{Bytes, New as Old, field};
+        fields! { Old { second, first } }
+    }
+
+    fn layout<T: Bytes>() -> String {
+        let mut layout = String::new();
+        T::layout(&mut layout);
+        layout
+    }
+
+    #[test]
+    fn layouts_tell_types_apart() {
+        assert_eq!(layout::<Old>(), "Old{first:u32,second:f64,}");
+        assert_eq!(layout::<New>(), "Old{second:f64,first:u32,}");
+        assert_eq!(layout::<Long>(), "Long{first:[u32;2],}");
+        assert_eq!(layout::<Short>(), "Short{first:[u32;3],}");
+        let of_weighed = "Weighed{joints:Vec usize,weight:Option usize,}";
+        assert_eq!(layout::<Weighed>(), of_weighed);
+        assert_eq!(layout::<Kind>(), "Kind(Point,Direction,Plane,)");
+        // All of what is found: fields of fields, and the relation that a relation has in it once.
+        let found = layout::<Found>();
+        assert!(
+            found.starts_with("Found{plan:Plan{steps:Vec Step{"),
+            "{found}"
+        );
+        assert!(found.contains(of_weighed), "{found}");
+        assert!(found.contains("with:Option Relation{},"), "{found}");
     }
 }

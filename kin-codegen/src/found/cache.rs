@@ -11,8 +11,8 @@ use std::{fs, io, process};
 /// The file of a robot: what it is for, what was found, and a checksum.
 pub(crate) struct Entry {
     file: PathBuf,
-    /// The version of this crate, the options, the name and the whole text of the robot file: a
-    /// hash could be that of another robot.
+    /// The version of this crate and the layout of what it finds, the options, the name and the
+    /// whole text of the robot file: a hash could be that of another robot.
     robot: Vec<u8>,
 }
 
@@ -21,7 +21,8 @@ impl Entry {
     pub(crate) fn new(folder: &Path, source: &Source, options: &Options) -> Self {
         let mut robot = Vec::with_capacity(source.text.len() + 64);
         let (version, options) = (env!("CARGO_PKG_VERSION"), options.to_string());
-        for part in [version, &options, file_name(&source.path), &source.text] {
+        let file = file_name(&source.path);
+        for part in [version, Found::layout(), &options, file, &source.text] {
             robot.extend((part.len() as u64).to_le_bytes());
             robot.extend(part.as_bytes());
         }
@@ -33,9 +34,8 @@ impl Entry {
     /// What it has; none where it is of another robot, or damaged.
     pub(crate) fn read(&self) -> Option<Found> {
         let bytes = fs::read(&self.file).ok()?;
-        let (content, checksum) = bytes.split_last_chunk()?;
-        let found = content.strip_prefix(&self.robot[..])?;
-        let is_whole = u64::from_le_bytes(*checksum) == fnv1a(content);
+        let (found, checksum) = bytes.strip_prefix(&self.robot[..])?.split_last_chunk()?;
+        let is_whole = u64::from_le_bytes(*checksum) == fnv1a(found);
         is_whole.then(|| Found::from_bytes(found))?
     }
 
@@ -46,9 +46,9 @@ impl Entry {
         let number = WRITTEN.fetch_add(1, Ordering::Relaxed);
         let partial = format!("{}-{number}.partial", process::id());
         let partial = self.file.with_extension(partial);
-        let mut bytes = self.robot.clone();
-        bytes.extend(found.to_bytes());
-        bytes.extend(fnv1a(&bytes).to_le_bytes());
+        let found = found.to_bytes();
+        let checksum = fnv1a(&found).to_le_bytes();
+        let bytes = [&self.robot[..], &found, &checksum].concat();
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder)?;
         }
@@ -118,16 +118,32 @@ mod tests {
         // Under the name of the robot, what was found for another, or by another version.
         let right = fs::read(&entry.file).unwrap();
         let other = Entry::new(&folder, &changed, &options).file;
-        let version = env!("CARGO_PKG_VERSION").len();
-        let mut of_version = right[..right.len() - 8].to_vec();
-        of_version[8 + version - 1] ^= 1;
-        of_version.extend(fnv1a(&of_version).to_le_bytes());
-        for foreign in [fs::read(other).unwrap(), of_version] {
+        let version = 8 + env!("CARGO_PKG_VERSION").len();
+        let flipped = |place: usize| {
+            let mut changed = right.clone();
+            changed[place] ^= 1;
+            changed
+        };
+        let (of_version, of_layout) = (flipped(version - 1), flipped(version + 8));
+        for foreign in [fs::read(other).unwrap(), of_version, of_layout] {
             fs::write(&entry.file, foreign).unwrap();
             assert_ne!(tried(&source, &options, &folder), MARK);
             // And written anew.
             assert!(entry.read().is_some());
         }
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    /// As another build of this version may have certified.
+    #[test]
+    fn what_was_found_for_other_expressions_is_not_used() {
+        let (folder, entry) = marked("expressions");
+        let mut found = entry.read().unwrap();
+        found.expressions ^= 1;
+        entry.write(&found).unwrap();
+        assert_ne!(tried(&source(), &Options::default(), &folder), MARK);
+        // And written anew.
+        assert_ne!(entry.read().unwrap().certificate.configurations, MARK);
         fs::remove_dir_all(folder).unwrap();
     }
 
@@ -162,7 +178,8 @@ mod tests {
         for place in entry.robot.len()..content.len() {
             let mut changed = content.to_vec();
             changed.truncate(place);
-            changed.extend(fnv1a(&changed).to_le_bytes());
+            let found = fnv1a(&changed[entry.robot.len()..]);
+            changed.extend(found.to_le_bytes());
             fs::write(&entry.file, changed).unwrap();
             assert!(entry.read().is_none());
         }

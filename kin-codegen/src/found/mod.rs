@@ -9,6 +9,7 @@ pub(crate) use cache::Entry;
 
 use crate::certificate::Certificate;
 use crate::closed_form::{ClosedForm, Reading, Refinement};
+use crate::expr::Multiplicative;
 use crate::expr::inverse::FreeAngles;
 use crate::geometry::{Linkage, idealize};
 use crate::model::Model;
@@ -17,6 +18,8 @@ use crate::redundancy::Redundancy;
 use crate::solver::Certified;
 use crate::univariate;
 use bytes::Bytes;
+use std::hash::{Hash, Hasher};
+use std::sync::OnceLock;
 
 /// What was found for an arm.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +33,8 @@ pub struct Found {
     elimination: Option<univariate::Arm>,
     certificate: Certificate,
     redundancy: Option<Redundancy>,
+    /// A hash of the expressions that were certified.
+    expressions: u64,
 }
 
 impl Found {
@@ -54,10 +59,12 @@ impl Found {
             elimination: form.elimination().cloned(),
             certificate: *certificate,
             redundancy: redundancy.cloned(),
+            expressions: hash(form),
         }
     }
 
-    /// The closed form of the arm that this was found for.
+    /// The closed form of the arm that this was found for; none if this crate writes it as other
+    /// expressions than were certified, because it was changed since.
     pub fn built(&self, model: &Model, linkage: &Linkage) -> Option<Certified> {
         let given = match &self.redundancy {
             Some(redundancy) => linkage
@@ -84,7 +91,8 @@ impl Found {
                 ClosedForm { refinement, ..form }
             }
         };
-        Some(Certified {
+        let is_certified = hash(&form) == self.expressions;
+        is_certified.then_some(Certified {
             form,
             certificate: self.certificate,
         })
@@ -95,7 +103,17 @@ impl Found {
         self.redundancy.as_ref()
     }
 
-    /// As bytes, which the same version of this crate reads.
+    /// What its bytes are: names and types, which tell them from those of other versions.
+    fn layout() -> &'static str {
+        static LAYOUT: OnceLock<String> = OnceLock::new();
+        LAYOUT.get_or_init(|| {
+            let mut layout = String::new();
+            <Self as Bytes>::layout(&mut layout);
+            layout
+        })
+    }
+
+    /// As bytes, which whoever has the same layout reads.
     fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.write(&mut bytes);
@@ -107,4 +125,14 @@ impl Found {
         let found = Self::read(&mut bytes)?;
         bytes.is_empty().then_some(found)
     }
+}
+
+/// Of the expressions of a closed form, node by node.
+fn hash(form: &ClosedForm) -> u64 {
+    let mut hasher = Multiplicative::default();
+    if let Some(inverse) = form.expressions() {
+        inverse.graph.nodes().hash(&mut hasher);
+        inverse.outputs().hash(&mut hasher);
+    }
+    hasher.finish()
 }
