@@ -51,27 +51,31 @@ pub struct Poses {
     pub graph: Graph,
     /// The coordinates of q.
     q: Vec<Expr>,
+    trig: JointTrig,
     /// The tip.
     pub tip: Motion,
-    /// The link that each joint moves; mimics move with their coordinate.
-    pub links: Vec<Motion>,
 }
 
 impl Poses {
+    /// Of the tip alone.
     fn new(model: &Model, linkage: &Linkage) -> Self {
         let mut g = Graph::new();
         let n = model.variables.len();
         let q: Vec<Expr> = (1..=n).map(|i| g.input(format!("q{i}"))).collect();
         let trig = JointTrig::at(&mut g, linkage, &q);
         let tip = tip(&mut g, linkage, &trig);
-        let joints: Vec<usize> = (0..n).map(|variable| model.joint_of(variable)).collect();
-        let links = link_frames(&mut g, linkage, &trig, &joints);
         Self {
             graph: g,
             q,
+            trig,
             tip,
-            links,
         }
+    }
+
+    /// The link that each joint moves; mimics move with their coordinate.
+    fn links(&mut self, model: &Model, linkage: &Linkage) -> Vec<Motion> {
+        let joints: Vec<usize> = (0..self.q.len()).map(|i| model.joint_of(i)).collect();
+        link_frames(&mut self.graph, linkage, &self.trig, &joints)
     }
 }
 
@@ -103,12 +107,14 @@ const LONGEST: usize = 80;
 
 impl Forward {
     fn new(model: &Model, linkage: &Linkage) -> Self {
+        let mut poses = Poses::new(model, linkage);
+        let links = poses.links(model, linkage);
         let Poses {
             graph: mut g,
             q,
             tip,
-            links,
-        } = Poses::new(model, linkage);
+            ..
+        } = poses;
         let n = q.len();
         let both = tip_and_jacobian(&mut g, linkage, &q, Which::Spatial);
         let [spatial, body, geometric] = [Which::Spatial, Which::Body, Which::Geometric]
@@ -242,9 +248,16 @@ impl CompiledArm {
         Some(Found::of(inverse, self.redundancy.as_ref()))
     }
 
-    /// Forward kinematics alone, as [`CompiledArm::forward`] has it.
+    /// The pose of the tip alone, as [`CompiledArm::forward`] has it.
     pub fn poses(&self) -> Poses {
         Poses::new(&self.model, &self.linkage)
+    }
+
+    /// The same with those of the links.
+    pub fn poses_of_links(&self) -> (Poses, Vec<Motion>) {
+        let mut poses = self.poses();
+        let links = poses.links(&self.model, &self.linkage);
+        (poses, links)
     }
 
     /// Forward kinematics and Jacobians.

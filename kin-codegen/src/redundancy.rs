@@ -7,10 +7,11 @@ use crate::geometry::{
     Carried, Linkage, Moved, Swivel, conditioning, idealize, rank, size, structure,
 };
 use crate::model::{Model, configurations};
-use crate::plan::{Plans, Target};
+use crate::plan::{Plans, Relations, Target};
 use crate::solver::{Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, better, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
+use std::rc::Rc;
 
 /// Sets of joints that are compared: all of one joint, or of two of eight. Of more those are
 /// that leave a row of joints; see [`rows`].
@@ -396,9 +397,10 @@ fn planned(
         }
         last = Some(idealized.moved.clone());
         let ideal = Linkage::for_target(&idealized.model, target);
+        let relations = Rc::new(Relations::new(&ideal, target, &[]));
         let weight = |joints: &[usize]| {
             let ideal = ideal.clone().with_locked(joints);
-            let plan = Plans::new(&ideal, target).next();
+            let plan = Plans::of(&ideal, target, &relations).next();
             let plan = plan.filter(|_| is_usually_regular(&idealized.model, joints, target))?;
             let written = inverse(&ideal, &plan, DomainMargin(0.0), FreeAngles::Seeded);
             Some(written.all_branches().weight())

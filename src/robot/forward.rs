@@ -90,7 +90,7 @@ impl Robot {
     /// The pose of every link that a joint moves, in the base frame; see
     /// [`Robot::link_names`].
     pub fn fk_links(&self, q: &[f64]) -> Vec<Pose> {
-        self.poses(&self.links, q)
+        self.poses(self.links(), q)
     }
 
     /// The pose of the link of this name in the base frame: the base, the tip, one that a joint

@@ -40,7 +40,8 @@ impl Robot {
         };
         let mut all = Vec::with_capacity(poses.len());
         with_constant!(self.joints(), N => {
-            form.solved_each::<N>(poses, |_, solutions| all.push((&solutions).into()));
+            let targets = poses.iter().map(|pose| (pose, &[][..]));
+            form.solved_each::<N>(targets, |solutions| all.push((&solutions).into()));
         });
         all
     }

@@ -17,8 +17,8 @@ use std::sync::OnceLock;
 /// slices.
 ///
 /// Reading one compiles it, which takes as long as in a build: some tens of milliseconds for an
-/// arm with a closed form. What Jacobians and singularities need is built when they are first
-/// asked for, in some milliseconds more.
+/// arm with a closed form. What the links' poses, Jacobians and singularities need is built when
+/// they are first asked for, in up to some milliseconds more.
 ///
 /// ```
 /// use kinematics::Robot;
@@ -37,7 +37,7 @@ pub struct Robot {
     pub(super) chain: Chain,
     pub(super) limits: Vec<JointLimit>,
     pub(super) tip: Tape,
-    pub(super) links: Tape,
+    links: OnceLock<Tape>,
     jacobians: OnceLock<Jacobians>,
     singular: OnceLock<Option<Tape>>,
     /// Of a robot with parameters.
@@ -118,7 +118,8 @@ impl Robot {
     /// The same with a folder that keeps what was found: the next time that a robot is read with
     /// the same options, by the same version of this crate, nothing is searched for or certified,
     /// and the answers are the same to the last bit. Files of changed robots, of other versions and
-    /// damaged ones are not used, and several programs may share a folder. One that cannot be
+    /// damaged ones are not used, nor are those of another build of this version that certified
+    /// other expressions; several programs may share a folder. One that cannot be
     /// written keeps nothing; whoever can write it decides what robots answer.
     ///
     /// ```
@@ -164,7 +165,6 @@ impl Robot {
 
     fn new(arm: CompiledArm) -> Self {
         let poses = arm.poses();
-        let of = |outputs: &dyn Outputs| Tape::new(&poses.graph, &outputs.expressions());
         let model = &arm.model;
         let limit = |i: usize| match (model.turns(i), model.variables[i].limits) {
             (true, None) => JointLimit::Continuous,
@@ -177,14 +177,22 @@ impl Robot {
         Self {
             chain: model.chain(),
             limits: (0..model.variables.len()).map(limit).collect(),
-            tip: of(&poses.tip),
-            links: of(&poses.links),
+            tip: Tape::new(&poses.graph, &poses.tip.expressions()),
+            links: OnceLock::new(),
             jacobians: OnceLock::new(),
             singular: OnceLock::new(),
             domain: arm.redundancy.as_ref().and(arm.form()).map(Domain::of),
             postures: OnceLock::new(),
             arm,
         }
+    }
+
+    /// Built when they are first asked for.
+    pub(super) fn links(&self) -> &Tape {
+        self.links.get_or_init(|| {
+            let (poses, links) = self.arm.poses_of_links();
+            Tape::new(&poses.graph, &links.expressions())
+        })
     }
 
     /// Built when they are first asked for.

@@ -125,15 +125,6 @@ impl Arm<'_> {
         })
     }
 
-    /// Axis `j` as it lies in the link in front of joint `i + 1`.
-    fn seen(&self, q: &[f64], i: usize, j: usize) -> Line {
-        let motion = self.motion(q, i + 1..j);
-        Line {
-            direction: motion.rotate(self.axes[j].direction),
-            point: motion.transform_point(self.axes[j].point),
-        }
-    }
-
     /// Turns one or two joints between `i` and `j` so that their axes are
     /// parallel (`sense` 1) or opposite (−1), or as near to it as they come.
     fn parallel(
@@ -176,9 +167,11 @@ impl Arm<'_> {
         random: &mut Random,
     ) -> Option<Vec<f64>> {
         let joint = i + 1 + random.below((j - i - 1) as u64);
-        let mut apart = |x: f64| {
-            q[joint] = x;
-            let line = self.seen(&q, i, j);
+        let [before, behind] = [i + 1..joint, joint + 1..j].map(|joints| self.motion(&q, joints));
+        let axis = moved(&behind, &self.axes[j]);
+        let apart = |x: f64| {
+            let turn = Pose::exp(&self.model.joints[joint].twist(), x);
+            let line = moved(&(before * turn), &axis);
             let normal = cross(self.axes[i].direction, line.direction);
             dot(sub(line.point, self.axes[i].point), normal)
         };
@@ -245,5 +238,13 @@ impl Arm<'_> {
             q[second] -= ((uu * ve - uv * ue) / determinant).clamp(-0.5, 0.5);
         }
         Some(q)
+    }
+}
+
+/// A line that a motion has moved.
+fn moved(motion: &Pose, line: &Line) -> Line {
+    Line {
+        direction: motion.rotate(line.direction),
+        point: motion.transform_point(line.point),
     }
 }

@@ -246,13 +246,13 @@ impl<'a> Trials<'a> {
         lost.iter().map(is_lost).collect()
     }
 
-    /// All configurations, those that were lost before first.
-    fn in_order(&self) -> Vec<[usize; 2]> {
+    /// All configurations: those that were lost before, and the others.
+    fn in_order(&self) -> [Vec<[usize; 2]>; 2] {
         let lost = self.lost.borrow();
         let held = self.held.iter().enumerate();
         let all = held.flat_map(|(i, held)| (0..held.all.len()).map(move |k| [i, k]));
         let others = all.filter(|place| !lost.contains(place));
-        lost.iter().copied().chain(others).collect()
+        [lost.iter().copied().collect(), others.collect()]
     }
 
     /// The share of random configurations of less conditioning.
@@ -340,52 +340,67 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
         excused_share: trials.share_below(excused),
         ..Certificate::default()
     };
-    for [i, k] in trials.in_order() {
-        let held = &trials.held[i];
-        let trial = &held.all[k];
-        certificate.configurations += 1;
-        let is_excused = trial.conditioning < excused;
-        certificate.excused += usize::from(is_excused);
-        let is_dear = trial.is_attack || certificate.excused > EXCUSED;
-        if is_excused && is_dear {
-            continue;
+    // What was lost before is likely to be lost again, and then the others are not asked.
+    let [before, others] = trials.in_order();
+    for places in before.chunks(1).chain(others.chunks(form.side_by_side())) {
+        let mut tried = Vec::with_capacity(places.len());
+        for place @ &[i, k] in places {
+            let trial = &trials.held[i].all[k];
+            certificate.configurations += 1;
+            let is_excused = trial.conditioning < excused;
+            certificate.excused += usize::from(is_excused);
+            let is_dear = trial.is_attack || certificate.excused > EXCUSED;
+            if !(is_excused && is_dear) {
+                tried.push((place, trial, is_excused));
+            }
         }
-        let before = certificate.lost;
-        let added = certificate.add(&Run { trials, held, form }, trial, is_excused, losses);
-        if added.is_err() || certificate.lost > before {
-            trials.lost.borrow_mut().insert([i, k]);
+        let targets = tried
+            .iter()
+            .map(|(_, it, _)| (&it.pose, &it.parameters[..]));
+        let solutions = form.solutions_each(targets);
+        for ((place, trial, is_excused), solutions) in tried.into_iter().zip(solutions) {
+            let held = &trials.held[place[0]];
+            let before = certificate.lost;
+            let run = Run { trials, held };
+            let added = certificate.add(&run, trial, &solutions, is_excused, losses);
+            if added.is_err() || certificate.lost > before {
+                trials.lost.borrow_mut().insert(*place);
+            }
+            added?;
         }
-        added?;
     }
     for held in &trials.held {
-        for target in held.elsewhere(trials.target) {
-            let target = trials.linkage.scalar.target(target);
-            certificate.sound(&Run { trials, held, form }, &target, &held.parameters)?;
+        let targets = held.elsewhere(trials.target);
+        let targets: Vec<Pose> = targets.map(|it| trials.linkage.scalar.target(it)).collect();
+        for targets in targets.chunks(form.side_by_side()) {
+            let solutions =
+                form.solutions_each(targets.iter().map(|it| (it, &held.parameters[..])));
+            for (target, solutions) in targets.iter().zip(&solutions) {
+                certificate.sound(&Run { trials, held }, target, solutions)?;
+            }
         }
     }
     Ok(certificate)
 }
 
-/// A closed form under trial.
+/// What solutions are held against.
 struct Run<'a> {
     trials: &'a Trials<'a>,
     held: &'a Held,
-    form: &'a ClosedForm,
 }
 
 impl Certificate {
-    /// The solutions to a target, all of which reach it.
+    /// All solutions to a target reach it.
     fn sound(
         &mut self,
         run: &Run,
         target: &Pose,
-        parameters: &[f64],
-    ) -> Result<Vec<BranchSolution>, Failure> {
-        let Run { trials, held, form } = run;
+        solutions: &[BranchSolution],
+    ) -> Result<(), Failure> {
+        let Run { trials, held } = run;
         let size = trials.linkage.size;
-        let solutions = form.solutions_at(target, parameters);
         self.solutions += solutions.len();
-        for solution in &solutions {
+        for solution in solutions {
             let found = held.chain.fk(&solution.q);
             let distance = trials.target.distance(&found, target, size);
             self.worst_residual = self.worst_residual.max(distance);
@@ -394,7 +409,7 @@ impl Certificate {
                 return Err(Failure::Unsound { q, distance });
             }
         }
-        Ok(solutions)
+        Ok(())
     }
 
     /// Whether nothing was seen to be missing.
@@ -428,18 +443,18 @@ impl Certificate {
         &mut self,
         run: &Run,
         trial: &Trial,
+        solutions: &[BranchSolution],
         is_excused: bool,
         losses: usize,
     ) -> Result<(), Failure> {
         let Trial {
             q,
             pose,
-            parameters,
             conditioning,
             ..
         } = trial;
         let model = &run.held.model;
-        let solutions = self.sound(run, pose, parameters)?;
+        self.sound(run, pose, solutions)?;
         if *conditioning < SINGULAR {
             self.singular += 1;
             self.unanswered += usize::from(solutions.is_empty());
@@ -448,7 +463,7 @@ impl Certificate {
         self.most_solutions = self.most_solutions.max(solutions.len());
         let flagged = solutions.iter().filter(|solution| solution.singular);
         let flagged: Vec<BranchSolution> = flagged.cloned().collect();
-        match recovered(model, q, &solutions, *conditioning) {
+        match recovered(model, q, solutions, *conditioning) {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
             Err(Failure::Lost(_)) if trial.aligned && self.lost < losses => self.lost += 1,
             Err(other) => return Err(other),

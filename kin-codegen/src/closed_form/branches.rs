@@ -1,6 +1,6 @@
 //! The branches of a plan by its tape: of one target, or of several side by side.
 
-use super::ClosedForm;
+use super::{ClosedForm, Inverse, Refinement};
 use crate::expr::Lanes;
 use crate::expr::inverse::{FreeAngle, InverseGraph};
 use crate::scalar::Scalar;
@@ -43,24 +43,24 @@ impl ClosedForm {
         (0..at.branches).map(|it| at.told(&values, it).1).collect()
     }
 
-    /// The solutions for each of many targets that come with nothing else, as
-    /// [`ClosedForm::solved`] has them.
-    pub fn solved_each<const N: usize>(
+    /// The solutions for each of many targets, as [`ClosedForm::solved`] has them.
+    pub fn solved_each<'a, const N: usize>(
         &self,
-        targets: &[Pose],
-        mut answer: impl FnMut(usize, Solutions<N>),
+        targets: impl IntoIterator<Item = (&'a Pose, &'a [f64])>,
+        mut answer: impl FnMut(Solutions<N>),
     ) {
         let seed = [0.0; N];
-        for (block, targets) in targets.chunks(TARGETS).enumerate() {
-            let first = block * TARGETS;
-            let questions: Option<Vec<Question>> = targets
+        let mut targets = targets.into_iter().peekable();
+        while targets.peek().is_some() {
+            let some: Vec<_> = targets.by_ref().take(TARGETS).collect();
+            let questions: Option<Vec<Question>> = some
                 .iter()
-                .map(|target| self.question(target, &[], &seed))
+                .map(|(target, parameters)| self.question(target, parameters, &seed))
                 .collect();
             let whole = questions.and_then(|all| <[Question; TARGETS]>::try_from(all).ok());
             let Some(all) = whole else {
-                for (i, target) in targets.iter().enumerate() {
-                    answer(first + i, self.solved(target, &[]));
+                for (target, parameters) in some {
+                    answer(self.solved(target, parameters));
                 }
                 continue;
             };
@@ -71,8 +71,18 @@ impl ClosedForm {
                     of: Of::Several(&lanes, place),
                 };
                 let branches = at.existing(&values);
-                answer(first + place, self.sorted(at.target, &[], None, &branches));
+                answer(self.sorted(at.target, at.parameters, None, &branches));
             }
+        }
+    }
+
+    /// How many targets are best solved side by side: where refinement or an elimination takes
+    /// the time, each by itself.
+    pub fn side_by_side(&self) -> usize {
+        let is_plain = self.refinement == Refinement::None && self.single.is_none();
+        match &self.inverse {
+            Inverse::Expressions(_) if is_plain => TARGETS,
+            _ => 1,
         }
     }
 

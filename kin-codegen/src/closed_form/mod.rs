@@ -174,6 +174,28 @@ impl ClosedForm {
         }
     }
 
+    /// The same for each of some targets.
+    pub fn solutions_each<'a>(
+        &self,
+        targets: impl IntoIterator<Item = (&'a Pose, &'a [f64])>,
+    ) -> Vec<Vec<BranchSolution>> {
+        let mut all = Vec::new();
+        match self.given.variables() {
+            1 => self.solved_each::<1>(targets, |found| all.push(told(&found))),
+            2 => self.solved_each::<2>(targets, |found| all.push(told(&found))),
+            3 => self.solved_each::<3>(targets, |found| all.push(told(&found))),
+            4 => self.solved_each::<4>(targets, |found| all.push(told(&found))),
+            5 => self.solved_each::<5>(targets, |found| all.push(told(&found))),
+            7 => all.extend(
+                targets
+                    .into_iter()
+                    .map(|(target, parameters)| told(&self.solved_at_swivel(target, parameters))),
+            ),
+            _ => self.solved_each::<6>(targets, |found| all.push(told(&found))),
+        }
+        all
+    }
+
     /// The solutions for the N joints that a target is solved for, unless they are seven with a
     /// swivel.
     pub fn solved<const N: usize>(&self, target: &Pose, parameters: &[f64]) -> Solutions<N> {

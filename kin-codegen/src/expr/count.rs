@@ -106,9 +106,10 @@ impl fmt::Display for Operations {
 impl Graph {
     /// The operations that computing `outputs` takes, every node once.
     pub fn operations(&self, outputs: &[Expr]) -> Operations {
+        let needed = self.reachable(outputs);
         let mut total = Operations::default();
-        for of_node in self.operations_by_node(outputs) {
-            total += of_node;
+        for (node, _) in self.nodes().iter().zip(&needed).filter(|(_, it)| **it) {
+            self.count(*node, &needed, &mut total);
         }
         total
     }
@@ -117,40 +118,43 @@ impl Graph {
     pub fn operations_by_node(&self, outputs: &[Expr]) -> Vec<Operations> {
         let needed = self.reachable(outputs);
         let of = |(i, node): (usize, &Node)| match needed[i] {
-            true => self.operations_of(*node, &needed),
+            true => {
+                let mut one = Operations::default();
+                self.count(*node, &needed, &mut one);
+                one
+            }
             false => Operations::default(),
         };
         self.nodes().iter().enumerate().map(of).collect()
     }
 
-    fn operations_of(&self, node: Node, needed: &[bool]) -> Operations {
-        let mut one = Operations::default();
+    /// Adds the operations of a node.
+    fn count(&self, node: Node, needed: &[bool], to: &mut Operations) {
         match node {
             Node::Constant(_) | Node::Input(_) | Node::Sign(_) | Node::Neg(_) => {}
-            Node::Add(..) | Node::Sub(..) => one.additions = 1,
-            Node::Mul(..) => one.multiplications = 1,
-            Node::Div(..) => one.divisions = 1,
-            Node::Sqrt(_) => one.roots = 1,
-            Node::Sin(_) => one.sincos = 1,
+            Node::Add(..) | Node::Sub(..) => to.additions += 1,
+            Node::Mul(..) => to.multiplications += 1,
+            Node::Div(..) => to.divisions += 1,
+            Node::Sqrt(_) => to.roots += 1,
+            Node::Sin(_) => to.sincos += 1,
             Node::Cos(a) => {
                 let with_sine = self
                     .index
                     .get(&Node::Sin(a))
                     .is_some_and(|sine| needed[sine.index()]);
-                one.sincos = usize::from(!with_sine);
+                to.sincos += usize::from(!with_sine);
             }
-            Node::Atan2(..) => one.arctangents = 1,
+            Node::Atan2(..) => to.arctangents += 1,
             Node::Wrap(_) => {
-                one.multiplications = 2;
-                one.additions = 3;
+                to.multiplications += 2;
+                to.additions += 3;
             }
-            Node::Max(..) | Node::Select(_) => one.selections = 1,
+            Node::Max(..) | Node::Select(_) => to.selections += 1,
             // All its numbers come of one call; every quartic is read for this one.
             Node::TrigRoot(_, part) => {
                 let first = part.place == 0 && part.field == RootField::State;
-                one.quartics = usize::from(first);
+                to.quartics += usize::from(first);
             }
         }
-        one
     }
 }

@@ -7,12 +7,12 @@
 //! the first cache. The operations are those of generated code, in its order within an
 //! expression, and so are the results.
 
+use super::hash::NodeMap;
 use super::{Expr, Graph, Lane, Node, RootField};
 use crate::scalar::Scalar;
 use kin_runtime::__private::quartic::{TrigRoot, trig_roots};
 use kin_runtime::__private::{Dispatched, dispatch, lanes, math};
 use kin_runtime::single::__private::math as single;
-use std::collections::HashMap;
 
 /// Where a value stands.
 type Place = u16;
@@ -298,6 +298,22 @@ impl Tape {
     }
 }
 
+/// What an instruction reads.
+#[derive(Default)]
+struct Operands {
+    all: [Expr; 5],
+    count: usize,
+}
+
+impl Operands {
+    fn extend(&mut self, others: impl IntoIterator<Item = Expr>) {
+        for other in others {
+            self.all[self.count] = other;
+            self.count += 1;
+        }
+    }
+}
+
 /// A tape in the making.
 struct Writer<'a> {
     graph: &'a Graph,
@@ -334,7 +350,8 @@ impl<'a> Writer<'a> {
         };
         for i in 0..nodes.len() {
             if writer.needed[i] && !writer.inside[i] {
-                for operand in writer.operands(i) {
+                let Operands { all, count } = writer.operands(i);
+                for operand in &all[..count] {
                     writer.last[operand.index()] = i;
                 }
             }
@@ -346,12 +363,12 @@ impl<'a> Writer<'a> {
     }
 
     /// What the instruction of a node reads.
-    fn operands(&self, i: usize) -> Vec<Expr> {
-        let mut operands = Vec::new();
+    fn operands(&self, i: usize) -> Operands {
+        let mut operands = Operands::default();
         for operand in self.graph.nodes()[i].operands() {
             match self.inside[operand.index()] {
                 true => operands.extend(self.graph.node(operand).operands()),
-                false => operands.push(operand),
+                false => operands.extend([operand]),
             }
         }
         operands
@@ -391,14 +408,11 @@ impl<'a> Writer<'a> {
     }
 
     /// By angle, the nodes of its sine and cosine; by quartic, those of its roots.
-    fn partners(&self) -> HashMap<Vec<Expr>, Vec<usize>> {
-        let mut partners: HashMap<Vec<Expr>, Vec<usize>> = HashMap::new();
+    fn partners(&self) -> Partners {
+        let mut partners = Partners::default();
         for (i, node) in self.graph.nodes().iter().enumerate() {
             if self.needed[i] && matches!(node, Node::Sin(_) | Node::Cos(_) | Node::TrigRoot(..)) {
-                partners
-                    .entry(node.operands().collect())
-                    .or_default()
-                    .push(i);
+                partners.entry(node.operand_slots()).or_default().push(i);
             }
         }
         partners
@@ -419,7 +433,8 @@ impl<'a> Writer<'a> {
 
     /// The places that a node was the last to read.
     fn release(&mut self, i: usize) {
-        let operands: Vec<usize> = self.operands(i).into_iter().map(Expr::index).collect();
+        let Operands { all, count } = self.operands(i);
+        let operands = &all.map(Expr::index)[..count];
         for (k, &operand) in operands.iter().enumerate() {
             let made = self.graph.nodes()[operand].operands().next().is_some();
             if made && self.last[operand] == i && !operands[..k].contains(&operand) {
@@ -428,7 +443,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn instruction(&mut self, i: usize, partners: &HashMap<Vec<Expr>, Vec<usize>>) {
+    fn instruction(&mut self, i: usize, partners: &Partners) {
         let node = self.graph.nodes()[i];
         let of = |writer: &Self, e: Expr| writer.place[e.index()];
         let instruction = match node {
@@ -443,7 +458,7 @@ impl<'a> Writer<'a> {
                     Some(_) => [self.another(), self.another()],
                     None => [self.next(), self.next()],
                 };
-                for &partner in &partners[&vec![a]] {
+                for &partner in &partners[&[a; 5]] {
                     let which = matches!(self.graph.nodes()[partner], Node::Cos(_));
                     self.place[partner] = both[usize::from(which)];
                     self.written[partner] = true;
@@ -456,7 +471,7 @@ impl<'a> Writer<'a> {
             }
             Node::TrigRoot(coefficients, _) => {
                 let parts = [[(); 3]; 4].map(|part| part.map(|()| self.next()));
-                for &partner in &partners[&coefficients.to_vec()] {
+                for &partner in &partners[&coefficients] {
                     if let Node::TrigRoot(_, part) = self.graph.nodes()[partner] {
                         let field = match part.field {
                             RootField::Sin => 0,
@@ -481,10 +496,10 @@ impl<'a> Writer<'a> {
                 match node {
                     Node::Add(a, b) | Node::Sub(a, b) => {
                         let is_sum = matches!(node, Node::Add(..));
-                        let places = self.operands(i).into_iter().map(|e| of(self, e));
-                        let places: Vec<Place> = places.collect();
+                        let Operands { all, count } = self.operands(i);
+                        let places = all.map(|e| of(self, e));
                         let inside = [a, b].map(|e| self.inside[e.index()]);
-                        match (inside, is_sum, &places[..]) {
+                        match (inside, is_sum, &places[..count]) {
                             ([true, false], true, &[a, b, c])
                             | ([false, true], true, &[c, a, b]) => {
                                 Instruction::ProductAdd(to, [a, b, c])
@@ -517,6 +532,9 @@ impl<'a> Writer<'a> {
         self.tape.instructions.push(instruction);
     }
 }
+
+/// Nodes by what they are of.
+type Partners = NodeMap<[Expr; 5], Vec<usize>>;
 
 /// The products that a single sum or difference reads, and nothing else.
 fn products_inside(graph: &Graph, needed: &[bool], outputs: &[Expr]) -> Vec<bool> {

@@ -15,7 +15,7 @@ pub use invariant::{Invariant, Kind};
 use kin_runtime::Solutions;
 pub use kin_runtime::Target;
 pub use relation::{Atom, Dependence, Relation};
-pub use search::Plans;
+pub use search::{Plans, Relations};
 
 use std::fmt;
 

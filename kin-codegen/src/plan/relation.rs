@@ -121,12 +121,14 @@ impl Samples {
     pub fn parallel(&self, a: usize, b: usize) -> u64 {
         let sine =
             |sample: &Sample| norm(cross(sample.axes[a].direction, sample.axes[b].direction));
-        self.bits(|sample| sine(sample) < NEARLY_NOTHING)
+        self.bits(|_, sample| sine(sample) < NEARLY_NOTHING)
     }
 
-    fn bits(&self, holds: impl Fn(&Sample) -> bool) -> u64 {
+    fn bits(&self, holds: impl Fn(usize, &Sample) -> bool) -> u64 {
         let all = self.0.iter().take(64).enumerate();
-        all.fold(0, |bits, (k, sample)| bits | u64::from(holds(sample)) << k)
+        all.fold(0, |bits, (k, sample)| {
+            bits | u64::from(holds(k, sample)) << k
+        })
     }
 }
 
@@ -154,6 +156,21 @@ impl Sample {
             direction: body.rotate(invariant.direction),
         }
     }
+
+    /// Where it has those of a relation.
+    fn ends(&self, from: &Invariant, to: Option<&Invariant>) -> Ends {
+        let end = |invariant: &Invariant| (invariant.kind, self.place(invariant));
+        Ends {
+            from: end(from),
+            to: to.map(end),
+        }
+    }
+}
+
+/// The invariants of a relation, where a configuration has them.
+struct Ends {
+    from: (Kind, Line),
+    to: Option<(Kind, Line)>,
 }
 
 impl Relation {
@@ -173,20 +190,20 @@ impl Relation {
             .chain(again..n)
             .chain(0..from.joints.start);
         let directional = from.kind == Kind::Direction;
+        let ends = |sample: &Sample| sample.ends(from, to);
+        let places: Vec<Ends> = samples.0.iter().map(ends).collect();
+        let told_places: Vec<Ends> = told.0.iter().map(ends).collect();
         let mut depends: Vec<Dependence> = Vec::new();
         for joint in between {
             let atom = atom_of(linkage, joint, directional);
             if depends.iter().any(|d| d.atom == atom) {
                 continue;
             }
-            let strengths: Vec<Strength> = samples
-                .0
-                .iter()
-                .map(|sample| strength(linkage, sample, from, to, joint))
-                .collect();
+            let strengths: [Strength; SAMPLES] =
+                std::array::from_fn(|k| strength(linkage, &samples.0[k], &places[k], joint));
             let inner = to.is_some() && (from.joints.end..behind).contains(&joint);
-            let weak = |sample: &Sample| {
-                strength(linkage, sample, from, to, joint).amplitude < NEARLY_NOTHING
+            let weak = |k: usize, sample: &Sample| {
+                strength(linkage, sample, &told_places[k], joint).amplitude < NEARLY_NOTHING
             };
             let dependence = dependence(atom, inner, &strengths);
             depends.extend(dependence.map(|dependence| Dependence {
@@ -238,7 +255,7 @@ impl Relation {
     }
 }
 
-fn dependence(atom: Atom, inner: bool, strengths: &[Strength]) -> Option<Dependence> {
+fn dependence(atom: Atom, inner: bool, strengths: &[Strength; SAMPLES]) -> Option<Dependence> {
     if strengths.iter().all(|s| s.amplitude < NOTHING) {
         return None;
     }
@@ -266,13 +283,7 @@ struct Strength {
     amplitude: f64,
 }
 
-fn strength(
-    linkage: &Linkage,
-    sample: &Sample,
-    from: &Invariant,
-    to: Option<&Invariant>,
-    joint: usize,
-) -> Strength {
+fn strength(linkage: &Linkage, sample: &Sample, ends: &Ends, joint: usize) -> Strength {
     let size = linkage.size;
     let axis = sample.axes[joint];
     let slides = !linkage.is_revolute(joint);
@@ -289,21 +300,20 @@ fn strength(
         (Kind::Direction, false) => axis.across(x.direction),
         (_, false) => axis.offset_of(x.point).map(|v| v / size),
     };
-    let a = sample.place(from);
-    let Some(to) = to else {
-        let speed = norm(velocity(from.kind, &a));
+    let (from, a) = &ends.from;
+    let Some((to, b)) = &ends.to else {
+        let speed = norm(velocity(*from, a));
         return Strength {
             slope: speed,
             bend: speed,
             amplitude: speed,
         };
     };
-    let b = sample.place(to);
-    match (from.kind, to.kind) {
+    match (from, to) {
         (Kind::Point, Kind::Point) => {
             let gap = sub(b.point, a.point).map(|x| x / size);
-            let (moved, arm) = (velocity(Kind::Point, &b), turning(Kind::Point, &b));
-            let arms = norm(arm) * norm(turning(Kind::Point, &a));
+            let (moved, arm) = (velocity(Kind::Point, b), turning(Kind::Point, b));
+            let arms = norm(arm) * norm(turning(Kind::Point, a));
             Strength {
                 slope: dot(gap, moved),
                 bend: dot(moved, moved) - dot(gap, arm) * f64::from(!slides),
@@ -311,18 +321,18 @@ fn strength(
             }
         }
         (Kind::Direction, _) => {
-            let arm = turning(Kind::Direction, &b);
+            let arm = turning(Kind::Direction, b);
             Strength {
-                slope: dot(a.direction, velocity(Kind::Direction, &b)),
+                slope: dot(a.direction, velocity(Kind::Direction, b)),
                 bend: -dot(a.direction, arm),
-                amplitude: norm(turning(Kind::Direction, &a)) * norm(arm),
+                amplitude: norm(turning(Kind::Direction, a)) * norm(arm),
             }
         }
         (first, _) => {
             // A plane that moves on is a point that stays behind.
             let (plane, point, sign) = match first {
-                Kind::Plane => (&a, &b, 1.0),
-                _ => (&b, &a, -1.0),
+                Kind::Plane => (a, b, 1.0),
+                _ => (b, a, -1.0),
             };
             let arm = turning(Kind::Point, point);
             let slope = sign * dot(plane.direction, velocity(Kind::Point, point));
@@ -371,11 +381,10 @@ impl Relation {
         told: &Samples,
         joint: usize,
     ) -> u64 {
-        told.bits(|sample| {
+        told.bits(|_, sample| {
             let [a, b] = [self, other].map(|relation| {
-                let to = relation.to.as_ref();
-                let Strength { slope, bend, .. } =
-                    strength(linkage, sample, &relation.from, to, joint);
+                let ends = sample.ends(&relation.from, relation.to.as_ref());
+                let Strength { slope, bend, .. } = strength(linkage, sample, &ends, joint);
                 [slope, bend]
             });
             apart(a, b) < NEARLY_NOTHING

@@ -41,9 +41,7 @@ const DEPENDENT: f64 = 1e-4;
 pub struct Plans<'a> {
     linkage: &'a Linkage,
     target: Target,
-    relations: Vec<Relation>,
-    /// The configurations that a plan has to tell.
-    told: Samples,
+    relations: Rc<Relations>,
     queue: BinaryHeap<Partial>,
     /// How often a set of solved joints was expanded, by those that were solved
     /// with a complement.
@@ -61,7 +59,12 @@ impl<'a> Plans<'a> {
     /// Plans no step of which degenerates in some configurations, by joint: a relation
     /// that does is taken with a complement alone.
     pub fn telling(linkage: &'a Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
-        let told = Samples::at(linkage, configurations);
+        let relations = Relations::new(linkage, target, configurations);
+        Self::of(linkage, target, &Rc::new(relations))
+    }
+
+    /// From the relations of the linkage, whichever joints it has locked.
+    pub fn of(linkage: &'a Linkage, target: Target, relations: &Rc<Relations>) -> Self {
         let mut solved = Solved::default();
         for &joint in &linkage.locked {
             solved.insert(Atom::Joint(joint));
@@ -76,8 +79,7 @@ impl<'a> Plans<'a> {
         Self {
             linkage,
             target,
-            relations: relations(linkage, target, &told),
-            told,
+            relations: relations.clone(),
             queue: BinaryHeap::from([start]),
             visits: BTreeMap::new(),
             openings: BTreeMap::new(),
@@ -102,7 +104,8 @@ impl Iterator for Plans<'_> {
                     continue;
                 }
                 let steps = partial.steps.iter();
-                let mut steps: Vec<Step> = steps.map(|taken| taken.step(&self.relations)).collect();
+                let all = &self.relations.all;
+                let mut steps: Vec<Step> = steps.map(|taken| taken.step(all)).collect();
                 if self.linkage.has_free_turn {
                     // Nobody asks for its angle.
                     let turn = [Atom::Joint(self.linkage.links.len() - 1)];
@@ -122,8 +125,9 @@ impl Iterator for Plans<'_> {
                 let determined = self.linkage.variables() == coordinates;
                 let known = Known {
                     linkage: self.linkage,
-                    relations: &self.relations,
-                    told: &self.told,
+                    relations: &self.relations.all,
+                    atoms: &self.relations.atoms,
+                    told: &self.relations.told,
                     determined,
                 };
                 let successors = partial.successors(&known);
@@ -131,6 +135,37 @@ impl Iterator for Plans<'_> {
             }
         }
         None
+    }
+}
+
+/// What plans of a linkage are made of.
+pub struct Relations {
+    /// Every relation of the loop.
+    all: Vec<Relation>,
+    /// By relation, what it depends on.
+    atoms: Vec<Solved>,
+    /// The configurations that a plan has to tell.
+    told: Samples,
+}
+
+impl Relations {
+    /// Of a linkage, for plans that tell some configurations, by joint. They do not depend on the
+    /// joints that it has locked.
+    pub fn new(linkage: &Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
+        let told = Samples::at(linkage, configurations);
+        let all = relations(linkage, target, &told);
+        let atoms = all.iter().map(|relation| {
+            let mut atoms = Solved::default();
+            for depends in &relation.depends {
+                atoms.insert(depends.atom);
+            }
+            atoms
+        });
+        Self {
+            atoms: atoms.collect(),
+            all,
+            told,
+        }
     }
 }
 
@@ -193,6 +228,11 @@ impl Solved {
         }
     }
 
+    /// How many atoms it lacks of others.
+    fn lacks(&self, others: Self) -> u32 {
+        (others.joints & !self.joints).count_ones() + (others.sums & !self.sums).count_ones()
+    }
+
     fn all(&self, n: usize) -> bool {
         self.joints.count_ones() as usize == n
     }
@@ -201,17 +241,14 @@ impl Solved {
     /// the sum and all but one of them give that one.
     fn conclude(&mut self, linkage: &Linkage) -> Vec<Rc<Taken>> {
         let mut steps = Vec::new();
-        for run in 0..linkage.runs.len() {
-            let revolute = linkage.revolutes_of(run);
-            let missing: Vec<usize> = revolute
-                .iter()
-                .copied()
-                .filter(|&j| !self.has(Atom::Joint(j)))
-                .collect();
+        for (run, its) in linkage.runs.iter().enumerate() {
+            let known = *self;
+            let is_missing = |&j: &usize| linkage.is_revolute(j) && !known.has(Atom::Joint(j));
+            let mut missing = its.joints.clone().filter(is_missing);
             let sum_known = self.sums >> run & 1 == 1;
-            match missing[..] {
-                [] => self.sums |= 1 << run,
-                [joint] if sum_known => {
+            match [missing.next(), missing.next()] {
+                [None, _] => self.sums |= 1 << run,
+                [Some(joint), None] if sum_known => {
                     self.insert(Atom::Joint(joint));
                     steps.push(Rc::new(Taken {
                         subproblem: Subproblem::Sum,
@@ -292,18 +329,19 @@ impl Ord for Partial {
     }
 }
 
+/// A subproblem, and its unknowns.
+type Asked = (Subproblem, Vec<Atom>);
+
 /// A relation that poses a subproblem now.
 struct Candidate {
-    subproblem: Subproblem,
-    unknowns: Vec<Atom>,
     posed: Posed,
     /// Bit k is set where it degenerates in the k-th configuration that a plan has to tell.
     weak_at: u64,
     cost: u32,
 }
 
-/// The candidates by subproblem and unknowns, the cheapest first.
-type Candidates = BTreeMap<(Subproblem, Vec<Atom>), Vec<Candidate>>;
+/// The candidates by what they pose, the cheapest first.
+type Candidates = BTreeMap<Asked, Vec<Candidate>>;
 
 /// The subproblems whose roots can stand in for each other.
 fn complementary(subproblem: Subproblem) -> &'static [Subproblem] {
@@ -331,6 +369,8 @@ fn opening(steps: &[Rc<Taken>]) -> Opening {
 struct Known<'a> {
     linkage: &'a Linkage,
     relations: &'a [Relation],
+    /// By relation, what it depends on.
+    atoms: &'a [Solved],
     told: &'a Samples,
     /// Whether the target has as many coordinates as there are joints.
     determined: bool,
@@ -339,46 +379,48 @@ struct Known<'a> {
 impl Partial {
     fn successors(&self, known: &Known) -> Vec<Partial> {
         let mut steps = Candidates::new();
-        for relation in 0..known.relations.len() {
-            if let Some(candidate) = self.pose(known, relation) {
-                let key = (candidate.subproblem, candidate.unknowns.clone());
-                steps.entry(key).or_default().push(candidate);
-            }
-        }
-        for candidate in self.pairs(known) {
-            let key = (candidate.subproblem, candidate.unknowns.clone());
-            steps.entry(key).or_default().push(candidate);
+        let alone = (0..known.relations.len()).filter_map(|relation| self.pose(known, relation));
+        for (asked, candidate) in alone.chain(self.pairs(known)) {
+            steps.entry(asked).or_default().push(candidate);
         }
         for candidates in steps.values_mut() {
             candidates.sort_by_key(|candidate| candidate.cost);
         }
         steps
-            .values()
-            .flat_map(|candidates| self.take(known, candidates, &steps))
+            .iter()
+            .flat_map(|(asked, candidates)| self.take(known, asked, candidates, &steps))
             .collect()
     }
 
     /// Which subproblem, if any, a relation poses with what is known.
-    fn pose(&self, arm: &Known, number: usize) -> Option<Candidate> {
+    fn pose(&self, arm: &Known, number: usize) -> Option<(Asked, Candidate)> {
         let (linkage, relation) = (arm.linkage, &arm.relations[number]);
-        let unknown: Vec<&Dependence> = relation
-            .depends
-            .iter()
-            .filter(|d| !self.solved.has(d.atom))
-            .collect();
+        let count = self.solved.lacks(arm.atoms[number]) as usize;
+        if !(1..=3).contains(&count) {
+            return None;
+        }
+        let mut unknown = [&relation.depends[0]; 3];
+        let is_unknown = |d: &&Dependence| !self.solved.has(d.atom);
+        for (place, d) in unknown
+            .iter_mut()
+            .zip(relation.depends.iter().filter(is_unknown))
+        {
+            *place = d;
+        }
+        let unknown = &unknown[..count];
         let known = (relation.depends.len() - unknown.len()) as u32;
-        let subproblem = match unknown[..] {
+        let subproblem = match *unknown {
             [_] if relation.is_swivel => return None,
             [one] => single(linkage, relation, one.atom),
             [a, b] if relation.to.is_none() && pair(linkage, relation, a.atom, b.atom) => {
                 Subproblem::Sp2
             }
-            _ => with_slides(linkage, relation, &unknown)?,
+            _ => with_slides(linkage, relation, unknown)?,
         };
         if unknown.iter().any(|d| d.weakest < WEAK) {
             return None;
         }
-        let steady = match unknown[..] {
+        let steady = match *unknown {
             // Its own degeneracy is that of the arm, as long as the angle
             // between its axes is a constant of the arm. A target that asks
             // for more can determine what the one vector leaves free.
@@ -398,29 +440,30 @@ impl Partial {
             Subproblem::Univariate => 1000,
         };
         let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
-        let parallel = match unknown[..] {
+        let parallel = match *unknown {
             [a, b] => arm.told.parallel(joint_of(a.atom), joint_of(b.atom)),
             _ => 0,
         };
         let unknowns = unknown.iter().map(|d| d.atom).collect();
-        Some(Candidate {
-            subproblem,
-            unknowns,
+        let candidate = Candidate {
             posed: Posed {
                 relation: number,
                 with: None,
             },
             weak_at: unknown.iter().fold(parallel, |bits, d| bits | d.weak_at),
             cost,
-        })
+        };
+        Some(((subproblem, unknowns), candidate))
     }
 
     /// Pairs of relations between the same two unknowns, one unknown on the
     /// inner arc of both and one on the outer.
-    fn pairs(&self, arm: &Known) -> Vec<Candidate> {
+    fn pairs(&self, arm: &Known) -> Vec<(Asked, Candidate)> {
         let linkage = arm.linkage;
         let mut groups: BTreeMap<(Atom, Atom), Vec<usize>> = BTreeMap::new();
-        for (number, relation) in arm.relations.iter().enumerate() {
+        let lacks_two = |number: &usize| self.solved.lacks(arm.atoms[*number]) == 2;
+        for number in (0..arm.relations.len()).filter(lacks_two) {
+            let relation = &arm.relations[number];
             let mut unknown = relation.depends.iter().filter(|d| !self.solved.has(d.atom));
             let (Some(a), Some(b), None) = (unknown.next(), unknown.next(), unknown.next()) else {
                 continue;
@@ -451,11 +494,17 @@ impl Partial {
 
     /// What follows if a step is taken: with the relations that pose it best,
     /// and with a complement where these can degenerate.
-    fn take(&self, arm: &Known, candidates: &[Candidate], all: &Candidates) -> Vec<Partial> {
+    fn take(
+        &self,
+        arm: &Known,
+        (subproblem, unknowns): &Asked,
+        candidates: &[Candidate],
+        all: &Candidates,
+    ) -> Vec<Partial> {
         let Some(best) = candidates.first() else {
             return Vec::new();
         };
-        let (subproblem, unknowns) = (best.subproblem, &best.unknowns);
+        let subproblem = *subproblem;
         let choices = self.choices + subproblem.choices();
         if choices > MOST_CHOICES {
             return Vec::new();
@@ -515,7 +564,7 @@ impl Partial {
 }
 
 /// Two relations that pose subproblem 6.
-fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<Candidate> {
+fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<(Asked, Candidate)> {
     let [first, second] = pair.map(|number| &arm.relations[number]);
     let (independence, constant) = first.independence(second, inner)?;
     if independence < DEPENDENT {
@@ -523,9 +572,7 @@ fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<Ca
     }
     let known = (first.depends.len() + second.depends.len() - 4) as u32;
     let penalty = if constant { 0 } else { MAY_DEGENERATE };
-    Some(Candidate {
-        subproblem: Subproblem::Sp6,
-        unknowns: vec![outer, inner],
+    let candidate = Candidate {
         posed: Posed {
             relation: pair[0],
             with: Some(pair[1]),
@@ -533,7 +580,8 @@ fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<Ca
         weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(inner))
             | arm.told.parallel(joint_of(outer), joint_of(inner)),
         cost: 300 + 9 * known + penalty,
-    })
+    };
+    Some(((Subproblem::Sp6, vec![outer, inner]), candidate))
 }
 
 fn slides(linkage: &Linkage, atom: Atom) -> bool {

@@ -157,11 +157,17 @@ impl Chain {
     /// The columns of the geometric Jacobian: velocity of the tip's origin,
     /// and angular velocity, both in base axes.
     pub fn geometric_jacobian(&self, q: &[f64]) -> Vec<Twist> {
-        let origin = self.fk(q).translation;
-        self.spatial_jacobian(q)
-            .iter()
-            .map(|twist| at_point(twist, origin))
-            .collect()
+        let mut moved = Pose::IDENTITY;
+        let mut columns = Vec::with_capacity(self.twists.len());
+        for (twist, next) in self.twists.iter().zip(self.displacements(q)) {
+            columns.push(moved.adjoint(twist));
+            moved = next;
+        }
+        let origin = moved.transform_point(self.home.translation);
+        for column in &mut columns {
+            *column = at_point(column, origin);
+        }
+        columns
     }
 
     /// e^(ξ̂₁ q₁) ⋯ e^(ξ̂ᵢ qᵢ) for every i.
@@ -207,19 +213,19 @@ pub(super) fn exponential(twist: &Twist, theta: f64) -> Pose {
     }
 }
 
-/// The rotation about the unit vector `w`.
-fn rodrigues(w: [f64; 3], theta: f64) -> Pose {
+/// The rotation about the unit vector ω: I + ω̂ sin θ + ω̂² (1 − cos θ), entry by entry.
+fn rodrigues([x, y, z]: [f64; 3], theta: f64) -> Pose {
     let (sine, cosine) = libm::sincos(theta);
-    let turned = |axis: [f64; 3]| {
-        let once = cross(w, axis);
-        add(
-            axis,
-            add(scale(sine, once), scale(1.0 - cosine, cross(w, once))),
-        )
-    };
-    let [x, y, z] = Pose::IDENTITY.rotation.map(turned);
+    let rest = 1.0 - cosine;
+    let [a, b, c] = [sine * x, sine * y, sine * z];
+    let [xy, yz, zx] = [rest * (x * y), rest * (y * z), rest * (z * x)];
+    let [xx, yy, zz] = [x * x, y * y, z * z];
     Pose {
-        rotation: [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]],
+        rotation: [
+            [1.0 - rest * (yy + zz), xy - c, b + zx],
+            [c + xy, 1.0 - rest * (zz + xx), yz - a],
+            [zx - b, a + yz, 1.0 - rest * (xx + yy)],
+        ],
         translation: [0.0; 3],
     }
 }

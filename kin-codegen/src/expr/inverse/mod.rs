@@ -372,19 +372,30 @@ impl<'a> Writer<'a> {
             }
             return;
         }
-        let mut best: Option<(usize, Writer<'a>)> = None;
-        for (i, relation) in step.relations.iter().enumerate() {
-            let mut trial = self.clone();
-            trial.solve(step, relation);
-            trial.relation = Some(i);
+        let cost = |i: &usize| {
+            let before = self.g.mark();
+            let mut trial = self.beside();
+            trial.solve(step, &step.relations[*i]);
             let cost = trial.cost();
-            if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                best = Some((cost, trial));
-            }
+            self.g = std::mem::take(&mut trial.g);
+            self.g.back(before);
+            cost
+        };
+        let best = match step.relations.len() {
+            one @ (0 | 1) => one.checked_sub(1),
+            several => (0..several).min_by_key(cost),
+        };
+        if let Some(i) = best {
+            self.solve(step, &step.relations[i]);
+            self.relation = Some(i);
         }
-        if let Some((_, trial)) = best {
-            *self = trial;
-        }
+    }
+
+    /// The same, and the graph with it.
+    fn beside(&mut self) -> Self {
+        let g = std::mem::take(&mut self.g);
+        let beside = self.clone();
+        Self { g, ..beside }
     }
 
     /// The cost of everything solved so far.
