@@ -66,10 +66,11 @@ fn newton<L: Lanes>(
     let mut q = of_numbers::<L>(start);
     let mut step = 0;
     let mut before = [f64::INFINITY; LANES];
-    let mut system = linearized(frames, target, &q);
-    let mut jacobian = Factored::new(&system.columns);
+    let (mut place, mut jacobian) = (Place::EMPTY, Factored::EMPTY);
+    place.find(frames, target, &q);
+    jacobian.factor(frames, &place);
     loop {
-        let residual = system.residual.numbers();
+        let residual = place.residual.numbers();
         let mut open = false;
         for k in 0..LANES {
             let away = residual[k] > ROUNDING;
@@ -84,13 +85,13 @@ fn newton<L: Lanes>(
             };
         }
         before = residual;
-        let change = jacobian.solve(system.error);
+        let change = jacobian.solve(place.error);
         let mut longest = L::splat(STRIDE);
         for change in &change {
             longest = longest.max(change.abs());
         }
         let share = L::splat(ROUNDING).where_less(
-            system.residual,
+            place.residual,
             longest.inverse().scaled(STRIDE),
             L::ZERO,
         );
@@ -98,10 +99,10 @@ fn newton<L: Lanes>(
             *q = q.plus(share, *change);
         }
         step += 1;
-        system = linearized(frames, target, &q);
-        let steady = system.residual.numbers().iter().all(|&x| x < STEADY);
+        place.find(frames, target, &q);
+        let steady = place.residual.numbers().iter().all(|&x| x < STEADY);
         if !steady || !jacobian.is_regular() {
-            jacobian = Factored::new(&system.columns);
+            jacobian.factor(frames, &place);
         }
     }
 }
@@ -141,16 +142,24 @@ fn apart<L: Lanes>(
     q: &[[f64; LANES]; 6],
 ) -> [[[f64; LANES]; 6]; 2] {
     let q = of_numbers::<L>(q);
-    let here = linearized(frames, target, &q);
-    let jacobian = Factored::new(&here.columns);
-    let v = jacobian.weak();
-    let ahead = linearized(frames, target, &moved(&q, &v, BEND)).error;
-    let behind = linearized(frames, target, &moved(&q, &v, -BEND)).error;
-    let mut bend = here.error;
+    let (mut place, mut jacobian) = (Place::EMPTY, Factored::EMPTY);
+    place.find(frames, target, &q);
+    jacobian.factor(frames, &place);
+    let (here, v) = (place.error, jacobian.weak());
+    let mut bend = [L::ZERO; 6];
     for i in 0..6 {
-        bend[i] = (bend[i] + bend[i] - ahead[i] - behind[i]).scaled(1.0 / (BEND * BEND));
+        bend[i] = here[i] + here[i];
     }
-    let (step, bent) = (jacobian.solve(here.error), jacobian.solve(bend));
+    for by in [BEND, -BEND] {
+        place.find(frames, target, &moved(&q, &v, by));
+        for i in 0..6 {
+            bend[i] = bend[i] - place.error[i];
+        }
+    }
+    for bend in &mut bend {
+        *bend = bend.scaled(1.0 / (BEND * BEND));
+    }
+    let (step, bent) = (jacobian.solve(here), jacobian.solve(bend));
     let (e, a) = (dot(&v, &step), dot(&v, &bent));
     let root = L::ONE.plus(a + a, e).max(L::ZERO).sqrt();
     // α = (−1 ± root) / a, without cancellation.
@@ -206,89 +215,105 @@ const BEND: f64 = 1e-3;
 /// So far the second order may tell anything, radians.
 const FARTHEST: f64 = 0.5;
 
-/// What is missing and the geometric Jacobian that makes it, lengths in units of
-/// the arm's size.
-struct System<L: Lanes> {
-    columns: [Rows<L>; 6],
+/// Where configurations are, lengths in units of half the arm's size.
+struct Place<L: Lanes> {
+    /// Direction and a point of each joint's axis.
+    axes: [[[L; 3]; 2]; 6],
+    tip: [L; 3],
+    /// What is missing of the target, as the geometric Jacobian makes it, lengths in units of the
+    /// arm's size.
     error: Rows<L>,
     residual: L,
 }
 
-#[inline(always)]
-fn linearized<L: Lanes>(frames: &Frames, target: &Pose, q: &Rows<L>) -> System<L> {
-    let zero = L::ZERO;
-    let (mut r, mut p) = ([[zero; 3]; 3], [zero; 3]);
-    for row in 0..3 {
-        for j in 0..3 {
-            r[row][j] = L::splat(frames.fixed[0].rotation[row][j]);
-        }
-        p[row] = L::splat(frames.fixed[0].translation[row]);
-    }
-    let mut axes = [[[zero; 3]; 2]; 6];
-    for i in 0..6 {
-        axes[i] = [[r[0][2], r[1][2], r[2][2]], p];
-        let slides = frames.slides(i);
-        let [s, c] = match slides {
-            true => [zero, L::ONE],
-            false => q[i].sin_cos(),
-        };
-        let Pose {
-            rotation: a,
-            translation: t,
-        } = &frames.fixed[i + 1];
+impl<L: Lanes> Place<L> {
+    /// Of nothing yet.
+    const EMPTY: Self = Self {
+        axes: [[[L::ZERO; 3]; 2]; 6],
+        tip: [L::ZERO; 3],
+        error: [L::ZERO; 6],
+        residual: L::ZERO,
+    };
+
+    #[inline(always)]
+    fn find(&mut self, frames: &Frames, target: &Pose, q: &Rows<L>) {
+        let mut r = [[L::ZERO; 3]; 3];
+        let mut p = [L::ZERO; 3];
         for row in 0..3 {
-            let [x, y, z] = r[row];
-            if slides {
-                p[row] = p[row].plus(z, q[i]);
-            }
-            let (x, y) = ((x * c).plus(y, s), (y * c).minus(x, s));
             for j in 0..3 {
-                r[row][j] = x
-                    .scaled(a[0][j])
-                    .plus_scaled(y, a[1][j])
-                    .plus_scaled(z, a[2][j]);
+                r[row][j] = L::splat(frames.fixed[0].rotation[row][j]);
             }
-            p[row] = p[row]
-                .plus_scaled(x, t[0])
-                .plus_scaled(y, t[1])
-                .plus_scaled(z, t[2]);
+            p[row] = L::splat(frames.fixed[0].translation[row]);
         }
-    }
-    let mut columns = [[zero; 6]; 6];
-    for (joint, (column, [z, o])) in columns.iter_mut().zip(&axes).enumerate() {
-        if frames.slides(joint) {
-            (column[0], column[1], column[2]) =
-                (z[0].scaled(0.5), z[1].scaled(0.5), z[2].scaled(0.5));
-            continue;
+        for i in 0..6 {
+            self.axes[i] = [[r[0][2], r[1][2], r[2][2]], p];
+            let slides = frames.slides(i);
+            let [s, c] = match slides {
+                true => [L::ZERO, L::ONE],
+                false => q[i].sin_cos(),
+            };
+            let Pose {
+                rotation: a,
+                translation: t,
+            } = &frames.fixed[i + 1];
+            for row in 0..3 {
+                let [x, y, z] = r[row];
+                if slides {
+                    p[row] = p[row].plus(z, q[i]);
+                }
+                let (x, y) = ((x * c).plus(y, s), (y * c).minus(x, s));
+                for j in 0..3 {
+                    r[row][j] = x
+                        .scaled(a[0][j])
+                        .plus_scaled(y, a[1][j])
+                        .plus_scaled(z, a[2][j]);
+                }
+                p[row] = p[row]
+                    .plus_scaled(x, t[0])
+                    .plus_scaled(y, t[1])
+                    .plus_scaled(z, t[2]);
+            }
         }
-        let mut arm = [zero; 3];
+        self.tip = p;
+        let wanted = &target.rotation;
+        let (mut error, mut square) = ([L::ZERO; 6], L::ZERO);
         for i in 0..3 {
-            arm[i] = (p[i] - o[i]).scaled(0.5);
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            error[i] = (L::splat(target.translation[i]) - p[i]).scaled(0.5);
+            square = square.plus(error[i], error[i]);
+            for column in 0..3 {
+                error[3 + i] = error[3 + i]
+                    .plus_scaled(r[j][column], 0.5 * wanted[l][column])
+                    .plus_scaled(r[l][column], -0.5 * wanted[j][column]);
+                let apart = r[i][column] - L::splat(wanted[i][column]);
+                square = square.plus(apart, apart.scaled(0.5));
+            }
+        }
+        self.error = error;
+        self.residual = square.sqrt();
+    }
+
+    /// A column of the geometric Jacobian.
+    #[inline(always)]
+    fn column(&self, frames: &Frames, joint: usize) -> Rows<L> {
+        let [z, o] = &self.axes[joint];
+        let mut column = [L::ZERO; 6];
+        if frames.slides(joint) {
+            for i in 0..3 {
+                column[i] = z[i].scaled(0.5);
+            }
+            return column;
+        }
+        let mut arm = [L::ZERO; 3];
+        for i in 0..3 {
+            arm[i] = (self.tip[i] - o[i]).scaled(0.5);
         }
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             column[i] = (z[j] * arm[l]).minus(z[l], arm[j]);
             column[3 + i] = z[i];
         }
-    }
-    let wanted = &target.rotation;
-    let (mut error, mut square) = ([zero; 6], zero);
-    for i in 0..3 {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        error[i] = (L::splat(target.translation[i]) - p[i]).scaled(0.5);
-        square = square.plus(error[i], error[i]);
-        for column in 0..3 {
-            error[3 + i] = error[3 + i]
-                .plus_scaled(r[j][column], 0.5 * wanted[l][column])
-                .plus_scaled(r[l][column], -0.5 * wanted[j][column]);
-            let apart = r[i][column] - L::splat(wanted[i][column]);
-            square = square.plus(apart, apart.scaled(0.5));
-        }
-    }
-    System {
-        columns,
-        error,
-        residual: square.sqrt(),
+        column
     }
 }
 
@@ -308,30 +333,32 @@ struct Factored<L: Lanes> {
 const LEAST_SQUARE: f64 = 1e-24;
 
 impl<L: Lanes> Factored<L> {
+    /// Of nothing yet.
+    const EMPTY: Self = Self {
+        orthogonal: [[L::ZERO; 6]; 6],
+        above: [[L::ZERO; 6]; 6],
+        squares: [L::ZERO; 6],
+        inverses: [L::ZERO; 6],
+    };
+
     #[inline(always)]
-    fn new(columns: &[Rows<L>; 6]) -> Self {
-        let mut q = *columns;
-        let mut above = [[L::ZERO; 6]; 6];
-        let mut squares = [L::ZERO; 6];
-        let mut inverses = squares;
+    fn factor(&mut self, frames: &Frames, place: &Place<L>) {
+        for joint in 0..6 {
+            self.orthogonal[joint] = place.column(frames, joint);
+        }
         for j in 0..6 {
-            let (done, rest) = q.split_at_mut(j + 1);
+            let (done, rest) = self.orthogonal.split_at_mut(j + 1);
             let column = &done[j];
-            squares[j] = dot(column, column).max(L::splat(LEAST_SQUARE));
-            inverses[j] = squares[j].inverse();
+            self.squares[j] = dot(column, column).max(L::splat(LEAST_SQUARE));
+            let inverse = self.squares[j].inverse();
+            self.inverses[j] = inverse;
             for (l, other) in (j + 1..6).zip(rest) {
-                let along = dot(column, other) * inverses[j];
-                above[j][l] = along;
+                let along = dot(column, other) * inverse;
+                self.above[j][l] = along;
                 for i in 0..6 {
                     other[i] = other[i].minus(along, column[i]);
                 }
             }
-        }
-        Self {
-            orthogonal: q,
-            above,
-            squares,
-            inverses,
         }
     }
 
