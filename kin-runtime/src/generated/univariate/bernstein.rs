@@ -3,7 +3,6 @@
 use super::harmonics::{DEGREE, Harmonics};
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::turn::{cosine_of_turn, sine_of_turn};
-use crate::generated::dispatch::{Dispatched, dispatch};
 use core::f64::consts::TAU;
 
 /// The circle in arcs.
@@ -11,6 +10,10 @@ pub(super) const ARCS: usize = 16;
 
 /// Coefficients of a polynomial of the highest degree.
 pub(super) const COEFFICIENTS: usize = 2 * DEGREE + 1;
+
+/// Places for them, whole vectors of these. Behind the last one it is repeated, which adds no
+/// change of sign.
+pub(super) const PLACES: usize = COEFFICIENTS.next_multiple_of(LANES);
 
 /// Where the first arc has its middle, radians: no arc ends at an angle that
 /// robots are sent to.
@@ -119,7 +122,7 @@ pub fn coefficients_on_arc(is_high: bool, i: usize, k: usize) -> [f64; 2] {
 /// Some neighbouring arcs, as lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Arcs {
-    coefficients: [[f64; LANES]; COEFFICIENTS],
+    coefficients: [[f64; LANES]; PLACES],
     /// How many coefficients there are.
     pub count: usize,
     /// The least of them, without its sign.
@@ -132,8 +135,13 @@ pub(super) struct Arcs {
 
 impl Arcs {
     /// The coefficients on one of them.
-    pub fn of(&self, lane: usize) -> [f64; COEFFICIENTS] {
+    pub fn of(&self, lane: usize) -> [f64; PLACES] {
         core::array::from_fn(|i| self.coefficients[i][lane])
+    }
+
+    /// Whether the first one on one of them is negative.
+    pub fn rises(&self, lane: usize) -> bool {
+        self.coefficients[0][lane] < 0.0
     }
 }
 
@@ -141,21 +149,21 @@ impl Arcs {
 /// middle.
 pub(super) const CUT: f64 = 0.4871;
 
-/// De Casteljau's algorithm at [`CUT`] as two matrices, by column: the coefficients of either part
-/// are means of the whole's.
-struct Cut<const N: usize, const ROOM: usize> {
-    low: [[f64; ROOM]; N],
-    high: [[f64; ROOM]; N],
+/// De Casteljau's algorithm at [`CUT`] as two matrices, by vectors of rows and by column: the
+/// coefficients of either part are means of the whole's.
+struct Cut<const N: usize, const VECTORS: usize> {
+    low: [[[f64; LANES]; N]; VECTORS],
+    high: [[[f64; LANES]; N]; VECTORS],
 }
 
-static CUT_LOW: Cut<17, 24> = Cut::new();
-static CUT_HIGH: Cut<COEFFICIENTS, 32> = Cut::new();
+static CUT_LOW: Cut<17, 3> = Cut::new();
+static CUT_HIGH: Cut<COEFFICIENTS, { PLACES / LANES }> = Cut::new();
 
-impl<const N: usize, const ROOM: usize> Cut<N, ROOM> {
+impl<const N: usize, const VECTORS: usize> Cut<N, VECTORS> {
     const fn new() -> Self {
         let mut out = Self {
-            low: [[0.0; ROOM]; N],
-            high: [[0.0; ROOM]; N],
+            low: [[[0.0; LANES]; N]; VECTORS],
+            high: [[[0.0; LANES]; N]; VECTORS],
         };
         // Row i of the lower part: the chances of so many of i throws.
         let mut row = [0.0; N];
@@ -166,8 +174,9 @@ impl<const N: usize, const ROOM: usize> Cut<N, ROOM> {
             let mut j = i + 1;
             while j > 0 {
                 j -= 1;
-                out.low[j][i] = row[j];
-                out.high[N - 1 - j][N - 1 - i] = other[j];
+                let (low, high) = (i, N - 1 - i);
+                out.low[low / LANES][j][low % LANES] = row[j];
+                out.high[high / LANES][N - 1 - j][high % LANES] = other[j];
                 if j + 1 < N {
                     row[j + 1] += CUT * row[j];
                     other[j + 1] += (1.0 - CUT) * other[j];
@@ -177,40 +186,56 @@ impl<const N: usize, const ROOM: usize> Cut<N, ROOM> {
             }
             i += 1;
         }
+        // The last row is repeated.
+        let mut i = N;
+        while i < LANES * VECTORS {
+            let mut j = 0;
+            while j < N {
+                out.low[i / LANES][j][i % LANES] = out.low[(N - 1) / LANES][j][(N - 1) % LANES];
+                out.high[i / LANES][j][i % LANES] = out.high[(N - 1) / LANES][j][(N - 1) % LANES];
+                j += 1;
+            }
+            i += 1;
+        }
         out
     }
 
     #[inline(always)]
-    fn parts(&self, whole: &[f64; COEFFICIENTS]) -> [[f64; COEFFICIENTS]; 2] {
-        let (mut low, mut high) = ([0.0; ROOM], [0.0; ROOM]);
-        for j in 0..N {
-            for i in 0..ROOM {
-                low[i] += self.low[j][i] * whole[j];
-                high[i] += self.high[j][i] * whole[j];
+    fn cut<L: Lanes>(&self, whole: &mut [f64; PLACES], lower: &mut [f64; PLACES]) {
+        let mut upper = [0.0; PLACES];
+        for i in 0..VECTORS {
+            let (mut low, mut high) = (L::ZERO, L::ZERO);
+            for j in 0..N {
+                low = low.plus_scaled(L::of(self.low[i][j]), whole[j]);
+                high = high.plus_scaled(L::of(self.high[i][j]), whole[j]);
             }
+            lower[LANES * i..][..LANES].copy_from_slice(&low.numbers());
+            upper[LANES * i..][..LANES].copy_from_slice(&high.numbers());
         }
-        let mut out = [[0.0; COEFFICIENTS]; 2];
-        out[0][..N].copy_from_slice(&low[..N]);
-        out[1][..N].copy_from_slice(&high[..N]);
-        out
+        *whole = upper;
+        for part in [whole, lower] {
+            let last = part[LANES * VECTORS - 1];
+            part[LANES * VECTORS..].fill(last);
+        }
     }
 }
 
-/// The coefficients of both parts of an interval that has so many.
-pub(super) fn cut(whole: &[f64; COEFFICIENTS], count: usize) -> [[f64; COEFFICIENTS]; 2] {
-    dispatch::<InParts, _>((whole, count))
+/// Of an interval that has so many coefficients those of its upper part, and those of its lower
+/// part beside them.
+pub(super) fn cut(whole: &mut [f64; PLACES], count: usize, lower: &mut [f64; PLACES]) {
+    in_lanes::<InParts, _>((whole, count, lower));
 }
 
 struct InParts;
 
-impl Dispatched<(&[f64; COEFFICIENTS], usize)> for InParts {
-    type Output = [[f64; COEFFICIENTS]; 2];
+impl InLanes<(&mut [f64; PLACES], usize, &mut [f64; PLACES])> for InParts {
+    type Output = ();
 
     #[inline(always)]
-    fn run((whole, count): (&[f64; COEFFICIENTS], usize)) -> Self::Output {
+    fn run<L: Lanes>((whole, count, lower): (&mut [f64; PLACES], usize, &mut [f64; PLACES])) {
         match count <= 17 {
-            true => CUT_LOW.parts(whole),
-            false => CUT_HIGH.parts(whole),
+            true => CUT_LOW.cut::<L>(whole, lower),
+            false => CUT_HIGH.cut::<L>(whole, lower),
         }
     }
 }
@@ -263,9 +288,9 @@ fn on_half<L: Lanes>(f: &Harmonics, arc: usize) -> Arcs {
         at = product.where_less(L::ZERO, L::splat((i - 1) as f64), at);
     }
     let share = at.plus(before, (before - behind).inverse());
-    let mut numbers = [[0.0; LANES]; COEFFICIENTS];
-    for i in 0..count {
-        numbers[i] = coefficients[i].numbers();
+    let mut numbers = [[0.0; LANES]; PLACES];
+    for (i, numbers) in numbers.iter_mut().enumerate() {
+        *numbers = coefficients[i.min(count - 1)].numbers();
     }
     Arcs {
         coefficients: numbers,
@@ -303,12 +328,16 @@ mod tests {
     #[test]
     fn parts_are_those_of_de_casteljau() {
         for count in [17, COEFFICIENTS] {
-            let mut whole = [0.0; COEFFICIENTS];
-            for (i, x) in whole[..count].iter_mut().enumerate() {
-                *x = (1.7 * (i * i) as f64).sin();
+            let at = |i: usize| (1.7 * (i * i) as f64).sin();
+            let mut rest: [f64; PLACES] = core::array::from_fn(|i| at(i.min(count - 1)));
+            let (mut high, mut low) = (rest, [0.0; PLACES]);
+            cut(&mut high, count, &mut low);
+            for part in [&low, &high] {
+                assert!(
+                    part[count..].iter().all(|x| *x == part[count - 1]),
+                    "{count}"
+                );
             }
-            let [low, high] = cut(&whole, count);
-            let mut rest = whole;
             for i in 0..count {
                 assert!((low[i] - rest[0]).abs() < 1e-14, "{i} of {count}");
                 let last = rest[count - 1 - i];

@@ -51,7 +51,10 @@ impl Eliminant {
         f.cosines.copy_from_slice(&self.harmonics[..=DEGREE]);
         f.sines[1..].copy_from_slice(&self.harmonics[DEGREE + 1..]);
         let arcs: [Arcs; ARCS / LANES] = on_arcs(&f);
-        let arc = |i: usize| arcs[i / LANES].of(i % LANES);
+        let arc = |i: usize| {
+            let all = arcs[i / LANES].of(i % LANES);
+            core::array::from_fn(|j| all[j])
+        };
         (core::array::from_fn(arc), arcs[0].count)
     }
 }

@@ -9,7 +9,7 @@
 
 use super::LANES;
 use super::bernstein::{
-    ARCS, Arcs, COEFFICIENTS, CUT, REACH, cut, middle, on_arcs, turn_of_middle,
+    ARCS, Arcs, COEFFICIENTS, CUT, PLACES, REACH, cut, middle, on_arcs, turn_of_middle,
 };
 use super::harmonics::Harmonics;
 use crate::generated::dispatch::{Dispatched, dispatch};
@@ -154,14 +154,20 @@ enum Signs {
     Many,
 }
 
-fn signs(coefficients: &[f64], noise: f64) -> Signs {
-    let last = coefficients.len() - 1;
-    let (mut least, mut changes) = (coefficients[0].abs(), 0.0);
-    for pair in coefficients.windows(2) {
-        least = math::select(pair[1].abs() < least, pair[1].abs(), least);
-        changes += math::select(pair[0] * pair[1] < 0.0, 1.0, 0.0);
+/// Of so many coefficients.
+fn signs(coefficients: &[f64; PLACES], n: usize, noise: f64) -> Signs {
+    let last = n - 1;
+    let (mut least, mut changes) = ([coefficients[0].abs(); LANES], [0.0; LANES]);
+    for vector in 0..(COEFFICIENTS - 1) / LANES {
+        for k in 0..LANES {
+            let i = LANES * vector + k;
+            let (a, b) = (coefficients[i], coefficients[i + 1]);
+            least[k] = math::select(b.abs() < least[k], b.abs(), least[k]);
+            changes[k] += math::select(a * b < 0.0, 1.0, 0.0);
+        }
     }
-    if least > noise {
+    let changes: f64 = changes.iter().sum();
+    if least.iter().all(|&least| least > noise) {
         return match changes {
             0.0 => Signs::None,
             1.0 => {
@@ -205,7 +211,7 @@ fn signs(coefficients: &[f64], noise: f64) -> Signs {
 /// Part of an arc.
 #[derive(Clone, Copy)]
 struct Interval {
-    coefficients: [f64; COEFFICIENTS],
+    coefficients: [f64; PLACES],
     /// From middle + 2 atan t.
     t: [f64; 2],
 }
@@ -225,12 +231,12 @@ impl Interval {
         self.coefficients[0] < 0.0
     }
 
-    /// Its parts, the upper one first.
-    fn halves(&self, n: usize) -> [Self; 2] {
-        let [low, high] = cut(&self.coefficients, n);
+    /// Becomes its upper part, and another one its lower.
+    fn halve(&mut self, n: usize, lower: &mut Self) {
         let at = self.at(CUT);
-        let part = |coefficients, t| Self { coefficients, t };
-        [part(high, [at, self.t[1]]), part(low, [self.t[0], at])]
+        cut(&mut self.coefficients, n, &mut lower.coefficients);
+        lower.t = [self.t[0], at];
+        self.t[0] = at;
     }
 }
 
@@ -257,7 +263,7 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
         count: 0,
         halvings: 0,
         waiting: [Interval {
-            coefficients: [0.0; COEFFICIENTS],
+            coefficients: [0.0; PLACES],
             t: [0.0; 2],
         }; WAITING],
     };
@@ -286,24 +292,21 @@ impl Search<'_> {
         if signed && arcs.changes[lane] == 0.0 {
             return;
         }
-        let n = arcs.count;
-        let whole = Interval {
-            coefficients: arcs.of(lane),
-            t: [-REACH, REACH],
-        };
+        let t = [-REACH, REACH];
         if signed && arcs.changes[lane] == 1.0 {
-            let guess = whole.at(arcs.share[lane]);
-            self.bracket(arc, whole.t, guess, whole.rises(), found);
+            let guess = t[0] + arcs.share[lane] * (t[1] - t[0]);
+            self.bracket(arc, t, guess, arcs.rises(lane), found);
             return;
         }
         let angle = |t: f64| middle(arc) + 2.0 * math::atan2(t, 1.0);
-        self.waiting[0] = whole;
-        let mut count = 1;
+        let coefficients = arcs.of(lane);
+        self.waiting[0] = Interval { coefficients, t };
+        let (n, mut count) = (arcs.count, 1);
         while count > 0 {
             count -= 1;
-            let interval = self.waiting[count];
+            let interval = &self.waiting[count];
             let [low, high] = interval.t;
-            match signs(&interval.coefficients[..n], self.noise) {
+            match signs(&interval.coefficients, n, self.noise) {
                 Signs::None => {}
                 Signs::One(share) => {
                     let (guess, rises) = (interval.at(share), interval.rises());
@@ -313,11 +316,11 @@ impl Search<'_> {
                 Signs::Two | Signs::Many if 2.0 * (high - low) < NARROW => {
                     found.push_cluster(angle(0.5 * (low + high)));
                 }
-                Signs::Many if interval.is_unsigned(n, self.noise) => {
+                Signs::Many if self.waiting[count].is_unsigned(n, self.noise) => {
                     let parts = math::ceil(2.0 * (high - low) / BLIND);
                     for part in 0..parts as usize {
                         let share = (part as f64 + 0.5) / parts;
-                        found.push_cluster(angle(interval.at(share)));
+                        found.push_cluster(angle(low + share * (high - low)));
                     }
                 }
                 Signs::Two | Signs::Many if self.halvings == HALVINGS || count + 2 > WAITING => {
@@ -326,8 +329,8 @@ impl Search<'_> {
                 }
                 Signs::Two | Signs::Many => {
                     self.halvings += 1;
-                    let halves = interval.halves(n);
-                    self.waiting[count..count + 2].copy_from_slice(&halves);
+                    let (upper, lower) = self.waiting.split_at_mut(count + 1);
+                    upper[count].halve(n, &mut lower[0]);
                     count += 2;
                 }
             }
@@ -353,11 +356,13 @@ impl Search<'_> {
     /// extremum there: the sign at that tells which. False if it may have more.
     fn extremum(&mut self, arc: usize, waiting: usize, n: usize, found: &mut Roots) -> bool {
         let interval = &self.waiting[waiting];
-        let mut rise = [0.0; COEFFICIENTS];
+        let mut rise = [0.0; PLACES];
         for i in 0..n - 1 {
             rise[i] = interval.coefficients[i + 1] - interval.coefficients[i];
         }
-        let Signs::One(share) = signs(&rise[..n - 1], self.noise) else {
+        let last = rise[n - 2];
+        rise[n - 1..].fill(last);
+        let Signs::One(share) = signs(&rise, n - 1, self.noise) else {
             return false;
         };
         let [low, high] = interval.t;
