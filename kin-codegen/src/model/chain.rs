@@ -1,7 +1,7 @@
 //! Which joints lead from base to tip.
 
 use super::tip::default_tip;
-use crate::spec::{ArmSpec, Collector, did_you_mean};
+use crate::spec::{ArmSpec, Collector, JointType, did_you_mean};
 use std::collections::HashSet;
 
 /// A path down the tree.
@@ -21,6 +21,13 @@ pub(super) fn choose(
     tip: Option<&str>,
     diagnostics: &mut Collector,
 ) -> Option<Chain> {
+    if spec.joints.iter().all(|it| it.kind == JointType::Fixed) {
+        diagnostics.whole(
+            "no joint of this robot moves, so it is no arm",
+            "give a robot with a revolute, continuous or prismatic joint",
+        );
+        return None;
+    }
     let tree = Tree::new(spec);
     let base_link = match base {
         Some(name) => find(spec, "base", name, diagnostics),

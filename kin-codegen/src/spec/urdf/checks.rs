@@ -115,16 +115,21 @@ fn is_zero(value: &str) -> bool {
     words.peek().is_some() && words.all(|word| word.parse::<f64>() == Ok(0.0))
 }
 
-/// Joints consist of elements; text there is something lost.
+/// Joints consist of elements; a number in text there is something lost.
 pub(super) fn refuse_text(node: Node, diagnostics: &mut Collector) {
-    let text = node
+    let texts = node
         .children()
-        .find(|c| c.is_text() && c.text().is_some_and(|t| !t.trim().is_empty()));
-    if let Some(text) = text {
+        .filter(|c| c.is_text() && c.text().is_some_and(|t| !t.trim().is_empty()));
+    for text in texts {
         let content = text.text().unwrap_or("");
         let blank = content.len() - content.trim_start().len();
         let at = diagnostics.place(text.range().start + blank);
         let reason = format!("text in a <{}> has no meaning", node.tag_name().name());
-        diagnostics.at(at, reason, "write it as an attribute, or in a comment");
+        let mut words = content.split(|c: char| c.is_whitespace() || "=\"'".contains(c));
+        if words.any(|word| word.parse::<f64>().is_ok_and(f64::is_finite)) {
+            diagnostics.at(at, reason, "write it as an attribute, or in a comment");
+        } else {
+            diagnostics.warn(at, reason, "write it in a comment, or remove it");
+        }
     }
 }

@@ -9,6 +9,7 @@ use super::vocabulary;
 use crate::spec::Collector;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// The text without these.
 pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, str> {
@@ -27,11 +28,7 @@ pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, 
                 diagnostics.warn(diagnostics.place(start), reason, remedy);
             }
             Part::Open(_) | Part::Close => {
-                let slash = usize::from(within.starts_with("</"));
-                let name = &within[1 + slash..];
-                if let Some(prefix) = prefix(name).filter(|it| !declared.contains(it)) {
-                    let at = start + 1 + slash;
-                    overwrite(&mut strict, at + prefix.len(), "_");
+                let mut warn = |prefix, at| {
                     if undeclared.insert(prefix) {
                         let reason = format!("the XML prefix `{prefix}:` is used but not declared");
                         let remedy = format!(
@@ -39,6 +36,21 @@ pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, 
                              what uses it"
                         );
                         diagnostics.warn(diagnostics.place(at), reason, remedy);
+                    }
+                };
+                let slash = usize::from(within.starts_with("</"));
+                let name = element(&within[1 + slash..]);
+                if let Some(prefix) = prefix(name).filter(|it| !declared.contains(it)) {
+                    let at = start + 1 + slash;
+                    overwrite(&mut strict, at + prefix.len(), "_");
+                    warn(prefix, at);
+                }
+                // No attribute of another namespace is the robot's.
+                for (range, name) in attributes(within, 1 + slash + name.len()) {
+                    if let Some(prefix) = prefix(name).filter(|it| !declared.contains(it)) {
+                        let at = start + range.start;
+                        overwrite(&mut strict, at, &" ".repeat(range.len()));
+                        warn(prefix, at);
                     }
                 }
             }
@@ -82,11 +94,30 @@ fn is_declaration(instruction: &str) -> bool {
     rest.is_some_and(|rest| rest.starts_with(char::is_whitespace))
 }
 
-/// The prefix of a tag's name. `xacro` has a message of its own.
+/// The element's name, from a text that begins with it.
+fn element(text: &str) -> &str {
+    let end = text.find(|c: char| c.is_whitespace() || "/>=\"'".contains(c));
+    &text[..end.unwrap_or(text.len())]
+}
+
+/// The attributes of a tag behind the element's name: the bytes that each takes, and its name.
+fn attributes(tag: &str, mut at: usize) -> impl Iterator<Item = (Range<usize>, &str)> {
+    std::iter::from_fn(move || {
+        let equals = at + tag[at..].find('=')?;
+        let name = tag[at..equals].trim();
+        let start = equals - tag[at..equals].trim_start().len();
+        let open = equals + tag[equals..].find(['"', '\''])?;
+        let close = open + 1 + tag[open + 1..].find(&tag[open..=open])?;
+        at = close + 1;
+        Some((start..at, name))
+    })
+}
+
+/// The prefix of a name. `xacro` has a message of its own.
 fn prefix(name: &str) -> Option<&str> {
-    let end = name.find(|c: char| c.is_whitespace() || "/>=\"'".contains(c))?;
-    let (prefix, rest) = name[..end].split_once(':')?;
-    let is_prefix = !prefix.is_empty() && !rest.is_empty() && !["xacro", "xml"].contains(&prefix);
+    let (prefix, rest) = name.split_once(':')?;
+    let is_prefix =
+        !prefix.is_empty() && !rest.is_empty() && !["xacro", "xml", "xmlns"].contains(&prefix);
     is_prefix.then_some(prefix)
 }
 
