@@ -102,6 +102,17 @@ pub struct Variable {
     pub rating: Rating,
 }
 
+impl Variable {
+    /// How far a slide goes, metres; none where nothing stops it, as limits like ±1e9 say too, and
+    /// none where the limits leave it no way.
+    pub fn travel(&self) -> Option<[f64; 2]> {
+        let usable = |&[lower, upper]: &[f64; 2]| {
+            lower < upper && lower.abs().max(upper.abs()) <= limits::FARTHEST
+        };
+        self.limits.filter(usable)
+    }
+}
+
 impl Joint {
     /// Whether this joint is a coordinate of q itself, and mimics no other.
     pub fn is_coordinate(&self, variable: usize) -> bool {

@@ -190,3 +190,34 @@ fn what_is_excused_is_counted() {
     );
     assert!(told.contains(&share), "{told}");
 }
+
+/// Limits of ±1e6 m, as mobile bases have them, and the largest numbers there are.
+#[test]
+fn a_slide_whose_limits_mean_none_is_tried_like_one_without() {
+    let tried = |limits: &str| {
+        let text = format!(
+            "robot: rail
+units: {{angle: rad, length: m}}
+joints:
+  - {{name: x, type: prismatic, axis: [1, 0, 0]{limits}}}
+  - {{name: pan, xyz: [0, 0, 0.3], axis: [0, 0, 1]}}
+  - {{name: tilt, xyz: [0.3, 0, 0], axis: [0, 1, 0]}}
+tip: {{link: tool, xyz: [0.2, 0, 0]}}
+"
+        );
+        let path = "rail.yaml".into();
+        let arm = Arm::of(&Source { path, text });
+        let found = solve(&arm.model, &arm.linkage, arm.target).unwrap();
+        let certificate = &found.certificate;
+        let plan = found.form.plan.to_string();
+        (plan, certificate.configurations, certificate.worst_residual)
+    };
+    let without = tried("");
+    for limits in [
+        ", limits: [-1000000, 1000000]",
+        ", limits: [0, 1.0e9]",
+        ", limits: [-1.7e308, 1.7e308]",
+    ] {
+        assert_eq!(tried(limits), without, "{limits}");
+    }
+}

@@ -26,8 +26,7 @@ pub(super) struct Ranges {
 
 impl Ranges {
     pub(super) fn new(model: &Model, size: f64) -> Self {
-        let finite = |limits: &[f64; 2]| limits.iter().all(|x| x.is_finite());
-        let range = |i: usize| match model.variables[i].limits.filter(finite) {
+        let range = |i: usize| match model.variables[i].travel() {
             // From above, so that the end that is left out is −π.
             _ if model.turns(i) => [PI, -PI],
             Some(limits) => limits,

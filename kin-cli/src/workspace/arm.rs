@@ -171,10 +171,6 @@ pub fn reach(model: &Model, centre: [f64; 3]) -> f64 {
 
 /// How far a joint slides; half the arm's size both ways if nothing stops it.
 fn travel(model: &Model, joint: usize) -> [f64; 2] {
-    let finite = |limits: &[f64; 2]| limits.iter().all(|x| x.is_finite());
     let half = 0.5 * size(model);
-    model.variables[joint]
-        .limits
-        .filter(finite)
-        .unwrap_or([-half, half])
+    model.variables[joint].travel().unwrap_or([-half, half])
 }

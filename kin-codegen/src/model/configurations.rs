@@ -8,12 +8,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const RANDOM: usize = 48;
 /// Configurations with every joint at a multiple of π/2.
 const ALIGNED: usize = 40;
+/// How far a slide goes that nothing stops, metres.
+const ANYWHERE: [f64; 2] = [-0.5, 0.5];
 
 /// Seeded random ones over the whole turn, home, all joints at ±π/2 and π,
 /// each joint alone at 0, ±π/2 and π, and mixtures of these.
 pub fn configurations(model: &Model) -> Vec<Vec<f64>> {
     let n = model.variables.len();
-    let travel = slide_travel(model);
+    let variables = model.variables.iter();
+    let travel: Vec<[f64; 2]> = variables
+        .map(|variable| variable.travel().unwrap_or(ANYWHERE))
+        .collect();
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     // A quarter turn of a sliding joint is a quarter of its travel.
     let place = |i: usize, angle: f64| {
@@ -45,19 +50,4 @@ pub fn configurations(model: &Model) -> Vec<Vec<f64>> {
         all.push((0..n).map(|i| place(i, special[random.below(4)])).collect());
     }
     all
-}
-
-/// How far each coordinate slides: within its limits, or a metre about zero.
-fn slide_travel(model: &Model) -> Vec<[f64; 2]> {
-    let usable = |[lower, upper]: [f64; 2]| lower.is_finite() && upper.is_finite() && lower < upper;
-    model
-        .variables
-        .iter()
-        .map(|variable| {
-            variable
-                .limits
-                .filter(|limits| usable(*limits))
-                .unwrap_or([-0.5, 0.5])
-        })
-        .collect()
 }

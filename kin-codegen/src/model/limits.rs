@@ -9,8 +9,11 @@ use crate::spec::{ArmSpec, Collector, Joint, JointType, Limits, Rating};
 /// seven turns.
 const DEGREES: std::ops::RangeInclusive<f64> = 45.0..=720.0;
 
-/// Strokes of this size are millimetres. Beyond it people write "no limit".
-const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
+/// Strokes of this size are millimetres.
+const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=FARTHEST;
+
+/// Beyond it people write "no limit", metres.
+pub(super) const FARTHEST: f64 = 10_000.0;
 
 /// Reports every moving joint of the chain whose limits are missing,
 /// empty, or in another unit.

@@ -51,11 +51,11 @@ impl Factored {
         let needed = graph.reachable(&[expression]);
         let coordinates = (0..n).filter(|&i| needed[inputs[i].1.index()]).collect();
         let reach = 2.0 * size(model);
-        let range = |i: usize| match model.variables[i].limits {
+        let range = |i: usize| match model.variables[i].travel() {
             _ if model.turns(i) => [-PI, PI],
             // A slide is looked at beyond its limits, too.
-            Some([low, high]) if (high - low).is_finite() => [low - reach, high + reach],
-            _ => [-reach, reach],
+            Some([low, high]) => [low - reach, high + reach],
+            None => [-reach, reach],
         };
         Self {
             ranges: (0..n).map(range).collect(),
