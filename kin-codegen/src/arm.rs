@@ -192,7 +192,7 @@ pub(crate) fn compile(
         let diagnostic = Diagnostic::whole(reason, remedy);
         return Err(Diagnostics::one(&spec.source.path, diagnostic));
     }
-    let is_redundant = model.joints.len() > target.coordinates() || free.count() > 0;
+    let is_redundant = redundancy::is_redundant(&model, target, &free);
     let known = found.and_then(|found| {
         let certified = found.built(&model, &linkage)?;
         Some((certified, found.redundancy().cloned()))

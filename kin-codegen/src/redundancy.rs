@@ -6,9 +6,11 @@ use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{
     Carried, Linkage, Moved, Swivel, conditioning, idealize, rank, size, structure,
 };
-use crate::model::{Model, configurations};
+use crate::model::{JointKind, Model, configurations};
 use crate::plan::{Plans, Relations, Target};
-use crate::solver::{Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, better, solve};
+use crate::solver::{
+    Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, alike, better, solve,
+};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 use std::rc::Rc;
@@ -116,7 +118,8 @@ pub fn named(
     if count > most {
         let of = match coordinates == target.coordinates() {
             true => format!("coordinates of {}", target.phrase()),
-            false => "independent ways in which they move the tip".into(),
+            false if target == Target::Pose => "independent ways in which they move the tip".into(),
+            false => format!("independent ways in which they change {}", target.phrase()),
         };
         let reason = format!(
             "the option `free` names {}, and {n} joints have {most} more than the {coordinates} {of}",
@@ -132,13 +135,25 @@ pub fn named(
     Ok(Asked { joints, swivel })
 }
 
-/// How many coordinates of its targets an arm can choose at once: of whole poses as many as
-/// there are independent ways in which the joints move the tip.
+/// How many coordinates of its targets an arm can choose at once: as many as there are independent
+/// ways in which the joints change them. One at least: joints that change nothing are refused for
+/// that, and not given one and all.
 fn coordinates(model: &Model, target: Target) -> usize {
-    match target {
-        Target::Pose if !model.is_coupled() => rank(model).min(target.coordinates()),
-        _ => target.coordinates(),
+    match model.is_coupled() {
+        true => target.coordinates(),
+        false => rank(model, target).clamp(1, target.coordinates()),
     }
+}
+
+/// Whether joints are given beside a target: because they are asked for, or because fewer can choose
+/// as much. Two neighbours that turn about one line are rather a slip in the file, and not passed
+/// over unless they have to be.
+pub fn is_redundant(model: &Model, target: Target, asked: &Asked) -> bool {
+    let n = model.joints.len();
+    let turns_twice = || alike(model).any(|i| model.joints[i].kind == JointKind::Revolute);
+    asked.count() > 0
+        || n > target.coordinates()
+        || n > coordinates(model, target) && !turns_twice()
 }
 
 /// What to do without a swivel angle.
@@ -207,8 +222,10 @@ pub fn solve_redundant(
     }
     let excess = model.joints.len() - coordinates(model, target);
     // Of a target that leaves the turn of the tool free, that is a parameter before any
-    // joint is, and what is left to be solved are whole poses.
-    let turn = target == Target::PositionAxis && asked.count() < excess;
+    // joint is, if the joints turn it, and what is left to be solved are whole poses.
+    let turn = target == Target::PositionAxis
+        && asked.count() < excess
+        && coordinates(model, Target::Pose) > coordinates(model, target);
     let (aim, counts) = (target, if turn { Target::Pose } else { target });
     let (count, target) = (excess - usize::from(turn), counts);
     let swivel = match (&asked.joints[..], asked.swivel) {
@@ -243,7 +260,11 @@ pub fn solve_redundant(
         }
     }
     let asked = &asked.joints[..];
-    let choices = choices(model.joints.len(), count, asked);
+    let choices = choices(
+        model.joints.len(),
+        count,
+        &with_repeated(model, asked, count),
+    );
     let weighed = match choices.iter().flatten().collect::<Vec<_>>()[..] {
         [only] => vec![Weighed {
             joints: only.clone(),
@@ -274,9 +295,12 @@ pub fn solve_redundant(
             }
             Err(reason) => {
                 let name = |&joint: &usize| model.joints[joint].name.clone();
-                refusal.get_or_insert(NoClosedForm::Free {
-                    joints: joints.iter().map(name).collect(),
-                    reason: Box::new(reason),
+                refusal.get_or_insert(match joints[..] {
+                    [] => reason,
+                    _ => NoClosedForm::Free {
+                        joints: joints.iter().map(name).collect(),
+                        reason: Box::new(reason),
+                    },
                 });
             }
         }
@@ -299,6 +323,21 @@ pub fn solve_redundant(
         }
         None => Err(refusal.unwrap_or(NoClosedForm::Redundant(target))),
     }
+}
+
+/// Joints that are asked for, and those that have to be given in any case: of neighbours that do the
+/// same all but one.
+fn with_repeated(model: &Model, asked: &[usize], count: usize) -> Vec<usize> {
+    let mut given = asked.to_vec();
+    let alike: Vec<usize> = alike(model).collect();
+    for run in alike.chunk_by(|a, b| a + 1 == *b) {
+        let run = run[0]..run[0] + run.len() + 1;
+        let mut left: Vec<usize> = run.filter(|joint| !asked.contains(joint)).collect();
+        left.pop();
+        given.extend(left);
+    }
+    given.truncate(count);
+    given
 }
 
 /// Sets of `count` of `n` joints that have those asked for among them, by rows, the first choice

@@ -96,8 +96,9 @@ impl fmt::Display for Refusal {
 fn no_closed_form(model: &Model, reason: &NoClosedForm) -> String {
     let n = model.joints.len();
     let why = why(model, reason);
+    let joints = if n == 1 { "joint" } else { "joints" };
     format!(
-        "no closed-form inverse kinematics for the {n} joints from `{}` to `{}`: {why}",
+        "no closed-form inverse kinematics for the {n} {joints} from `{}` to `{}`: {why}",
         model.base, model.tip
     )
 }
@@ -111,7 +112,11 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
         }
         NoClosedForm::OnlyInDouble(lack) => only_in_double(*lack).to_owned(),
         NoClosedForm::Mimic => mimics(model),
-        NoClosedForm::Singular { rank, alike } => {
+        NoClosedForm::Singular {
+            rank,
+            target,
+            alike,
+        } => {
             let alike = alike.as_ref().map_or_else(String::new, |([a, b], kind)| {
                 let what = match kind {
                     JointKind::Revolute => "turn about one line",
@@ -119,9 +124,13 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
                 };
                 format!("; joints `{a}` and `{b}` {what}")
             });
+            let change = match target {
+                Target::Pose => "move the tip".to_owned(),
+                _ => format!("change {}", target.phrase()),
+            };
             format!(
-                "they move the tip in {rank} independent ways at most, so that the chain is \
-                 singular in every configuration{alike}"
+                "they {change} in {rank} independent ways at most, so that the chain is singular \
+                 in every configuration{alike}"
             )
         }
         NoClosedForm::Redundant(target) => format!(

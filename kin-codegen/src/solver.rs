@@ -73,8 +73,10 @@ pub enum NoClosedForm {
     /// The joints are never independent: the chain is singular in every
     /// configuration.
     Singular {
-        /// In how many independent ways they move the tip at most.
+        /// In how many independent ways they change targets at most.
         rank: usize,
+        /// What of targets counts.
+        target: Target,
         /// Two neighbours that turn about one line, or slide along one direction, by name.
         alike: Option<([String; 2], JointKind)>,
     },
@@ -113,10 +115,17 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         return Err(NoClosedForm::Mimic);
     }
     let joints = model.joints.len() - linkage.parameters();
-    let rank = rank_without(model, &linkage.locked);
-    if rank < joints.min(6) {
-        let alike = alike(model);
-        return Err(NoClosedForm::Singular { rank, alike });
+    let rank = rank_without(model, &linkage.locked, target);
+    if rank < joints.min(target.coordinates()) {
+        let alike = alike(model).next().map(|i| {
+            let names = [i, i + 1].map(|j| model.joints[j].name.clone());
+            (names, model.joints[i].kind)
+        });
+        return Err(NoClosedForm::Singular {
+            rank,
+            target,
+            alike,
+        });
     }
     if joints > target.coordinates() {
         return Err(NoClosedForm::Redundant(target));
@@ -201,12 +210,15 @@ fn completed(trials: &Trials, best: Certified) -> Certified {
     }
 }
 
-/// The largest number of independent ways in which the joints move the tip that are not
+/// The largest number of independent ways in which the joints change targets that are not
 /// locked.
-fn rank_without(model: &Model, locked: &[usize]) -> usize {
+fn rank_without(model: &Model, locked: &[usize], target: Target) -> usize {
     match locked.is_empty() {
-        true => rank(model),
-        false => rank(&model.locked(locked, &vec![SOMEWHERE; locked.len()])),
+        true => rank(model, target),
+        false => rank(
+            &model.locked(locked, &vec![SOMEWHERE; locked.len()]),
+            target,
+        ),
     }
 }
 
@@ -262,20 +274,19 @@ fn last_resort(
     best.ok_or(refusal)
 }
 
-/// Two neighbours that do the same.
-fn alike(model: &Model) -> Option<([String; 2], JointKind)> {
+/// Joints that do the same as their successor, by their places in the chain: both turn about one
+/// line, or slide along one direction.
+pub(crate) fn alike(model: &Model) -> impl Iterator<Item = usize> {
     let axes = axes(model);
-    let is_alike = |i: &usize| {
-        let slides = [*i, i + 1].map(|i| model.joints[i].kind == JointKind::Prismatic);
-        match (slides, relate(&axes[*i], &axes[i + 1], 1e-6, 1e-9)) {
+    let is_alike = move |&i: &usize| {
+        let slides = [i, i + 1].map(|i| model.joints[i].kind == JointKind::Prismatic);
+        match (slides, relate(&axes[i], &axes[i + 1], 1e-6, 1e-9)) {
             ([true, true], AxisRelation::Parallel { .. }) => true,
             ([a, b], AxisRelation::Coincident) => a == b,
             _ => false,
         }
     };
-    let i = (0..axes.len().saturating_sub(1)).find(is_alike)?;
-    let names = [i, i + 1].map(|j| model.joints[j].name.clone());
-    Some((names, model.joints[i].kind))
+    (0..model.joints.len().saturating_sub(1)).filter(is_alike)
 }
 
 /// The one that loses fewer regular targets, then fewer singular ones.
@@ -297,7 +308,8 @@ fn solve_idealized(
         .ok_or(NoClosedForm::NoPlan(target))?;
     let (linkage, exact) = (&reading.linkage, reading.is_exact());
     let locked = &linkage.locked;
-    if !exact && rank_without(reading.model(), locked) < linkage.variables().min(6) {
+    let solved = linkage.variables().min(target.coordinates());
+    if !exact && rank_without(reading.model(), locked, target) < solved {
         // Of the ideal arm, the others are singular throughout.
         return Err(NoClosedForm::NoPlan(target));
     }

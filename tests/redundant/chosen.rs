@@ -324,7 +324,7 @@ fn of_a_long_chain_what_carries_the_arm_is_given() {
 
 /// A head on a mobile base: yaw and pan turn about parallel lines, and the base slides.
 #[test]
-fn of_a_chain_that_is_singular_everywhere_a_joint_may_be_given() {
+fn of_a_chain_that_is_singular_everywhere_a_joint_is_given() {
     let text = "robot: head
 units: {angle: deg, length: m}
 joints:
@@ -340,19 +340,134 @@ tip: camera
         path: "head.yaml".into(),
         text: text.into(),
     };
-    let said = compile(&source, &Options::default())
-        .unwrap_err()
-        .to_string();
-    assert!(said.contains("or stay free (`free`)"), "{said}");
-    let compiled = compile(&source, &free(&["yaw"])).unwrap();
-    let arm = compiled.arm().unwrap();
-    assert_eq!(arm.redundancy.as_ref().unwrap().joints, [2]);
-    assert_eq!(arm.inverse.as_ref().unwrap().certificate.lost, 0);
+    let solved = |options: &Options| {
+        let compiled = compile(&source, options).unwrap();
+        let arm = compiled.arm().unwrap();
+        assert_eq!(arm.inverse.as_ref().unwrap().certificate.lost, 0);
+        arm.redundancy.clone().unwrap().joints
+    };
+    let chosen = solved(&Options::default());
+    assert!(
+        chosen.len() == 1 && [0, 1, 2, 4].contains(&chosen[0]),
+        "{chosen:?}"
+    );
+    assert_eq!(solved(&free(&["yaw"])), [2]);
     let said = compile(&source, &free(&["yaw", "pan"]))
         .unwrap_err()
         .to_string();
     let reason = "6 joints have 1 more than the 5 independent ways in which they move the tip";
     assert!(said.contains(reason), "{said}");
+}
+
+/// Four tubes that slide in one another between a lift and a wrist: all but one are given, however
+/// many joints there are beside them.
+#[test]
+fn of_a_telescope_all_tubes_but_one_are_given() {
+    let chain = |wrist: &[&str]| {
+        let mut text = "robot: telescope\nunits: {angle: rad, length: m}\njoints:\n".to_owned();
+        text += "  - {name: lift, type: prismatic, axis: [0, 0, 1], limits: [0, 1.1]}\n";
+        for (tube, x) in [0.2, -0.01, -0.01, -0.01].into_iter().enumerate() {
+            text += &format!(
+                "  - {{name: tube{tube}, type: prismatic, xyz: [{x}, 0, 0], axis: [1, 0, 0], \
+                 limits: [0, 0.13]}}\n"
+            );
+        }
+        for (joint, axis) in wrist.iter().enumerate() {
+            text += &format!("  - {{name: wrist{joint}, xyz: [0.02, 0, -0.03], axis: {axis}}}\n");
+        }
+        text + "tip: {link: hand, xyz: [0.1, 0, 0]}\n"
+    };
+    let wrist = ["[0, 0, 1]", "[0, 1, 0]", "[1, 0, 0]", "[0, 0, 1]"];
+    for count in [1, 3, 4] {
+        let joints = given("telescope.yaml", chain(&wrist[..count]));
+        assert_eq!(joints, [1, 2, 3], "{count} wrist joints");
+    }
+}
+
+/// Two neighbours that turn about one line are a slip in a table more often than meant; who means
+/// them says so.
+#[test]
+fn a_joint_that_repeats_the_turn_of_another_is_asked_for() {
+    let text = "robot: twice
+units: {angle: deg, length: m}
+joints:
+  - {name: trunk, axis: [0, 0, 1]}
+  - {name: neck, xyz: [0, 0, 0.4], axis: [0, 0, 1]}
+  - {name: nod, xyz: [0.1, 0, 0.1], axis: [0, 1, 0]}
+  - {name: roll, xyz: [0.1, 0, 0], axis: [1, 0, 0]}
+tip: {link: eye, xyz: [0.1, 0.2, 0.1]}
+";
+    let source = Source {
+        path: "twice.yaml".into(),
+        text: text.into(),
+    };
+    let said = compile(&source, &Options::default())
+        .unwrap_err()
+        .to_string();
+    for part in [
+        "joints `trunk` and `neck` turn about one line",
+        "or stay free (`free`)",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+    let compiled = compile(&source, &free(&["trunk"])).unwrap();
+    assert_eq!(
+        compiled.arm().unwrap().redundancy.as_ref().unwrap().joints,
+        [0]
+    );
+}
+
+/// What repeats another joint for one target does not for another: three parallel joints choose two
+/// coordinates of positions, and one of orientations.
+#[test]
+fn as_many_joints_are_given_as_repeat_others_for_the_target() {
+    let arm = |axes: &[&str]| {
+        let mut text = "robot: arm\nunits: {angle: rad, length: m}\njoints:\n".to_owned();
+        for (i, axis) in axes.iter().enumerate() {
+            text += &format!("  - {{name: j{i}, xyz: [0.3, 0, 0], axis: {axis}}}\n");
+        }
+        Source {
+            path: "arm.yaml".into(),
+            text: text + "tip: {link: tool, xyz: [0.2, 0, 0]}\n",
+        }
+    };
+    let aimed = |target: Target| Options {
+        target: Some(target),
+        ..Options::default()
+    };
+    let planar = arm(&["[0, 0, 1]"; 3]);
+    for (target, count) in [
+        (Target::Pose, 0),
+        (Target::Position, 1),
+        (Target::Orientation, 2),
+    ] {
+        let compiled = compile(&planar, &aimed(target)).unwrap();
+        let arm = compiled.arm().unwrap();
+        let given = arm.redundancy.as_ref().map_or(0, |it| it.joints.len());
+        assert_eq!(given, count, "{target:?}");
+        assert_eq!(arm.inverse.as_ref().unwrap().certificate.lost, 0);
+    }
+    // The tool of parallel joints does not turn about its own axis beside them.
+    let upright = compile(&arm(&["[0, 1, 0]"; 3]), &aimed(Target::PositionAxis)).unwrap();
+    assert!(upright.arm().unwrap().redundancy.is_none());
+    let said = |source: &Source, target: Target| {
+        let refused = compile(source, &aimed(target)).err().unwrap();
+        refused.to_string()
+    };
+    for axes in [&["[1, 0, 0]"][..], &["[1, 0, 0]"; 4]] {
+        let turning = said(&arm(axes), Target::Position);
+        let reason = "they change positions of the tip in 0 independent ways at most";
+        assert!(turning.contains(reason), "{turning}");
+    }
+    let turning = said(&arm(&["[1, 0, 0]"]), Target::Position);
+    assert!(turning.contains("for the 1 joint from"), "{turning}");
+    // Of three that turn about one line one is left.
+    let [x, y, z] = ["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]"];
+    let twice = [z, y, y, x, x, x];
+    let compiled = compile(&arm(&twice), &aimed(Target::PositionAxis)).unwrap();
+    let arm = compiled.arm().unwrap();
+    assert_eq!(arm.redundancy.as_ref().unwrap().joints, [3, 4]);
+    assert_eq!(arm.inverse.as_ref().unwrap().certificate.lost, 0);
 }
 
 /// No row of a snake has a plan: that at the tip has a polynomial.

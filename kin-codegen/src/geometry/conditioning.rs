@@ -26,12 +26,13 @@ pub fn natural_target(model: &Model) -> Target {
     }
 }
 
-/// The largest number of independent ways in which the joints move the tip.
-pub fn rank(model: &Model) -> usize {
+/// The largest number of independent ways in which the joints change what counts of a target: for
+/// whole poses, in which they move the tip.
+pub fn rank(model: &Model, target: Target) -> usize {
     let chain = model.chain();
     let size = size(model);
     let rank = |q: &Vec<f64>| {
-        lengths(&chain, q, size, Target::Pose, &[])
+        lengths(&chain, q, size, target, &[])
             .iter()
             .filter(|x| **x > GENERIC)
             .count()

@@ -214,8 +214,10 @@ pub fn structure(model: &Model) -> String {
     let sliding = sliding.filter(|(_, joint)| joint.kind == JointKind::Prismatic);
     found.extend(sliding.map(|(i, _)| format!("{} slides", i + 1)));
     if found.is_empty() {
-        let n = model.joints.len();
-        found.push(format!("{n} axes, no neighbours parallel or intersecting"));
+        found.push(match model.joints.len() {
+            1 => "1 axis".into(),
+            n => format!("{n} axes, no neighbours parallel or intersecting"),
+        });
     }
     found.join("; ")
 }

@@ -3,7 +3,7 @@
 use kin_codegen::geometry::rank;
 use kin_codegen::model::{Joint, JointKind, Model, Variable};
 use kin_codegen::spec::Rating;
-use kin_runtime::Pose;
+use kin_runtime::{Pose, Target};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -142,7 +142,7 @@ fn link(to: To) -> BoxedStrategy<Link> {
 /// Arms of a structure, but for those that are singular in every
 /// configuration.
 pub fn arm(steps: &[Step]) -> impl Strategy<Value = Arm> + use<> {
-    let moves = |Arm(model): &Arm| rank(model) == model.joints.len().min(6);
+    let moves = |Arm(model): &Arm| rank(model, Target::Pose) == model.joints.len().min(6);
     any_arm(steps).prop_filter("singular everywhere", moves)
 }
 
