@@ -163,15 +163,7 @@ impl ClosedForm {
     /// The same with the values of the locked joints, which are left out of the
     /// configurations, or with the swivel angle.
     pub fn solutions_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
-        match self.given.variables() {
-            1 => told(&self.solved::<1>(target, parameters)),
-            2 => told(&self.solved::<2>(target, parameters)),
-            3 => told(&self.solved::<3>(target, parameters)),
-            4 => told(&self.solved::<4>(target, parameters)),
-            5 => told(&self.solved::<5>(target, parameters)),
-            7 => told(&self.solved_at_swivel(target, parameters)),
-            _ => told(&self.solved::<6>(target, parameters)),
-        }
+        self.solutions_each([(target, parameters)]).swap_remove(0)
     }
 
     /// The same for each of some targets.

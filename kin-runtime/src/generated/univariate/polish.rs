@@ -66,11 +66,11 @@ fn newton<L: Lanes>(
     let mut q = of_numbers::<L>(start);
     let mut step = 0;
     let mut before = [f64::INFINITY; LANES];
-    let (mut place, mut jacobian) = (Place::EMPTY, Factored::EMPTY);
-    place.find(frames, target, &q);
-    jacobian.factor(frames, &place);
+    let (mut forward, mut jacobian) = (Forward::EMPTY, Factored::EMPTY);
+    forward.compute(frames, target, &q);
+    jacobian.factor(frames, &forward);
     loop {
-        let residual = place.residual.numbers();
+        let residual = forward.residual.numbers();
         let mut open = false;
         for k in 0..LANES {
             let away = residual[k] > ROUNDING;
@@ -85,13 +85,13 @@ fn newton<L: Lanes>(
             };
         }
         before = residual;
-        let change = jacobian.solve(place.error);
+        let change = jacobian.solve(forward.error);
         let mut longest = L::splat(STRIDE);
         for change in &change {
             longest = longest.max(change.abs());
         }
         let share = L::splat(ROUNDING).where_less(
-            place.residual,
+            forward.residual,
             longest.inverse().scaled(STRIDE),
             L::ZERO,
         );
@@ -99,10 +99,10 @@ fn newton<L: Lanes>(
             *q = q.plus(share, *change);
         }
         step += 1;
-        place.find(frames, target, &q);
-        let steady = place.residual.numbers().iter().all(|&x| x < STEADY);
+        forward.compute(frames, target, &q);
+        let steady = forward.residual.numbers().iter().all(|&x| x < STEADY);
         if !steady || !jacobian.is_regular() {
-            jacobian.factor(frames, &place);
+            jacobian.factor(frames, &forward);
         }
     }
 }
@@ -142,18 +142,18 @@ fn apart<L: Lanes>(
     q: &[[f64; LANES]; 6],
 ) -> [[[f64; LANES]; 6]; 2] {
     let q = of_numbers::<L>(q);
-    let (mut place, mut jacobian) = (Place::EMPTY, Factored::EMPTY);
-    place.find(frames, target, &q);
-    jacobian.factor(frames, &place);
-    let (here, v) = (place.error, jacobian.weak());
+    let (mut forward, mut jacobian) = (Forward::EMPTY, Factored::EMPTY);
+    forward.compute(frames, target, &q);
+    jacobian.factor(frames, &forward);
+    let (here, v) = (forward.error, jacobian.weak());
     let mut bend = [L::ZERO; 6];
     for i in 0..6 {
         bend[i] = here[i] + here[i];
     }
     for by in [BEND, -BEND] {
-        place.find(frames, target, &moved(&q, &v, by));
+        forward.compute(frames, target, &moved(&q, &v, by));
         for i in 0..6 {
-            bend[i] = bend[i] - place.error[i];
+            bend[i] = bend[i] - forward.error[i];
         }
     }
     for bend in &mut bend {
@@ -215,8 +215,8 @@ const BEND: f64 = 1e-3;
 /// So far the second order may tell anything, radians.
 const FARTHEST: f64 = 0.5;
 
-/// Where configurations are, lengths in units of half the arm's size.
-struct Place<L: Lanes> {
+/// Forward kinematics, and what is missing of the target; lengths in units of half the arm's size.
+struct Forward<L: Lanes> {
     /// Direction and a point of each joint's axis.
     axes: [[[L; 3]; 2]; 6],
     tip: [L; 3],
@@ -226,7 +226,7 @@ struct Place<L: Lanes> {
     residual: L,
 }
 
-impl<L: Lanes> Place<L> {
+impl<L: Lanes> Forward<L> {
     /// Of nothing yet.
     const EMPTY: Self = Self {
         axes: [[[L::ZERO; 3]; 2]; 6],
@@ -236,7 +236,7 @@ impl<L: Lanes> Place<L> {
     };
 
     #[inline(always)]
-    fn find(&mut self, frames: &Frames, target: &Pose, q: &Rows<L>) {
+    fn compute(&mut self, frames: &Frames, target: &Pose, q: &Rows<L>) {
         let mut r = [[L::ZERO; 3]; 3];
         let mut p = [L::ZERO; 3];
         for row in 0..3 {
@@ -342,9 +342,9 @@ impl<L: Lanes> Factored<L> {
     };
 
     #[inline(always)]
-    fn factor(&mut self, frames: &Frames, place: &Place<L>) {
+    fn factor(&mut self, frames: &Frames, forward: &Forward<L>) {
         for joint in 0..6 {
-            self.orthogonal[joint] = place.column(frames, joint);
+            self.orthogonal[joint] = forward.column(frames, joint);
         }
         for j in 0..6 {
             let (done, rest) = self.orthogonal.split_at_mut(j + 1);
