@@ -103,12 +103,9 @@ fn posing(step: &plan::Step) -> Vec<&Relation> {
 fn can_degenerate(step: &plan::Step, relations: &[&Relation]) -> bool {
     let unknown = |atom: Atom| step.unknowns.contains(&atom);
     match (relations, &step.unknowns[..]) {
-        ([first, second], _) => first
-            .depends
-            .iter()
-            .filter(|depends| unknown(depends.atom))
-            .filter_map(|depends| first.independence(second, depends.atom))
-            .any(|(_, constant)| !constant),
+        ([first, second], [_, eliminated]) => first
+            .independence(second, *eliminated)
+            .is_some_and(|independence| !independence.steady),
         (_, [a, b]) => extent(*a).end != extent(*b).start,
         ([one], _) => one
             .depends

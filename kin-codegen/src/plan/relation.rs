@@ -350,24 +350,37 @@ fn strength(linkage: &Linkage, sample: &Sample, ends: &Ends, joint: usize) -> St
     }
 }
 
+/// How independently two relations determine an unknown.
+#[derive(Clone, Copy, Debug)]
+pub struct Independence {
+    /// The determinant of their coefficients of its cosine and sine relative to their
+    /// amplitudes, at its weakest.
+    pub sine: f64,
+    /// The same relative to the arm's size, at its strongest.
+    pub amplitude: f64,
+    /// Whether it is a constant of the arm.
+    pub steady: bool,
+}
+
 impl Relation {
-    /// How independently two relations determine an unknown on their inner
-    /// arcs: the determinant of their cosine-sine coefficients relative to
-    /// their amplitudes, at its weakest; and whether it is a constant.
-    pub fn independence(&self, other: &Relation, atom: Atom) -> Option<(f64, bool)> {
+    /// How independently two relations determine an unknown of both.
+    pub fn independence(&self, other: &Relation, atom: Atom) -> Option<Independence> {
         let find = |relation: &Relation| {
-            relation
-                .depends
-                .iter()
-                .find(|d| d.atom == atom && d.inner)
-                .copied()
+            let mut depends = relation.depends.iter();
+            depends.find(|d| d.atom == atom).copied()
         };
         let (a, b) = (find(self)?, find(other)?);
-        let at = |k: usize| apart(a.derivatives[k], b.derivatives[k]);
-        let all: [f64; SAMPLES] = std::array::from_fn(at);
-        let least = all.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = all.iter().copied().fold(0.0, f64::max);
-        Some((least, most - least < 1e-9 * most && a.steady && b.steady))
+        let least = |all: &[f64]| all.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
+        let pairs = a.derivatives.iter().zip(&b.derivatives);
+        let sines: Vec<f64> = pairs.clone().map(|(a, b)| apart(*a, *b)).collect();
+        let determinants: Vec<f64> = pairs.map(|(a, b)| determinant(*a, *b).abs()).collect();
+        let same = most(&sines) - least(&sines) < 1e-9 * most(&sines);
+        Some(Independence {
+            sine: least(&sines),
+            amplitude: most(&determinants),
+            steady: same && a.steady && b.steady,
+        })
     }
 }
 
@@ -393,13 +406,17 @@ impl Relation {
 }
 
 /// The sine of the angle between two pairs of coefficients, of a sine and of a cosine.
-fn apart([s, t]: [f64; 2], [u, v]: [f64; 2]) -> f64 {
-    let amplitudes = s.hypot(t) * u.hypot(v);
+fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let amplitudes = a[0].hypot(a[1]) * b[0].hypot(b[1]);
     if amplitudes > 0.0 {
-        (s * v - t * u).abs() / amplitudes
+        determinant(a, b).abs() / amplitudes
     } else {
         0.0
     }
+}
+
+fn determinant([s, t]: [f64; 2], [u, v]: [f64; 2]) -> f64 {
+    s * v - t * u
 }
 
 impl Relation {

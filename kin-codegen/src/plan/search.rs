@@ -31,6 +31,10 @@ const ALONG: f64 = 1e-3;
 const WEAK: f64 = 1e-6;
 /// Two relations more alike than this cannot determine two unknowns.
 const DEPENDENT: f64 = 1e-4;
+/// Of the two unknowns of a subproblem 6 that on the inner arc is eliminated, unless the determinant
+/// of its coefficients is so small next to that of the other one's, as of relations that degenerate
+/// but for the noise of a file.
+const NOISE: f64 = 1e-2;
 
 /// Plans for a linkage, the cheapest first, each found when it is asked for. The
 /// joints that the linkage has locked are known from the start.
@@ -563,25 +567,35 @@ impl Partial {
     }
 }
 
-/// Two relations that pose subproblem 6.
+/// Two relations that pose subproblem 6. The unknown that is eliminated stands behind the one that the
+/// quartic is in.
 fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<(Asked, Candidate)> {
     let [first, second] = pair.map(|number| &arm.relations[number]);
-    let (independence, constant) = first.independence(second, inner)?;
-    if independence < DEPENDENT {
+    let told = first.independence(second, inner)?;
+    if told.sine < DEPENDENT {
         return None;
     }
+    let other = first.independence(second, outer)?;
+    let is_noise = told.amplitude < NOISE * other.amplitude;
+    let (kept, eliminated, independence) = match is_noise {
+        true => (inner, outer, other),
+        false => (outer, inner, told),
+    };
     let known = (first.depends.len() + second.depends.len() - 4) as u32;
-    let penalty = if constant { 0 } else { MAY_DEGENERATE };
+    let penalty = match independence.steady {
+        true => 0,
+        false => MAY_DEGENERATE,
+    };
     let candidate = Candidate {
         posed: Posed {
             relation: pair[0],
             with: Some(pair[1]),
         },
-        weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(inner))
+        weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(eliminated))
             | arm.told.parallel(joint_of(outer), joint_of(inner)),
         cost: 300 + 9 * known + penalty,
     };
-    Some(((Subproblem::Sp6, vec![outer, inner]), candidate))
+    Some(((Subproblem::Sp6, vec![kept, eliminated]), candidate))
 }
 
 fn slides(linkage: &Linkage, atom: Atom) -> bool {

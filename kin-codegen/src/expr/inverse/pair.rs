@@ -13,14 +13,14 @@ struct Side {
 }
 
 impl Writer<'_> {
-    /// Two relations, each the same along the inner arc, where it depends on
-    /// one unknown, and along the outer, where it depends on the other:
-    /// B y + l = A x + k with x = (cos, sin) of the outer unknown and y of the
-    /// inner. Then |y|² = 1 is a trigonometric quartic in the outer angle.
-    pub(super) fn sp6(&mut self, relation: &Relation, outer: Atom, inner: Atom) {
+    /// Two relations, each the same along both arcs of the loop, on one of which it depends
+    /// on the unknown that is kept, and on the other on the one that is eliminated:
+    /// B y + l = A x + k with x = (cos, sin) of the former and y of the latter. Then |y|² = 1 is
+    /// a trigonometric quartic in the angle that is kept.
+    pub(super) fn sp6(&mut self, relation: &Relation, kept: Atom, eliminated: Atom) {
         let Some(second) = &relation.with else { return };
         let rows = [relation, second]
-            .map(|relation| [self.side(relation, inner), self.side(relation, outer)]);
+            .map(|relation| [self.side(relation, eliminated), self.side(relation, kept)]);
         let [[b1, a1], [b2, a2]] = rows;
         let determinant = self.determinant(b1.cos, b1.sin, b2.cos, b2.sin);
         let one = self.g.one();
@@ -39,12 +39,12 @@ impl Writer<'_> {
             let turning = self.g.add(cx, sx);
             self.g.add(turning, m)
         });
-        self.set(outer, x);
+        self.set(kept, x);
         let y = self.unit(Trig {
             cos: y[0],
             sin: y[1],
         });
-        self.set(inner, y);
+        self.set(eliminated, y);
     }
 
     /// A vector of nearly unit length, or of any where there is no root.
