@@ -150,9 +150,12 @@ impl<'a> Search<'a> {
         }
         self.meeting = math::max(MEETING, MEETING_BRANCHES * near_singular);
         self.branch = count as u32;
+        // Of arms of fewer joints branches need not reach the target. Those that do for the arm as
+        // given are off by less, unless they are flagged.
+        let missed = self.meeting * self.arm.size;
         let mut clear = true;
         let mut numbers = [0; LANES];
-        for branch in branches {
+        for branch in branches.filter(|it| it.singular || it.residual <= missed) {
             clear &= !branch.singular;
             numbers[self.starts.count] = branch.branch;
             self.starts.push(branch.q);

@@ -40,6 +40,10 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
         if (!(lanes->invalid[k] <= 0.0)) {
             continue;
         }
+        /* Of arms of fewer joints branches need not reach the target. */
+        if (!(lanes->singular[k] > 0.0 || lanes->residual[k] <= search->meeting * KIN_ARM_SIZE)) {
+            continue;
+        }
         clear = clear && !(lanes->singular[k] > 0.0);
         for (int i = 0; i < 6; ++i) {
             q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
