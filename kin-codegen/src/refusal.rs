@@ -42,6 +42,14 @@ impl Refusal {
                 "name a link in front of the joints that mimic others as the tip, if the arm ends \
                  there; `ik = none` generates forward kinematics and Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Tilted { .. }) => {
+                "leave out `target`, or choose `position` or `position_axis`; `ik = none` \
+                 generates forward kinematics and Jacobians alone"
+            }
+            Reason::Arm(NoClosedForm::Noisy) => {
+                "write right angles and half turns with all their digits (1.5707963267948966), or \
+                 leave out `target`; `ik = none` generates forward kinematics and Jacobians alone"
+            }
             Reason::Arm(NoClosedForm::Redundant(_)) => {
                 "name joints that stay free, one for each coordinate too many, with `free`"
             }
@@ -140,6 +148,16 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
         NoClosedForm::Noisy => "its axes are off exact relations by the noise of the file, and a \
                                 projected target (position_yaw, planar) needs them exact"
             .to_owned(),
+        NoClosedForm::Tilted {
+            target,
+            joints: [first, other],
+            angle,
+        } => format!(
+            "`{}` is for arms all of whose joints turn about parallel axes, and those of \
+             `{first}` and `{other}` are {:.2}° apart",
+            target.word(),
+            angle.to_degrees()
+        ),
         NoClosedForm::NoPlan(target) => format!(
             "no sequence of the subproblems SP1 to SP6 solves the chain{}: {}",
             aimed_at(*target),

@@ -4,15 +4,19 @@
 use crate::certificate::{Certificate, Failure, NearSingular, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Reading, Refinement, tip_shift};
 use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
-use crate::geometry::{AxisRelation, Idealized, Linkage, Moved, axes, idealize, rank, relate};
-use crate::model::{JointKind, Model};
+use crate::geometry::{
+    AxisRelation, Idealized, Linkage, Moved, axes, cross, dot, idealize, norm, rank, relate,
+};
+use crate::model::{Joint, JointKind, Model};
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
 use crate::univariate::{self, Kept, MOST};
 
 /// Tolerances to read relations with, the strictest first: rounding of the
 /// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
-pub(crate) const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, 8e-3];
+pub(crate) const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, NOISIEST];
+/// The largest of them.
+const NOISIEST: f64 = 8e-3;
 /// Plans tried at one tolerance before the next: the cheap ones of an arm with
 /// aligned or meeting axes may degenerate where the arm does not.
 const PLANS: usize = 200;
@@ -95,6 +99,15 @@ pub enum NoClosedForm {
     /// The axes are off exact relations, and a target of this kind is projected
     /// to what the exact arm can choose.
     Noisy,
+    /// A target of this kind is projected to what arms can choose whose axes are all parallel.
+    Tilted {
+        /// What of targets counts.
+        target: Target,
+        /// The first joint that turns, and one that turns about another direction, by name.
+        joints: [String; 2],
+        /// The angle between them, radians.
+        angle: f64,
+    },
     /// The best plan failed its certificate.
     Uncertified {
         /// The plan, in short.
@@ -141,8 +154,13 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         }
         last = Some(idealized.moved.clone());
         let shift = tip_shift(model, &idealized.model);
+        // Beside the branches of an idealized arm an elimination is asked of whole poses alone.
+        let alone = match target {
+            Target::Pose => DESIGNED,
+            _ => linkage.scalar.tolerances().unmoved,
+        };
         if best.is_none()
-            && shift > DESIGNED * linkage.size
+            && shift > alone * linkage.size
             && let Ok(found) = last_resort(&trials, target, refusal.clone())
         {
             if found.certificate.lost == 0 {
@@ -207,6 +225,35 @@ fn completed(trials: &Trials, best: Certified) -> Certified {
             Certified { form, certificate }
         }
         _ => best,
+    }
+}
+
+/// An arm chooses what counts of a target, if that is not a projected one, or its joints turn about
+/// axes that are parallel but for noise.
+///
+/// # Errors
+///
+/// Which joints do not.
+pub(crate) fn chooses(model: &Model, target: Target) -> Result<(), NoClosedForm> {
+    let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
+    let mut turning = model.joints.iter().filter(turns);
+    let Some(first) = turning.next().filter(|_| target.is_projected()) else {
+        return Ok(());
+    };
+    let angle = |joint: &Joint| {
+        let [cosine, sine] = [
+            dot(first.axis, joint.axis).abs(),
+            norm(cross(first.axis, joint.axis)),
+        ];
+        sine.atan2(cosine)
+    };
+    match turning.find(|joint| angle(joint) > NOISIEST) {
+        None => Ok(()),
+        Some(tilted) => Err(NoClosedForm::Tilted {
+            target,
+            joints: [first, tilted].map(|joint| joint.name.clone()),
+            angle: angle(tilted),
+        }),
     }
 }
 
@@ -466,15 +513,16 @@ fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate:
     let near = trials.near_singular(form.untold());
     let mut arms = univariate::Arm::keeping_each(trials.model(), trials.linkage());
     arms.retain(|arm| arm.kept[0].noise < NOISY);
-    let quality = |arm: &univariate::Arm| {
-        let Kept {
-            elimination, noise, ..
-        } = arm.kept[0];
-        let kept = usize::from(elimination.joints[0]);
-        let hardly = |near: &&NearSingular| near.motion[kept].abs() < TAKES_PART;
-        let untold = near.iter().filter(hardly).count();
-        (4 * untold / near.len().max(1), noise.to_bits())
+    // How many of the motions no kept joint takes part in.
+    let untold = |kept: &[Kept]| {
+        let hardly = |near: &NearSingular, kept: &Kept| {
+            near.motion[usize::from(kept.elimination.joints[0])].abs() < TAKES_PART
+        };
+        let by_none = |near: &&NearSingular| kept.iter().all(|kept| hardly(near, kept));
+        near.iter().filter(by_none).count()
     };
+    let quarters = |kept: &[Kept]| 4 * untold(kept) / near.len().max(1);
+    let quality = |arm: &univariate::Arm| (quarters(&arm.kept), arm.kept[0].noise.to_bits());
     let lost = |arm: &univariate::Arm| {
         let form = ClosedForm {
             refinement: Refinement::Univariate(Box::new(arm.clone())),
@@ -486,12 +534,22 @@ fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate:
     };
     arms.sort_by_key(quality);
     let mut each = Vec::new();
-    for arm in arms {
-        let lost = lost(&arm);
-        if !lost.contains(&true) {
-            return Some(arm);
+    for arm in &arms {
+        let lost = lost(arm);
+        if lost.contains(&true) {
+            each.push((arm.clone(), lost));
+            continue;
         }
-        each.push((arm, lost));
+        // What was not seen to be lost may be where its joint hardly moves.
+        let mut arm = arm.clone();
+        if quarters(&arm.kept) > 0 {
+            let both = |other: &Kept| untold(&[arm.kept[0], *other]);
+            let others = arms.iter().map(|other| other.kept[0]);
+            let beside = others.min_by_key(both);
+            let tells = |other: &Kept| both(other) < untold(&arm.kept);
+            arm.kept.extend(beside.filter(tells));
+        }
+        return Some(arm);
     }
     let count = |lost: &[bool]| lost.iter().filter(|lost| **lost).count();
     let (mut best, mut left) = each.iter().min_by_key(|(_, lost)| count(lost)).cloned()?;

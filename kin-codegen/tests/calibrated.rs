@@ -304,3 +304,44 @@ fn round_configurations_of_a_noisy_arm_with_a_slide_come_back() {
         }
     }
 }
+
+/// Next to a singular wrist two solutions share what the joints in front of it do, and next to a
+/// stretched elbow what those behind it do: where one elimination tells some of both, another is
+/// asked where it is not sure.
+#[test]
+fn nothing_is_lost_of_a_wrist_that_pushes() {
+    let text = "\
+robot: pusher
+units: {angle: rad, length: m}
+screws:
+  - {name: shoulder, axis: [0, -1, 0], point: [0, 0, 0.04]}
+  - {name: elbow, axis: [0, -1, 0], point: [0.02, 0, 0.27]}
+  - {name: roll, axis: [-0.7, 0, 0.71], point: [0.09, -0.0002, 0.195]}
+  - {name: pitch, axis: [0, -1, 0], point: [0.178, -0.0007, 0.1085]}
+  - {name: turn, axis: [-0.7, 0, 0.71], point: [0.221, 0.0004, 0.0706]}
+  - {name: push, axis: [0, 1, 0], type: prismatic}
+home: {xyz: [0.313, -0.025, -0.022]}
+";
+    let source = Source {
+        path: "pusher.yaml".into(),
+        text: text.into(),
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let form = solve(&model, &Linkage::new(&model), Target::Pose)
+        .unwrap()
+        .form;
+    let (chain, length) = (model.chain(), size(&model));
+    let mut random = Random(0xf17);
+    let mut tried = 0;
+    for k in 0..4000 {
+        let mut q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
+        q[3] = f64::from(k % 2) * PI + random.between(-0.02, 0.02);
+        q[5] *= 0.01;
+        let conditioning = conditioning(&chain, &q, length, Target::Pose);
+        if conditioning > 10.0 * DROWNED {
+            recovered(&model, &q, &form.solutions(&chain.fk(&q)), conditioning).unwrap();
+            tried += 1;
+        }
+    }
+    assert!(tried > 1000, "{tried}");
+}

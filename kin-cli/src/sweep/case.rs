@@ -2,8 +2,9 @@
 
 use super::Settings;
 use super::draw::Ranges;
-use kin_codegen::certificate::{Failure, SINGULAR, recovered};
+use kin_codegen::certificate::{Failure, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm};
+use kin_codegen::geometry::SINGULAR;
 use kin_codegen::geometry::size;
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};

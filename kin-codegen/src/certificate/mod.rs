@@ -11,7 +11,7 @@ mod alignment;
 mod parameters;
 
 use crate::closed_form::{BranchSolution, ClosedForm};
-use crate::geometry::{self, Linkage};
+use crate::geometry::{self, Linkage, SINGULAR};
 use crate::model::{Model, configurations};
 use crate::plan::Target;
 use crate::random::Random;
@@ -20,10 +20,6 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
-
-/// Below this conditioning of the Jacobian a configuration counts as singular:
-/// its target may have a family of solutions, and one representative is enough.
-pub const SINGULAR: f64 = 1e-5;
 
 /// Excused configurations that are tried all the same: near a singular one the
 /// refinement of a branch costs a hundred times as much.
@@ -34,6 +30,9 @@ const ELSEWHERE: usize = 32;
 
 /// Random configurations whose conditioning tells how many are excused.
 const SHARE: usize = 400;
+
+/// A larger share of configurations that are excused or singular leaves too little to be seen.
+const UNSEEN: f64 = 0.05;
 
 /// Configurations near singular ones, for each value of the locked joints.
 const NEAR: usize = 240;
@@ -87,6 +86,8 @@ pub enum Failure {
     },
     /// One solution came twice.
     Doubled(Vec<f64>),
+    /// So large a share of configurations is so near to singular that nothing is promised there.
+    NearSingular(f64),
 }
 
 impl fmt::Display for Failure {
@@ -98,6 +99,12 @@ impl fmt::Display for Failure {
                 "the solution {q:.4?} misses its target by {distance:.1e} m"
             ),
             Failure::Doubled(q) => write!(f, "a solution to the target of {q:.4?} comes twice"),
+            Failure::NearSingular(share) => write!(
+                f,
+                "{:.0} % of random configurations are so near to singular that solutions to their \
+                 targets may be missing",
+                100.0 * share
+            ),
         }
     }
 }
@@ -333,9 +340,13 @@ impl Held {
 /// # Errors
 ///
 /// The first configuration on which it is not sound, loses the configuration
-/// or doubles a solution.
+/// or doubles a solution; or that there are too few on which it could.
 pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Certificate, Failure> {
     let excused = form.near_singular();
+    let unseen = trials.share_below(excused.max(SINGULAR));
+    if unseen > UNSEEN {
+        return Err(Failure::NearSingular(unseen));
+    }
     let mut certificate = Certificate {
         excused_share: trials.share_below(excused),
         ..Certificate::default()

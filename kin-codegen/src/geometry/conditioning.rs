@@ -8,8 +8,10 @@ use kin_runtime::{Chain, Target, Twist};
 /// Columns that are all shorter than this, relative to the arm's size, are
 /// rounding.
 const NOTHING: f64 = 1e-4;
-/// Above this, columns of the Jacobian are independent in general.
-const GENERIC: f64 = 1e-9;
+/// Below this conditioning of the Jacobian a configuration counts as singular: its target may
+/// have a family of solutions. An arm all of whose configurations are so near to singular is
+/// singular, but for the noise of its file.
+pub const SINGULAR: f64 = 1e-5;
 
 /// What an arm can be asked for: the position of its tip where that alone
 /// fixes the joints (a planar 2R arm, the first three joints of a larger one),
@@ -18,7 +20,7 @@ pub fn natural_target(model: &Model) -> Target {
     let chain = model.chain();
     let size = size(model);
     let n = model.joints.len();
-    let fixed = |q: &Vec<f64>| conditioning(&chain, q, size, Target::Position) > GENERIC;
+    let fixed = |q: &Vec<f64>| conditioning(&chain, q, size, Target::Position) > SINGULAR;
     if n <= 3 && !model.is_coupled() && configurations(model).iter().any(fixed) {
         Target::Position
     } else {
@@ -34,7 +36,7 @@ pub fn rank(model: &Model, target: Target) -> usize {
     let rank = |q: &Vec<f64>| {
         lengths(&chain, q, size, target, &[])
             .iter()
-            .filter(|x| **x > GENERIC)
+            .filter(|x| **x > SINGULAR)
             .count()
     };
     configurations(model)
@@ -80,12 +82,13 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> 
         Target::PositionAxis | Target::Direction => chain.fk(q).rotation.map(|row| row[2]),
         _ => [0.0; 3],
     };
-    let yaw = chain
-        .twists()
-        .first()
-        .map_or([0.0; 3], |twist| twist.angular);
+    let turns = |twist: &Twist| twist.angular != [0.0; 3];
+    let first = chain.twists().iter().find(|twist| turns(twist));
+    let yaw = first.map_or([0.0; 3], |twist| twist.angular);
     let rows = |twist: &Twist| -> Column {
-        let v = twist.linear.map(|x| x / size);
+        // Of a slide by as much.
+        let unit = if turns(twist) { size } else { 1.0 };
+        let v = twist.linear.map(|x| x / unit);
         let w = twist.angular;
         let about = dot(w, yaw);
         match target {

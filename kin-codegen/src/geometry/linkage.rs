@@ -215,6 +215,11 @@ impl Linkage {
         coordinate.filter(|&i| i < self.variables() && !self.locked.contains(&joint))
     }
 
+    /// The first joint that turns.
+    pub fn first_turn(&self) -> Option<usize> {
+        (0..self.links.len()).find(|&joint| self.is_revolute(joint))
+    }
+
     /// The joint that a coordinate is that a target is solved for; of joints that mimic
     /// none.
     pub fn joint_of(&self, coordinate: usize) -> Option<usize> {

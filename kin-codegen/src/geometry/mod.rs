@@ -13,7 +13,7 @@ mod swivel;
 pub use crate::vector::{Vec3, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
 pub use carried::Carried;
-pub use conditioning::{conditioning, natural_target, rank, weak_motion};
+pub use conditioning::{SINGULAR, conditioning, natural_target, rank, weak_motion};
 pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use linkage::without_noise;
 pub use linkage::{Link, Linkage, Run};

@@ -172,13 +172,8 @@ impl Chain {
     }
 
     fn task(&self, given: &Given) -> Task<'_> {
-        let axis = self.twists().first().map_or([0.0; 3], |first| {
-            if is_prismatic(first) {
-                first.linear
-            } else {
-                first.angular
-            }
-        });
+        let mut turns = self.twists().iter().filter(|twist| !is_prismatic(twist));
+        let axis = turns.next().map_or([0.0; 3], |first| first.angular);
         Task {
             chain: self,
             target: given.counts.stands_for(&given.target, axis, self.home()),

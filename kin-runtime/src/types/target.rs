@@ -6,9 +6,9 @@ use super::super::{Jacobian, Pose, Twist, math};
 
 /// What of a target pose counts.
 ///
-/// Of [`Target::PositionYaw`] and [`Target::Planar`], for arms whose axes are
-/// all parallel, a target stands for one whole pose, [`Target::stands_for`],
-/// and all of that counts.
+/// Of [`Target::PositionYaw`] and [`Target::Planar`], for arms all of whose joints that turn do so
+/// about parallel axes, a target stands for one whole pose, [`Target::stands_for`], and all of
+/// that counts. The first axis is that of the first joint that turns.
 ///
 /// ```
 /// use kin_runtime::{Pose, Target};
@@ -131,8 +131,8 @@ impl Target {
         matches!(self, Target::PositionYaw | Target::Planar)
     }
 
-    /// The pose that `target` stands for on an arm all of whose axes are
-    /// parallel to the unit vector `axis` and whose tip is at `home` at q = 0;
+    /// The pose that `target` stands for on an arm whose joints all turn about
+    /// axes parallel to the unit vector `axis` and whose tip is at `home` at q = 0;
     /// all in the base frame. The orientation is that of home, turned about the
     /// axis to come nearest to the target's; the height along the axis of a
     /// [`Target::Planar`] is that of home. All others stand for themselves.

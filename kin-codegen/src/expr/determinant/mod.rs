@@ -154,12 +154,13 @@ fn views(linkage: &Linkage, n: usize, target: Target) -> Vec<View> {
         Target::Pose | Target::Position | Target::Orientation => 0..=last,
         // The rows are those of the tip's own axes,
         Target::PositionAxis | Target::Direction => last..=last,
-        // or of the first joint's.
-        Target::PositionYaw | Target::Planar => FIRST..=FIRST,
+        // or of the first joint's that turns.
+        Target::PositionYaw | Target::Planar => match linkage.first_turn() {
+            Some(joint) => FIRST + joint..=FIRST + joint,
+            None => return Vec::new(),
+        },
     };
-    let first_turns = linkage.is_revolute(0);
-    let has_rows = first_turns || !target.is_projected();
-    if n > 6 || !has_rows {
+    if n > 6 {
         return Vec::new();
     }
     let views = from.map(|frame| View::new(linkage, n, target, frame));

@@ -350,7 +350,13 @@ impl<'a> Writer<'a> {
                     let (sin, cos) = self.g.sin_cos(moved);
                     self.set(Atom::Joint(joint), Trig { sin, cos });
                 }
-                JointKind::Prismatic => self.slide[joint] = Some(moved),
+                JointKind::Prismatic => {
+                    self.slide[joint] = Some(moved);
+                    if self.target == Target::Planar {
+                        self.pose =
+                            project::lifted(&mut self.g, self.linkage, self.pose, joint, value);
+                    }
+                }
             }
         }
         self.swivel = self.linkage.swivel.map(|_| {

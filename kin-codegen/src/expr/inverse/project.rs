@@ -2,10 +2,13 @@
 //! the rest: an arm whose axes are all parallel turns its tip about them and
 //! no other way.
 
-use crate::expr::Graph;
 use crate::expr::linear::{Motion, Trig, Vector};
+use crate::expr::{Expr, Graph};
 use crate::geometry::{Linkage, Vec3, cross, dot};
 use crate::plan::Target;
+
+/// A slide across an axis goes along it by no more.
+const ACROSS: f64 = 1e-12;
 
 /// The whole pose that a target stands for. Of a projected target the turn
 /// about the first axis is kept, the one that brings the home orientation
@@ -21,7 +24,7 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
     if !target.is_projected() {
         return given;
     }
-    let axis = linkage.axis(0).direction;
+    let axis = linkage.axis(linkage.first_turn().unwrap_or(0)).direction;
     let home = linkage.tip_home();
     let rotation = turned_home(g, &given.rotation, axis, &home.rotation);
     let translation = match target {
@@ -38,6 +41,31 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
     Motion {
         rotation,
         translation,
+    }
+}
+
+/// The pose that a planar target stands for, with a slide given, which may lift the tip along the
+/// axis.
+pub(super) fn lifted(
+    g: &mut Graph,
+    linkage: &Linkage,
+    pose: Motion,
+    slide: usize,
+    value: Expr,
+) -> Motion {
+    let axis = linkage.axis(linkage.first_turn().unwrap_or(0)).direction;
+    let link = &linkage.links[slide];
+    let along = link.gain * dot(axis, link.before_home.rotate(link.direction));
+    if along.abs() < ACROSS {
+        return pose;
+    }
+    let factor = g.constant(along);
+    let height = g.mul(factor, value);
+    let n = g.vector(axis);
+    let lift = g.scale(height, n);
+    Motion {
+        translation: g.plus(pose.translation, lift),
+        ..pose
     }
 }
 

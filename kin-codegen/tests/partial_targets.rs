@@ -1,0 +1,215 @@
+//! Arms that are asked for part of a pose: files off their design, targets that an arm cannot
+//! choose, and joints that move nothing but noise.
+
+mod measured;
+
+use kin_codegen::arm::CompiledArm;
+use kin_codegen::certificate::recovered;
+use kin_codegen::closed_form::Inverse;
+use kin_codegen::geometry::{Linkage, conditioning, size};
+use kin_codegen::model::Model;
+use kin_codegen::random::Random;
+use kin_codegen::solver::{Certified, solve};
+use kin_codegen::spec::{ArmSpec, Source};
+use kin_codegen::{Compiled, Options, Target, compile};
+use kin_runtime::SearchOptions;
+use measured::{configuration, measured};
+
+fn source(text: &str) -> Source {
+    Source {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    }
+}
+
+fn compiled(text: &str, target: Target) -> Result<CompiledArm, String> {
+    let options = Options {
+        target: Some(target),
+        ..Options::default()
+    };
+    match compile(&source(text), &options) {
+        Ok(Compiled::Arm(arm)) => Ok(*arm),
+        Ok(Compiled::Mechanism(_)) => panic!("no arm"),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+fn model(text: &str) -> Model {
+    Model::new(&ArmSpec::parse(&source(text)).unwrap(), None, None).unwrap()
+}
+
+/// Every configuration comes back from its target, with as many others as the numerical search
+/// finds.
+fn is_complete(model: &Model, target: Target, found: &Certified, count: usize) {
+    let (chain, length) = (model.chain(), size(model));
+    let options = SearchOptions {
+        target,
+        ..SearchOptions::default()
+    };
+    let mut random = Random(0x51de);
+    for k in 0..count {
+        let q = configuration(model.joints.len(), k, &mut random);
+        let pose = chain.fk(&q);
+        let solutions = found.form.solutions(&pose);
+        let independent = conditioning(&chain, &q, length, target);
+        if independent > 1e-4 {
+            recovered(model, &q, &solutions, independent).unwrap();
+        }
+        for solution in &solutions {
+            let miss = target.distance(&chain.fk(&solution.q), &pose, length);
+            assert!(miss < 1e-9 * length, "{q:?}: {miss:e}");
+        }
+        if k % 20 == 0 && independent > 1e-2 {
+            let all = chain.ik_all(&pose, &options);
+            let regular = all.iter().filter(|it| it.conditioning > 1e-3).count();
+            assert!(solutions.len() >= regular, "{q:?}");
+        }
+    }
+}
+
+const SHOULDER_FIRST: &str = "\
+robot: shoulder
+units: {angle: rad, length: m}
+joints:
+  - {name: roll,  xyz: [0, 0, 0.2], rpy: [0.4, 0.2, 0.7], axis: [0, 0, 1]}
+  - {name: pitch, xyz: [0.05, 0.02, 0.25], rpy: [0.3, 0, 0], axis: [0, 1, 0]}
+  - {name: yaw,   xyz: [0, 0, 0], axis: [1, 0, 0]}
+tip: {link: hand, xyz: [0.08, 0.11, 0.14]}
+";
+
+/// Two axes that meet but for noise leave one of the two unknowns of the quartic to that: it has to
+/// be the one that the quartic is in.
+#[test]
+fn axes_that_nearly_meet_are_solved_as_they_are_for_positions() {
+    let design = model(SHOULDER_FIRST);
+    let mut random = Random(0x0ff5e7);
+    for noise in [1e-5, 1e-4, 1e-3] {
+        let model = measured(&design, noise, &mut random);
+        let found = solve(&model, &Linkage::new(&model), Target::Position).unwrap();
+        assert!(found.form.is_exact(), "{noise:e}: {}", found.form.plan);
+        assert_eq!(found.certificate.excused, 0, "{noise:e}");
+        is_complete(&model, Target::Position, &found, 200);
+    }
+}
+
+const FIVE: &str = "\
+robot: five
+units: {angle: rad, length: m}
+joints:
+  - {name: waist,    xyz: [0, 0, 0.11],  axis: [0, 0, 1]}
+  - {name: shoulder, xyz: [0.03, 0, 0.05], axis: [0, 1, 0]}
+  - {name: elbow,    xyz: [0.03, 0, 0.12], axis: [0, 1, 0]}
+  - {name: pitch,    xyz: [0.135, 0, 0], axis: [0, 1, 0]}
+  - {name: roll,     xyz: [0.06, 0, 0],  axis: [1, 0, 0]}
+tip: {link: pen, xyz: [0.05, 0.02, 0.01], rpy: [0.2, 0.4, 0.1]}
+";
+
+/// No curves are followed for targets that leave the turn of the tool free.
+#[test]
+fn five_joints_off_their_design_are_solved_by_an_elimination() {
+    let design = model(FIVE);
+    let mut random = Random(0xf1fe);
+    for noise in [1e-6, 1e-4, 1e-3] {
+        let model = measured(&design, noise, &mut random);
+        let found = solve(&model, &Linkage::new(&model), Target::PositionAxis).unwrap();
+        let is_elimination = matches!(found.form.inverse, Inverse::Univariate(_));
+        assert!(is_elimination, "{noise:e}: {}", found.form.plan);
+        assert_eq!(found.certificate.excused, 0, "{noise:e}");
+        is_complete(&model, Target::PositionAxis, &found, 100);
+    }
+}
+
+/// The last joint turns about the tip's z axis, but for a rounded digit: next to the turn of the
+/// tool it is one joint too many, and its place in the Jacobian is noise.
+#[test]
+fn a_joint_that_moves_nothing_but_noise_is_one_too_many() {
+    let rolling = |off: f64| {
+        let tip = format!("tip: {{link: pen, xyz: [0.05, {off}, 0], rpy: [0, {RIGHT}, 0]}}");
+        FIVE.lines().take(8).collect::<Vec<_>>().join("\n") + "\n" + &tip + "\n"
+    };
+    for off in [0.0, 1e-9, 1e-7, 1e-6] {
+        let arm = compiled(&rolling(off), Target::PositionAxis).unwrap();
+        assert!(arm.redundancy.is_some_and(|it| it.turn), "{off:e}");
+    }
+    let arm = compiled(&rolling(0.01), Target::PositionAxis).unwrap();
+    assert!(arm.redundancy.is_none());
+}
+
+const RIGHT: f64 = std::f64::consts::FRAC_PI_2;
+
+/// A SCARA arm whose slide comes first turns about the axes behind it.
+#[test]
+fn the_turn_of_a_projected_target_is_about_the_joints_that_turn() {
+    let text = "\
+robot: scara
+units: {angle: rad, length: m}
+screws:
+  - {name: lift, axis: [0, 0.6, 0.8], type: prismatic}
+  - {name: shoulder, axis: [0, 0.6, 0.8], point: [0, 0, 0]}
+  - {name: elbow, axis: [0, 0.6, 0.8], point: [0.3, 0, 0]}
+  - {name: wrist, axis: [0, 0.6, 0.8], point: [0.5, 0.04, -0.03]}
+home: {xyz: [0.6, 0.08, -0.06], rpy: [0.2, 0.1, 0.5]}
+";
+    for target in [Target::PositionYaw, Target::Planar] {
+        let arm = compiled(text, target).unwrap();
+        // The lift is one too many for a planar target alone.
+        let given = arm.redundancy.map_or(0, |it| it.parameters());
+        assert_eq!(given, usize::from(target == Target::Planar), "{target:?}");
+    }
+    let arm = compiled(text, Target::Planar).unwrap();
+    let (chain, form) = (arm.model.chain(), arm.inverse.unwrap().form);
+    let mut random = Random(0x11f7);
+    for k in 0..100 {
+        let q = configuration(4, k, &mut random);
+        let (parameters, solved) = form.split(&q);
+        let solutions = form.solutions_at(&chain.fk(&q), &parameters);
+        let given = arm.model.locked(&[0], &parameters);
+        recovered(&given, &solved, &solutions, 1e-3).unwrap();
+    }
+    let arm = compiled(text, Target::PositionYaw).unwrap();
+    is_complete(&arm.model, Target::PositionYaw, &arm.inverse.unwrap(), 100);
+}
+
+#[test]
+fn arms_that_tilt_the_tip_have_no_projected_targets() {
+    for target in [Target::PositionYaw, Target::Planar] {
+        let message = compiled(FIVE, target).unwrap_err();
+        let reason = format!(
+            "`{}` is for arms all of whose joints turn about parallel axes, and those of `waist` and \
+             `shoulder` are 90.00° apart",
+            target.word()
+        );
+        assert!(message.contains(&reason), "{message}");
+        let remedy = "leave out `target`, or choose `position` or `position_axis`";
+        assert!(message.contains(remedy), "{message}");
+    }
+    let noisy = "\
+robot: noisy
+units: {angle: rad, length: m}
+joints:
+  - {name: a, axis: [0, 0, 1]}
+  - {name: b, xyz: [0.3, 0, 0], rpy: [0.0001, 0, 0], axis: [0, 0, 1]}
+  - {name: c, xyz: [0.2, 0, 0], axis: [0, 0, 1]}
+tip: {link: tool, xyz: [0.1, 0, 0]}
+";
+    let message = compiled(noisy, Target::Planar).unwrap_err();
+    assert!(
+        message.contains("write right angles and half turns with all their digits"),
+        "{message}"
+    );
+}
+
+/// Where nearly every configuration is near to singular, nothing was seen, and nothing is promised.
+#[test]
+fn an_arm_that_is_nearly_singular_everywhere_is_refused() {
+    let text = "\
+robot: twins
+units: {angle: rad, length: m}
+screws:
+  - {name: a, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: b, axis: [0, 0, 1], point: [0.00001, 0, 0]}
+home: {xyz: [0.9, 0.3, 0]}
+";
+    let message = compiled(text, Target::Position).unwrap_err();
+    assert!(message.contains("so near to singular"), "{message}");
+}
