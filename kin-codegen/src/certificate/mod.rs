@@ -12,7 +12,7 @@ mod parameters;
 
 use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::{self, Linkage, SINGULAR};
-use crate::model::{Model, configurations};
+use crate::model::{Model, anywhere, configurations};
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
@@ -31,8 +31,11 @@ const ELSEWHERE: usize = 32;
 /// Random configurations whose conditioning tells how many are excused.
 const SHARE: usize = 400;
 
-/// A larger share of configurations that are excused or singular leaves too little to be seen.
-const UNSEEN: f64 = 0.05;
+/// With a larger share of configurations that are excused there is no certificate.
+const MOST_EXCUSED: f64 = 0.05;
+
+/// With a larger share of singular ones too little is seen.
+const MOST_SINGULAR: f64 = 0.5;
 
 /// Configurations near singular ones, for each value of the locked joints.
 const NEAR: usize = 240;
@@ -269,14 +272,14 @@ impl<'a> Trials<'a> {
         }
         let spread = self.spread.get_or_init(|| {
             let mut random = Random(0xc2b2_ae3d_27d4_eb4f);
-            let n = self.linkage.variables();
-            let mut anywhere = || (0..n).map(|_| random.between(-PI, PI)).collect::<Vec<_>>();
             // At quarter turns of a locked joint the others may be singular throughout.
             let anywhere_held = &self.held[..self.held.len().min(parameters::ANYWHERE)];
             let held = anywhere_held.iter().cycle().take(SHARE);
-            let at =
-                |held: &Held, q: &[f64]| self.linkage.conditioning(&held.chain, q, self.target);
-            held.map(|held| at(held, &anywhere())).collect()
+            held.map(|held| {
+                let q = anywhere(&held.model, &mut random);
+                self.linkage.conditioning(&held.chain, &q, self.target)
+            })
+            .collect()
         });
         let below = spread.iter().filter(|&&x| x < conditioning).count();
         below as f64 / SHARE as f64
@@ -343,12 +346,13 @@ impl Held {
 /// or doubles a solution; or that there are too few on which it could.
 pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Certificate, Failure> {
     let excused = form.near_singular();
-    let unseen = trials.share_below(excused.max(SINGULAR));
-    if unseen > UNSEEN {
-        return Err(Failure::NearSingular(unseen));
+    let excused_share = trials.share_below(excused);
+    let singular_share = trials.share_below(SINGULAR);
+    if excused_share > MOST_EXCUSED || singular_share > MOST_SINGULAR {
+        return Err(Failure::NearSingular(excused_share.max(singular_share)));
     }
     let mut certificate = Certificate {
-        excused_share: trials.share_below(excused),
+        excused_share,
         ..Certificate::default()
     };
     // What was lost before is likely to be lost again, and then the others are not asked.

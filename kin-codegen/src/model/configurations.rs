@@ -15,33 +15,19 @@ const ANYWHERE: [f64; 2] = [-0.5, 0.5];
 /// each joint alone at 0, ±π/2 and π, and mixtures of these.
 pub fn configurations(model: &Model) -> Vec<Vec<f64>> {
     let n = model.variables.len();
-    let variables = model.variables.iter();
-    let travel: Vec<[f64; 2]> = variables
-        .map(|variable| variable.travel().unwrap_or(ANYWHERE))
-        .collect();
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    // A quarter turn of a sliding joint is a quarter of its travel.
-    let place = |i: usize, angle: f64| {
-        if model.turns(i) {
-            angle
-        } else {
-            travel[i][0] + (travel[i][1] - travel[i][0]) * (angle + PI) / (2.0 * PI)
-        }
-    };
+    let place = |i: usize, angle: f64| place(model, i, angle);
     let special = [0.0, FRAC_PI_2, -FRAC_PI_2, PI];
     let mut all: Vec<Vec<f64>> = Vec::new();
-    let anywhere = |random: &mut Random| -> Vec<f64> {
-        (0..n).map(|i| place(i, random.between(-PI, PI))).collect()
-    };
     for _ in 0..RANDOM {
-        all.push(anywhere(&mut random));
+        all.push(anywhere(model, &mut random));
     }
     for angle in special {
         all.push((0..n).map(|i| place(i, angle)).collect());
     }
     for i in 0..n {
         for angle in special {
-            let mut q = anywhere(&mut random);
+            let mut q = anywhere(model, &mut random);
             q[i] = place(i, angle);
             all.push(q);
         }
@@ -50,4 +36,21 @@ pub fn configurations(model: &Model) -> Vec<Vec<f64>> {
         all.push((0..n).map(|i| place(i, special[random.below(4)])).collect());
     }
     all
+}
+
+/// A random configuration, anywhere on the turns and travels of the joints.
+pub fn anywhere(model: &Model, random: &mut Random) -> Vec<f64> {
+    let n = model.variables.len();
+    (0..n)
+        .map(|i| place(model, i, random.between(-PI, PI)))
+        .collect()
+}
+
+/// Where a joint is at an angle: a quarter turn of a sliding one is a quarter of its travel.
+fn place(model: &Model, i: usize, angle: f64) -> f64 {
+    if model.turns(i) {
+        return angle;
+    }
+    let [from, to] = model.variables[i].travel().unwrap_or(ANYWHERE);
+    from + (to - from) * (angle + PI) / (2.0 * PI)
 }
