@@ -213,3 +213,30 @@ home: {xyz: [0.9, 0.3, 0]}
     let message = compiled(text, Target::Position).unwrap_err();
     assert!(message.contains("so near to singular"), "{message}");
 }
+
+/// Where one of two parallel joints is given and a slide stands beside them, a direction behind the
+/// slide is turned by the sum of both, and not by the given one once more.
+#[test]
+fn a_slide_beside_parallel_joints_leaves_their_sum_alone() {
+    let slide = "  - {name: slide, axis: [0, 0.6, 0.8], type: prismatic}\n";
+    let turns = [("shoulder", 0.0), ("elbow", 0.3)].map(|(name, x)| {
+        format!("  - {{name: {name}, axis: [0, 0.6, 0.8], point: [{x}, 0, 0]}}\n")
+    });
+    let turns = turns.concat();
+    for (first, last) in [(slide, ""), ("", slide)] {
+        let text = format!(
+            "robot: scara\nunits: {{angle: rad, length: m}}\nscrews:\n{first}{turns}{last}\
+             home: {{xyz: [0.5, 0.08, -0.06], rpy: [0.2, 0.1, 0.5]}}\n"
+        );
+        let arm = compiled(&text, Target::Orientation).unwrap();
+        let (chain, form) = (arm.model.chain(), arm.inverse.unwrap().form);
+        let mut random = Random(0x0a11);
+        for k in 0..100 {
+            let q = configuration(3, k, &mut random);
+            let (parameters, solved) = form.split(&q);
+            let solutions = form.solutions_at(&chain.fk(&q), &parameters);
+            let given = arm.model.locked(&form.given.locked, &parameters);
+            recovered(&given, &solved, &solutions, 1e-2).unwrap();
+        }
+    }
+}

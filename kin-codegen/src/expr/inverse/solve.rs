@@ -118,10 +118,20 @@ impl Writer<'_> {
     /// arc that holds no unknown.
     pub(super) fn sides(&mut self, relation: &Relation, unknown: Atom) -> Sides {
         let (start, end) = self.extent(unknown);
+        // What slides of a run leave alone stands at its end, and no joint of the run is crossed.
+        let within = |body: usize| start < body && body < end;
+        let ahead = |x: &Invariant| match within(x.joints.end) {
+            true => x.joints.start,
+            false => x.joints.end,
+        };
+        let behind = |x: &Invariant| match within(x.joints.start) {
+            true => x.joints.end,
+            false => x.joints.start,
+        };
         let from = &relation.from;
         let Some(to) = &relation.to else {
-            let left = self.bring_before(from, from.joints.end, start);
-            let right = self.bring_behind(from, from.joints.start, end);
+            let left = self.bring_before(from, ahead(from), start);
+            let right = self.bring_behind(from, behind(from), end);
             return Sides {
                 left,
                 right,
@@ -130,8 +140,8 @@ impl Writer<'_> {
         };
         let between = from.joints.end <= start && end <= to.joints.start;
         let (near, far) = if between { (from, to) } else { (to, from) };
-        let left = self.bring_before(near, near.joints.end, start);
-        let right = self.bring_behind(far, far.joints.start, end);
+        let left = self.bring_before(near, ahead(near), start);
+        let right = self.bring_behind(far, behind(far), end);
         // Along the other arc, from behind `far` onwards to before `near`.
         let far_there = self.seen_from(far, far.joints.end);
         let far_there = self.onwards(far_there, far.joints.end, near.joints.start);
