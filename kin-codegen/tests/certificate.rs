@@ -190,6 +190,13 @@ fn what_is_excused_is_counted() {
         told.contains("% of random configurations are so near to singular"),
         "{told}"
     );
+    let few = Certificate {
+        excused: 3,
+        excused_share: 0.034,
+        ..found.certificate
+    };
+    let told = few.reservations().concat();
+    assert!(told.contains("3.4 % of random configurations"), "{told}");
 }
 
 /// Limits of ±1e6 m, as mobile bases have them, and the largest numbers there are.
