@@ -15,7 +15,7 @@ use crate::plan::Target;
 use crate::redundancy::{self, Redundancy, solve_redundant};
 use crate::scalar::Scalar;
 use crate::singularity::Singular;
-use crate::solver::{Certified, Lack, NoClosedForm, chooses, solve};
+use crate::solver::{Certified, Lack, NoClosedForm, admits, solve};
 use crate::spec::bounds::JOINTS;
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
 use kin_runtime::__private::univariate::reproducibly;
@@ -203,7 +203,7 @@ pub(crate) fn compile(
         Ik::ClosedForm if is_redundant && options.scalar == Scalar::F32 => {
             Err(NoClosedForm::OnlyInDouble(Lack::Parameter))
         }
-        Ik::ClosedForm => chooses(&model, target).and_then(|()| match is_redundant {
+        Ik::ClosedForm => admits(&model, target).and_then(|()| match is_redundant {
             true => solve_redundant(&model, &linkage, target, &free)
                 .map(|(found, redundancy)| Some((found, Some(redundancy)))),
             false => solve(&model, &linkage, target).map(|found| Some((found, None))),

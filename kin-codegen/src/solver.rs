@@ -228,13 +228,13 @@ fn completed(trials: &Trials, best: Certified) -> Certified {
     }
 }
 
-/// An arm chooses what counts of a target, if that is not a projected one, or its joints turn about
-/// axes that are parallel but for noise.
+/// An arm admits targets that are not projected, and these if its joints turn about axes that are
+/// parallel but for noise.
 ///
 /// # Errors
 ///
 /// Which joints do not.
-pub(crate) fn chooses(model: &Model, target: Target) -> Result<(), NoClosedForm> {
+pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> {
     let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
     let mut turning = model.joints.iter().filter(turns);
     let Some(first) = turning.next().filter(|_| target.is_projected()) else {

@@ -86,7 +86,7 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> 
     let first = chain.twists().iter().find(|twist| turns(twist));
     let yaw = first.map_or([0.0; 3], |twist| twist.angular);
     let rows = |twist: &Twist| -> Column {
-        // Of a slide by as much.
+        // A slide goes as far as the arm is long where a joint turns by one radian.
         let unit = if turns(twist) { size } else { 1.0 };
         let v = twist.linear.map(|x| x / unit);
         let w = twist.angular;
