@@ -328,3 +328,18 @@ fn a_planar_target_stands_for_the_pose_that_the_arm_can_take() {
     let options = SearchOptions::default();
     assert!(chain.ik_all(&tilted, &options).is_empty());
 }
+
+/// Of an arm that turns about nothing the first axis is that of its first slide.
+#[test]
+fn a_projected_target_of_slides_alone_stands_for_a_pose() {
+    let slides = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let chain = Chain::new(slides.map(Twist::prismatic).to_vec(), Pose::IDENTITY);
+    let target = Pose::from_axis_angle([0.0, 0.0, 1.0], PI, [0.1, 0.2, 0.3]);
+    let options = SearchOptions {
+        target: Target::PositionYaw,
+        ..SearchOptions::default()
+    };
+    let found = chain.ik_all(&target, &options);
+    assert_eq!(found.len(), 1);
+    assert!((found[0].q[2] - 0.3).abs() < 1e-11, "{found:?}");
+}

@@ -172,11 +172,15 @@ impl Chain {
     }
 
     fn task(&self, given: &Given) -> Task<'_> {
-        let mut turns = self.twists().iter().filter(|twist| !is_prismatic(twist));
-        let axis = turns.next().map_or([0.0; 3], |first| first.angular);
+        let twists = self.twists();
+        let turn = twists.iter().find(|twist| !is_prismatic(twist));
+        let slide = || twists.first().map(|first| first.linear);
+        let axis = turn.map(|turn| turn.angular).or_else(slide);
         Task {
             chain: self,
-            target: given.counts.stands_for(&given.target, axis, self.home()),
+            target: given
+                .counts
+                .stands_for(&given.target, axis.unwrap_or_default(), self.home()),
             counts: given.counts,
             length: self.length(),
             elbow: given.elbow,

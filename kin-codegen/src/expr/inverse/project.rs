@@ -24,7 +24,7 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
     if !target.is_projected() {
         return given;
     }
-    let axis = linkage.axis(linkage.first_turn().unwrap_or(0)).direction;
+    let axis = first_axis(linkage);
     let home = linkage.tip_home();
     let rotation = turned_home(g, &given.rotation, axis, &home.rotation);
     let translation = match target {
@@ -44,6 +44,11 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
     }
 }
 
+/// That of the first joint that turns; where none does, in which the first one slides.
+fn first_axis(linkage: &Linkage) -> Vec3 {
+    linkage.axis(linkage.first_turn().unwrap_or(0)).direction
+}
+
 /// The pose that a planar target stands for, with a slide given, which may lift the tip along the
 /// axis.
 pub(super) fn lifted(
@@ -53,7 +58,7 @@ pub(super) fn lifted(
     slide: usize,
     value: Expr,
 ) -> Motion {
-    let axis = linkage.axis(linkage.first_turn().unwrap_or(0)).direction;
+    let axis = first_axis(linkage);
     let link = &linkage.links[slide];
     let along = link.gain * dot(axis, link.before_home.rotate(link.direction));
     if along.abs() < ACROSS {
