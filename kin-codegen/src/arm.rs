@@ -271,8 +271,10 @@ impl CompiledArm {
     /// Determinant and singularities; none if no square Jacobian is there.
     pub fn singular(&self) -> Option<&Singular> {
         let build = || {
-            let idealized = self.form().filter(|form| !form.is_exact());
-            let idealized = idealized.map(|form| (&form.idealized.model, &form.linkage));
+            // One with joints to spare was idealized for the others alone.
+            let whole = self.form().filter(|_| self.redundancy.is_none());
+            let idealized = whole.filter(|form| !form.is_exact());
+            let idealized = idealized.map(|form| &form.idealized.model);
             let found = |rows| Singular::new(&self.model, &self.linkage, idealized, rows);
             reproducibly(|| self.rows.and_then(found))
         };

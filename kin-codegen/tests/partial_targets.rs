@@ -240,3 +240,48 @@ fn a_slide_beside_parallel_joints_leaves_their_sum_alone() {
         }
     }
 }
+
+/// A wrist behind an elbow, the axes of which are parallel and meet but for noise.
+const SIX_OFF: &str = "
+robot: six
+units: {angle: rad, length: m}
+joints:
+  - {name: base,     axis: [0, 0, 1]}
+  - {name: shoulder, xyz: [0.03, 1e-6, 0.35], axis: [0, 1, 0]}
+  - {name: elbow,    xyz: [3e-6, 0, 0.42],    axis: [1e-6, 1, 0]}
+  - {name: roll,     xyz: [0.05, 0, 0.02],    axis: [1, 0, 2e-6]}
+  - {name: pitch,    xyz: [0.4, 0, 3e-6],     axis: [0, 1, 1e-6]}
+  - {name: spin,     xyz: [0, 2e-6, 0],       axis: [1, 0, 0]}
+tip: {link: tool, xyz: [0.1, 0.02, 0.01], rpy: [0.2, 0.4, 0.1]}
+";
+
+/// The joints that come with a target that does not need them are joints of the arm all the same.
+#[test]
+fn the_singularities_of_an_arm_with_joints_to_spare_are_those_of_all_its_joints() {
+    let names = |target: Target, free: &[&str]| {
+        let options = Options {
+            target: Some(target),
+            free: free.iter().map(|&joint| joint.to_owned()).collect(),
+            ..Options::default()
+        };
+        let Compiled::Arm(arm) = compile(&source(SIX_OFF), &options).unwrap() else {
+            panic!("no arm")
+        };
+        assert!(!arm.form().unwrap().is_exact(), "{free:?}");
+        let singular = arm.singular().map(|it| it.singularities.clone());
+        singular.map(|all| all.into_iter().map(|it| it.name).collect::<Vec<_>>())
+    };
+    let known = names(Target::Pose, &[]).unwrap();
+    assert_eq!(known.len(), 3, "{known:?}");
+    for free in [
+        ["base", "roll", "pitch"],
+        ["base", "roll", "spin"],
+        ["base", "pitch", "spin"],
+    ] {
+        assert_eq!(
+            names(Target::Position, &free).as_ref(),
+            Some(&known),
+            "{free:?}"
+        );
+    }
+}

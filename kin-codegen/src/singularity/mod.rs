@@ -73,12 +73,12 @@ const COMPARED: usize = 12;
 
 impl Singular {
     /// The analysis of an arm, of which `idealized` is the one that has a closed
-    /// form, if there is one. None if its Jacobian has not as many rows that count
+    /// form, if that is another. None if its Jacobian has not as many rows that count
     /// as columns.
     pub fn new(
         model: &Model,
         linkage: &Linkage,
-        idealized: Option<(&Model, &Linkage)>,
+        idealized: Option<&Model>,
         target: Target,
     ) -> Option<Self> {
         let n = model.variables.len();
@@ -93,8 +93,9 @@ impl Singular {
             return None;
         }
         let (factors, idealized) = match idealized {
-            Some((idealized, linkage)) => {
-                let found = determinant(&mut graph, linkage, &q, target)?;
+            Some(idealized) => {
+                let linkage = Linkage::new(idealized);
+                let found = determinant(&mut graph, &linkage, &q, target)?;
                 (found.factors, Some(idealized.clone()))
             }
             None if given.factors.len() > 1 || n < 4 => (given.factors.clone(), None),
