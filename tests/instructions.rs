@@ -1,6 +1,5 @@
-//! Wider instructions change how long it takes, and of closed forms nothing else; of arms
-//! without one, the last digits. What forbids unsafe code compiles with generated robots all
-//! the same.
+//! Wider instructions change how long it takes, and fused operations the last digits. What
+//! forbids unsafe code compiles with generated robots all the same.
 
 #![forbid(unsafe_code)]
 // Nothing is dispatched where the program is compiled for wide instructions, and
@@ -10,8 +9,8 @@
 mod random;
 
 use kinematics::__private::dispatch::{Instructions, use_at_most};
-use kinematics::__private::univariate::reproducibly;
-use kinematics::{Kinematics, Pose, Solution, Solutions};
+use kinematics::__private::reproducibly;
+use kinematics::{Kinematics, Pose, Robot, Solution, Solutions};
 use random::Random;
 use std::sync::Mutex;
 
@@ -89,37 +88,42 @@ fn bits<const N: usize>(solution: &Solution<N>) -> Option<Vec<u64>> {
 /// What is chosen is chosen for the whole program.
 static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
-#[test]
-fn all_instructions_give_the_same_bits() {
+/// What is said with each of these instructions, as far as the processor has them.
+fn with<T, const K: usize>(instructions: [Instructions; K], say: impl Fn() -> T) -> [T; K] {
     let _alone = ONE_AT_A_TIME.lock();
     let widest = Instructions::of_this_processor();
-    let all = || {
+    let said = instructions.map(|instructions| {
+        assert_eq!(use_at_most(instructions), instructions.min(widest));
+        say()
+    });
+    use_at_most(Instructions::Avx512);
+    said
+}
+
+#[test]
+fn all_instructions_that_fuse_give_the_same_bits() {
+    let [avx2, avx512] = with([Instructions::Avx2, Instructions::Avx512], || {
         [
             answers(&Ur5e),
             answers(&Kr6R900),
             answers(&Stanford),
             answers(&Scara),
         ]
-    };
-    let [sse2, avx2, avx512] =
-        [Instructions::Sse2, Instructions::Avx2, Instructions::Avx512].map(|instructions| {
-            assert_eq!(use_at_most(instructions), instructions.min(widest));
-            all()
-        });
-    for (narrow, wide) in sse2.iter().zip(&avx2).chain(sse2.iter().zip(&avx512)) {
+    });
+    for (narrow, wide) in avx2.iter().zip(&avx512) {
         let solutions = narrow.iter().flatten().count();
         assert!(solutions > 800, "{solutions} solutions tell little");
         assert!(narrow == wide, "the results depend on the instructions");
     }
 }
 
-/// By target, what comes in any order.
-fn solutions<K: Kinematics<6>>(robot: &K) -> Vec<Solutions<6>> {
+/// Regular targets, singular ones, and some out of reach; those of random configurations first.
+fn targets<K: Kinematics<N>, const N: usize>(robot: &K) -> Vec<Pose> {
     let mut random = Random::new(13);
     let mut target = |k: usize| {
-        let mut q: [f64; 6] = std::array::from_fn(|_| random.angle());
+        let mut q: [f64; N] = std::array::from_fn(|_| random.angle());
         if k.is_multiple_of(4) {
-            q[k % 6] = random.right_angle();
+            q[k % N] = random.right_angle();
         }
         let mut target = robot.fk(&q);
         if k.is_multiple_of(10) {
@@ -127,47 +131,88 @@ fn solutions<K: Kinematics<6>>(robot: &K) -> Vec<Solutions<6>> {
         }
         target
     };
-    (0..400).map(|k| robot.ik(&target(k))).collect()
+    (0..400).map(&mut target).collect()
 }
 
-#[test]
-fn fused_additions_change_the_last_digits_of_arms_without_a_closed_form() {
-    let _alone = ONE_AT_A_TIME.lock();
-    let widest = Instructions::of_this_processor();
-    let all = || [solutions(&Xarm6), solutions(&Calibrated)];
-    let [sse2, avx2, avx512] =
-        [Instructions::Sse2, Instructions::Avx2, Instructions::Avx512].map(|instructions| {
-            assert_eq!(use_at_most(instructions), instructions.min(widest));
-            all()
-        });
+/// By target, what comes in any order.
+fn solutions<K: Kinematics<N>, const N: usize>(robot: &K, targets: &[Pose]) -> Vec<Solutions<N>> {
+    targets.iter().map(|target| robot.ik(target)).collect()
+}
+
+fn fused_operations_change_the_last_digits<K: Kinematics<N>, const N: usize>(robot: &K) {
+    let targets = targets(robot);
+    let all = [Instructions::Sse2, Instructions::Avx2, Instructions::Avx512];
+    let [sse2, avx2, avx512] = with(all, || solutions(robot, &targets));
     for (narrow, wide) in sse2.iter().zip(&avx2).chain(sse2.iter().zip(&avx512)) {
-        for (k, (narrow, wide)) in narrow.iter().zip(wide).enumerate() {
-            let [a, b] = [narrow, wide].map(|all| all.iter().filter(|x| !x.singular));
-            assert_eq!(a.clone().count(), b.clone().count(), "target {k}");
-            for solution in a {
-                let same = b.clone().any(|other| {
-                    let mut turns = solution.q.iter().zip(&other.q);
-                    turns.all(|(x, y)| (x - y).sin().abs() < 1e-8)
-                });
-                assert!(same, "target {k}: {solution:?}");
-            }
+        let [a, b] = [narrow, wide].map(|all| all.iter().filter(|x| !x.singular));
+        assert_eq!(a.clone().count(), b.clone().count());
+        for solution in a {
+            let same = b.clone().any(|other| {
+                let mut turns = solution.q.iter().zip(&other.q);
+                turns.all(|(x, y)| (x - y).sin().abs() < 1e-8)
+            });
+            assert!(same, "{solution:?}");
         }
+    }
+    if Instructions::of_this_processor() > Instructions::Sse2 {
+        assert!(sse2 != avx2, "nothing was fused");
+    }
+
+    let mut random = Random::new(14);
+    let q: Vec<[f64; N]> = (0..100)
+        .map(|_| std::array::from_fn(|_| random.angle()))
+        .collect();
+    let forward = || q.iter().map(|q| robot.fk_jacobian(q)).collect::<Vec<_>>();
+    let [sse2, avx2] = with([Instructions::Sse2, Instructions::Avx2], forward);
+    for ((pose, jacobian), (other, other_jacobian)) in sse2.iter().zip(&avx2) {
+        assert!(pose.rotation_distance(other) < 2e-15);
+        assert!(pose.translation_distance(other) < 2e-15);
+        let rows = jacobian.rows.as_flattened().iter();
+        let mut entries = rows.zip(other_jacobian.rows.as_flattened());
+        assert!(entries.all(|(a, b)| (a - b).abs() < 2e-15));
     }
 }
 
-/// All numbers of all solutions.
-fn all_bits(found: &[Solutions<6>]) -> Vec<Option<Vec<u64>>> {
-    found.iter().flatten().map(bits).collect()
+#[test]
+fn fused_operations_change_the_last_digits_of_closed_forms() {
+    fused_operations_change_the_last_digits(&Ur5e);
+    fused_operations_change_the_last_digits(&Kr6R900);
+    fused_operations_change_the_last_digits(&Stanford);
+    fused_operations_change_the_last_digits(&Scara);
+}
+
+#[test]
+fn fused_operations_change_the_last_digits_of_arms_without_a_closed_form() {
+    fused_operations_change_the_last_digits(&Xarm6);
+    fused_operations_change_the_last_digits(&Calibrated);
 }
 
 #[test]
 fn what_is_reproducible_has_the_bits_of_the_narrowest_instructions() {
-    let _alone = ONE_AT_A_TIME.lock();
-    let all = || [solutions(&Xarm6), solutions(&Calibrated)].map(|found| all_bits(&found));
-    use_at_most(Instructions::Sse2);
-    let narrow = all();
-    let widest = use_at_most(Instructions::Avx512);
-    assert!(reproducibly(all) == narrow);
+    let robots = [
+        "../robots/ur5e.urdf",
+        "../robots/xarm6.yaml",
+        "robots/noisy/calibrated.yaml",
+    ];
+    let robots = robots.map(|path| match path.ends_with("urdf") {
+        true => Robot::from_urdf(path).unwrap(),
+        false => Robot::from_yaml(path).unwrap(),
+    });
+    let targets = [targets(&Ur5e), targets(&Xarm6), targets(&Calibrated)];
+    let all = || {
+        let solved = robots.iter().zip(&targets).map(|(robot, targets)| {
+            let of = |target| robot.ik(target);
+            targets.iter().map(of).collect::<Vec<_>>()
+        });
+        solved.collect::<Vec<_>>()
+    };
+    let [narrow] = with([Instructions::Sse2], all);
+    let [reproducible] = with([Instructions::Avx512], || reproducibly(all));
+    assert!(reproducible == narrow);
+    let [wide] = with([Instructions::Avx512], all);
     // Otherwise this shows nothing.
-    assert!(widest == Instructions::Sse2 || all() != narrow);
+    let widest = Instructions::of_this_processor();
+    for (narrow, wide) in narrow.iter().zip(&wide) {
+        assert!(widest == Instructions::Sse2 || wide != narrow);
+    }
 }

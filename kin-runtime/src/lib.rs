@@ -97,6 +97,7 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 #[doc(hidden)]
 pub mod __private {
     pub use crate::generated::acceptance::Acceptance;
+    pub use crate::generated::arithmetic::{Arithmetic, Fused};
     pub use crate::generated::batch;
     pub use crate::generated::branches::Branches;
     pub use crate::generated::dispatch::{self, Dispatched, dispatch};
@@ -106,6 +107,7 @@ pub mod __private {
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement::{self, AtSwivel};
+    pub use crate::generated::reproducible::{self, reproducibly};
     pub use crate::generated::sin_cos::{SideBySide, SinCos};
     pub use crate::generated::univariate::{
         self, Between, Eliminant, Elimination, Frames, Univariate,

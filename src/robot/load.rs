@@ -3,8 +3,8 @@
 use super::NamedPosture;
 use kin_codegen::arm::{CompiledArm, Forward};
 use kin_codegen::closed_form::Domain;
-use kin_codegen::expr::Tape;
 use kin_codegen::expr::forward::Outputs;
+use kin_codegen::expr::{Fusing, Tape};
 use kin_codegen::spec::{Diagnostic, Diagnostics};
 use kin_codegen::{Compiled, Error, Options, Scalar, Source, compile, compile_cached};
 use kin_runtime::{Chain, JointLimit};
@@ -63,7 +63,7 @@ impl Jacobians {
     fn of(forward: &Forward) -> Self {
         let of = |outputs: &dyn Outputs| Tape::new(&forward.graph, &outputs.expressions());
         Self {
-            both: of(&forward.both),
+            both: of(&forward.both).fusing(Fusing::All),
             spatial: forward.spatial_alone().map(|spatial| of(spatial)),
             body: of(&forward.body),
             geometric: of(&forward.geometric),
@@ -177,7 +177,7 @@ impl Robot {
         Self {
             chain: model.chain(),
             limits: (0..model.variables.len()).map(limit).collect(),
-            tip: Tape::new(&poses.graph, &poses.tip.expressions()),
+            tip: Tape::new(&poses.graph, &poses.tip.expressions()).fusing(Fusing::All),
             links: OnceLock::new(),
             jacobians: OnceLock::new(),
             singular: OnceLock::new(),

@@ -20,8 +20,8 @@
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::single::__private::{
-        Acceptance, Branches, Forward, Inverse, Lanes, SinCos, evaluate, lanes, math,
-        solve, solve_nearest,
+        Acceptance, Arithmetic, Branches, Forward, Inverse, Lanes, SinCos, evaluate,
+        lanes, math, solve, solve_nearest,
     };
     use ::kinematics::single::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -381,29 +381,36 @@ mod __Scara {
 
     impl Forward<Pose, 4, 3> for Scara {
         #[inline(always)]
-        fn at(q: &[f32; 4], sin_cos: impl SinCos<3>) -> Pose {
+        fn at<A: Arithmetic>(q: &[f32; 4], sin_cos: impl SinCos<3>) -> Pose {
             // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let t2 = q[2] + t1;
             let ([s1, s12, s123], [c1, c12, c123]) = sin_cos.of([q[0], t1, t2]);
             Pose {
                 rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                translation: [-(0.4 * s1 + 0.3 * s12), 0.4 * c1 + 0.3 * c12, q[3] + 0.5],
+                translation: [
+                    -A::mul_add(0.4, s1, 0.3 * s12),
+                    A::mul_add(0.4, c1, 0.3 * c12),
+                    q[3] + 0.5,
+                ],
             }
         }
     }
 
     impl Forward<(Pose, Jacobian<4>), 4, 3> for Scara {
         #[inline(always)]
-        fn at(q: &[f32; 4], sin_cos: impl SinCos<3>) -> (Pose, Jacobian<4>) {
+        fn at<A: Arithmetic>(
+            q: &[f32; 4],
+            sin_cos: impl SinCos<3>,
+        ) -> (Pose, Jacobian<4>) {
             // Angles about parallel axes add up
             let t1 = q[0] + q[1];
             let t2 = q[2] + t1;
             let ([s1, s12, s123], [c1, c12, c123]) = sin_cos.of([q[0], t1, t2]);
             let t3 = 0.4 * c1;
             let t4 = 0.4 * s1;
-            let t5 = t4 + 0.3 * s12;
-            let t6 = t3 + 0.3 * c12;
+            let t5 = A::mul_add(0.3, s12, t4);
+            let t6 = A::mul_add(0.3, c12, t3);
             (
                 Pose {
                     rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
@@ -434,7 +441,7 @@ mod __Scara {
         }
 
         #[inline(always)]
-        fn lanes<const T: usize>(
+        fn lanes<A: Arithmetic, const T: usize>(
             targets: &[Pose; T],
             seed: &[f32; 4],
             locked: &[f32; 0],
@@ -468,29 +475,41 @@ mod __Scara {
             for t in 0..T {
                 // 1. q1+q2+q3 by SP1
                 // 2. q4 by T2
-                let t3 = r31[t] * pz[t] + (r11[t] * px[t] + r21[t] * py[t]);
-                let t4 = r32[t] * pz[t] + (r12[t] * px[t] + r22[t] * py[t]);
-                let t5 = r33[t] * pz[t] + (r13[t] * px[t] + r23[t] * py[t]);
+                let t3 = A::mul_add(
+                    r31[t],
+                    pz[t],
+                    A::mul_add(r11[t], px[t], r21[t] * py[t]),
+                );
+                let t4 = A::mul_add(
+                    r32[t],
+                    pz[t],
+                    A::mul_add(r12[t], px[t], r22[t] * py[t]),
+                );
+                let t5 = A::mul_add(
+                    r33[t],
+                    pz[t],
+                    A::mul_add(r13[t], px[t], r23[t] * py[t]),
+                );
                 let d4 = t5 - 0.5;
                 // 3. q2 by SP3, given q4 (what all branches share)
                 let t6 = -0.5 - d4;
-                let t7 = px[t] + r13[t] * t6;
-                let t8 = py[t] + r23[t] * t6;
-                let t9 = pz[t] + r33[t] * t6;
-                let t10 = 0.5 * (t9 * t9 + (t7 * t7 + t8 * t8));
+                let t7 = A::mul_add(r13[t], t6, px[t]);
+                let t8 = A::mul_add(r23[t], t6, py[t]);
+                let t9 = A::mul_add(r33[t], t6, pz[t]);
+                let t10 = 0.5 * A::mul_add(t9, t9, A::mul_add(t7, t7, t8 * t8));
                 let t11 = 0.125 - t10;
-                let t12 = 0.0144 - t11 * t11;
+                let t12 = A::mul_add(-t11, t11, 0.0144);
                 let t13 = math::select(t12 < 2.88e-8, 1.0, 0.0);
                 let t14 = math::sqrt(math::select(t12 < 2.88e-8, 0.0, t12));
                 let t15 = math::max(-0.12, -math::max(-0.12, t10 - 0.125));
                 let t16 = 8.333333 * t15;
                 let c2 = -t16;
                 // 4. q3 by SP1, given q2 and q4 (what all branches share)
-                let t17 = 3.3333333 * t15 - 0.3;
+                let t17 = A::mul_add(3.3333333, t15, -0.3);
                 let t18 = t4 * t17;
                 let t19 = t3 * t17;
                 let t20 = t17 * t17;
-                let t21 = t3 * t3 + t4 * t4;
+                let t21 = A::mul_add(t3, t3, t4 * t4);
                 // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
                 // branches share)
                 let t22 = r11[t] * t16;
@@ -498,25 +517,53 @@ mod __Scara {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t24 = r31[t] * r31[t];
-                let t25 = 0.5 * (t24 + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                let t25 = 0.5
+                    * (t24 + A::mul_add(r11[t], r11[t], r21[t] * r21[t]) - 1.0);
                 let t26 = r32[t] * r32[t];
-                let t27 = 0.5 * (t26 + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
-                let t28 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
-                let t29 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
-                let t30 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
-                let t31 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
-                let t32 = t25 * t25 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
-                    + t31 * t31;
-                let t33 = 1.4210855e-14
-                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t])) + 1.44 * t32;
+                let t27 = 0.5
+                    * (t26 + A::mul_add(r12[t], r12[t], r22[t] * r22[t]) - 1.0);
+                let t28 = A::mul_add(
+                    r31[t],
+                    r32[t],
+                    A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                );
+                let t29 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t30 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t31 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t32 = A::mul_add(
+                    t31,
+                    t31,
+                    A::mul_add(
+                        t30,
+                        t30,
+                        A::mul_add(
+                            t29,
+                            t29,
+                            A::mul_add(t28, t28, A::mul_add(t25, t25, t27 * t27)),
+                        ),
+                    ),
+                );
+                let t33 = A::mul_add(
+                    1.4210855e-14,
+                    A::mul_add(pz[t], pz[t], A::mul_add(px[t], px[t], py[t] * py[t])),
+                    1.44 * t32,
+                );
                 let t34 = t5 - pz[t];
                 let t35 = t34 * t34;
                 let t36 = r12[t] + r21[t];
                 let t37 = r11[t] - r22[t];
                 let t38 = 1.0 - r33[t];
-                let t39 = t26
-                    + (t24 + (r13[t] * r13[t] + t36 * t36 + t37 * t37 + r23[t] * r23[t]))
-                    + t38 * t38;
+                let t39 = A::mul_add(
+                    t38,
+                    t38,
+                    t26
+                        + (t24
+                            + A::mul_add(
+                                r23[t],
+                                r23[t],
+                                A::mul_add(t37, t37, A::mul_add(r13[t], r13[t], t36 * t36)),
+                            )),
+                );
                 let t40 = 0.72 * t39;
                 t3_[t] = t3;
                 t4_[t] = t4;
@@ -553,7 +600,7 @@ mod __Scara {
                     let s2 = -t42;
                     // 4. q3 by SP1, given q2 and q4
                     let t43 = 3.3333333 * t41;
-                    let t44 = math::sqrt((t43 * t43 + t20_[t]) * t21_[t]);
+                    let t44 = math::sqrt(A::mul_add(t43, t43, t20_[t]) * t21_[t]);
                     let singular = math::max(
                         t13_[t],
                         math::select(t44 < 1.44e-12, 1.0, 0.0),
@@ -562,28 +609,36 @@ mod __Scara {
                     let s3 = math::select(
                         t44 < 1.44e-12,
                         t1,
-                        (t4_[t] * t43 - t19_[t]) * t45,
+                        A::mul_add(t4_[t], t43, -t19_[t]) * t45,
                     );
                     let c3 = math::select(
                         t44 < 1.44e-12,
                         t2,
-                        -((t3_[t] * t43 + t18_[t]) * t45),
+                        -(A::mul_add(t3_[t], t43, t18_[t]) * t45),
                     );
                     // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
-                    let t46 = t23_[t] + r11[t] * t42;
-                    let t47 = r12[t] * t42 - t22_[t];
-                    let t48 = c3 * t46 - s3 * t47;
-                    let t49 = c3 * t47 + s3 * t46;
+                    let t46 = A::mul_add(r11[t], t42, t23_[t]);
+                    let t47 = A::mul_add(r12[t], t42, -t22_[t]);
+                    let t48 = A::mul_add(c3, t46, -(s3 * t47));
+                    let t49 = A::mul_add(c3, t47, s3 * t46);
                     // Residual: forward kinematics against the target
-                    let t50 = 0.3 * (t16_[t] * t48 + t42 * t49) - 0.4 * t48 - px[t];
-                    let t51 = 0.4 * t49 + 0.3 * (t42 * t48 - t16_[t] * t49) - py[t];
+                    let t50 = A::mul_add(
+                        0.3,
+                        A::mul_add(t16_[t], t48, t42 * t49),
+                        -(0.4 * t48),
+                    ) - px[t];
+                    let t51 = A::mul_add(
+                        0.4,
+                        t49,
+                        0.3 * A::mul_add(t42, t48, -(t16_[t] * t49)),
+                    ) - py[t];
                     let residual = math::sqrt(
-                        t33_[t] + (t35_[t] + (t50 * t50 + t51 * t51)) + t40_[t],
+                        t33_[t] + (t35_[t] + A::mul_add(t50, t50, t51 * t51)) + t40_[t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
-                    let q1 = lanes::angle(t48, t49);
-                    let q2 = lanes::angle(s2, c2_[t]);
-                    let q3 = lanes::angle(s3, c3);
+                    let q1 = A::angle(t48, t49);
+                    let q2 = A::angle(s2, c2_[t]);
+                    let q3 = A::angle(s3, c3);
                     invalid_[k][t] = invalid;
                     singular_[k][t] = singular;
                     residual_[k][t] = residual;

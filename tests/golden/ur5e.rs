@@ -20,8 +20,8 @@
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Branches, Forward, Inverse, Lanes, SinCos, evaluate, lanes, math,
-        solve, solve_nearest, widen,
+        Acceptance, Arithmetic, Branches, Forward, Inverse, Lanes, SinCos, evaluate,
+        lanes, math, solve, solve_nearest, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -618,7 +618,7 @@ mod __Ur5e {
 
     impl Forward<Pose, 6, 6> for Ur5e {
         #[inline(always)]
-        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
@@ -626,32 +626,41 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], q[5], t1, t2]);
             let t3 = c5 * s6;
             let t4 = s5 * s6;
-            let t5 = c234 * c6 - s234 * t3;
-            let t6 = s234 * c6 + c234 * t3;
-            let t7 = c1 * t6 + s1 * t4;
-            let t8 = c1 * t4 - s1 * t6;
+            let t5 = A::mul_add(c234, c6, -(s234 * t3));
+            let t6 = A::mul_add(s234, c6, c234 * t3);
+            let t7 = A::mul_add(c1, t6, s1 * t4);
+            let t8 = A::mul_add(c1, t4, -(s1 * t6));
             let t9 = c234 * s5;
             let t10 = s234 * s5;
-            let t11 = s1 * c5 - c1 * t9;
-            let t12 = s1 * t9 + c1 * c5;
+            let t11 = A::mul_add(s1, c5, -(c1 * t9));
+            let t12 = A::mul_add(s1, t9, c1 * c5);
             let t13 = 0.0996 * s5;
-            let t14 = 0.425 * s2 + 0.3922 * s23 + (0.0997 * c234 + s234 * t13);
-            let t15 = 0.425 * c2 + 0.3922 * c23 + (c234 * t13 - 0.0997 * s234);
-            let t16 = -0.1333 - 0.0996 * c5;
+            let t14 = A::mul_add(0.425, s2, 0.3922 * s23)
+                + A::mul_add(0.0997, c234, s234 * t13);
+            let t15 = A::mul_add(0.425, c2, 0.3922 * c23)
+                + A::mul_add(c234, t13, -(0.0997 * s234));
+            let t16 = A::mul_add(-0.0996, c5, -0.1333);
             Pose {
                 rotation: [
-                    [t5 * t12 - t8 * t10, -t7, t11],
-                    [t5 * t11 - t7 * t10, t8, -t12],
-                    [t7 * t12 - t8 * t11, t5, -t10],
+                    [A::mul_add(t5, t12, -(t8 * t10)), -t7, t11],
+                    [A::mul_add(t5, t11, -(t7 * t10)), t8, -t12],
+                    [A::mul_add(t7, t12, -(t8 * t11)), t5, -t10],
                 ],
-                translation: [-(c1 * t15 + s1 * t16), c1 * t16 - s1 * t15, 0.1625 - t14],
+                translation: [
+                    -A::mul_add(c1, t15, s1 * t16),
+                    A::mul_add(c1, t16, -(s1 * t15)),
+                    0.1625 - t14,
+                ],
             }
         }
     }
 
     impl Forward<(Pose, Jacobian<6>), 6, 6> for Ur5e {
         #[inline(always)]
-        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<6>,
+        ) -> (Pose, Jacobian<6>) {
             // Angles about parallel axes add up
             let t1 = q[1] + q[2];
             let t2 = q[3] + t1;
@@ -659,45 +668,45 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], q[5], t1, t2]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
-            let t5 = t4 + 0.3922 * s23;
-            let t6 = t3 + 0.3922 * c23;
+            let t5 = A::mul_add(0.3922, s23, t4);
+            let t6 = A::mul_add(0.3922, c23, t3);
             let t7 = c5 * s6;
             let t8 = s5 * s6;
-            let t9 = c234 * c6 - s234 * t7;
-            let t10 = s234 * c6 + c234 * t7;
-            let t11 = c1 * t10 + s1 * t8;
-            let t12 = c1 * t8 - s1 * t10;
+            let t9 = A::mul_add(c234, c6, -(s234 * t7));
+            let t10 = A::mul_add(s234, c6, c234 * t7);
+            let t11 = A::mul_add(c1, t10, s1 * t8);
+            let t12 = A::mul_add(c1, t8, -(s1 * t10));
             let t13 = c234 * s5;
             let t14 = s234 * s5;
             let t15 = -t14;
-            let t16 = s1 * c5 - c1 * t13;
-            let t17 = s1 * t13 + c1 * c5;
+            let t16 = A::mul_add(s1, c5, -(c1 * t13));
+            let t17 = A::mul_add(s1, t13, c1 * c5);
             let t18 = -t17;
             let t19 = 0.0996 * s5;
             let t20 = 0.0997 * c234;
             let t21 = 0.0997 * s234;
-            let t22 = t6 + (c234 * t19 - t21);
-            let t23 = -0.1333 - 0.0996 * c5;
+            let t22 = t6 + A::mul_add(c234, t19, -t21);
+            let t23 = A::mul_add(-0.0996, c5, -0.1333);
             let t24 = -c1;
             let t25 = t21 - t6;
             let t26 = t4 - 0.1625;
             let t27 = t5 - 0.1625;
             let t28 = t5 + t20 - 0.1625;
             let t29 = 0.1333 * c234;
-            let t30 = s234 * t28 - c234 * t25;
-            let t31 = c5 * t28 - 0.1333 * t14;
-            let t32 = t14 * t25 + t13 * t28;
+            let t30 = A::mul_add(s234, t28, -(c234 * t25));
+            let t31 = A::mul_add(c5, t28, -(0.1333 * t14));
+            let t32 = A::mul_add(t14, t25, t13 * t28);
             (
                 Pose {
                     rotation: [
-                        [t9 * t17 - t12 * t14, -t11, t16],
-                        [t9 * t16 - t11 * t14, t12, t18],
-                        [t11 * t17 - t12 * t16, t9, t15],
+                        [A::mul_add(t9, t17, -(t12 * t14)), -t11, t16],
+                        [A::mul_add(t9, t16, -(t11 * t14)), t12, t18],
+                        [A::mul_add(t11, t17, -(t12 * t16)), t9, t15],
                     ],
                     translation: [
-                        -(c1 * t22 + s1 * t23),
-                        c1 * t23 - s1 * t22,
-                        0.1625 - (t5 + (t20 + s234 * t19)),
+                        -A::mul_add(c1, t22, s1 * t23),
+                        A::mul_add(c1, t23, -(s1 * t22)),
+                        0.1625 - (t5 + A::mul_add(s234, t19, t20)),
                     ],
                 },
                 Jacobian {
@@ -707,18 +716,25 @@ mod __Ur5e {
                             0.1625 * c1,
                             -(c1 * t26),
                             -(c1 * t27),
-                            c1 * t29 + s1 * t30,
-                            -(c1 * t31 + s1 * t32),
+                            A::mul_add(c1, t29, s1 * t30),
+                            -A::mul_add(c1, t31, s1 * t32),
                         ],
                         [
                             0.0,
                             0.1625 * s1,
                             -(s1 * t26),
                             -(s1 * t27),
-                            s1 * t29 - c1 * t30,
-                            c1 * t32 - s1 * t31,
+                            A::mul_add(s1, t29, -(c1 * t30)),
+                            A::mul_add(c1, t32, -(s1 * t31)),
                         ],
-                        [0.0, 0.0, t3, t6, 0.1333 * s234, -(0.1333 * t13 + c5 * t25)],
+                        [
+                            0.0,
+                            0.0,
+                            t3,
+                            t6,
+                            0.1333 * s234,
+                            -A::mul_add(0.1333, t13, c5 * t25),
+                        ],
                         [0.0, s1, s1, s1, c1 * s234, t16],
                         [0.0, t24, t24, t24, s1 * s234, t18],
                         [1.0, 0.0, 0.0, 0.0, -c234, t15],
@@ -740,7 +756,7 @@ mod __Ur5e {
         }
 
         #[inline(always)]
-        fn lanes<const T: usize>(
+        fn lanes<A: Arithmetic, const T: usize>(
             targets: &[Pose; T],
             seed: &[f64; 6],
             locked: &[f64; 0],
@@ -776,7 +792,7 @@ mod __Ur5e {
                 let t10 = 0.0996 * r33[t];
                 let t11 = px[t] - t8;
                 let t12 = t9 - py[t];
-                let t13 = t12 * t12 + t11 * t11;
+                let t13 = A::mul_add(t12, t12, t11 * t11);
                 let t14 = t13 - 0.01776889;
                 let t15 = 1e-13 * t13;
                 let t16 = math::sqrt(math::select(t14 < t15, 0.0, t14));
@@ -794,18 +810,43 @@ mod __Ur5e {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t24 = 0.5
-                    * (r31[t] * r31[t] + (r11[t] * r11[t] + r21[t] * r21[t]) - 1.0);
+                    * (A::mul_add(
+                        r31[t],
+                        r31[t],
+                        A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
+                    ) - 1.0);
                 let t25 = 0.5
-                    * (r32[t] * r32[t] + (r12[t] * r12[t] + r22[t] * r22[t]) - 1.0);
-                let t26 = r31[t] * r32[t] + (r11[t] * r12[t] + r21[t] * r22[t]);
-                let t27 = r13[t] - (r21[t] * r32[t] - r22[t] * r31[t]);
-                let t28 = r23[t] - (r12[t] * r31[t] - r11[t] * r32[t]);
-                let t29 = r33[t] - (r11[t] * r22[t] - r12[t] * r21[t]);
-                let t30 = t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28
-                    + t29 * t29;
-                let t31 = 4.930380657631324e-32
-                    * (pz[t] * pz[t] + (px[t] * px[t] + py[t] * py[t]))
-                    + 1.7221312899999994 * t30;
+                    * (A::mul_add(
+                        r32[t],
+                        r32[t],
+                        A::mul_add(r12[t], r12[t], r22[t] * r22[t]),
+                    ) - 1.0);
+                let t26 = A::mul_add(
+                    r31[t],
+                    r32[t],
+                    A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                );
+                let t27 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t28 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t29 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t30 = A::mul_add(
+                    t29,
+                    t29,
+                    A::mul_add(
+                        t28,
+                        t28,
+                        A::mul_add(
+                            t27,
+                            t27,
+                            A::mul_add(t26, t26, A::mul_add(t24, t24, t25 * t25)),
+                        ),
+                    ),
+                );
+                let t31 = A::mul_add(
+                    4.930380657631324e-32,
+                    A::mul_add(pz[t], pz[t], A::mul_add(px[t], px[t], py[t] * py[t])),
+                    1.7221312899999994 * t30,
+                );
                 t8_[t] = t8;
                 t9_[t] = t9;
                 t10_[t] = t10;
@@ -859,20 +900,20 @@ mod __Ur5e {
                     let s1 = math::select(
                         t13_[t] < 1.7221312899999994e-24,
                         t2,
-                        (t20_[t] + t12_[t] * t33) * t22_[t],
+                        A::mul_add(t12_[t], t33, t20_[t]) * t22_[t],
                     );
                     let c1 = math::select(
                         t13_[t] < 1.7221312899999994e-24,
                         t5,
-                        (t19_[t] - t11_[t] * t33) * t22_[t],
+                        A::mul_add(-t11_[t], t33, t19_[t]) * t22_[t],
                     );
                     // 2. q2+q3+q4 and q5 by SP2, given q1
                     let t34 = r13[t] * s1;
                     let t35 = r23[t] * c1;
-                    let t36 = r13[t] * c1 + r23[t] * s1;
+                    let t36 = A::mul_add(r13[t], c1, r23[t] * s1);
                     let t37 = t35 - t34;
                     let c5 = t34 - t35;
-                    let t38 = t23_[t] + t36 * t36;
+                    let t38 = A::mul_add(t36, t36, t23_[t]);
                     let t39 = math::max(
                         math::max(
                             math::select(t14_[t] < t15_[t], t32, 0.0),
@@ -888,19 +929,26 @@ mod __Ur5e {
                     let t41 = c1 * s234;
                     let t42 = s1 * s234;
                     let t43 = r31[t] * c234;
-                    let t44 = r11[t] * t41 + r21[t] * t42;
-                    let c6 = r32[t] * c234 - (r12[t] * t41 + r22[t] * t42);
+                    let t44 = A::mul_add(r11[t], t41, r21[t] * t42);
+                    let c6 = A::mul_add(
+                        r32[t],
+                        c234,
+                        -A::mul_add(r12[t], t41, r22[t] * t42),
+                    );
                     let s6 = t43 - t44;
                     // 4. q3 by SP3, given q6 (what several branches share)
                     let t45 = 0.0997 * c6;
                     let t46 = 0.0997 * (t44 - t43);
-                    let t47 = px[t] + (r12[t] * t45 - r11[t] * t46 - t8_[t]);
-                    let t48 = py[t] + (r22[t] * t45 - r21[t] * t46 - t9_[t]);
-                    let t49 = pz[t] + (r32[t] * t45 - r31[t] * t46 - t10_[t]) - 0.1625;
+                    let t47 = px[t]
+                        + (A::mul_add(r12[t], t45, -(r11[t] * t46)) - t8_[t]);
+                    let t48 = py[t]
+                        + (A::mul_add(r22[t], t45, -(r21[t] * t46)) - t9_[t]);
+                    let t49 = pz[t]
+                        + (A::mul_add(r32[t], t45, -(r31[t] * t46)) - t10_[t]) - 0.1625;
                     let t50 = t49 * t49;
-                    let t51 = 0.5 * (t50 + (t47 * t47 + t48 * t48));
+                    let t51 = 0.5 * (t50 + A::mul_add(t47, t47, t48 * t48));
                     let level = 0.17610736499999996 - t51;
-                    let t52 = 0.02778388922499999 - level * level;
+                    let t52 = A::mul_add(-level, level, 0.02778388922499999);
                     let t53 = math::max(
                         math::max(
                             math::max(t21_[t], math::select(t38 < 1e-13, 1.0, 0.0)),
@@ -925,14 +973,16 @@ mod __Ur5e {
                         0.0,
                     );
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t59 = c1 * t47 + s1 * t48;
+                    let t59 = A::mul_add(c1, t47, s1 * t48);
                     let t60 = 2.3529411764705883 * t55;
-                    let t61 = 0.425 - 2.3529411764705883 * t56;
+                    let t61 = A::mul_add(-2.3529411764705883, t56, 0.425);
                     let t62 = t49 * t60;
                     let t63 = t59 * t61;
                     let t64 = t59 * t60;
                     let t65 = t49 * t61;
-                    let t66 = math::sqrt((t50 + t59 * t59) * (t60 * t60 + t61 * t61));
+                    let t66 = math::sqrt(
+                        A::mul_add(t59, t59, t50) * A::mul_add(t60, t60, t61 * t61),
+                    );
                     let singular = math::max(
                         t53,
                         math::select(t66 < 1.7221312899999994e-24, 1.0, 0.0),
@@ -942,38 +992,53 @@ mod __Ur5e {
                     // branches share)
                     let t68 = c5 * s6;
                     let t69 = s5 * s6;
-                    let t70 = c234 * c6 - s234 * t68;
-                    let t71 = s234 * c6 + c234 * t68;
-                    let t72 = c1 * t71 + s1 * t69;
-                    let t73 = c1 * t69 - s1 * t71;
+                    let t70 = A::mul_add(c234, c6, -(s234 * t68));
+                    let t71 = A::mul_add(s234, c6, c234 * t68);
+                    let t72 = A::mul_add(c1, t71, s1 * t69);
+                    let t73 = A::mul_add(c1, t69, -(s1 * t71));
                     let t74 = s5 * c234;
                     let t75 = s5 * s234;
-                    let t76 = c1 * t74 + s1 * t37;
-                    let t77 = c1 * t37 - s1 * t74;
+                    let t76 = A::mul_add(c1, t74, s1 * t37);
+                    let t77 = A::mul_add(-s1, t74, c1 * t37);
                     let t78 = 0.0996 * s5;
-                    let t79 = 0.0997 * c234 + s234 * t78;
-                    let t80 = c234 * t78 - 0.0997 * s234;
-                    let t81 = -0.1333 - 0.0996 * c5;
+                    let t79 = A::mul_add(0.0997, c234, s234 * t78);
+                    let t80 = A::mul_add(c234, t78, -(0.0997 * s234));
+                    let t81 = A::mul_add(-0.0996, c5, -0.1333);
                     let t82 = c1 * t81;
                     let t83 = s1 * t81;
-                    let t84 = r11[t] + (t73 * t75 + t70 * t77);
+                    let t84 = r11[t] + A::mul_add(t73, t75, t70 * t77);
                     let t85 = r12[t] + t72;
                     let t86 = r13[t] + t76;
-                    let t87 = r21[t] + (t70 * t76 + t72 * t75);
+                    let t87 = r21[t] + A::mul_add(t70, t76, t72 * t75);
                     let t88 = t73 - r22[t];
                     let t89 = t77 - r23[t];
-                    let t90 = t84 * t84 + t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88
-                        + t89 * t89;
-                    let t91 = t73 * t76 - t72 * t77 - r31[t];
+                    let t90 = A::mul_add(
+                        t89,
+                        t89,
+                        A::mul_add(
+                            t88,
+                            t88,
+                            A::mul_add(
+                                t87,
+                                t87,
+                                A::mul_add(t86, t86, A::mul_add(t84, t84, t85 * t85)),
+                            ),
+                        ),
+                    );
+                    let t91 = A::mul_add(t73, t76, -(t72 * t77)) - r31[t];
                     let t92 = t70 - r32[t];
                     let t93 = r33[t] + t75;
                     let t94 = 0.8610656449999997
-                        * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
+                        * A::mul_add(
+                            t93,
+                            t93,
+                            A::mul_add(t92, t92, A::mul_add(t91, t91, t90)),
+                        );
                     // Joint values: angles from sines and cosines, in (−π, π]
-                    let q1 = lanes::angle(s1, c1);
-                    let t95 = lanes::angle(-t57, c3);
-                    let q5 = lanes::angle(s5, c5);
-                    let q6 = lanes::angle(s6, c6);
+                    let q1 = A::angle(s1, c1);
+                    let t95 = A::angle(-t57, c3);
+                    let q5 = A::angle(s5, c5);
+                    let q6 = A::angle(s6, c6);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
                     t39_[k][t] = t39;
@@ -1044,40 +1109,46 @@ mod __Ur5e {
                     let s2 = math::select(
                         t66_[k][t] < 1.7221312899999994e-24,
                         t3,
-                        -((t65_[k][t] + e3[k] * t64_[k][t]) * t67_[k][t]),
+                        -(A::mul_add(e3[k], t64_[k][t], t65_[k][t]) * t67_[k][t]),
                     );
                     let c2 = math::select(
                         t66_[k][t] < 1.7221312899999994e-24,
                         t6,
-                        (e3[k] * t62_[k][t] - t63_[k][t]) * t67_[k][t],
+                        A::mul_add(e3[k], t62_[k][t], -t63_[k][t]) * t67_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t96 = s234_[k][t] * c2 - c234_[k][t] * s2;
-                    let t97 = c234_[k][t] * c2 + s234_[k][t] * s2;
+                    let t96 = A::mul_add(s234_[k][t], c2, -(c234_[k][t] * s2));
+                    let t97 = A::mul_add(c234_[k][t], c2, s234_[k][t] * s2);
                     // Residual: forward kinematics against the target
-                    let t98 = 0.3922 * (t58_[k][t] * s2 + e3[k] * (t57_[k][t] * c2))
-                        - 0.425 * s2 - t79_[k][t];
-                    let t99 = 0.425 * c2
-                        + 0.3922 * (e3[k] * (t57_[k][t] * s2) - t58_[k][t] * c2)
-                        + t80_[k][t];
-                    let t100 = px[t] + (c1_[k][t] * t99 + t83_[k][t]);
-                    let t101 = t82_[k][t] - s1_[k][t] * t99 - py[t];
+                    let t98 = A::mul_add(
+                        0.3922,
+                        A::mul_add(t58_[k][t], s2, e3[k] * (t57_[k][t] * c2)),
+                        -(0.425 * s2),
+                    ) - t79_[k][t];
+                    let t99 = A::mul_add(
+                        0.425,
+                        c2,
+                        0.3922 * A::mul_add(e3[k], t57_[k][t] * s2, -(t58_[k][t] * c2)),
+                    ) + t80_[k][t];
+                    let t100 = px[t] + A::mul_add(c1_[k][t], t99, t83_[k][t]);
+                    let t101 = A::mul_add(-s1_[k][t], t99, t82_[k][t]) - py[t];
                     let t102 = t98 + 0.1625 - pz[t];
                     let residual = math::sqrt(
-                        t31_[t] + (t102 * t102 + (t100 * t100 + t101 * t101))
+                        t31_[t]
+                            + A::mul_add(t102, t102, A::mul_add(t100, t100, t101 * t101))
                             + t94_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
-                    let q2 = lanes::angle(s2, c2);
+                    let q2 = A::angle(s2, c2);
                     let t103 = e3[k] * t95_[k][t];
                     let q3 = math::select(
                         -3.141592653589793 < t103,
                         t103,
                         t103 + 6.283185307179586,
                     );
-                    let q4 = lanes::angle(
-                        e3[k] * (t57_[k][t] * t97) - t58_[k][t] * t96,
-                        -(t58_[k][t] * t97 + e3[k] * (t57_[k][t] * t96)),
+                    let q4 = A::angle(
+                        A::mul_add(e3[k], t57_[k][t] * t97, -(t58_[k][t] * t96)),
+                        -A::mul_add(t58_[k][t], t97, e3[k] * (t57_[k][t] * t96)),
                     );
                     invalid_[k][t] = invalid;
                     residual_[k][t] = residual;

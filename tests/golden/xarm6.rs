@@ -18,7 +18,7 @@
 mod __Xarm6 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Elimination, Forward, Frames, SinCos, Univariate, evaluate, lanes,
+        Arithmetic, Elimination, Forward, Frames, SinCos, Univariate, evaluate, lanes,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -1141,7 +1141,7 @@ mod __Xarm6 {
 
     impl Forward<Pose, 6, 6> for Xarm6 {
         #[inline(always)]
-        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<6>) -> Pose {
             // Angles about parallel axes add up
             let t1 = q[1] + 0.18587843800202203;
             let t2 = t1 + (q[2] - 1.7566747647969185);
@@ -1149,33 +1149,34 @@ mod __Xarm6 {
                 .of([q[4], q[5], q[3], q[0], t1, t2]);
             let t3 = c5 * s6;
             let t4 = s5 * s6;
-            let t5 = s4 * t3 - c4 * c6;
-            let t6 = s4 * c6 + c4 * t3;
-            let t7 = c23 * t6 - s23 * t4;
-            let t8 = s23 * t6 + c23 * t4;
-            let t9 = c1 * t8 - s1 * t5;
-            let t10 = s1 * t8 + c1 * t5;
+            let t5 = A::mul_add(s4, t3, -(c4 * c6));
+            let t6 = A::mul_add(s4, c6, c4 * t3);
+            let t7 = A::mul_add(c23, t6, -(s23 * t4));
+            let t8 = A::mul_add(s23, t6, c23 * t4);
+            let t9 = A::mul_add(c1, t8, -(s1 * t5));
+            let t10 = A::mul_add(s1, t8, c1 * t5);
             let t11 = c4 * s5;
             let t12 = s4 * s5;
-            let t13 = c23 * t11 + s23 * c5;
-            let t14 = s23 * t11 - c23 * c5;
-            let t15 = c1 * t14 - s1 * t12;
-            let t16 = s1 * t14 + c1 * t12;
-            let t17 = 0.076 * c5 - 0.097 * s5;
+            let t13 = A::mul_add(c23, t11, s23 * c5);
+            let t14 = A::mul_add(s23, t11, -(c23 * c5));
+            let t15 = A::mul_add(c1, t14, -(s1 * t12));
+            let t16 = A::mul_add(s1, t14, c1 * t12);
+            let t17 = A::mul_add(0.076, c5, -(0.097 * s5));
             let t18 = s4 * t17;
-            let t19 = -0.0775 - c4 * t17;
-            let t20 = -0.3425 - (0.076 * s5 + 0.097 * c5);
-            let t21 = 0.28948866 * s2 + (s23 * t19 + c23 * t20);
+            let t19 = A::mul_add(-c4, t17, -0.0775);
+            let t20 = -0.3425 - A::mul_add(0.076, s5, 0.097 * c5);
+            let t21 = A::mul_add(0.28948866, s2, A::mul_add(s23, t19, c23 * t20));
             Pose {
                 rotation: [
-                    [t10 * t13 - t7 * t16, t9, t15],
-                    [t7 * t15 - t9 * t13, t10, t16],
-                    [t9 * t16 - t10 * t15, t7, t13],
+                    [A::mul_add(t10, t13, -(t7 * t16)), t9, t15],
+                    [A::mul_add(t7, t15, -(t9 * t13)), t10, t16],
+                    [A::mul_add(t9, t16, -(t10 * t15)), t7, t13],
                 ],
                 translation: [
-                    c1 * t21 + s1 * t18,
-                    s1 * t21 - c1 * t18,
-                    0.28948866 * c2 + (c23 * t19 - s23 * t20) + 0.267,
+                    A::mul_add(c1, t21, s1 * t18),
+                    A::mul_add(s1, t21, -(c1 * t18)),
+                    A::mul_add(0.28948866, c2, A::mul_add(c23, t19, -(s23 * t20)))
+                        + 0.267,
                 ],
             }
         }
@@ -1183,7 +1184,10 @@ mod __Xarm6 {
 
     impl Forward<(Pose, Jacobian<6>), 6, 6> for Xarm6 {
         #[inline(always)]
-        fn at(q: &[f64; 6], sin_cos: impl SinCos<6>) -> (Pose, Jacobian<6>) {
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<6>,
+        ) -> (Pose, Jacobian<6>) {
             // Angles about parallel axes add up
             let t1 = q[1] + 0.18587843800202203;
             let t2 = t1 + (q[2] - 1.7566747647969185);
@@ -1193,41 +1197,53 @@ mod __Xarm6 {
             let t4 = -s1;
             let t5 = c1 * t3;
             let t6 = s1 * t3;
-            let t7 = 0.28948866 * c2 + 0.267;
+            let t7 = A::mul_add(0.28948866, c2, 0.267);
             let t8 = c1 * s23;
             let t9 = s1 * s23;
             let t10 = c1 * c23;
             let t11 = s1 * c23;
-            let t12 = s1 * c4 + s4 * t8;
-            let t13 = c1 * c4 - s4 * t9;
+            let t12 = A::mul_add(s1, c4, s4 * t8);
+            let t13 = A::mul_add(c1, c4, -(s4 * t9));
             let t14 = c23 * s4;
-            let t15 = s1 * s4 - c4 * t8;
-            let t16 = c1 * s4 + c4 * t9;
+            let t15 = A::mul_add(s1, s4, -(c4 * t8));
+            let t16 = A::mul_add(c1, s4, c4 * t9);
             let t17 = c23 * c4;
-            let t18 = c5 * t15 - s5 * t10;
-            let t19 = c5 * t16 + s5 * t11;
-            let t20 = s23 * s5 - c5 * t17;
-            let t21 = s5 * t15 + c5 * t10;
+            let t18 = A::mul_add(c5, t15, -(s5 * t10));
+            let t19 = A::mul_add(c5, t16, s5 * t11);
+            let t20 = A::mul_add(s23, s5, -(c5 * t17));
+            let t21 = A::mul_add(s5, t15, c5 * t10);
             let t22 = -t21;
-            let t23 = s5 * t16 - c5 * t11;
-            let t24 = s23 * c5 + s5 * t17;
-            let t25 = t5 - (0.0775 * t8 + 0.3425 * t10);
-            let t26 = t6 - (0.0775 * t9 + 0.3425 * t11);
-            let t27 = t7 + (0.3425 * s23 - 0.0775 * c23);
-            let t28 = 0.076 * t18 + t25;
-            let t29 = t26 - 0.076 * t19;
-            let t30 = 0.076 * t20 + t27;
+            let t23 = A::mul_add(s5, t16, -(c5 * t11));
+            let t24 = A::mul_add(s23, c5, s5 * t17);
+            let t25 = t5 - A::mul_add(0.0775, t8, 0.3425 * t10);
+            let t26 = t6 - A::mul_add(0.0775, t9, 0.3425 * t11);
+            let t27 = t7 + A::mul_add(0.3425, s23, -(0.0775 * c23));
+            let t28 = A::mul_add(0.076, t18, t25);
+            let t29 = A::mul_add(-0.076, t19, t26);
+            let t30 = A::mul_add(0.076, t20, t27);
             (
                 Pose {
                     rotation: [
-                        [s6 * t12 + c6 * t18, c6 * t12 - s6 * t18, t22],
-                        [-(s6 * t13 + c6 * t19), s6 * t19 - c6 * t13, t23],
-                        [s6 * t14 + c6 * t20, c6 * t14 - s6 * t20, t24],
+                        [
+                            A::mul_add(s6, t12, c6 * t18),
+                            A::mul_add(c6, t12, -(s6 * t18)),
+                            t22,
+                        ],
+                        [
+                            -A::mul_add(s6, t13, c6 * t19),
+                            A::mul_add(s6, t19, -(c6 * t13)),
+                            t23,
+                        ],
+                        [
+                            A::mul_add(s6, t14, c6 * t20),
+                            A::mul_add(c6, t14, -(s6 * t20)),
+                            t24,
+                        ],
                     ],
                     translation: [
-                        t28 - 0.097 * t21,
-                        0.097 * t23 + t29,
-                        0.097 * t24 + t30,
+                        A::mul_add(-0.097, t21, t28),
+                        A::mul_add(0.097, t23, t29),
+                        A::mul_add(0.097, t24, t30),
                     ],
                 },
                 Jacobian {
@@ -1236,25 +1252,25 @@ mod __Xarm6 {
                             0.0,
                             -(0.267 * c1),
                             -(c1 * t7),
-                            s23 * t26 + t11 * t27,
-                            -(t14 * t26 + t13 * t27),
-                            t24 * t29 - t23 * t30,
+                            A::mul_add(s23, t26, t11 * t27),
+                            -A::mul_add(t14, t26, t13 * t27),
+                            A::mul_add(t24, t29, -(t23 * t30)),
                         ],
                         [
                             0.0,
                             -(0.267 * s1),
                             -(s1 * t7),
-                            -(t10 * t27 + s23 * t25),
-                            t14 * t25 - t12 * t27,
-                            -(t21 * t30 + t24 * t28),
+                            -A::mul_add(t10, t27, s23 * t25),
+                            A::mul_add(t14, t25, -(t12 * t27)),
+                            -A::mul_add(t21, t30, t24 * t28),
                         ],
                         [
                             0.0,
                             0.0,
-                            c1 * t5 + s1 * t6,
-                            t10 * t26 - t11 * t25,
-                            t13 * t25 + t12 * t26,
-                            t23 * t28 + t21 * t29,
+                            A::mul_add(c1, t5, s1 * t6),
+                            A::mul_add(t10, t26, -(t11 * t25)),
+                            A::mul_add(t13, t25, t12 * t26),
+                            A::mul_add(t23, t28, t21 * t29),
                         ],
                         [0.0, t4, t4, -t10, -t12, t22],
                         [0.0, c1, c1, -t11, t13, t23],

@@ -148,7 +148,7 @@ pub fn lanes<L: Language>(
     let target = target_names();
     let target = target.iter().map(|name| L::of_target(name));
     let inputs: Vec<L::Text> = target.chain(inputs).collect();
-    let mut writer = Writer::<L>::new(g, &outputs, &inputs, &stages);
+    let mut writer = Writer::<L>::new(g, &outputs, &inputs, &stages, L::FUSES);
     let last_read = last_read(&writer, inverse, &stages, SHARED + loops.len());
     let trig = writer.sines_and_cosines();
     let given = given(&mut writer, &headings, &stages);

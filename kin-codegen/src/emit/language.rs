@@ -5,6 +5,9 @@ use crate::expr::RootPart;
 /// A language of generated code. [`Writer`](super::straight::Writer) decides what is
 /// written in which order and under which names, for all languages alike.
 pub trait Language {
+    /// Whether the lanes of a plan are written with fused operations.
+    const FUSES: bool;
+
     /// A piece of source.
     type Text: Clone;
 
@@ -18,6 +21,8 @@ pub trait Language {
     fn parenthesized(a: Self::Text) -> Self::Text;
     /// An operation on two numbers.
     fn infix(a: Self::Text, operator: Operator, b: Self::Text) -> Self::Text;
+    /// a b + c as one operation, where it can be.
+    fn mul_add(a: Self::Text, b: Self::Text, c: Self::Text) -> Self::Text;
     /// A call of a function of the runtime.
     fn call(function: Function, arguments: Vec<Self::Text>) -> Self::Text;
     /// A number of a root of the quartic that was solved under this name.

@@ -51,6 +51,8 @@ pub struct Writer<'a, L: Language> {
     needed: Vec<bool>,
     /// How many operations read a node.
     uses: Vec<u32>,
+    /// Products that are one operation with the sum that reads them.
+    fused: Vec<bool>,
     /// Nodes that stand inline where they are used.
     inline: Vec<bool>,
     /// What a node is called, once it has been written.
@@ -65,8 +67,15 @@ pub struct Writer<'a, L: Language> {
 impl<'a, L: Language> Writer<'a, L> {
     /// For a function that computes `outputs`. `inputs` is how the
     /// inputs are read, by number. Nodes of different `stages` do
-    /// not stand inline in each other.
-    pub fn new(graph: &'a Graph, outputs: &[Expr], inputs: &[L::Text], stages: &[usize]) -> Self {
+    /// not stand inline in each other; products and sums are `fused` operations
+    /// if they are to be.
+    pub fn new(
+        graph: &'a Graph,
+        outputs: &[Expr],
+        inputs: &[L::Text],
+        stages: &[usize],
+        fused: bool,
+    ) -> Self {
         let needed = graph.reachable(outputs);
         let mut uses = vec![0; needed.len()];
         let mut pinned = vec![false; needed.len()];
@@ -79,8 +88,13 @@ impl<'a, L: Language> Writer<'a, L> {
         for e in outputs {
             uses[e.index()] += 1;
         }
+        let fused = match fused {
+            true => graph.fused(outputs),
+            false => vec![false; needed.len()],
+        };
         let mut writer = Self {
             graph,
+            fused,
             inline: Vec::new(),
             names: vec![None; needed.len()],
             needed,
@@ -138,6 +152,7 @@ impl<'a, L: Language> Writer<'a, L> {
                 | Node::Sin(_)
                 | Node::Cos(_)
                 | Node::TrigRoot(..) => false,
+                _ if self.fused[i] => true,
                 // Free to repeat.
                 Node::Neg(a) if !pinned[i] && matches!(self.graph.node(*a), Node::Input(_)) => true,
                 _ => {
@@ -323,6 +338,17 @@ impl<'a, L: Language> Writer<'a, L> {
             Node::Input(_) | Node::Sign(_) | Node::Sin(_) | Node::Cos(_) => {
                 unreachable!("inputs, signs, sines and cosines have names before they are read")
             }
+            Node::Add(a, b) if self.fused[a.index()] => self.mul_add(a, b),
+            Node::Add(a, b) if self.fused[b.index()] => self.mul_add(b, a),
+            Node::Sub(a, b) if self.fused[a.index()] => {
+                let [x, y] = self.factors(a).map(|e| self.read(e).0);
+                (L::mul_add(x, y, self.negated(b)), Atom)
+            }
+            Node::Sub(a, b) if self.fused[b.index()] => {
+                let [x, y] = self.factors(b);
+                let (x, y) = (self.negated(x), self.read(y).0);
+                (L::mul_add(x, y, self.read(a).0), Atom)
+            }
             Node::Add(a, b) => match self.graph.value(b) {
                 Some(c) if c < 0.0 => {
                     let (a, c) = (self.read(a).0, constant::<L>(-c).0);
@@ -362,6 +388,27 @@ impl<'a, L: Language> Writer<'a, L> {
                 let name = quartic_name(known.map_or(0, |i| i + 1));
                 (L::root(&name, part), Atom)
             }
+        }
+    }
+
+    /// The sum of a product that is fused and of what is added to it.
+    fn mul_add(&self, product: Expr, addend: Expr) -> (L::Text, Binding) {
+        let [a, b] = self.factors(product).map(|e| self.read(e).0);
+        (L::mul_add(a, b, self.read(addend).0), Binding::Atom)
+    }
+
+    fn factors(&self, product: Expr) -> [Expr; 2] {
+        match self.graph.node(product) {
+            Node::Mul(a, b) => [a, b],
+            other => unreachable!("{other:?} is no product"),
+        }
+    }
+
+    /// −a.
+    fn negated(&self, a: Expr) -> L::Text {
+        match self.graph.value(a) {
+            Some(x) => constant::<L>(-x).0,
+            None => L::minus(self.at_least(a, Binding::Atom)),
         }
     }
 

@@ -14,6 +14,7 @@ mod axes;
 mod count;
 pub mod determinant;
 pub mod forward;
+mod fused;
 mod hash;
 mod interpret;
 pub mod inverse;
@@ -27,7 +28,7 @@ pub(crate) use hash::Multiplicative;
 use hash::NodeMap;
 pub use interpret::Lane;
 pub use tangent::Tangent;
-pub use tape::{Lanes, Tape};
+pub use tape::{Fusing, Lanes, Tape};
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]

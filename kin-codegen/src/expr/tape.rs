@@ -11,7 +11,7 @@ use super::hash::NodeMap;
 use super::{Expr, Graph, Lane, Node, RootField};
 use crate::scalar::Scalar;
 use kin_runtime::__private::quartic::{TrigRoot, trig_roots};
-use kin_runtime::__private::{Dispatched, dispatch, lanes, math};
+use kin_runtime::__private::{Arithmetic, Dispatched, Fused, dispatch, lanes, math, reproducible};
 use kin_runtime::single::__private::math as single;
 
 /// Where a value stands.
@@ -24,7 +24,7 @@ enum Instruction {
     Sub(Place, [Place; 2]),
     Mul(Place, [Place; 2]),
     Div(Place, [Place; 2]),
-    /// a b + c, where nothing else reads the product; it is rounded as well.
+    /// a b + c, where nothing else reads the product.
     ProductAdd(Place, [Place; 3]),
     /// a b − c.
     ProductSub(Place, [Place; 3]),
@@ -70,6 +70,19 @@ pub struct Tape {
     outputs: Vec<Place>,
     places: usize,
     scalar: Scalar,
+    fused: Fusing,
+}
+
+/// What generated code computes with fused operations, where the processor has them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fusing {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// All but sines and cosines, which are those of angles that come with the target.
+    Lanes,
+    /// Sines and cosines, too.
+    All,
 }
 
 /// The values of some lanes.
@@ -98,6 +111,12 @@ impl Tape {
         Self { scalar, ..self }
     }
 
+    /// The same with products and sums fused as in generated code, where the processor can and
+    /// nothing is asked for that is the same on every machine.
+    pub fn fusing(self, fused: Fusing) -> Self {
+        Self { fused, ..self }
+    }
+
     /// How many outputs there are.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
@@ -119,7 +138,7 @@ impl Tape {
         let input = (self, inputs, first, &mut values[..]);
         match self.scalar {
             Scalar::F64 => dispatch::<Running<L, T, false>, _>(input),
-            Scalar::F32 => Running::<L, T, true>::run(input),
+            Scalar::F32 => Running::<L, T, true>::run::<false>(input),
         }
         Lanes { tape: self, values }
     }
@@ -140,7 +159,11 @@ impl<const L: usize, const T: usize, const SINGLE: bool> Dispatched<Input<'_, L,
     type Output = ();
 
     #[inline(always)]
-    fn run((tape, inputs, first, values): Input<'_, L, T>) {
+    fn run<const FUSED: bool>((tape, inputs, first, values): Input<'_, L, T>) {
+        let fused = match FUSED && !reproducible::wanted() {
+            true => tape.fused,
+            false => Fusing::Nothing,
+        };
         // How many lanes one of the inputs has.
         let each = L / T;
         let of_each = |x: [f64; T]| -> [f64; L] { std::array::from_fn(|k| x[k / each]) };
@@ -164,9 +187,10 @@ impl<const L: usize, const T: usize, const SINGLE: bool> Dispatched<Input<'_, L,
                 for (x, (_, input)) in inputs_of.iter_mut().zip(angles) {
                     *x = inputs[t][*input as usize];
                 }
-                let (sine, cosine) = match SINGLE {
-                    true => in_single(inputs_of),
-                    false => lanes::sin_cos(inputs_of),
+                let (sine, cosine) = match fused {
+                    _ if SINGLE => in_single(inputs_of),
+                    Fusing::All => lanes::sin_cos_by::<FUSED, ANGLES>(inputs_of),
+                    _ => lanes::sin_cos(inputs_of),
                 };
                 for k in 0..ANGLES {
                     (sines[k][t], cosines[k][t]) = (sine[k], cosine[k]);
@@ -178,7 +202,7 @@ impl<const L: usize, const T: usize, const SINGLE: bool> Dispatched<Input<'_, L,
             }
         }
         for instruction in &tape.instructions {
-            tape.step::<L, T, SINGLE>(*instruction, values);
+            tape.step::<L, T, SINGLE, FUSED>(*instruction, fused, values);
         }
     }
 }
@@ -195,9 +219,10 @@ fn in_single<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
 
 impl Tape {
     #[inline(always)]
-    fn step<const L: usize, const T: usize, const SINGLE: bool>(
+    fn step<const L: usize, const T: usize, const SINGLE: bool, const FUSED: bool>(
         &self,
         instruction: Instruction,
+        fused: Fusing,
         values: &mut [[f64; L]],
     ) {
         let at = |place: Place| place as usize;
@@ -223,32 +248,45 @@ impl Tape {
                 }
             }};
         }
+        macro_rules! product_and_sum {
+            ($to:ident, [$($operand:ident),*], $k:ident => $a:expr, $b:expr, $c:expr) => {
+                if fused == Fusing::Nothing {
+                    lane_by_lane!($to, [$($operand),*], $k => rounded!($a * $b) + $c);
+                } else {
+                    lane_by_lane!($to, [$($operand),*], $k => Fused::<FUSED>::mul_add($a, $b, $c));
+                }
+            };
+        }
         match instruction {
             Instruction::Add(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] + b[k]),
             Instruction::Sub(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] - b[k]),
             Instruction::Mul(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] * b[k]),
             Instruction::Div(to, [a, b]) => lane_by_lane!(to, [a, b], k => a[k] / b[k]),
             Instruction::ProductAdd(to, [a, b, c]) => {
-                lane_by_lane!(to, [a, b, c], k => rounded!(a[k] * b[k]) + c[k]);
+                product_and_sum!(to, [a, b, c], k => a[k], b[k], c[k]);
             }
             Instruction::ProductSub(to, [a, b, c]) => {
-                lane_by_lane!(to, [a, b, c], k => rounded!(a[k] * b[k]) - c[k]);
+                product_and_sum!(to, [a, b, c], k => a[k], b[k], -c[k]);
             }
             Instruction::SubProduct(to, [a, b, c]) => {
-                lane_by_lane!(to, [a, b, c], k => a[k] - rounded!(b[k] * c[k]));
+                product_and_sum!(to, [a, b, c], k => -b[k], c[k], a[k]);
             }
             Instruction::ProductsAdd(to, [a, b, c, d]) => {
-                lane_by_lane!(to, [a, b, c, d], k => rounded!(a[k] * b[k]) + rounded!(c[k] * d[k]));
+                product_and_sum!(to, [a, b, c, d], k => a[k], b[k], rounded!(c[k] * d[k]));
             }
             Instruction::ProductsSub(to, [a, b, c, d]) => {
-                lane_by_lane!(to, [a, b, c, d], k => rounded!(a[k] * b[k]) - rounded!(c[k] * d[k]));
+                product_and_sum!(to, [a, b, c, d], k => a[k], b[k], -rounded!(c[k] * d[k]));
             }
             Instruction::Max(to, [a, b]) => lane_by_lane!(to, [a, b], k => math::max(a[k], b[k])),
             Instruction::Atan2(to, [y, x]) => {
-                lane_by_lane!(to, [y, x], k => match SINGLE {
-                    true => single::angle(y[k] as f32, x[k] as f32).into(),
-                    false => lanes::angle(y[k], x[k]),
-                });
+                if fused == Fusing::Nothing {
+                    lane_by_lane!(to, [y, x], k => match SINGLE {
+                        true => single::angle(y[k] as f32, x[k] as f32).into(),
+                        false => lanes::angle(y[k], x[k]),
+                    });
+                } else {
+                    lane_by_lane!(to, [y, x], k => Fused::<FUSED>::angle(y[k], x[k]));
+                }
             }
             Instruction::OneAtan2(to, [y, x]) => {
                 let [y, x] = [y, x].map(|place| values[at(place)]);
@@ -269,9 +307,10 @@ impl Tape {
                 let a = values[at(a)];
                 let mut both = [[0.0; L]; 2];
                 for k in 0..L {
-                    (both[0][k], both[1][k]) = match SINGLE {
-                        true => one_in_single(a[k]),
-                        false => math::sin_cos(a[k]),
+                    (both[0][k], both[1][k]) = match fused {
+                        _ if SINGLE => one_in_single(a[k]),
+                        Fusing::All => math::sin_cos_by::<FUSED>(a[k]),
+                        _ => math::sin_cos(a[k]),
                     };
                 }
                 [values[at(sin)], values[at(cos)]] = both;
@@ -320,7 +359,7 @@ struct Writer<'a> {
     needed: Vec<bool>,
     /// By node, how many choices it sees.
     levels: Vec<u8>,
-    /// Products that are read by a single sum or difference, whose instruction has them.
+    /// Products that the instruction of a sum or difference has; see [`Graph::fused`].
     inside: Vec<bool>,
     /// By node, the last one whose instruction reads it; outputs are read by none of them.
     last: Vec<usize>,
@@ -336,7 +375,7 @@ impl<'a> Writer<'a> {
     fn new(graph: &'a Graph, outputs: &[Expr]) -> Self {
         let needed = graph.reachable(outputs);
         let nodes = graph.nodes();
-        let inside = products_inside(graph, &needed, outputs);
+        let inside = graph.fused(outputs);
         let mut writer = Self {
             graph,
             needed,
@@ -535,80 +574,3 @@ impl<'a> Writer<'a> {
 
 /// Nodes by what they are of.
 type Partners = NodeMap<[Expr; 5], Vec<usize>>;
-
-/// The products that a single sum or difference reads, and nothing else.
-fn products_inside(graph: &Graph, needed: &[bool], outputs: &[Expr]) -> Vec<bool> {
-    let nodes = graph.nodes();
-    let mut readers = vec![0; nodes.len()];
-    let mut inside = vec![false; nodes.len()];
-    for (i, node) in nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
-        for operand in node.operands() {
-            readers[operand.index()] += 1;
-            let is_sum = matches!(nodes[i], Node::Add(..) | Node::Sub(..));
-            let is_product = matches!(graph.node(operand), Node::Mul(..));
-            inside[operand.index()] = is_sum && is_product;
-        }
-    }
-    for output in outputs {
-        inside[output.index()] = false;
-    }
-    let alone = inside.iter().zip(&readers);
-    alone
-        .map(|(inside, readers)| *inside && *readers == 1)
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// By the interpreter of single lanes, bit by bit.
-    #[test]
-    fn every_lane_is_what_the_interpreter_has() {
-        let mut g = Graph::new();
-        let [x, y] = ["x", "y"].map(|name| g.input(name));
-        let (sin, cos) = g.sin_cos(x);
-        let (first, second) = (g.sign(), g.sign());
-        let root = g.sqrt(y);
-        let root = g.mul(first, root);
-        let sum = g.add(sin, root);
-        let limited = g.max(sum, cos);
-        let quotient = g.div(limited, y);
-        let other = g.mul(second, quotient);
-        let angle = g.atan2(other, sum);
-        let wrapped = g.wrap(angle);
-        let less = g.select_less(wrapped, cos, root, other);
-        let minus = g.neg(less);
-        let [product, another, third] = [[sin, y], [cos, less], [y, y]].map(|[a, b]| g.mul(a, b));
-        let sums = [
-            g.add(product, angle),
-            g.sub(another, angle),
-            g.sub(angle, third),
-        ];
-        let [fourth, fifth] = [[sums[0], y], [sums[1], cos]].map(|[a, b]| g.mul(a, b));
-        let both = g.add(fourth, fifth);
-        let [sixth, seventh] = [[both, y], [sums[2], cos]].map(|[a, b]| g.mul(a, b));
-        let apart = g.sub(sixth, seventh);
-        let outputs = [less, angle, minus, sin, y, first, both, apart];
-        let tape = Tape::new(&g, &outputs);
-        let inputs = [0.7, 2.3];
-        let four = tape.run::<4>(&inputs, 0);
-        let rest = tape.run::<2>(&inputs, 2);
-        // Beside other inputs.
-        let beside = tape.run_each::<8, 2>([&[-0.4, 1.9], &inputs], 0);
-        for lane in 0..4 {
-            let mut values = Vec::new();
-            g.evaluate(&inputs, lane, &mut values);
-            for (number, output) in outputs.iter().enumerate() {
-                let expected = values[output.index()].to_bits();
-                assert_eq!(four.output(number)[lane as usize].to_bits(), expected);
-                assert_eq!(beside.output(number)[lane as usize + 4].to_bits(), expected);
-                if lane >= 2 {
-                    assert_eq!(rest.output(number)[lane as usize - 2].to_bits(), expected);
-                }
-            }
-        }
-        // Places are used again.
-        assert!(tape.places < g.nodes().len(), "{}", tape.places);
-    }
-}

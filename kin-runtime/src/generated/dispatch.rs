@@ -3,10 +3,10 @@
 //! Lanes are plain loops, which the compiler turns into the vector instructions
 //! that it may use; by default on x86-64 those are SSE2's, two lanes at a time.
 //! [`dispatch`] has the same source compiled for AVX2 and AVX-512 beside that,
-//! and takes what there is. The results are the same to the last bit: each
-//! operation is rounded as IEEE 754 says, whatever the width, and the compiler
-//! never contracts a product and a sum to a fused operation. Only where one is written, as
-//! for the polynomial in one joint, do the last digits differ.
+//! and takes what there is. Each operation is rounded as IEEE 754 says, whatever the width; but
+//! where the instructions have it, a product and a sum are one fused operation where that is
+//! written ([`mul_add`](super::super::scalar::math::mul_add)): so AVX2 and AVX-512 give the same
+//! results to the last bit, and SSE2 others in the last digits.
 //!
 //! Nothing is dispatched where the program is compiled for AVX2 or more
 //! (`-C target-cpu=native`), on other architectures (NEON is part of aarch64),
@@ -17,7 +17,7 @@
 
 /// What is compiled for several instruction sets. `run` has to be
 /// `#[inline(always)]`, and so has all that it calls: what stays a call is
-/// compiled once.
+/// compiled once. It is told whether a product and a sum are to be `FUSED`.
 pub trait Dispatched<I> {
     /// How many lanes much of it has. Where these leave vectors of AVX-512 half empty, AVX2 is as
     /// fast; and the few wide instructions among the others would slow those down: while some are
@@ -26,21 +26,21 @@ pub trait Dispatched<I> {
     /// What comes of it.
     type Output;
     /// Computes it.
-    fn run(input: I) -> Self::Output;
+    fn run<const FUSED: bool>(input: I) -> Self::Output;
     /// The same for vectors of two lanes, where less side by side may be faster.
     #[inline(always)]
-    fn run_narrow(input: I) -> Self::Output {
-        Self::run(input)
+    fn run_narrow<const FUSED: bool>(input: I) -> Self::Output {
+        Self::run::<FUSED>(input)
     }
     /// The same where there are AVX2 and fused multiplication and addition.
     #[inline(always)]
     fn run_avx2(input: I) -> Self::Output {
-        Self::run(input)
+        Self::run::<true>(input)
     }
     /// The same with AVX-512 beside these.
     #[inline(always)]
     fn run_avx512(input: I) -> Self::Output {
-        Self::run(input)
+        Self::run::<true>(input)
     }
 }
 
@@ -52,7 +52,7 @@ pub trait Dispatched<I> {
 /// impl Dispatched<&[f64; 8]> for Sum {
 ///     type Output = f64;
 ///     #[inline(always)]
-///     fn run(x: &[f64; 8]) -> f64 {
+///     fn run<const FUSED: bool>(x: &[f64; 8]) -> f64 {
 ///         x.iter().sum()
 ///     }
 /// }
@@ -67,7 +67,7 @@ pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
     #[cfg(target_feature = "avx2")]
     {
         if cfg!(not(target_feature = "fma")) {
-            T::run(input)
+            T::run::<false>(input)
         } else if cfg!(all(
             target_feature = "avx512f",
             target_feature = "avx512vl",
@@ -80,7 +80,11 @@ pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
     }
     #[cfg(not(any(target_feature = "avx2", all(feature = "std", target_arch = "x86_64"))))]
     {
-        T::run_narrow(input)
+        // NEON has it.
+        match cfg!(target_arch = "aarch64") {
+            true => T::run_narrow::<true>(input),
+            false => T::run_narrow::<false>(input),
+        }
     }
 }
 
@@ -158,7 +162,7 @@ mod x86_64 {
     /// A function as well: its callers have no use for a copy.
     #[inline(never)]
     fn with_sse2<T: Dispatched<I>, I>(input: I) -> T::Output {
-        T::run_narrow(input)
+        T::run_narrow::<false>(input)
     }
 
     #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]

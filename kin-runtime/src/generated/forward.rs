@@ -1,6 +1,7 @@
 //! Forward kinematics of one configuration.
 
 use super::super::scalar::Real;
+use super::arithmetic::{Arithmetic, Fused};
 use super::dispatch::{Dispatched, dispatch};
 use super::sin_cos::{SideBySide, SinCos};
 use core::marker::PhantomData;
@@ -8,8 +9,8 @@ use core::marker::PhantomData;
 /// Straight-line code from joint values to a pose, or to a pose with its
 /// Jacobian, that needs the sines and cosines of M angles.
 pub trait Forward<Output, const N: usize, const M: usize> {
-    /// At `q`, radians and metres. To be `#[inline(always)]`.
-    fn at(q: &[Real; N], sin_cos: impl SinCos<M>) -> Output;
+    /// At `q`, radians and metres, in some arithmetic. To be `#[inline(always)]`.
+    fn at<A: Arithmetic>(q: &[Real; N], sin_cos: impl SinCos<M>) -> Output;
 }
 
 /// What a robot computes of a configuration.
@@ -32,7 +33,7 @@ where
     type Output = Output;
 
     #[inline(always)]
-    fn run(q: &[Real; N]) -> Output {
-        R::at(q, SideBySide)
+    fn run<const FUSED: bool>(q: &[Real; N]) -> Output {
+        R::at::<Fused<FUSED>>(q, SideBySide::<FUSED>)
     }
 }

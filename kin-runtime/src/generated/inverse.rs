@@ -4,6 +4,7 @@ use super::super::scalar::Real;
 use super::super::types::nearest::Motion;
 use super::super::{Nearest, Pose, Solution, Solutions, math};
 use super::acceptance::Acceptance;
+use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
 use super::free_angle::{FREE_BELOW, FreeAngle};
@@ -30,7 +31,7 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize
     /// The branches of T targets. Angles that are free are at `seed`; vectors whose
     /// square is below `free` tell no angle; `locked` are the values of the joints
     /// that are given; all in radians and metres. To be `#[inline(always)]`.
-    fn lanes<const T: usize>(
+    fn lanes<A: Arithmetic, const T: usize>(
         targets: &[Pose; T],
         seed: &[Real; N],
         locked: &[Real; P],
@@ -247,11 +248,13 @@ where
     type Output = Option<Found<N, L>>;
 
     #[inline(always)]
-    fn run((given, asked): (&Given<'_, R, N, L, P, M>, Asked<'_, N>)) -> Self::Output {
+    fn run<const FUSED: bool>(
+        (given, asked): (&Given<'_, R, N, L, P, M>, Asked<'_, N>),
+    ) -> Self::Output {
         let Given {
             pose, seed, locked, ..
         } = given;
-        let lanes = R::lanes(&[**pose], seed, locked, given.sin_cos, given.free);
+        let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
         match asked {
             Asked::Solutions(place) if lanes.settled(accept) => {

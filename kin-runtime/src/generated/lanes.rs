@@ -100,19 +100,25 @@ const VECTOR: usize = 32 / size_of::<Real>();
 /// ```
 #[inline(always)]
 pub fn sin_cos<const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
+    sin_cos_by::<false, N>(angles)
+}
+
+/// The same, with fused operations if they are asked for; see [`math::mul_add`].
+#[inline(always)]
+pub fn sin_cos_by<const FUSED: bool, const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
     match N {
         // No vectors: Rust uses none of 32-bit Arm, whose subnormal numbers are zeros.
-        _ if cfg!(target_arch = "arm") => side_by_side(angles),
-        3 => filled_up::<N, 4, 4>(angles),
-        5..=8 => filled_up::<N, 8, VECTOR>(angles),
-        9..=16 => filled_up::<N, 16, VECTOR>(angles),
-        _ => side_by_side(angles),
+        _ if cfg!(target_arch = "arm") => side_by_side::<FUSED, N>(angles),
+        3 => filled_up::<FUSED, N, 4, 4>(angles),
+        5..=8 => filled_up::<FUSED, N, 8, VECTOR>(angles),
+        9..=16 => filled_up::<FUSED, N, 16, VECTOR>(angles),
+        _ => side_by_side::<FUSED, N>(angles),
     }
 }
 
 /// With zeros behind them, so that they are `L`: whole vectors of `V`.
 #[inline(always)]
-fn filled_up<const N: usize, const L: usize, const V: usize>(
+fn filled_up<const FUSED: bool, const N: usize, const L: usize, const V: usize>(
     angles: [Real; N],
 ) -> ([Real; N], [Real; N]) {
     let mut all = [0.0; L];
@@ -121,7 +127,7 @@ fn filled_up<const N: usize, const L: usize, const V: usize>(
     for vector in 0..L / V {
         let part = vector * V..(vector + 1) * V;
         let angles: [Real; V] = core::array::from_fn(|k| all[part.start + k]);
-        let (s, c) = side_by_side(angles);
+        let (s, c) = side_by_side::<FUSED, V>(angles);
         sines[part.clone()].copy_from_slice(&s);
         cosines[part].copy_from_slice(&c);
     }
@@ -131,10 +137,12 @@ fn filled_up<const N: usize, const L: usize, const V: usize>(
 
 /// In one loop, however wide.
 #[inline(always)]
-pub(super) fn side_by_side<const N: usize>(angles: [Real; N]) -> ([Real; N], [Real; N]) {
+pub(super) fn side_by_side<const FUSED: bool, const N: usize>(
+    angles: [Real; N],
+) -> ([Real; N], [Real; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     for k in 0..N {
-        (sines[k], cosines[k]) = math::sin_cos(angles[k]);
+        (sines[k], cosines[k]) = math::sin_cos_by::<FUSED>(angles[k]);
     }
     (sines, cosines)
 }

@@ -3,6 +3,7 @@
 //! of the compiler that this is made for.
 
 pub mod acceptance;
+pub mod arithmetic;
 pub mod batch;
 pub mod branches;
 pub mod dispatch;
@@ -12,6 +13,7 @@ pub mod inverse;
 pub mod lanes;
 pub mod locked;
 pub mod refinement;
+pub mod reproducible;
 pub mod sin_cos;
 pub mod univariate;
 mod version;

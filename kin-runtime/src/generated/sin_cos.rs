@@ -14,19 +14,19 @@ pub trait SinCos<const M: usize> {
     fn of(self, angles: [Real; M]) -> ([Real; M], [Real; M]);
 }
 
-/// Those of one configuration, in packed instructions.
+/// Those of one configuration, in packed instructions, fused if they are asked for so.
 ///
 /// ```
 /// use kin_runtime::__private::{SideBySide, SinCos, math};
-/// let ([s1, s2, s3], _) = SideBySide.of([0.1, 0.2, 0.3]);
+/// let ([s1, s2, s3], _) = SideBySide::<false>.of([0.1, 0.2, 0.3]);
 /// assert_eq!([s1, s2, s3], [0.1, 0.2, 0.3].map(|angle| math::sin_cos(angle).0));
 /// ```
-pub struct SideBySide;
+pub struct SideBySide<const FUSED: bool>;
 
-impl<const M: usize> SinCos<M> for SideBySide {
+impl<const FUSED: bool, const M: usize> SinCos<M> for SideBySide<FUSED> {
     #[inline(always)]
     fn of(self, angles: [Real; M]) -> ([Real; M], [Real; M]) {
-        lanes::sin_cos(angles)
+        lanes::sin_cos_by::<FUSED, M>(angles)
     }
 }
 

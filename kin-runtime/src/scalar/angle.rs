@@ -27,6 +27,12 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// ```
 #[inline(always)]
 pub fn angle(y: f64, x: f64) -> f64 {
+    angle_by::<false>(y, x)
+}
+
+/// The same, with fused operations if they are asked for; see [`math::mul_add`].
+#[inline(always)]
+pub fn angle_by<const FUSED: bool>(y: f64, x: f64) -> f64 {
     let (ax, ay) = (x.abs(), y.abs());
     let large = if ay > ax { ay } else { ax };
     let small = if ay > ax { ax } else { ay };
@@ -37,7 +43,7 @@ pub fn angle(y: f64, x: f64) -> f64 {
     let along = large + gate(diagonal, small);
     let across = small - gate(diagonal, large);
     let t = across / math::select(along < SMALLEST, SMALLEST, along);
-    let off_axis = flip(atan_eighth(t), steep ^ left);
+    let off_axis = flip(atan_eighth::<FUSED>(t), steep ^ left);
 
     let upright = gate(diagonal, FRAC_PI_4) + gate(steep & !diagonal, FRAC_PI_2);
     let axis = (upright - gate(left, PI)).abs();
@@ -53,16 +59,24 @@ const SIGN: u64 = 1 << 63;
 
 /// atan t for |t| ≤ tan π/8.
 #[inline(always)]
-fn atan_eighth(t: f64) -> f64 {
+fn atan_eighth<const FUSED: bool>(t: f64) -> f64 {
     let z = t * t;
     let z2 = z * z;
     let z4 = z2 * z2;
-    let low = (-0.333_333_333_333_301_45 + z * 0.199_999_999_990_874_53)
-        + z2 * (-0.142_857_141_951_311_47 + z * 0.111_111_066_480_681_27);
-    let middle = (-0.090_907_822_804_788_97 + z * 0.076_900_664_010_314_3)
-        + z2 * (-0.066_411_044_113_241_27 + z * 0.056_924_499_825_848_21);
-    let high = -0.043_588_352_182_852_14 + z * 0.021_256_629_784_503_4;
-    t + t * (z * (low + z4 * (middle + z4 * high)))
+    let line = |a: f64, b: f64| math::mul_add::<FUSED>(z, b, a);
+    let low = math::mul_add::<FUSED>(
+        z2,
+        line(-0.142_857_141_951_311_47, 0.111_111_066_480_681_27),
+        line(-0.333_333_333_333_301_45, 0.199_999_999_990_874_53),
+    );
+    let middle = math::mul_add::<FUSED>(
+        z2,
+        line(-0.066_411_044_113_241_27, 0.056_924_499_825_848_21),
+        line(-0.090_907_822_804_788_97, 0.076_900_664_010_314_3),
+    );
+    let high = line(-0.043_588_352_182_852_14, 0.021_256_629_784_503_4);
+    let all = math::mul_add::<FUSED>(z4, math::mul_add::<FUSED>(z4, high, middle), low);
+    math::mul_add::<FUSED>(t, z * all, t)
 }
 
 #[inline(always)]

@@ -4,7 +4,8 @@
 //! computes all branches of an inverse side by side as array lanes. The
 //! functions here are written so that a plain loop over such lanes compiles to
 //! packed instructions on every target: no table, no call, no data-dependent
-//! jump, and no fused multiply-add (without hardware support that is a call).
+//! jump, and a fused multiply-add only where it is asked for (without hardware
+//! support that is a call).
 //! `tests/math.rs` measures every error stated below against references of
 //! higher precision.
 //!
@@ -47,13 +48,20 @@ const ROUNDER: f64 = 6_755_399_441_055_744.0;
 /// ```
 #[inline(always)]
 pub fn sin_cos(x: f64) -> (f64, f64) {
-    let rounded = x * FRAC_2_PI + ROUNDER;
+    sin_cos_by::<false>(x)
+}
+
+/// The same, with fused operations if they are asked for; see [`mul_add`].
+#[inline(always)]
+pub fn sin_cos_by<const FUSED: bool>(x: f64) -> (f64, f64) {
+    let rounded = mul_add::<FUSED>(x, FRAC_2_PI, ROUNDER);
     let quadrant = rounded.to_bits();
     let turns = rounded - ROUNDER;
-    let r = (x - turns * HALF_PI_HEAD) - turns * HALF_PI_TAIL;
+    let r = mul_add::<FUSED>(-turns, HALF_PI_HEAD, x);
+    let r = mul_add::<FUSED>(-turns, HALF_PI_TAIL, r);
     // Only meaningless arguments reach the clamp; it keeps them finite.
     let r = clamp(r, 0.785_41);
-    let (sine, cosine) = sin_cos_eighth(r);
+    let (sine, cosine) = sin_cos_eighth::<FUSED>(r);
 
     let swap = 0_u64.wrapping_sub(quadrant & 1);
     let flipped = (sine.to_bits() ^ cosine.to_bits()) & swap;
@@ -67,16 +75,52 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
 
 /// Sine and cosine on [−π/4, π/4].
 #[inline(always)]
-fn sin_cos_eighth(r: f64) -> (f64, f64) {
+fn sin_cos_eighth<const FUSED: bool>(r: f64) -> (f64, f64) {
     let z = r * r;
     let zz = z * z;
-    let s = (-0.166_666_666_666_666_3 + z * 0.008_333_333_333_322_118)
-        + zz * ((-0.000_198_412_698_295_886 + z * 2.755_731_362_104_882_4e-6)
-            + zz * (-2.505_074_770_837_915_5e-8 + z * 1.589_622_690_454_601e-10));
-    let c = (0.041_666_666_666_666_6 + z * -0.001_388_888_888_887_413_8)
-        + zz * ((2.480_158_728_949_087e-5 + z * -2.755_731_435_495_288_7e-7)
-            + zz * (2.087_572_364_357_017_8e-9 + z * -1.135_966_767_435_332_4e-11));
-    (r + r * (z * s), 1.0 - (0.5 * z - zz * c))
+    let line = |a: f64, b: f64| mul_add::<FUSED>(z, b, a);
+    let s = mul_add::<FUSED>(
+        zz,
+        mul_add::<FUSED>(
+            zz,
+            line(-2.505_074_770_837_915_5e-8, 1.589_622_690_454_601e-10),
+            line(-0.000_198_412_698_295_886, 2.755_731_362_104_882_4e-6),
+        ),
+        line(-0.166_666_666_666_666_3, 0.008_333_333_333_322_118),
+    );
+    let c = mul_add::<FUSED>(
+        zz,
+        mul_add::<FUSED>(
+            zz,
+            line(2.087_572_364_357_017_8e-9, -1.135_966_767_435_332_4e-11),
+            line(2.480_158_728_949_087e-5, -2.755_731_435_495_288_7e-7),
+        ),
+        line(0.041_666_666_666_666_6, -0.001_388_888_888_887_413_8),
+    );
+    (
+        mul_add::<FUSED>(r, z * s, r),
+        1.0 - mul_add::<FUSED>(-zz, c, 0.5 * z),
+    )
+}
+
+/// a b + c, rounded once if `FUSED`, else after each operation. That is one
+/// instruction where a function is compiled for one, and a slow call elsewhere, so it is asked for
+/// by who knows the instructions; without the feature `std` it is not to be had.
+///
+/// ```
+/// use kin_runtime::__private::math::mul_add;
+/// let small = f64::EPSILON / 4.0;
+/// assert_eq!(mul_add::<false>(1.0 + f64::EPSILON, 1.0 - small, -1.0), f64::EPSILON);
+/// # #[cfg(feature = "std")]
+/// assert_ne!(mul_add::<true>(1.0 + f64::EPSILON, 1.0 - small, -1.0), f64::EPSILON);
+/// ```
+#[inline(always)]
+pub fn mul_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(feature = "std")]
+    if FUSED {
+        return a.mul_add(b, c);
+    }
+    a * b + c
 }
 
 /// The angle of the vector (x, y) in [−π, π] radians, as `f64::atan2(y, x)`.

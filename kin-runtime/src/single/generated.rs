@@ -2,6 +2,8 @@
 
 #[path = "../generated/acceptance.rs"]
 pub mod acceptance;
+#[path = "../generated/arithmetic.rs"]
+pub mod arithmetic;
 #[path = "../generated/batch/mod.rs"]
 pub mod batch;
 #[path = "../generated/branches.rs"]

@@ -44,6 +44,19 @@ pub fn sin_cos(x: f32) -> (f32, f32) {
     )
 }
 
+/// The same: nothing is fused in this precision, as [`mul_add`] says.
+#[inline(always)]
+pub fn sin_cos_by<const FUSED: bool>(x: f32) -> (f32, f32) {
+    sin_cos(x)
+}
+
+/// a b + c, rounded after each operation, `FUSED` or not: what is certified is the arithmetic of
+/// `f32`, by rounding that of `f64`, which of a sum of a product rounds twice.
+#[inline(always)]
+pub fn mul_add<const FUSED: bool>(a: f32, b: f32, c: f32) -> f32 {
+    a * b + c
+}
+
 /// Sine and cosine on [−π/4, π/4].
 #[inline(always)]
 fn sin_cos_eighth(r: f32) -> (f32, f32) {
@@ -70,6 +83,12 @@ fn sin_cos_eighth(r: f32) -> (f32, f32) {
 pub fn angle(y: f32, x: f32) -> f32 {
     let angle = atan2(y, x);
     select(angle <= -PI, PI, angle)
+}
+
+/// The same; see [`mul_add`].
+#[inline(always)]
+pub fn angle_by<const FUSED: bool>(y: f32, x: f32) -> f32 {
+    angle(y, x)
 }
 
 /// As [`angle`], in [−π, π] with the sign of `y`.

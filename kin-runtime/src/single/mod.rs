@@ -57,6 +57,7 @@ pub use types::{
 #[doc(hidden)]
 pub mod __private {
     pub use super::generated::acceptance::Acceptance;
+    pub use super::generated::arithmetic::{Arithmetic, Fused};
     pub use super::generated::batch;
     pub use super::generated::branches::Branches;
     pub use super::generated::forward::{Forward, evaluate};

@@ -16,11 +16,11 @@ pub fn block(
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
 ) -> TokenStream {
-    block_of(&["q"], &quote!(lanes::sin_cos), g, outputs, n, result).0
+    block_of(&["q"], None, g, outputs, n, result).0
 }
 
 /// The same as the robot's implementation of `Forward`, whose caller says how the
-/// sines and cosines are found; `output` is the type of the result.
+/// sines and cosines are found, and in which arithmetic; `output` is the type of the result.
 pub fn implementation(
     robot: &Ident,
     output: &TokenStream,
@@ -29,13 +29,13 @@ pub fn implementation(
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
 ) -> TokenStream {
-    let (body, angles) = block_of(&["q"], &quote!(sin_cos.of), g, outputs, n, result);
+    let (body, angles) = block_of(&["q"], Some(quote!(sin_cos.of)), g, outputs, n, result);
     let unused = (angles == 0).then(|| quote!(let _ = sin_cos;));
     let [angles, n] = [angles, n].map(Literal::usize_unsuffixed);
     quote! {
         impl Forward<#output, #n, #angles> for #robot {
             #[inline(always)]
-            fn at(q: &[f64; #n], sin_cos: impl SinCos<#angles>) -> #output {
+            fn at<A: Arithmetic>(q: &[f64; #n], sin_cos: impl SinCos<#angles>) -> #output {
                 #unused
                 #body
             }
@@ -50,21 +50,14 @@ pub fn block_with_rates(
     n: usize,
     result: impl FnOnce(&Writer) -> TokenStream,
 ) -> TokenStream {
-    block_of(
-        &["q", "rates"],
-        &quote!(lanes::sin_cos),
-        g,
-        outputs,
-        n,
-        result,
-    )
-    .0
+    block_of(&["q", "rates"], None, g, outputs, n, result).0
 }
 
-/// The block, and of how many angles it asks the sines and cosines.
+/// The block, and of how many angles it asks the sines and cosines; `sin_cos` is whom, where the
+/// caller of the function says so, and in which arithmetic.
 fn block_of(
     parameters: &[&str],
-    sin_cos: &TokenStream,
+    sin_cos: Option<TokenStream>,
     g: &Graph,
     outputs: &[Expr],
     n: usize,
@@ -78,8 +71,9 @@ fn block_of(
         })
         .collect();
     let stages = vec![0; g.nodes().len()];
-    let mut writer = Writer::new(g, outputs, &inputs, &stages);
-    let trig = sines_and_cosines(&mut writer, sin_cos);
+    let mut writer = Writer::new(g, outputs, &inputs, &stages, sin_cos.is_some());
+    let sin_cos = sin_cos.unwrap_or_else(|| quote!(lanes::sin_cos));
+    let trig = sines_and_cosines(&mut writer, &sin_cos);
     let statements = writer.statements(Place::Scalar, |_| true, |_| Vec::new(), |_, _| ());
     // A parameter that nothing depends on is taken all the same.
     let unread = (parameters.iter().enumerate())

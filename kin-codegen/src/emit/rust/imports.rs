@@ -29,8 +29,9 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 22] = [
+const PRIVATE: [&str; 24] = [
     "Acceptance",
+    "Arithmetic",
     "AtSwivel",
     "Between",
     "Branches",
@@ -39,6 +40,7 @@ const PRIVATE: [&str; 22] = [
     "FREE_BELOW",
     "Forward",
     "Frames",
+    "Fused",
     "Inverse",
     "Lanes",
     "Locked",

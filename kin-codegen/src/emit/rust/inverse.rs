@@ -191,7 +191,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
             }
 
             #[inline(always)]
-            fn lanes<const T: usize>(
+            fn lanes<A: Arithmetic, const T: usize>(
                 targets: &[Pose; T],
                 seed: &[f64; #n],
                 locked: &[f64; #locked],

@@ -15,6 +15,8 @@ pub struct Rust;
 pub type Writer<'a> = straight::Writer<'a, Rust>;
 
 impl Language for Rust {
+    const FUSES: bool = true;
+
     type Text = TokenStream;
 
     fn name(name: &str) -> TokenStream {
@@ -44,13 +46,17 @@ impl Language for Rust {
         }
     }
 
+    fn mul_add(a: TokenStream, b: TokenStream, c: TokenStream) -> TokenStream {
+        quote!(A::mul_add(#a, #b, #c))
+    }
+
     fn call(function: Function, arguments: Vec<TokenStream>) -> TokenStream {
         let function = match (function, &arguments[..]) {
             (Function::Angle, _) => return quote!(math::wrap(math::atan2(#(#arguments),*))),
             (Function::SelectLess, [a, b, x, y]) => return quote!(math::select(#a < #b, #x, #y)),
             (Function::SelectLess, _) => quote!(math::select),
             (Function::Sqrt, _) => quote!(math::sqrt),
-            (Function::AngleInLanes, _) => quote!(lanes::angle),
+            (Function::AngleInLanes, _) => quote!(A::angle),
             (Function::Wrap, _) => quote!(math::wrap),
             (Function::Max, _) => quote!(math::max),
         };

@@ -417,6 +417,7 @@ fn lanes_at_parameter(
         #turned
         #unread
         const T: usize = 1;
+        type A = Fused<false>;
         let targets = &[*pose];
         #statements
     };

@@ -25,7 +25,7 @@ pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Choice, Expr, Graph, Operations, Tangent, Tape};
+use super::{Choice, Expr, Fusing, Graph, Operations, Tangent, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -507,7 +507,8 @@ impl<'a> Writer<'a> {
             tape: Tape::default(),
         };
         inverse = parity::signs_outwards(&inverse);
-        inverse.tape = Tape::new(&inverse.graph, &inverse.outputs()).of(self.linkage.scalar);
+        let tape = Tape::new(&inverse.graph, &inverse.outputs());
+        inverse.tape = tape.of(self.linkage.scalar).fusing(Fusing::Lanes);
         inverse
     }
 

@@ -7,6 +7,7 @@
 //! packed instructions, and the results are those of single calls to the last
 //! bit.
 
+use super::super::super::generated::arithmetic::Fused;
 use super::super::super::generated::dispatch::{Dispatched, dispatch};
 use super::super::super::generated::forward::Forward;
 use super::super::super::generated::lanes;
@@ -53,7 +54,7 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn run((q, results): (&[[Real; N]], &mut [Output])) {
+    fn run<const FUSED: bool>((q, results): (&[[Real; N]], &mut [Output])) {
         let (blocks, rest) = q.as_chunks();
         let (filled, last) = results.as_chunks_mut();
         let mut next = blocks.first().map_or([Lanes::ZERO; N], columns);
@@ -61,15 +62,15 @@ where
             let block = next;
             // One block ahead: wide loads wait for narrow stores just before them.
             next = blocks.get(i + 1).map_or(next, columns);
-            compute::<R, Output, N, M>(&block, results);
+            compute::<R, Output, N, M, FUSED>(&block, results);
         }
-        Self::run_narrow((rest, last));
+        Self::run_narrow::<FUSED>((rest, last));
     }
 
     #[inline(always)]
-    fn run_narrow((q, results): (&[[Real; N]], &mut [Output])) {
+    fn run_narrow<const FUSED: bool>((q, results): (&[[Real; N]], &mut [Output])) {
         for (q, result) in q.iter().zip(results) {
-            *result = R::at(q, SideBySide);
+            *result = R::at::<Fused<FUSED>>(q, SideBySide::<FUSED>);
         }
     }
 }
@@ -86,23 +87,25 @@ fn columns<const N: usize>(q: &[[Real; N]; LANES]) -> Columns<N> {
 }
 
 #[inline(always)]
-fn compute<R, Output, const N: usize, const M: usize>(q: &Columns<N>, results: &mut [Output; LANES])
-where
+fn compute<R, Output, const N: usize, const M: usize, const FUSED: bool>(
+    q: &Columns<N>,
+    results: &mut [Output; LANES],
+) where
     R: Forward<Output, N, M>,
     Output: Entries,
 {
     let q = |k: usize| core::array::from_fn(|i| q[i].0[k]);
     let mut angles = [Lanes::ZERO; M];
     for k in 0..LANES {
-        R::at(&q(k), Told(&mut angles, k));
+        R::at::<Fused<FUSED>>(&q(k), Told(&mut angles, k));
     }
     let (mut sines, mut cosines) = ([Lanes::ZERO; M], [Lanes::ZERO; M]);
     for i in 0..M {
-        (sines[i].0, cosines[i].0) = lanes::side_by_side(angles[i].0);
+        (sines[i].0, cosines[i].0) = lanes::side_by_side::<FUSED, LANES>(angles[i].0);
     }
     let mut entries = Output::NONE;
     for k in 0..LANES {
-        R::at(&q(k), Found(&sines, &cosines, k)).put(&mut entries, k);
+        R::at::<Fused<FUSED>>(&q(k), Found(&sines, &cosines, k)).put(&mut entries, k);
     }
     Output::write(&entries, results);
 }

@@ -5,6 +5,7 @@
 //! rounding may keep from its target, is left to a call for that target alone: of
 //! random targets next to none.
 
+use super::super::super::generated::arithmetic::Fused;
 use super::super::super::generated::dispatch::{Dispatched, dispatch};
 use super::super::super::generated::free_angle::FREE_BELOW;
 use super::super::super::generated::inverse::Inverse;
@@ -46,13 +47,13 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn run((targets, solutions, alone): Batch<'_, N, F>) {
+    fn run<const FUSED: bool>((targets, solutions, alone): Batch<'_, N, F>) {
         let (blocks, rest) = targets.as_chunks::<LANES>();
         let (filled, last) = solutions.as_chunks_mut::<LANES>();
         let seed = [0.0; N];
         let sin_cos = Known::new(R::angles(&seed, &[]));
         for (targets, solutions) in blocks.iter().zip(filled) {
-            let lanes = R::lanes(targets, &seed, &[], sin_cos, FREE_BELOW);
+            let lanes = R::lanes::<Fused<FUSED>, LANES>(targets, &seed, &[], sin_cos, FREE_BELOW);
             let unsettled = lanes.unsettled(&R::ACCEPT);
             for t in 0..LANES {
                 if unsettled[t] > 0.0 {
@@ -62,11 +63,11 @@ where
                 }
             }
         }
-        Self::run_narrow((rest, last, alone));
+        Self::run_narrow::<FUSED>((rest, last, alone));
     }
 
     #[inline(always)]
-    fn run_narrow((targets, solutions, alone): Batch<'_, N, F>) {
+    fn run_narrow<const FUSED: bool>((targets, solutions, alone): Batch<'_, N, F>) {
         for (target, solutions) in targets.iter().zip(solutions) {
             *solutions = alone(target);
         }

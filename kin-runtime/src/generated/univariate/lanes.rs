@@ -1,12 +1,12 @@
 //! Eight numbers side by side.
 
 mod portable;
-pub(super) mod reproducible;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod x86_64;
 
 use crate::generated::dispatch::{Dispatched, dispatch};
 use crate::generated::lanes;
+use crate::generated::reproducible;
 use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
 pub(super) use portable::Portable;
@@ -70,7 +70,7 @@ pub(super) trait Lanes:
     /// Sine and cosine of angles in radians.
     #[inline(always)]
     fn sin_cos(self) -> [Self; 2] {
-        let (sine, cosine) = lanes::side_by_side(self.numbers());
+        let (sine, cosine) = lanes::side_by_side::<false, LANES>(self.numbers());
         [Self::of(sine), Self::of(cosine)]
     }
 
@@ -117,7 +117,7 @@ pub(super) fn in_lanes<T: InLanes<I>, I>(input: I) -> T::Output {
 #[cold]
 #[inline(never)]
 fn narrow<T: InLanes<I>, I>(input: I) -> T::Output {
-    Widest::<T>::run(input)
+    Widest::<T>::run::<false>(input)
 }
 
 struct Widest<T>(PhantomData<T>);
@@ -126,7 +126,7 @@ impl<T: InLanes<I>, I> Dispatched<I> for Widest<T> {
     type Output = T::Output;
 
     #[inline(always)]
-    fn run(input: I) -> T::Output {
+    fn run<const FUSED: bool>(input: I) -> T::Output {
         #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
         {
             T::run::<x86_64::Sse2>(input)

@@ -39,7 +39,6 @@ pub use eliminant::Eliminant;
 pub use elimination::{EQUATIONS, Elimination, FUNCTIONALS};
 pub use frames::{Between, Frames};
 #[cfg(feature = "std")]
-pub use lanes::reproducible::reproducibly;
 pub use line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
 pub use turn::cosine_of_turn;
 

@@ -314,7 +314,7 @@ impl Dispatched<(&Elimination, &Loop)> for Opened {
     type Output = (Lines<9>, Equations);
 
     #[inline(always)]
-    fn run((elimination, round): (&Elimination, &Loop)) -> Self::Output {
+    fn run<const FUSED: bool>((elimination, round): (&Elimination, &Loop)) -> Self::Output {
         let far_side = round.far_side();
         let equations = Equations::new(elimination, round, &far_side);
         (far_side, equations)

@@ -130,7 +130,7 @@ impl Dispatched<(&Search<'_>, &mut Roots)> for Simple {
     type Output = ();
 
     #[inline(always)]
-    fn run((search, found): (&Search, &mut Roots)) {
+    fn run<const FUSED: bool>((search, found): (&Search, &mut Roots)) {
         search.newton(found);
     }
 }

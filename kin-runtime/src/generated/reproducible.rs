@@ -24,7 +24,7 @@ pub fn reproducibly<R>(work: impl FnOnce() -> R) -> R {
 
 /// Whether this thread works so.
 #[inline(always)]
-pub(in super::super) fn wanted() -> bool {
+pub fn wanted() -> bool {
     #[cfg(feature = "std")]
     {
         WANTED.get()

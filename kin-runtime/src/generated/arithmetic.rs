@@ -1,0 +1,28 @@
+//! What generated code leaves open: whether a product and a sum are rounded once.
+
+use super::super::math;
+use super::super::scalar::{Real, angle_by};
+
+/// The operations that differ between instruction sets.
+pub trait Arithmetic {
+    /// a b + c; see [`math::mul_add`].
+    fn mul_add(a: Real, b: Real, c: Real) -> Real;
+    /// The angle of the vector (x, y) in (−π, π] radians, for loops over lanes; see
+    /// [`lanes::angle`](super::lanes::angle).
+    fn angle(y: Real, x: Real) -> Real;
+}
+
+/// That of processors with fused operations, or of those without.
+pub struct Fused<const IS: bool>;
+
+impl<const IS: bool> Arithmetic for Fused<IS> {
+    #[inline(always)]
+    fn mul_add(a: Real, b: Real, c: Real) -> Real {
+        math::mul_add::<IS>(a, b, c)
+    }
+
+    #[inline(always)]
+    fn angle(y: Real, x: Real) -> Real {
+        angle_by::<IS>(y, x)
+    }
+}
