@@ -1,8 +1,12 @@
 //! The errors that `math` states, measured against double-double references.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
-use kin_runtime::__private::lanes;
-use kin_runtime::__private::math::{atan2, sin_cos, sqrt, wrap};
+use kin_runtime::__private::math::{atan2, sin_cos_by, sqrt, wrap};
+use kin_runtime::__private::{Arithmetic, Fused};
+
+/// Rounded after each operation, and with fused ones.
+const SIN_COS: [fn(f64) -> (f64, f64); 2] = [sin_cos_by::<false>, sin_cos_by::<true>];
+const ANGLE: [fn(f64, f64) -> f64; 2] = [Fused::<false>::angle, Fused::<true>::angle];
 
 /// An unevaluated sum of two doubles: about 32 digits.
 #[derive(Clone, Copy)]
@@ -89,7 +93,7 @@ fn stream() -> impl FnMut() -> f64 {
     }
 }
 
-fn worst_sin_cos_error(range: f64, samples: usize) -> f64 {
+fn worst_sin_cos_error(sin_cos: fn(f64) -> (f64, f64), range: f64, samples: usize) -> f64 {
     let mut next = stream();
     let mut worst = 0.0_f64;
     for _ in 0..samples {
@@ -105,47 +109,56 @@ fn worst_sin_cos_error(range: f64, samples: usize) -> f64 {
 
 #[test]
 fn sin_cos_is_accurate_over_its_range() {
-    for range in [FRAC_PI_4, PI, TAU, 100.0, 1.6e6] {
-        let worst = worst_sin_cos_error(range, 40_000);
-        println!("sin_cos on ±{range}: {worst:e}");
-        assert!(worst < 1.5e-16, "{worst:e} on ±{range}");
+    for sin_cos in SIN_COS {
+        for range in [FRAC_PI_4, PI, TAU, 100.0, 1.6e6] {
+            let worst = worst_sin_cos_error(sin_cos, range, 40_000);
+            println!("sin_cos on ±{range}: {worst:e}");
+            assert!(worst < 1.5e-16, "{worst:e} on ±{range}");
+        }
     }
 }
 
 #[test]
 fn sin_cos_degrades_in_proportion_beyond_its_range() {
-    for range in [1e8, 1e11, 1e14] {
-        let worst = worst_sin_cos_error(range, 10_000);
-        assert!(worst < 1.5e-16 * range, "{worst:e} on ±{range}");
+    for sin_cos in SIN_COS {
+        for range in [1e8, 1e11, 1e14] {
+            let worst = worst_sin_cos_error(sin_cos, range, 10_000);
+            assert!(worst < 1.5e-16 * range, "{worst:e} on ±{range}");
+        }
+        for x in [1e16, 1e100, 1e300, f64::MAX, f64::MIN, -1e19] {
+            let (s, c) = sin_cos(x);
+            assert!(s.abs() <= 1.0 && c.abs() <= 1.0, "{x}: {s} {c}");
+        }
+        assert!(sin_cos(f64::NAN).0.is_nan() && sin_cos(f64::INFINITY).1.is_nan());
     }
-    for x in [1e16, 1e100, 1e300, f64::MAX, f64::MIN, -1e19] {
-        let (s, c) = sin_cos(x);
-        assert!(s.abs() <= 1.0 && c.abs() <= 1.0, "{x}: {s} {c}");
-    }
-    assert!(sin_cos(f64::NAN).0.is_nan() && sin_cos(f64::INFINITY).1.is_nan());
 }
 
 #[test]
 fn small_sines_are_relatively_accurate() {
-    let mut next = stream();
-    for _ in 0..40_000 {
-        let x = next() * 10.0_f64.powf(-8.0 * next()) * FRAC_PI_4;
-        let error = reference_sin_cos(x).0.minus(sin_cos(x).0) / x;
-        assert!(error.abs() < 1.2e-16, "{error:e} at {x}");
+    for sin_cos in SIN_COS {
+        let mut next = stream();
+        for _ in 0..40_000 {
+            let x = next() * 10.0_f64.powf(-8.0 * next()) * FRAC_PI_4;
+            let error = reference_sin_cos(x).0.minus(sin_cos(x).0) / x;
+            assert!(error.abs() < 1.2e-16, "{error:e} at {x}");
+        }
+        assert_eq!(sin_cos(0.0), (0.0, 1.0));
+        assert_eq!(sin_cos(-1e-300).0, -1e-300);
     }
-    assert_eq!(sin_cos(0.0), (0.0, 1.0));
-    assert_eq!(sin_cos(-1e-300).0, -1e-300);
 }
 
 #[test]
 fn multiples_of_a_right_angle_are_clean() {
-    for n in -40_i32..=40 {
-        let (s, c) = sin_cos(f64::from(n) * FRAC_PI_2);
-        let (es, ec) = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][n.rem_euclid(4) as usize];
-        assert!((s - es).abs() < 1e-14 && (c - ec).abs() < 1e-14);
+    for sin_cos in SIN_COS {
+        for n in -40_i32..=40 {
+            let (s, c) = sin_cos(f64::from(n) * FRAC_PI_2);
+            let (es, ec) =
+                [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][n.rem_euclid(4) as usize];
+            assert!((s - es).abs() < 1e-14 && (c - ec).abs() < 1e-14);
+        }
+        assert_eq!(sin_cos(FRAC_PI_2).0, 1.0);
+        assert_eq!(sin_cos(PI).1, -1.0);
     }
-    assert_eq!(sin_cos(FRAC_PI_2).0, 1.0);
-    assert_eq!(sin_cos(PI).1, -1.0);
 }
 
 #[test]
@@ -202,44 +215,48 @@ fn atan2_of_zeros_is_a_zero_with_the_sign_of_y() {
 
 #[test]
 fn the_angle_of_lanes_is_accurate_in_every_sector_and_between() {
-    let mut next = stream();
-    let mut worst = 0.0_f64;
-    let mut check = |y: f64, x: f64| {
-        let angle = lanes::angle(y, x);
-        let error = reference_atan2(y, x).minus(angle) / angle;
-        worst = worst.max(error.abs());
-    };
-    for _ in 0..100_000 {
-        let scale = 10.0_f64.powf(12.0 * next() - 6.0);
-        check((2.0 * next() - 1.0) * scale, 2.0 * next() - 1.0);
-    }
-    for ratio in [2.0_f64.sqrt() - 1.0, 1.0] {
-        for steps in -1000..1000 {
-            let y = ratio * (1.0 + f64::from(steps) * f64::EPSILON * 8.0);
-            for (y, x) in [(y, 1.0), (1.0, y), (-y, 1.0), (1.0, -y), (y, -1.0)] {
-                check(y, x);
+    for angle_of in ANGLE {
+        let mut next = stream();
+        let mut worst = 0.0_f64;
+        let mut check = |y: f64, x: f64| {
+            let angle = angle_of(y, x);
+            let error = reference_atan2(y, x).minus(angle) / angle;
+            worst = worst.max(error.abs());
+        };
+        for _ in 0..100_000 {
+            let scale = 10.0_f64.powf(12.0 * next() - 6.0);
+            check((2.0 * next() - 1.0) * scale, 2.0 * next() - 1.0);
+        }
+        for ratio in [2.0_f64.sqrt() - 1.0, 1.0] {
+            for steps in -1000..1000 {
+                let y = ratio * (1.0 + f64::from(steps) * f64::EPSILON * 8.0);
+                for (y, x) in [(y, 1.0), (1.0, y), (-y, 1.0), (1.0, -y), (y, -1.0)] {
+                    check(y, x);
+                }
             }
         }
+        println!("lanes::angle: {worst:e}");
+        assert!(worst < 3.5e-16, "{worst:e}");
     }
-    println!("lanes::angle: {worst:e}");
-    assert!(worst < 3.5e-16, "{worst:e}");
 }
 
 #[test]
 fn the_angle_of_lanes_is_exact_on_axes_and_diagonals_and_never_minus_pi() {
-    for size in [1.0, 1e-290, 1e150] {
-        let vectors = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (0.0, -1.0)];
-        for (eighths, (y, x)) in vectors.into_iter().enumerate() {
-            let angle = eighths as f64 * FRAC_PI_4;
-            assert_eq!(lanes::angle(y * size, x * size), angle);
-            let below = if angle == PI { PI } else { -angle };
-            assert_eq!(lanes::angle(-y * size, x * size), below);
+    for angle_of in ANGLE {
+        for size in [1.0, 1e-290, 1e150] {
+            let vectors = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (0.0, -1.0)];
+            for (eighths, (y, x)) in vectors.into_iter().enumerate() {
+                let angle = eighths as f64 * FRAC_PI_4;
+                assert_eq!(angle_of(y * size, x * size), angle);
+                let below = if angle == PI { PI } else { -angle };
+                assert_eq!(angle_of(-y * size, x * size), below);
+            }
         }
+        assert_eq!(angle_of(-1e-30, -1.0), PI);
+        assert_eq!(angle_of(0.0, 0.0), 0.0);
+        assert_eq!(angle_of(-0.0, -0.0), 0.0);
+        assert!(angle_of(f64::NAN, 1.0).is_nan() && angle_of(1.0, f64::NAN).is_nan());
     }
-    assert_eq!(lanes::angle(-1e-30, -1.0), PI);
-    assert_eq!(lanes::angle(0.0, 0.0), 0.0);
-    assert_eq!(lanes::angle(-0.0, -0.0), 0.0);
-    assert!(lanes::angle(f64::NAN, 1.0).is_nan() && lanes::angle(1.0, f64::NAN).is_nan());
 }
 
 #[test]
