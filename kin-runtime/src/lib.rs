@@ -101,7 +101,9 @@ pub mod __private {
     pub use crate::generated::batch;
     pub use crate::generated::branches::Branches;
     pub use crate::generated::dispatch::{self, Dispatched, dispatch};
-    pub use crate::generated::forward::{Forward, evaluate};
+    pub use crate::generated::forward::{
+        BodyJacobian, Forward, GeometricJacobian, SpatialJacobian, evaluate,
+    };
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use crate::generated::lanes::{self, widen};

@@ -61,13 +61,14 @@ pub(super) struct Jacobians {
 
 impl Jacobians {
     fn of(forward: &Forward) -> Self {
-        let of = |outputs: &dyn Outputs| Tape::new(&forward.graph, &outputs.expressions());
+        let plain = |outputs: &dyn Outputs| Tape::new(&forward.graph, &outputs.expressions());
+        let of = |outputs: &dyn Outputs| plain(outputs).fusing(Fusing::All);
         Self {
-            both: of(&forward.both).fusing(Fusing::All),
+            both: of(&forward.both),
             spatial: forward.spatial_alone().map(|spatial| of(spatial)),
             body: of(&forward.body),
             geometric: of(&forward.geometric),
-            dot: forward.dot.as_ref().map(|dot| of(dot)),
+            dot: forward.dot.as_ref().map(|dot| plain(dot)),
         }
     }
 }
@@ -191,7 +192,7 @@ impl Robot {
     pub(super) fn links(&self) -> &Tape {
         self.links.get_or_init(|| {
             let (poses, links) = self.arm.poses_of_links();
-            Tape::new(&poses.graph, &links.expressions())
+            Tape::new(&poses.graph, &links.expressions()).fusing(Fusing::All)
         })
     }
 

@@ -20,8 +20,9 @@
 mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, Branches, Forward, Inverse, Lanes, SinCos, evaluate,
-        lanes, math, solve, solve_nearest, widen,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
+        Inverse, Lanes, SinCos, SpatialJacobian, evaluate, lanes, math, solve,
+        solve_nearest, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -205,92 +206,7 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s6, s4, s23], [c1, c2, c5, c6, c4, c23]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[5],
-                q[3],
-                t1,
-            ]);
-            let t2 = 0.455 * c2;
-            let t3 = 0.455 * s2;
-            let t4 = t2 + 0.025;
-            let t5 = -s23;
-            let t6 = c1 * s23;
-            let t7 = s1 * s23;
-            let t8 = c1 * c23;
-            let t9 = s1 * c23;
-            let t10 = -t9;
-            let t11 = 0.035 * c23;
-            let t12 = 0.035 * s23;
-            let t13 = t2 + t12 + 0.025;
-            let t14 = s1 * c4 - s4 * t6;
-            let t15 = c1 * c4 + s4 * t7;
-            let t16 = c23 * s4;
-            let t17 = -t16;
-            let t18 = s1 * s4 + c4 * t6;
-            let t19 = c1 * s4;
-            let t20 = c4 * t7;
-            let t21 = t20 - t19;
-            let t22 = c23 * c4;
-            let t23 = t2 + (t12 + 0.42 * c23) + 0.025;
-            let t24 = c1 * t23;
-            let t25 = s1 * t23;
-            let t26 = t11 - 0.42 * s23 - t3 + 0.4;
-            let t27 = c5 * t18 + s5 * t8;
-            let t28 = c5 * t21 + s5 * t9;
-            let t29 = c5 * t22;
-            let t30 = s23 * s5;
-            let t31 = t30 - t29;
-            let t32 = s5 * t18;
-            let t33 = c5 * t8;
-            let t34 = s5 * t21;
-            let t35 = c5 * t9;
-            let t36 = s23 * c5 + s5 * t22;
-            let t37 = t33 - t32;
-            let t38 = t34 - t35;
-            let t39 = -t36;
-            [
-                Pose {
-                    rotation: [[c1, s1, 0.0], [-s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [0.0, 0.0, 0.4],
-                },
-                Pose {
-                    rotation: [
-                        [c1 * c2, s1, c1 * s2],
-                        [-(s1 * c2), c1, -(s1 * s2)],
-                        [-s2, 0.0, c2],
-                    ],
-                    translation: [0.025 * c1, -(0.025 * s1), 0.4],
-                },
-                Pose {
-                    rotation: [[t8, s1, t6], [t10, c1, -t7], [t5, 0.0, c23]],
-                    translation: [c1 * t4, -(s1 * t4), 0.4 - t3],
-                },
-                Pose {
-                    rotation: [[t8, t14, t18], [t10, t15, t19 - t20], [t5, t17, t22]],
-                    translation: [c1 * t13, -(s1 * t13), t11 - t3 + 0.4],
-                },
-                Pose {
-                    rotation: [[t37, t14, t27], [t38, t15, -t28], [t39, t17, t29 - t30]],
-                    translation: [t24, -t25, t26],
-                },
-                Pose {
-                    rotation: [
-                        [t37, c6 * t14 - s6 * t27, s6 * t14 + c6 * t27],
-                        [t38, c6 * t15 + s6 * t28, s6 * t15 - c6 * t28],
-                        [t39, s6 * t31 - c6 * t16, -(s6 * t16 + c6 * t31)],
-                    ],
-                    translation: [
-                        t24 - 0.08 * (t32 - t33),
-                        -(t25 + 0.08 * (t35 - t34)),
-                        t26 - 0.08 * t36,
-                    ],
-                },
-            ]
+            evaluate(self, q)
         }
 
         /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
@@ -303,54 +219,8 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s4, s23], [c1, c2, c5, c4, c23]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[3],
-                t1,
-            ]);
-            let t2 = 0.455 * s2;
-            let t3 = s4 * s5;
-            let t4 = 0.455 * c2 + 0.025;
-            let t5 = c23 * s4;
-            let t6 = s23 * c5 + s5 * (c23 * c4);
-            let t7 = t4 + (0.035 * s23 + 0.42 * c23);
-            let t8 = s23 * s4;
-            let t9 = s5 * (s23 * c4) - c23 * c5;
-            let t10 = t2 - 0.4;
-            let t11 = -0.4 - (0.035 * c23 - 0.42 * s23 - t2);
-            let t12 = c23 * t11 - s23 * t7;
-            let t13 = c4 * t11;
-            let t14 = t5 * t7 + t8 * t11;
-            let t15 = t3 * t11;
-            let t16 = t6 * t7 + t9 * t11;
-            Jacobian {
-                rows: [
-                    [
-                        0.0,
-                        -(0.4 * c1),
-                        c1 * t10,
-                        s1 * t12,
-                        c1 * t13 + s1 * t14,
-                        c1 * t15 - s1 * t16,
-                    ],
-                    [
-                        0.0,
-                        0.4 * s1,
-                        -(s1 * t10),
-                        c1 * t12,
-                        c1 * t14 - s1 * t13,
-                        -(s1 * t15 + c1 * t16),
-                    ],
-                    [0.0, 0.025, t4, 0.0, c4 * t7, t3 * t7],
-                    [0.0, s1, s1, -(c1 * c23), s1 * c4 - c1 * t8, s1 * t3 + c1 * t9],
-                    [0.0, c1, c1, s1 * c23, c1 * c4 + s1 * t8, c1 * t3 - s1 * t9],
-                    [-1.0, 0.0, 0.0, s23, -t5, t6],
-                ],
-            }
+            let SpatialJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The body Jacobian J_b (MLS section 3.4.1): times joint rates, the
@@ -359,76 +229,8 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s3, s4, s5, s6, s23], [c3, c4, c5, c6, c23]) = lanes::sin_cos([
-                q[2],
-                q[3],
-                q[4],
-                q[5],
-                t1,
-            ]);
-            let t2 = c5 * s6;
-            let t3 = s5 * s6;
-            let t4 = c4 * c6 - s4 * t2;
-            let t5 = s4 * c6 + c4 * t2;
-            let t6 = c23 * t5;
-            let t7 = s23 * t3;
-            let t8 = t7 - t6;
-            let t9 = c4 * s5;
-            let t10 = s4 * s5;
-            let t11 = -t10;
-            let t12 = c23 * t9 + s23 * c5;
-            let t13 = 0.455 * c3;
-            let t14 = 0.455 * s3;
-            let t15 = c5 * c6;
-            let t16 = s5 * c6;
-            let t17 = c4 * s6 + s4 * t15;
-            let t18 = -t17;
-            let t19 = s4 * s6;
-            let t20 = c4 * t15;
-            let t21 = t19 - t20;
-            let t22 = 0.035 * (t20 - t19) + 0.42 * t16;
-            let t23 = 0.035 * t5 + 0.42 * t3;
-            let t24 = 0.035 * t9 - 0.42 * c5 - 0.08;
-            let t25 = t22 + (t13 * t16 - t14 * t21);
-            let t26 = t23 + (t5 * t14 + t3 * t13);
-            let t27 = t24 + (t9 * t14 - c5 * t13);
-            let t28 = c23 * t21 + s23 * t16;
-            let t29 = t26 + 0.025 * (s23 * t5 + c23 * t3);
-            let t30 = 0.025 * (s23 * t21 - c23 * t16) - t25;
-            let t31 = 0.025 * (c23 * c5 - s23 * t9) - t27;
-            Jacobian {
-                rows: [
-                    [
-                        t12 * t29 - t8 * t31,
-                        -(t4 * t27 + t10 * t26),
-                        -(t4 * t24 + t10 * t23),
-                        0.08 * t3,
-                        0.08 * c6,
-                        0.0,
-                    ],
-                    [
-                        t12 * t30 + t28 * t31,
-                        t10 * t25 - t17 * t27,
-                        t10 * t22 - t17 * t24,
-                        -(0.08 * t16),
-                        0.08 * s6,
-                        0.0,
-                    ],
-                    [
-                        t28 * t29 + t8 * t30,
-                        t17 * t26 + t4 * t25,
-                        t17 * t23 + t4 * t22,
-                        0.0,
-                        0.0,
-                        0.0,
-                    ],
-                    [-t28, t18, t18, t16, -s6, 0.0],
-                    [t6 - t7, t4, t4, t3, c6, 0.0],
-                    [t12, t11, t11, -c5, 0.0, -1.0],
-                ],
-            }
+            let BodyJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The geometric Jacobian, which ROS uses: times joint rates, the
@@ -437,69 +239,8 @@ mod __Kr6R900 {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s1, s2, s5, s4, s23], [c1, c2, c5, c4, c23]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[3],
-                t1,
-            ]);
-            let t2 = 0.455 * c2;
-            let t3 = 0.455 * s2;
-            let t4 = s4 * s5;
-            let t5 = c23 * s4;
-            let t6 = 0.035 * c23 - 0.42 * s23 - t3;
-            let t7 = t2 + (0.035 * s23 + 0.42 * c23);
-            let t8 = s23 * c5 + s5 * (c23 * c4);
-            let t9 = s23 * s4;
-            let t10 = s5 * (s23 * c4) - c23 * c5;
-            let t11 = 0.08 * t10;
-            let t12 = 0.08 * t4;
-            let t13 = t6 - 0.08 * t8;
-            let t14 = t7 - t11;
-            let t15 = t14 + 0.025;
-            let t16 = t3 + t13;
-            let t17 = t13 - t6;
-            let t18 = t14 - t7;
-            let t19 = s23 * t12;
-            let t20 = s23 * t18 + c23 * t17;
-            let t21 = c4 * t17 - t5 * t12;
-            let t22 = t9 * t17 - t5 * t18;
-            let t23 = t4 * t17 + t8 * t12;
-            let t24 = t8 * t18 - t10 * t17;
-            Jacobian {
-                rows: [
-                    [
-                        -(c1 * t12 + s1 * t15),
-                        c1 * t13,
-                        c1 * t16,
-                        c1 * t19 + s1 * t20,
-                        c1 * t21 + s1 * t22,
-                        c1 * t23 + s1 * t24,
-                    ],
-                    [
-                        s1 * t12 - c1 * t15,
-                        -(s1 * t13),
-                        -(s1 * t16),
-                        c1 * t20 - s1 * t19,
-                        c1 * t22 - s1 * t21,
-                        c1 * t24 - s1 * t23,
-                    ],
-                    [
-                        0.0,
-                        t11 - t7,
-                        t2 - t14,
-                        c23 * t12,
-                        t9 * t12 - c4 * t18,
-                        -(t10 * t12 + t4 * t18),
-                    ],
-                    [0.0, s1, s1, -(c1 * c23), s1 * c4 - c1 * t9, s1 * t4 + c1 * t10],
-                    [0.0, c1, c1, s1 * c23, c1 * c4 + s1 * t9, c1 * t4 - s1 * t10],
-                    [-1.0, 0.0, 0.0, s23, -t5, t8],
-                ],
-            }
+            let GeometricJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// [`Self::fk`] and [`Self::spatial_jacobian`], computed together.
@@ -789,6 +530,322 @@ mod __Kr6R900 {
                     ],
                 },
             )
+        }
+    }
+
+    impl Forward<[Pose; 6], 6, 6> for Kr6R900 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<6>) -> [Pose; 6] {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s1, s2, s5, s6, s4, s23], [c1, c2, c5, c6, c4, c23]) = sin_cos
+                .of([q[0], q[1], q[4], q[5], q[3], t1]);
+            let t2 = 0.455 * c2;
+            let t3 = 0.455 * s2;
+            let t4 = t2 + 0.025;
+            let t5 = -s23;
+            let t6 = c1 * s23;
+            let t7 = s1 * s23;
+            let t8 = c1 * c23;
+            let t9 = s1 * c23;
+            let t10 = -t9;
+            let t11 = 0.035 * c23;
+            let t12 = 0.035 * s23;
+            let t13 = t2 + t12 + 0.025;
+            let t14 = A::mul_add(s1, c4, -(s4 * t6));
+            let t15 = A::mul_add(c1, c4, s4 * t7);
+            let t16 = c23 * s4;
+            let t17 = -t16;
+            let t18 = A::mul_add(s1, s4, c4 * t6);
+            let t19 = c1 * s4;
+            let t20 = c4 * t7;
+            let t21 = t20 - t19;
+            let t22 = c23 * c4;
+            let t23 = t2 + A::mul_add(0.42, c23, t12) + 0.025;
+            let t24 = c1 * t23;
+            let t25 = s1 * t23;
+            let t26 = A::mul_add(-0.42, s23, t11) - t3 + 0.4;
+            let t27 = A::mul_add(c5, t18, s5 * t8);
+            let t28 = A::mul_add(c5, t21, s5 * t9);
+            let t29 = c5 * t22;
+            let t30 = s23 * s5;
+            let t31 = t30 - t29;
+            let t32 = s5 * t18;
+            let t33 = c5 * t8;
+            let t34 = s5 * t21;
+            let t35 = c5 * t9;
+            let t36 = A::mul_add(s23, c5, s5 * t22);
+            let t37 = t33 - t32;
+            let t38 = t34 - t35;
+            let t39 = -t36;
+            [
+                Pose {
+                    rotation: [[c1, s1, 0.0], [-s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [0.0, 0.0, 0.4],
+                },
+                Pose {
+                    rotation: [
+                        [c1 * c2, s1, c1 * s2],
+                        [-(s1 * c2), c1, -(s1 * s2)],
+                        [-s2, 0.0, c2],
+                    ],
+                    translation: [0.025 * c1, -(0.025 * s1), 0.4],
+                },
+                Pose {
+                    rotation: [[t8, s1, t6], [t10, c1, -t7], [t5, 0.0, c23]],
+                    translation: [c1 * t4, -(s1 * t4), 0.4 - t3],
+                },
+                Pose {
+                    rotation: [[t8, t14, t18], [t10, t15, t19 - t20], [t5, t17, t22]],
+                    translation: [c1 * t13, -(s1 * t13), t11 - t3 + 0.4],
+                },
+                Pose {
+                    rotation: [[t37, t14, t27], [t38, t15, -t28], [t39, t17, t29 - t30]],
+                    translation: [t24, -t25, t26],
+                },
+                Pose {
+                    rotation: [
+                        [
+                            t37,
+                            A::mul_add(c6, t14, -(s6 * t27)),
+                            A::mul_add(s6, t14, c6 * t27),
+                        ],
+                        [
+                            t38,
+                            A::mul_add(c6, t15, s6 * t28),
+                            A::mul_add(s6, t15, -(c6 * t28)),
+                        ],
+                        [
+                            t39,
+                            A::mul_add(s6, t31, -(c6 * t16)),
+                            -A::mul_add(s6, t16, c6 * t31),
+                        ],
+                    ],
+                    translation: [
+                        A::mul_add(-0.08, t32 - t33, t24),
+                        -A::mul_add(0.08, t35 - t34, t25),
+                        A::mul_add(-0.08, t36, t26),
+                    ],
+                },
+            ]
+        }
+    }
+
+    impl Forward<SpatialJacobian<6>, 6, 5> for Kr6R900 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<5>,
+        ) -> SpatialJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s1, s2, s5, s4, s23], [c1, c2, c5, c4, c23]) = sin_cos
+                .of([q[0], q[1], q[4], q[3], t1]);
+            let t2 = 0.455 * s2;
+            let t3 = s4 * s5;
+            let t4 = A::mul_add(0.455, c2, 0.025);
+            let t5 = c23 * s4;
+            let t6 = A::mul_add(s23, c5, s5 * (c23 * c4));
+            let t7 = t4 + A::mul_add(0.035, s23, 0.42 * c23);
+            let t8 = s23 * s4;
+            let t9 = A::mul_add(s5, s23 * c4, -(c23 * c5));
+            let t10 = t2 - 0.4;
+            let t11 = -0.4 - (A::mul_add(0.035, c23, -(0.42 * s23)) - t2);
+            let t12 = A::mul_add(c23, t11, -(s23 * t7));
+            let t13 = c4 * t11;
+            let t14 = A::mul_add(t5, t7, t8 * t11);
+            let t15 = t3 * t11;
+            let t16 = A::mul_add(t6, t7, t9 * t11);
+            SpatialJacobian(Jacobian {
+                rows: [
+                    [
+                        0.0,
+                        -(0.4 * c1),
+                        c1 * t10,
+                        s1 * t12,
+                        A::mul_add(c1, t13, s1 * t14),
+                        A::mul_add(c1, t15, -(s1 * t16)),
+                    ],
+                    [
+                        0.0,
+                        0.4 * s1,
+                        -(s1 * t10),
+                        c1 * t12,
+                        A::mul_add(c1, t14, -(s1 * t13)),
+                        -A::mul_add(s1, t15, c1 * t16),
+                    ],
+                    [0.0, 0.025, t4, 0.0, c4 * t7, t3 * t7],
+                    [
+                        0.0,
+                        s1,
+                        s1,
+                        -(c1 * c23),
+                        A::mul_add(s1, c4, -(c1 * t8)),
+                        A::mul_add(s1, t3, c1 * t9),
+                    ],
+                    [
+                        0.0,
+                        c1,
+                        c1,
+                        s1 * c23,
+                        A::mul_add(c1, c4, s1 * t8),
+                        A::mul_add(c1, t3, -(s1 * t9)),
+                    ],
+                    [-1.0, 0.0, 0.0, s23, -t5, t6],
+                ],
+            })
+        }
+    }
+
+    impl Forward<BodyJacobian<6>, 6, 5> for Kr6R900 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<5>) -> BodyJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s3, s4, s5, s6, s23], [c3, c4, c5, c6, c23]) = sin_cos
+                .of([q[2], q[3], q[4], q[5], t1]);
+            let t2 = c5 * s6;
+            let t3 = s5 * s6;
+            let t4 = A::mul_add(c4, c6, -(s4 * t2));
+            let t5 = A::mul_add(s4, c6, c4 * t2);
+            let t6 = c23 * t5;
+            let t7 = s23 * t3;
+            let t8 = t7 - t6;
+            let t9 = c4 * s5;
+            let t10 = s4 * s5;
+            let t11 = -t10;
+            let t12 = A::mul_add(c23, t9, s23 * c5);
+            let t13 = 0.455 * c3;
+            let t14 = 0.455 * s3;
+            let t15 = c5 * c6;
+            let t16 = s5 * c6;
+            let t17 = A::mul_add(c4, s6, s4 * t15);
+            let t18 = -t17;
+            let t19 = s4 * s6;
+            let t20 = c4 * t15;
+            let t21 = t19 - t20;
+            let t22 = A::mul_add(0.035, t20 - t19, 0.42 * t16);
+            let t23 = A::mul_add(0.035, t5, 0.42 * t3);
+            let t24 = A::mul_add(0.035, t9, -(0.42 * c5)) - 0.08;
+            let t25 = t22 + A::mul_add(t13, t16, -(t14 * t21));
+            let t26 = t23 + A::mul_add(t5, t14, t3 * t13);
+            let t27 = t24 + A::mul_add(t9, t14, -(c5 * t13));
+            let t28 = A::mul_add(c23, t21, s23 * t16);
+            let t29 = A::mul_add(0.025, A::mul_add(s23, t5, c23 * t3), t26);
+            let t30 = A::mul_add(0.025, A::mul_add(s23, t21, -(c23 * t16)), -t25);
+            let t31 = A::mul_add(0.025, A::mul_add(c23, c5, -(s23 * t9)), -t27);
+            BodyJacobian(Jacobian {
+                rows: [
+                    [
+                        A::mul_add(t12, t29, -(t8 * t31)),
+                        -A::mul_add(t4, t27, t10 * t26),
+                        -A::mul_add(t4, t24, t10 * t23),
+                        0.08 * t3,
+                        0.08 * c6,
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(t12, t30, t28 * t31),
+                        A::mul_add(t10, t25, -(t17 * t27)),
+                        A::mul_add(t10, t22, -(t17 * t24)),
+                        -(0.08 * t16),
+                        0.08 * s6,
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(t28, t29, t8 * t30),
+                        A::mul_add(t17, t26, t4 * t25),
+                        A::mul_add(t17, t23, t4 * t22),
+                        0.0,
+                        0.0,
+                        0.0,
+                    ],
+                    [-t28, t18, t18, t16, -s6, 0.0],
+                    [t6 - t7, t4, t4, t3, c6, 0.0],
+                    [t12, t11, t11, -c5, 0.0, -1.0],
+                ],
+            })
+        }
+    }
+
+    impl Forward<GeometricJacobian<6>, 6, 5> for Kr6R900 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<5>,
+        ) -> GeometricJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s1, s2, s5, s4, s23], [c1, c2, c5, c4, c23]) = sin_cos
+                .of([q[0], q[1], q[4], q[3], t1]);
+            let t2 = 0.455 * c2;
+            let t3 = 0.455 * s2;
+            let t4 = s4 * s5;
+            let t5 = c23 * s4;
+            let t6 = A::mul_add(0.035, c23, -(0.42 * s23)) - t3;
+            let t7 = t2 + A::mul_add(0.035, s23, 0.42 * c23);
+            let t8 = A::mul_add(s23, c5, s5 * (c23 * c4));
+            let t9 = s23 * s4;
+            let t10 = A::mul_add(s5, s23 * c4, -(c23 * c5));
+            let t11 = 0.08 * t10;
+            let t12 = 0.08 * t4;
+            let t13 = A::mul_add(-0.08, t8, t6);
+            let t14 = t7 - t11;
+            let t15 = t14 + 0.025;
+            let t16 = t3 + t13;
+            let t17 = t13 - t6;
+            let t18 = t14 - t7;
+            let t19 = s23 * t12;
+            let t20 = A::mul_add(s23, t18, c23 * t17);
+            let t21 = A::mul_add(c4, t17, -(t5 * t12));
+            let t22 = A::mul_add(t9, t17, -(t5 * t18));
+            let t23 = A::mul_add(t4, t17, t8 * t12);
+            let t24 = A::mul_add(t8, t18, -(t10 * t17));
+            GeometricJacobian(Jacobian {
+                rows: [
+                    [
+                        -A::mul_add(c1, t12, s1 * t15),
+                        c1 * t13,
+                        c1 * t16,
+                        A::mul_add(c1, t19, s1 * t20),
+                        A::mul_add(c1, t21, s1 * t22),
+                        A::mul_add(c1, t23, s1 * t24),
+                    ],
+                    [
+                        A::mul_add(s1, t12, -(c1 * t15)),
+                        -(s1 * t13),
+                        -(s1 * t16),
+                        A::mul_add(c1, t20, -(s1 * t19)),
+                        A::mul_add(c1, t22, -(s1 * t21)),
+                        A::mul_add(c1, t24, -(s1 * t23)),
+                    ],
+                    [
+                        0.0,
+                        t11 - t7,
+                        t2 - t14,
+                        c23 * t12,
+                        A::mul_add(t9, t12, -(c4 * t18)),
+                        -A::mul_add(t10, t12, t4 * t18),
+                    ],
+                    [
+                        0.0,
+                        s1,
+                        s1,
+                        -(c1 * c23),
+                        A::mul_add(s1, c4, -(c1 * t9)),
+                        A::mul_add(s1, t4, c1 * t10),
+                    ],
+                    [
+                        0.0,
+                        c1,
+                        c1,
+                        s1 * c23,
+                        A::mul_add(c1, c4, s1 * t9),
+                        A::mul_add(c1, t4, -(s1 * t10)),
+                    ],
+                    [-1.0, 0.0, 0.0, s23, -t5, t8],
+                ],
+            })
         }
     }
 

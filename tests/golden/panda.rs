@@ -20,8 +20,8 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, Branches, Forward, Fused, Inverse, Lanes, Locked, SinCos,
-        evaluate, lanes, math, widen,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, Fused,
+        GeometricJacobian, Inverse, Lanes, Locked, SinCos, evaluate, lanes, math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Parameter, Pose, Posture, RedundantKinematics,
@@ -165,124 +165,7 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 7]) -> [Pose; 7] {
-            let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[2],
-                q[3],
-                q[4],
-                q[5],
-                q[6],
-            ]);
-            let t1 = -s1;
-            let t2 = c1 * s2;
-            let t3 = s1 * s2;
-            let t4 = c1 * c2;
-            let t5 = s1 * c2;
-            let t6 = 0.316 * t2;
-            let t7 = 0.316 * t3;
-            let t8 = 0.316 * c2 + 0.333;
-            let t9 = c3 * t4;
-            let t10 = s1 * s3;
-            let t11 = t9 - t10;
-            let t12 = c3 * t5 + c1 * s3;
-            let t13 = s2 * c3;
-            let t14 = s3 * t4 + s1 * c3;
-            let t15 = s3 * t5;
-            let t16 = c1 * c3;
-            let t17 = s2 * s3;
-            let t18 = t10 - t9;
-            let t19 = t15 - t16;
-            let t20 = t6 + 0.0825 * t11;
-            let t21 = t7 + 0.0825 * t12;
-            let t22 = t8 - 0.0825 * t13;
-            let t23 = c4 * t2 + s4 * t18;
-            let t24 = c4 * t3 - s4 * t12;
-            let t25 = c2 * c4 + s4 * t13;
-            let t26 = s4 * t2;
-            let t27 = c4 * t18;
-            let t28 = t27 - t26;
-            let t29 = s4 * t3 + c4 * t12;
-            let t30 = c2 * s4;
-            let t31 = c4 * t13;
-            let t32 = t31 - t30;
-            let t33 = t20 + (0.384 * t23 + 0.0825 * t28);
-            let t34 = t21 + (0.384 * t24 - 0.0825 * t29);
-            let t35 = t22 + (0.384 * t25 + 0.0825 * t32);
-            let t36 = c5 * t28 + s5 * t14;
-            let t37 = c5 * t29;
-            let t38 = s5 * t19;
-            let t39 = t38 - t37;
-            let t40 = c5 * t32;
-            let t41 = s5 * t17;
-            let t42 = t40 - t41;
-            let t43 = s5 * t28;
-            let t44 = c5 * t14;
-            let t45 = s5 * t29 + c5 * t19;
-            let t46 = s5 * t32 + c5 * t17;
-            let t47 = t43 - t44;
-            let t48 = c6 * t23 + s6 * t36;
-            let t49 = c6 * t24 + s6 * t39;
-            let t50 = c6 * t25 + s6 * t42;
-            let t51 = s6 * t23;
-            let t52 = c6 * t36;
-            let t53 = t52 - t51;
-            let t54 = s6 * t24;
-            let t55 = c6 * t39;
-            let t56 = t55 - t54;
-            let t57 = s6 * t25;
-            let t58 = c6 * t42;
-            let t59 = t58 - t57;
-            [
-                Pose {
-                    rotation: [[c1, t1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [0.0, 0.0, 0.333],
-                },
-                Pose {
-                    rotation: [[t4, -t2, t1], [t5, -t3, c1], [-s2, -c2, 0.0]],
-                    translation: [0.0, 0.0, 0.333],
-                },
-                Pose {
-                    rotation: [[t11, -t14, t2], [t12, t16 - t15, t3], [-t13, t17, c2]],
-                    translation: [t6, t7, t8],
-                },
-                Pose {
-                    rotation: [
-                        [t26 - t27, t23, t14],
-                        [t29, t24, t19],
-                        [t30 - t31, t25, -t17],
-                    ],
-                    translation: [t20, t21, t22],
-                },
-                Pose {
-                    rotation: [
-                        [-t36, t47, t23],
-                        [t37 - t38, -t45, t24],
-                        [t41 - t40, t46, t25],
-                    ],
-                    translation: [t33, t34, t35],
-                },
-                Pose {
-                    rotation: [
-                        [t51 - t52, t48, t44 - t43],
-                        [t54 - t55, t49, t45],
-                        [t57 - t58, t50, -t46],
-                    ],
-                    translation: [t33, t34, t35],
-                },
-                Pose {
-                    rotation: [
-                        [-(c7 * t53 + s7 * t47), s7 * t53 - c7 * t47, -t48],
-                        [s7 * t45 - c7 * t56, s7 * t56 + c7 * t45, -t49],
-                        [-(c7 * t59 + s7 * t46), s7 * t59 - c7 * t46, -t50],
-                    ],
-                    translation: [
-                        t33 - 0.088 * t53 - 0.107 * t48,
-                        t34 - 0.088 * t56 - 0.107 * t49,
-                        t35 - 0.088 * t59 - 0.107 * t50,
-                    ],
-                },
-            ]
+            evaluate(self, q)
         }
 
         /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
@@ -304,84 +187,8 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 7]) -> Jacobian<7> {
-            let ([s3, s4, s5, s6, s7, s2], [c3, c4, c5, c6, c7, c2]) = lanes::sin_cos([
-                q[2],
-                q[3],
-                q[4],
-                q[5],
-                q[6],
-                q[1],
-            ]);
-            let t1 = c6 * s7;
-            let t2 = s6 * s7;
-            let t3 = c5 * t1 - s5 * c7;
-            let t4 = s5 * t1 + c5 * c7;
-            let t5 = c4 * t2 + s4 * t3;
-            let t6 = s4 * t2 - c4 * t3;
-            let t7 = s3 * t6 - c3 * t4;
-            let t8 = c2 * t5 + s2 * (c3 * t6 + s3 * t4);
-            let t9 = c5 * s6;
-            let t10 = s5 * s6;
-            let t11 = s4 * t9 - c4 * c6;
-            let t12 = s4 * c6 + c4 * t9;
-            let t13 = s3 * t12 + c3 * t10;
-            let t14 = c2 * t11 - s2 * (c3 * t12 - s3 * t10);
-            let t15 = 0.088 * c7;
-            let t16 = 0.088 * s7;
-            let t17 = s6 * c7;
-            let t18 = c6 * c7;
-            let t19 = c5 * t18 + s5 * s7;
-            let t20 = s5 * t18;
-            let t21 = c5 * s7;
-            let t22 = t21 - t20;
-            let t23 = t15 + (0.384 * t17 - 0.0825 * t19);
-            let t24 = t16 - (0.0825 * t3 - 0.384 * t2);
-            let t25 = 0.384 * c6 + 0.0825 * t9 - 0.107;
-            let t26 = c4 * t17 + s4 * t19;
-            let t27 = c4 * t19 - s4 * t17;
-            let t28 = t20 - t21;
-            let t29 = t23 + 0.0825 * t27;
-            let t30 = t24 - 0.0825 * t6;
-            let t31 = t25 - 0.0825 * t12;
-            let t32 = s3 * t27 + c3 * t28;
-            let t33 = t29 + 0.316 * t26;
-            let t34 = t30 + 0.316 * t5;
-            let t35 = t31 - 0.316 * t11;
-            let t36 = c2 * t26 - s2 * (c3 * t27 - s3 * t28);
-            Jacobian {
-                rows: [
-                    [
-                        t14 * t34 + t8 * t35,
-                        t13 * t34 - t7 * t35,
-                        t11 * t30 + t5 * t31,
-                        -(t10 * t24 + t4 * t25),
-                        -(c6 * t16 + 0.107 * t2),
-                        0.107 * c7,
-                        0.0,
-                    ],
-                    [
-                        t35 * t36 + t14 * t33,
-                        t32 * t35 + t13 * t33,
-                        t26 * t31 + t11 * t29,
-                        t22 * t25 - t10 * t23,
-                        -(0.107 * t17 + c6 * t15),
-                        -(0.107 * s7),
-                        0.0,
-                    ],
-                    [
-                        t8 * t33 - t34 * t36,
-                        -(t7 * t33 + t32 * t34),
-                        t5 * t29 - t26 * t30,
-                        -(t4 * t23 + t22 * t24),
-                        t2 * t15 - t16 * t17,
-                        -(c7 * t15 + s7 * t16),
-                        0.0,
-                    ],
-                    [t36, t32, t26, t22, t17, s7, 0.0],
-                    [-t8, t7, -t5, t4, -t2, c7, 0.0],
-                    [t14, t13, t11, -t10, -c6, 0.0, 1.0],
-                ],
-            }
+            let BodyJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The geometric Jacobian, which ROS uses: times joint rates, the
@@ -390,103 +197,8 @@ mod __Panda {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 7]) -> Jacobian<7> {
-            let ([s1, s2, s3, s4, s5, s6], [c1, c2, c3, c4, c5, c6]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[2],
-                q[3],
-                q[4],
-                q[5],
-            ]);
-            let t1 = c1 * s2;
-            let t2 = s1 * s2;
-            let t3 = c1 * c2;
-            let t4 = s1 * c2;
-            let t5 = 0.316 * t1;
-            let t6 = 0.316 * t2;
-            let t7 = 0.316 * c2;
-            let t8 = c3 * t3;
-            let t9 = s1 * s3;
-            let t10 = c3 * t4 + c1 * s3;
-            let t11 = s2 * c3;
-            let t12 = s3 * t3 + s1 * c3;
-            let t13 = s2 * s3;
-            let t14 = t9 - t8;
-            let t15 = s3 * t4 - c1 * c3;
-            let t16 = t5 + 0.0825 * (t8 - t9);
-            let t17 = t6 + 0.0825 * t10;
-            let t18 = c4 * t1 + s4 * t14;
-            let t19 = c4 * t2 - s4 * t10;
-            let t20 = c2 * c4 + s4 * t11;
-            let t21 = c4 * t14 - s4 * t1;
-            let t22 = s4 * t2 + c4 * t10;
-            let t23 = c4 * t11 - c2 * s4;
-            let t24 = t16 + (0.384 * t18 + 0.0825 * t21);
-            let t25 = t17 + (0.384 * t19 - 0.0825 * t22);
-            let t26 = c5 * t21 + s5 * t12;
-            let t27 = s5 * t15 - c5 * t22;
-            let t28 = c5 * t23 - s5 * t13;
-            let t29 = c5 * t12 - s5 * t21;
-            let t30 = s5 * t22 + c5 * t15;
-            let t31 = s5 * t23 + c5 * t13;
-            let t32 = c6 * t18 + s6 * t26;
-            let t33 = c6 * t19 + s6 * t27;
-            let t34 = c6 * t20 + s6 * t28;
-            let t35 = t24 - 0.088 * (c6 * t26 - s6 * t18);
-            let t36 = t25 - 0.088 * (c6 * t27 - s6 * t19);
-            let t37 = 0.107 * t33;
-            let t38 = t35 - 0.107 * t32;
-            let t39 = t36 - t37;
-            let t40 = t7 - 0.0825 * t11;
-            let t41 = 0.384 * t20 + 0.0825 * t23 + t40;
-            let t42 = t41 - 0.088 * (c6 * t28 - s6 * t20);
-            let t43 = t42 - 0.107 * t34;
-            let t44 = t38 - t5;
-            let t45 = t39 - t6;
-            let t46 = t43 - t7;
-            let t47 = t38 - t16;
-            let t48 = t39 - t17;
-            let t49 = t43 - t40;
-            let t50 = t38 - t24;
-            let t51 = t39 - t25;
-            let t52 = t43 - t41;
-            let t53 = t38 - t35;
-            let t54 = t39 - t36;
-            let t55 = t43 - t42;
-            Jacobian {
-                rows: [
-                    [
-                        t37 - t36,
-                        c1 * t43,
-                        t2 * t46 - c2 * t45,
-                        t15 * t49 + t13 * t48,
-                        t19 * t52 - t20 * t51,
-                        t30 * t52 + t31 * t51,
-                        t34 * t54 - t33 * t55,
-                    ],
-                    [
-                        t38,
-                        s1 * t43,
-                        c2 * t44 - t1 * t46,
-                        -(t13 * t47 + t12 * t49),
-                        t20 * t50 - t18 * t52,
-                        -(t31 * t50 + t29 * t52),
-                        t32 * t55 - t34 * t53,
-                    ],
-                    [
-                        0.0,
-                        -(s1 * t39 + c1 * t38),
-                        t1 * t45 - t2 * t44,
-                        t12 * t48 - t15 * t47,
-                        t18 * t51 - t19 * t50,
-                        t29 * t51 - t30 * t50,
-                        t33 * t53 - t32 * t54,
-                    ],
-                    [0.0, -s1, t1, t12, t18, t29, -t32],
-                    [0.0, c1, t2, t15, t19, t30, -t33],
-                    [1.0, 0.0, c2, -t13, t20, -t31, -t34],
-                ],
-            }
+            let GeometricJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// [`Self::fk`] and [`Self::spatial_jacobian`], computed together.
@@ -722,6 +434,313 @@ mod __Panda {
                     ],
                 },
             )
+        }
+    }
+
+    impl Forward<[Pose; 7], 7, 7> for Panda {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 7], sin_cos: impl SinCos<7>) -> [Pose; 7] {
+            let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = sin_cos
+                .of([q[0], q[1], q[2], q[3], q[4], q[5], q[6]]);
+            let t1 = -s1;
+            let t2 = c1 * s2;
+            let t3 = s1 * s2;
+            let t4 = c1 * c2;
+            let t5 = s1 * c2;
+            let t6 = 0.316 * t2;
+            let t7 = 0.316 * t3;
+            let t8 = A::mul_add(0.316, c2, 0.333);
+            let t9 = c3 * t4;
+            let t10 = s1 * s3;
+            let t11 = t9 - t10;
+            let t12 = A::mul_add(c3, t5, c1 * s3);
+            let t13 = s2 * c3;
+            let t14 = A::mul_add(s3, t4, s1 * c3);
+            let t15 = s3 * t5;
+            let t16 = c1 * c3;
+            let t17 = s2 * s3;
+            let t18 = t10 - t9;
+            let t19 = t15 - t16;
+            let t20 = A::mul_add(0.0825, t11, t6);
+            let t21 = A::mul_add(0.0825, t12, t7);
+            let t22 = A::mul_add(-0.0825, t13, t8);
+            let t23 = A::mul_add(c4, t2, s4 * t18);
+            let t24 = A::mul_add(c4, t3, -(s4 * t12));
+            let t25 = A::mul_add(c2, c4, s4 * t13);
+            let t26 = s4 * t2;
+            let t27 = c4 * t18;
+            let t28 = t27 - t26;
+            let t29 = A::mul_add(s4, t3, c4 * t12);
+            let t30 = c2 * s4;
+            let t31 = c4 * t13;
+            let t32 = t31 - t30;
+            let t33 = t20 + A::mul_add(0.384, t23, 0.0825 * t28);
+            let t34 = t21 + A::mul_add(0.384, t24, -(0.0825 * t29));
+            let t35 = t22 + A::mul_add(0.384, t25, 0.0825 * t32);
+            let t36 = A::mul_add(c5, t28, s5 * t14);
+            let t37 = c5 * t29;
+            let t38 = s5 * t19;
+            let t39 = t38 - t37;
+            let t40 = c5 * t32;
+            let t41 = s5 * t17;
+            let t42 = t40 - t41;
+            let t43 = s5 * t28;
+            let t44 = c5 * t14;
+            let t45 = A::mul_add(s5, t29, c5 * t19);
+            let t46 = A::mul_add(s5, t32, c5 * t17);
+            let t47 = t43 - t44;
+            let t48 = A::mul_add(c6, t23, s6 * t36);
+            let t49 = A::mul_add(c6, t24, s6 * t39);
+            let t50 = A::mul_add(c6, t25, s6 * t42);
+            let t51 = s6 * t23;
+            let t52 = c6 * t36;
+            let t53 = t52 - t51;
+            let t54 = s6 * t24;
+            let t55 = c6 * t39;
+            let t56 = t55 - t54;
+            let t57 = s6 * t25;
+            let t58 = c6 * t42;
+            let t59 = t58 - t57;
+            [
+                Pose {
+                    rotation: [[c1, t1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [0.0, 0.0, 0.333],
+                },
+                Pose {
+                    rotation: [[t4, -t2, t1], [t5, -t3, c1], [-s2, -c2, 0.0]],
+                    translation: [0.0, 0.0, 0.333],
+                },
+                Pose {
+                    rotation: [[t11, -t14, t2], [t12, t16 - t15, t3], [-t13, t17, c2]],
+                    translation: [t6, t7, t8],
+                },
+                Pose {
+                    rotation: [
+                        [t26 - t27, t23, t14],
+                        [t29, t24, t19],
+                        [t30 - t31, t25, -t17],
+                    ],
+                    translation: [t20, t21, t22],
+                },
+                Pose {
+                    rotation: [
+                        [-t36, t47, t23],
+                        [t37 - t38, -t45, t24],
+                        [t41 - t40, t46, t25],
+                    ],
+                    translation: [t33, t34, t35],
+                },
+                Pose {
+                    rotation: [
+                        [t51 - t52, t48, t44 - t43],
+                        [t54 - t55, t49, t45],
+                        [t57 - t58, t50, -t46],
+                    ],
+                    translation: [t33, t34, t35],
+                },
+                Pose {
+                    rotation: [
+                        [
+                            -A::mul_add(c7, t53, s7 * t47),
+                            A::mul_add(s7, t53, -(c7 * t47)),
+                            -t48,
+                        ],
+                        [
+                            A::mul_add(s7, t45, -(c7 * t56)),
+                            A::mul_add(s7, t56, c7 * t45),
+                            -t49,
+                        ],
+                        [
+                            -A::mul_add(c7, t59, s7 * t46),
+                            A::mul_add(s7, t59, -(c7 * t46)),
+                            -t50,
+                        ],
+                    ],
+                    translation: [
+                        A::mul_add(-0.107, t48, A::mul_add(-0.088, t53, t33)),
+                        A::mul_add(-0.107, t49, A::mul_add(-0.088, t56, t34)),
+                        A::mul_add(-0.107, t50, A::mul_add(-0.088, t59, t35)),
+                    ],
+                },
+            ]
+        }
+    }
+
+    impl Forward<BodyJacobian<7>, 7, 6> for Panda {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 7], sin_cos: impl SinCos<6>) -> BodyJacobian<7> {
+            let ([s3, s4, s5, s6, s7, s2], [c3, c4, c5, c6, c7, c2]) = sin_cos
+                .of([q[2], q[3], q[4], q[5], q[6], q[1]]);
+            let t1 = c6 * s7;
+            let t2 = s6 * s7;
+            let t3 = A::mul_add(c5, t1, -(s5 * c7));
+            let t4 = A::mul_add(s5, t1, c5 * c7);
+            let t5 = A::mul_add(c4, t2, s4 * t3);
+            let t6 = A::mul_add(s4, t2, -(c4 * t3));
+            let t7 = A::mul_add(s3, t6, -(c3 * t4));
+            let t8 = A::mul_add(c2, t5, s2 * A::mul_add(c3, t6, s3 * t4));
+            let t9 = c5 * s6;
+            let t10 = s5 * s6;
+            let t11 = A::mul_add(s4, t9, -(c4 * c6));
+            let t12 = A::mul_add(s4, c6, c4 * t9);
+            let t13 = A::mul_add(s3, t12, c3 * t10);
+            let t14 = A::mul_add(c2, t11, -(s2 * A::mul_add(c3, t12, -(s3 * t10))));
+            let t15 = 0.088 * c7;
+            let t16 = 0.088 * s7;
+            let t17 = s6 * c7;
+            let t18 = c6 * c7;
+            let t19 = A::mul_add(c5, t18, s5 * s7);
+            let t20 = s5 * t18;
+            let t21 = c5 * s7;
+            let t22 = t21 - t20;
+            let t23 = t15 + A::mul_add(0.384, t17, -(0.0825 * t19));
+            let t24 = t16 - A::mul_add(0.0825, t3, -(0.384 * t2));
+            let t25 = A::mul_add(0.384, c6, 0.0825 * t9) - 0.107;
+            let t26 = A::mul_add(c4, t17, s4 * t19);
+            let t27 = A::mul_add(c4, t19, -(s4 * t17));
+            let t28 = t20 - t21;
+            let t29 = A::mul_add(0.0825, t27, t23);
+            let t30 = A::mul_add(-0.0825, t6, t24);
+            let t31 = A::mul_add(-0.0825, t12, t25);
+            let t32 = A::mul_add(s3, t27, c3 * t28);
+            let t33 = A::mul_add(0.316, t26, t29);
+            let t34 = A::mul_add(0.316, t5, t30);
+            let t35 = A::mul_add(-0.316, t11, t31);
+            let t36 = A::mul_add(c2, t26, -(s2 * A::mul_add(c3, t27, -(s3 * t28))));
+            BodyJacobian(Jacobian {
+                rows: [
+                    [
+                        A::mul_add(t14, t34, t8 * t35),
+                        A::mul_add(t13, t34, -(t7 * t35)),
+                        A::mul_add(t11, t30, t5 * t31),
+                        -A::mul_add(t10, t24, t4 * t25),
+                        -A::mul_add(c6, t16, 0.107 * t2),
+                        0.107 * c7,
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(t35, t36, t14 * t33),
+                        A::mul_add(t32, t35, t13 * t33),
+                        A::mul_add(t26, t31, t11 * t29),
+                        A::mul_add(t22, t25, -(t10 * t23)),
+                        -A::mul_add(0.107, t17, c6 * t15),
+                        -(0.107 * s7),
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(t8, t33, -(t34 * t36)),
+                        -A::mul_add(t7, t33, t32 * t34),
+                        A::mul_add(t5, t29, -(t26 * t30)),
+                        -A::mul_add(t4, t23, t22 * t24),
+                        A::mul_add(t2, t15, -(t16 * t17)),
+                        -A::mul_add(c7, t15, s7 * t16),
+                        0.0,
+                    ],
+                    [t36, t32, t26, t22, t17, s7, 0.0],
+                    [-t8, t7, -t5, t4, -t2, c7, 0.0],
+                    [t14, t13, t11, -t10, -c6, 0.0, 1.0],
+                ],
+            })
+        }
+    }
+
+    impl Forward<GeometricJacobian<7>, 7, 6> for Panda {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 7],
+            sin_cos: impl SinCos<6>,
+        ) -> GeometricJacobian<7> {
+            let ([s1, s2, s3, s4, s5, s6], [c1, c2, c3, c4, c5, c6]) = sin_cos
+                .of([q[0], q[1], q[2], q[3], q[4], q[5]]);
+            let t1 = c1 * s2;
+            let t2 = s1 * s2;
+            let t3 = c1 * c2;
+            let t4 = s1 * c2;
+            let t5 = 0.316 * t1;
+            let t6 = 0.316 * t2;
+            let t7 = 0.316 * c2;
+            let t8 = c3 * t3;
+            let t9 = s1 * s3;
+            let t10 = A::mul_add(c3, t4, c1 * s3);
+            let t11 = s2 * c3;
+            let t12 = A::mul_add(s3, t3, s1 * c3);
+            let t13 = s2 * s3;
+            let t14 = t9 - t8;
+            let t15 = A::mul_add(s3, t4, -(c1 * c3));
+            let t16 = A::mul_add(0.0825, t8 - t9, t5);
+            let t17 = A::mul_add(0.0825, t10, t6);
+            let t18 = A::mul_add(c4, t1, s4 * t14);
+            let t19 = A::mul_add(c4, t2, -(s4 * t10));
+            let t20 = A::mul_add(c2, c4, s4 * t11);
+            let t21 = A::mul_add(c4, t14, -(s4 * t1));
+            let t22 = A::mul_add(s4, t2, c4 * t10);
+            let t23 = A::mul_add(c4, t11, -(c2 * s4));
+            let t24 = t16 + A::mul_add(0.384, t18, 0.0825 * t21);
+            let t25 = t17 + A::mul_add(0.384, t19, -(0.0825 * t22));
+            let t26 = A::mul_add(c5, t21, s5 * t12);
+            let t27 = A::mul_add(s5, t15, -(c5 * t22));
+            let t28 = A::mul_add(c5, t23, -(s5 * t13));
+            let t29 = A::mul_add(c5, t12, -(s5 * t21));
+            let t30 = A::mul_add(s5, t22, c5 * t15);
+            let t31 = A::mul_add(s5, t23, c5 * t13);
+            let t32 = A::mul_add(c6, t18, s6 * t26);
+            let t33 = A::mul_add(c6, t19, s6 * t27);
+            let t34 = A::mul_add(c6, t20, s6 * t28);
+            let t35 = A::mul_add(-0.088, A::mul_add(c6, t26, -(s6 * t18)), t24);
+            let t36 = A::mul_add(-0.088, A::mul_add(c6, t27, -(s6 * t19)), t25);
+            let t37 = 0.107 * t33;
+            let t38 = A::mul_add(-0.107, t32, t35);
+            let t39 = t36 - t37;
+            let t40 = A::mul_add(-0.0825, t11, t7);
+            let t41 = A::mul_add(0.384, t20, 0.0825 * t23) + t40;
+            let t42 = A::mul_add(-0.088, A::mul_add(c6, t28, -(s6 * t20)), t41);
+            let t43 = A::mul_add(-0.107, t34, t42);
+            let t44 = t38 - t5;
+            let t45 = t39 - t6;
+            let t46 = t43 - t7;
+            let t47 = t38 - t16;
+            let t48 = t39 - t17;
+            let t49 = t43 - t40;
+            let t50 = t38 - t24;
+            let t51 = t39 - t25;
+            let t52 = t43 - t41;
+            let t53 = t38 - t35;
+            let t54 = t39 - t36;
+            let t55 = t43 - t42;
+            GeometricJacobian(Jacobian {
+                rows: [
+                    [
+                        t37 - t36,
+                        c1 * t43,
+                        A::mul_add(t2, t46, -(c2 * t45)),
+                        A::mul_add(t15, t49, t13 * t48),
+                        A::mul_add(t19, t52, -(t20 * t51)),
+                        A::mul_add(t30, t52, t31 * t51),
+                        A::mul_add(t34, t54, -(t33 * t55)),
+                    ],
+                    [
+                        t38,
+                        s1 * t43,
+                        A::mul_add(c2, t44, -(t1 * t46)),
+                        -A::mul_add(t13, t47, t12 * t49),
+                        A::mul_add(t20, t50, -(t18 * t52)),
+                        -A::mul_add(t31, t50, t29 * t52),
+                        A::mul_add(t32, t55, -(t34 * t53)),
+                    ],
+                    [
+                        0.0,
+                        -A::mul_add(s1, t39, c1 * t38),
+                        A::mul_add(t1, t45, -(t2 * t44)),
+                        A::mul_add(t12, t48, -(t15 * t47)),
+                        A::mul_add(t18, t51, -(t19 * t50)),
+                        A::mul_add(t29, t51, -(t30 * t50)),
+                        A::mul_add(t33, t53, -(t32 * t54)),
+                    ],
+                    [0.0, -s1, t1, t12, t18, t29, -t32],
+                    [0.0, c1, t2, t15, t19, t30, -t33],
+                    [1.0, 0.0, c2, -t13, t20, -t31, -t34],
+                ],
+            })
         }
     }
 

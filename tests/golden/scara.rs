@@ -19,8 +19,9 @@
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, Branches, Forward, Inverse, Lanes, SinCos, evaluate,
-        lanes, math, solve, solve_nearest,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
+        Inverse, Lanes, SinCos, SpatialJacobian, evaluate, lanes, math, solve,
+        solve_nearest,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -147,33 +148,7 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 4]) -> [Pose; 4] {
-            // Angles about parallel axes add up
-            let t1 = q[0] + q[1];
-            let t2 = q[2] + t1;
-            let ([s1, s12, s123], [c1, c12, c123]) = lanes::sin_cos([q[0], t1, t2]);
-            let t3 = 0.4 * c1;
-            let t4 = 0.4 * s1;
-            let t5 = -s123;
-            let t6 = 0.7 * s123 - (t4 + 0.3 * s12);
-            let t7 = t3 + 0.3 * c12 - 0.7 * c123;
-            [
-                Pose {
-                    rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [0.0, 0.0, 0.0],
-                },
-                Pose {
-                    rotation: [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [0.4 * s12 - t4, t3 - 0.4 * c12, 0.0],
-                },
-                Pose {
-                    rotation: [[c123, t5, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [t6, t7, 0.0],
-                },
-                Pose {
-                    rotation: [[c123, t5, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [t6, t7, q[3]],
-                },
-            ]
+            evaluate(self, q)
         }
 
         /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
@@ -186,21 +161,8 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            // Angles about parallel axes add up
-            let t1 = q[0] + q[1];
-            let ([s1, s12], [c1, c12]) = lanes::sin_cos([q[0], t1]);
-            let t2 = 0.4 * c1;
-            let t3 = 0.4 * s1;
-            Jacobian {
-                rows: [
-                    [0.0, t2, t2 + 0.3 * c12, 0.0],
-                    [0.0, t3, t3 + 0.3 * s12, 0.0],
-                    [0.0, 0.0, 0.0, 1.0],
-                    [0.0, 0.0, 0.0, 0.0],
-                    [0.0, 0.0, 0.0, 0.0],
-                    [1.0, 1.0, 1.0, 0.0],
-                ],
-            }
+            let SpatialJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The body Jacobian J_b (MLS section 3.4.1): times joint rates, the
@@ -209,21 +171,8 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let ([s3, s23], [c3, c23]) = lanes::sin_cos([q[2], t1]);
-            let t2 = 0.3 * c3;
-            let t3 = 0.3 * s3;
-            Jacobian {
-                rows: [
-                    [-(t2 + 0.4 * c23), -t2, 0.0, 0.0],
-                    [t3 + 0.4 * s23, t3, 0.0, 0.0],
-                    [0.0, 0.0, 0.0, 1.0],
-                    [0.0, 0.0, 0.0, 0.0],
-                    [0.0, 0.0, 0.0, 0.0],
-                    [1.0, 1.0, 1.0, 0.0],
-                ],
-            }
+            let BodyJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The geometric Jacobian, which ROS uses: times joint rates, the
@@ -232,23 +181,8 @@ mod __Scara {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 4]) -> Jacobian<4> {
-            // Angles about parallel axes add up
-            let t1 = q[0] + q[1];
-            let ([s1, s12], [c1, c12]) = lanes::sin_cos([q[0], t1]);
-            let t2 = 0.4 * c1;
-            let t3 = 0.4 * s1;
-            let t4 = t3 + 0.3 * s12;
-            let t5 = t2 + 0.3 * c12;
-            Jacobian {
-                rows: [
-                    [-t5, t2 - t5, 0.0, 0.0],
-                    [-t4, t3 - t4, 0.0, 0.0],
-                    [0.0, 0.0, 0.0, 1.0],
-                    [0.0, 0.0, 0.0, 0.0],
-                    [0.0, 0.0, 0.0, 0.0],
-                    [1.0, 1.0, 1.0, 0.0],
-                ],
-            }
+            let GeometricJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// [`Self::fk`] and [`Self::spatial_jacobian`], computed together.
@@ -426,6 +360,114 @@ mod __Scara {
                     ],
                 },
             )
+        }
+    }
+
+    impl Forward<[Pose; 4], 4, 3> for Scara {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 4], sin_cos: impl SinCos<3>) -> [Pose; 4] {
+            // Angles about parallel axes add up
+            let t1 = q[0] + q[1];
+            let t2 = q[2] + t1;
+            let ([s1, s12, s123], [c1, c12, c123]) = sin_cos.of([q[0], t1, t2]);
+            let t3 = 0.4 * c1;
+            let t4 = 0.4 * s1;
+            let t5 = -s123;
+            let t6 = A::mul_add(0.7, s123, -A::mul_add(0.3, s12, t4));
+            let t7 = A::mul_add(-0.7, c123, A::mul_add(0.3, c12, t3));
+            [
+                Pose {
+                    rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [0.0, 0.0, 0.0],
+                },
+                Pose {
+                    rotation: [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [
+                        A::mul_add(0.4, s12, -t4),
+                        A::mul_add(-0.4, c12, t3),
+                        0.0,
+                    ],
+                },
+                Pose {
+                    rotation: [[c123, t5, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [t6, t7, 0.0],
+                },
+                Pose {
+                    rotation: [[c123, t5, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [t6, t7, q[3]],
+                },
+            ]
+        }
+    }
+
+    impl Forward<SpatialJacobian<4>, 4, 2> for Scara {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 4],
+            sin_cos: impl SinCos<2>,
+        ) -> SpatialJacobian<4> {
+            // Angles about parallel axes add up
+            let t1 = q[0] + q[1];
+            let ([s1, s12], [c1, c12]) = sin_cos.of([q[0], t1]);
+            let t2 = 0.4 * c1;
+            let t3 = 0.4 * s1;
+            SpatialJacobian(Jacobian {
+                rows: [
+                    [0.0, t2, A::mul_add(0.3, c12, t2), 0.0],
+                    [0.0, t3, A::mul_add(0.3, s12, t3), 0.0],
+                    [0.0, 0.0, 0.0, 1.0],
+                    [0.0, 0.0, 0.0, 0.0],
+                    [0.0, 0.0, 0.0, 0.0],
+                    [1.0, 1.0, 1.0, 0.0],
+                ],
+            })
+        }
+    }
+
+    impl Forward<BodyJacobian<4>, 4, 2> for Scara {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 4], sin_cos: impl SinCos<2>) -> BodyJacobian<4> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let ([s3, s23], [c3, c23]) = sin_cos.of([q[2], t1]);
+            let t2 = 0.3 * c3;
+            let t3 = 0.3 * s3;
+            BodyJacobian(Jacobian {
+                rows: [
+                    [-A::mul_add(0.4, c23, t2), -t2, 0.0, 0.0],
+                    [A::mul_add(0.4, s23, t3), t3, 0.0, 0.0],
+                    [0.0, 0.0, 0.0, 1.0],
+                    [0.0, 0.0, 0.0, 0.0],
+                    [0.0, 0.0, 0.0, 0.0],
+                    [1.0, 1.0, 1.0, 0.0],
+                ],
+            })
+        }
+    }
+
+    impl Forward<GeometricJacobian<4>, 4, 2> for Scara {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 4],
+            sin_cos: impl SinCos<2>,
+        ) -> GeometricJacobian<4> {
+            // Angles about parallel axes add up
+            let t1 = q[0] + q[1];
+            let ([s1, s12], [c1, c12]) = sin_cos.of([q[0], t1]);
+            let t2 = 0.4 * c1;
+            let t3 = 0.4 * s1;
+            let t4 = A::mul_add(0.3, s12, t3);
+            let t5 = A::mul_add(0.3, c12, t2);
+            GeometricJacobian(Jacobian {
+                rows: [
+                    [-t5, t2 - t5, 0.0, 0.0],
+                    [-t4, t3 - t4, 0.0, 0.0],
+                    [0.0, 0.0, 0.0, 1.0],
+                    [0.0, 0.0, 0.0, 0.0],
+                    [0.0, 0.0, 0.0, 0.0],
+                    [1.0, 1.0, 1.0, 0.0],
+                ],
+            })
         }
     }
 

@@ -20,8 +20,9 @@
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, Branches, Forward, Inverse, Lanes, SinCos, evaluate,
-        lanes, math, solve, solve_nearest, widen,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
+        Inverse, Lanes, SinCos, SpatialJacobian, evaluate, lanes, math, solve,
+        solve_nearest, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -199,78 +200,7 @@ mod __Ur5e {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let t2 = q[3] + t1;
-            let ([s1, s2, s5, s6, s23, s234], [c1, c2, c5, c6, c23, c234]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                q[5],
-                t1,
-                t2,
-            ]);
-            let t3 = 0.425 * c2;
-            let t4 = 0.425 * s2;
-            let t5 = t3 + 0.3922 * c23;
-            let t6 = -(s234 * s5);
-            let t7 = -c1;
-            let t8 = c1 * t5;
-            let t9 = s1 * t5;
-            let t10 = 0.1625 - (t4 + 0.3922 * s23);
-            let t11 = c1 * s234;
-            let t12 = s1 * s234;
-            let t13 = c1 * c234;
-            let t14 = s1 * c234;
-            let t15 = 0.1333 * s1 - t8;
-            let t16 = 0.1333 * c1 + t9;
-            let t17 = c5 * t13 + s1 * s5;
-            let t18 = s234 * c5;
-            let t19 = c5 * t14 - c1 * s5;
-            let t20 = s1 * c5 - s5 * t13;
-            let t21 = -(c1 * c5 + s5 * t14);
-            [
-                Pose {
-                    rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [0.0, 0.0, 0.0],
-                },
-                Pose {
-                    rotation: [
-                        [c1 * c2, -(c1 * s2), s1],
-                        [s1 * c2, -(s1 * s2), t7],
-                        [s2, c2, 0.0],
-                    ],
-                    translation: [0.0, 0.0, 0.1625],
-                },
-                Pose {
-                    rotation: [
-                        [c1 * c23, -(c1 * s23), s1],
-                        [s1 * c23, -(s1 * s23), t7],
-                        [s23, c23, 0.0],
-                    ],
-                    translation: [-(c1 * t3), -(s1 * t3), 0.1625 - t4],
-                },
-                Pose {
-                    rotation: [[t13, -t11, s1], [t14, -t12, t7], [s234, c234, 0.0]],
-                    translation: [-t8, -t9, t10],
-                },
-                Pose {
-                    rotation: [[t17, t20, t11], [t19, t21, t12], [t18, t6, -c234]],
-                    translation: [t15, -t16, t10],
-                },
-                Pose {
-                    rotation: [
-                        [c6 * t17 - s6 * t11, -(c6 * t11 + s6 * t17), t20],
-                        [c6 * t19 - s6 * t12, -(c6 * t12 + s6 * t19), t21],
-                        [c234 * s6 + c6 * t18, c234 * c6 - s6 * t18, t6],
-                    ],
-                    translation: [
-                        t15 + 0.0997 * t11,
-                        0.0997 * t12 - t16,
-                        t10 - 0.0997 * c234,
-                    ],
-                },
-            ]
+            evaluate(self, q)
         }
 
         /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
@@ -283,55 +213,8 @@ mod __Ur5e {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let t2 = q[3] + t1;
-            let ([s1, s2, s5, s23, s234], [c1, c2, c5, c23, c234]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                t1,
-                t2,
-            ]);
-            let t3 = 0.425 * c2;
-            let t4 = 0.425 * s2;
-            let t5 = t4 + 0.3922 * s23;
-            let t6 = t3 + 0.3922 * c23;
-            let t7 = c234 * s5;
-            let t8 = s234 * s5;
-            let t9 = -c1;
-            let t10 = 0.0997 * s234 - t6;
-            let t11 = t4 - 0.1625;
-            let t12 = t5 - 0.1625;
-            let t13 = t5 + 0.0997 * c234 - 0.1625;
-            let t14 = 0.1333 * c234;
-            let t15 = s234 * t13 - c234 * t10;
-            let t16 = c5 * t13 - 0.1333 * t8;
-            let t17 = t8 * t10 + t7 * t13;
-            Jacobian {
-                rows: [
-                    [
-                        0.0,
-                        0.1625 * c1,
-                        -(c1 * t11),
-                        -(c1 * t12),
-                        c1 * t14 + s1 * t15,
-                        -(c1 * t16 + s1 * t17),
-                    ],
-                    [
-                        0.0,
-                        0.1625 * s1,
-                        -(s1 * t11),
-                        -(s1 * t12),
-                        s1 * t14 - c1 * t15,
-                        c1 * t17 - s1 * t16,
-                    ],
-                    [0.0, 0.0, t3, t6, 0.1333 * s234, -(0.1333 * t7 + c5 * t10)],
-                    [0.0, s1, s1, s1, c1 * s234, s1 * c5 - c1 * t7],
-                    [0.0, t9, t9, t9, s1 * s234, -(s1 * t7 + c1 * c5)],
-                    [1.0, 0.0, 0.0, 0.0, -c234, -t8],
-                ],
-            }
+            let SpatialJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The body Jacobian J_b (MLS section 3.4.1): times joint rates, the
@@ -340,68 +223,8 @@ mod __Ur5e {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[2] + q[3];
-            let t2 = q[1] + t1;
-            let ([s5, s6, s4, s34, s234], [c5, c6, c4, c34, c234]) = lanes::sin_cos([
-                q[4],
-                q[5],
-                q[3],
-                t1,
-                t2,
-            ]);
-            let t3 = -(s5 * s6);
-            let t4 = 0.0996 * s5;
-            let t5 = s5 * c6;
-            let t6 = 0.3922 * c4;
-            let t7 = 0.3922 * s4;
-            let t8 = t6 + 0.425 * c34;
-            let t9 = t7 - 0.0997;
-            let t10 = c5 * t8;
-            let t11 = s5 * t8;
-            let t12 = t7 + 0.425 * s34 - 0.0997;
-            let t13 = c5 * s234;
-            let t14 = s5 * s234;
-            let t15 = t10 - 0.1333 * s5;
-            let t16 = -0.0996 - (t11 + 0.1333 * c5);
-            let t17 = c234 * t16 - t12 * t14;
-            let t18 = t13 * t16 + t14 * t15;
-            let t19 = c5 * t12;
-            let t20 = c5 * t10 - s5 * (-0.0996 - t11);
-            let t21 = c5 * t9;
-            let t22 = c5 * (c5 * t6) - s5 * (-0.0996 - s5 * t6);
-            let t23 = 0.0997 * c5;
-            Jacobian {
-                rows: [
-                    [
-                        s6 * t18 - c6 * t17,
-                        -(c6 * t19 + s6 * t20),
-                        -(c6 * t21 + s6 * t22),
-                        c6 * t23 - s6 * t4,
-                        -(0.0996 * c6),
-                        0.0,
-                    ],
-                    [
-                        s6 * t17 + c6 * t18,
-                        s6 * t19 - c6 * t20,
-                        s6 * t21 - c6 * t22,
-                        -(s6 * t23 + c6 * t4),
-                        0.0996 * s6,
-                        0.0,
-                    ],
-                    [
-                        c234 * t15 + t12 * t13,
-                        s5 * t12,
-                        s5 * t9,
-                        -(0.0997 * s5),
-                        0.0,
-                        0.0,
-                    ],
-                    [c6 * t13 + s6 * c234, t5, t5, t5, -s6, 0.0],
-                    [c6 * c234 - s6 * t13, t3, t3, t3, -c6, 0.0],
-                    [-t14, c5, c5, c5, 0.0, 1.0],
-                ],
-            }
+            let BodyJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The geometric Jacobian, which ROS uses: times joint rates, the
@@ -410,61 +233,8 @@ mod __Ur5e {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + q[2];
-            let t2 = q[3] + t1;
-            let ([s1, s2, s5, s23, s234], [c1, c2, c5, c23, c234]) = lanes::sin_cos([
-                q[0],
-                q[1],
-                q[4],
-                t1,
-                t2,
-            ]);
-            let t3 = 0.425 * c2;
-            let t4 = 0.425 * s2;
-            let t5 = t4 + 0.3922 * s23;
-            let t6 = t3 + 0.3922 * c23;
-            let t7 = c234 * s5;
-            let t8 = s234 * s5;
-            let t9 = 0.0996 * c5;
-            let t10 = -c1;
-            let t11 = t5 + 0.0997 * c234;
-            let t12 = t6 - 0.0997 * s234;
-            let t13 = t11 + 0.0996 * t8;
-            let t14 = t12 + 0.0996 * t7;
-            let t15 = t9 + 0.1333;
-            let t16 = t4 - t13;
-            let t17 = t5 - t13;
-            let t18 = t11 - t13;
-            let t19 = t14 - t12;
-            let t20 = c234 * t9;
-            let t21 = s234 * t18 - c234 * t19;
-            let t22 = c5 * t18 + t8 * t9;
-            let t23 = t8 * t19 + t7 * t18;
-            Jacobian {
-                rows: [
-                    [
-                        c1 * t15 + s1 * t14,
-                        c1 * t13,
-                        -(c1 * t16),
-                        -(c1 * t17),
-                        s1 * t21 - c1 * t20,
-                        -(c1 * t22 + s1 * t23),
-                    ],
-                    [
-                        s1 * t15 - c1 * t14,
-                        s1 * t13,
-                        -(s1 * t16),
-                        -(s1 * t17),
-                        -(s1 * t20 + c1 * t21),
-                        c1 * t23 - s1 * t22,
-                    ],
-                    [0.0, -t14, t3 - t14, t6 - t14, -(s234 * t9), t7 * t9 - c5 * t19],
-                    [0.0, s1, s1, s1, c1 * s234, s1 * c5 - c1 * t7],
-                    [0.0, t10, t10, t10, s1 * s234, -(s1 * t7 + c1 * c5)],
-                    [1.0, 0.0, 0.0, 0.0, -c234, -t8],
-                ],
-            }
+            let GeometricJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// [`Self::fk`] and [`Self::spatial_jacobian`], computed together.
@@ -741,6 +511,272 @@ mod __Ur5e {
                     ],
                 },
             )
+        }
+    }
+
+    impl Forward<[Pose; 6], 6, 6> for Ur5e {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<6>) -> [Pose; 6] {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let t2 = q[3] + t1;
+            let ([s1, s2, s5, s6, s23, s234], [c1, c2, c5, c6, c23, c234]) = sin_cos
+                .of([q[0], q[1], q[4], q[5], t1, t2]);
+            let t3 = 0.425 * c2;
+            let t4 = 0.425 * s2;
+            let t5 = A::mul_add(0.3922, c23, t3);
+            let t6 = -(s234 * s5);
+            let t7 = -c1;
+            let t8 = c1 * t5;
+            let t9 = s1 * t5;
+            let t10 = 0.1625 - A::mul_add(0.3922, s23, t4);
+            let t11 = c1 * s234;
+            let t12 = s1 * s234;
+            let t13 = c1 * c234;
+            let t14 = s1 * c234;
+            let t15 = A::mul_add(0.1333, s1, -t8);
+            let t16 = A::mul_add(0.1333, c1, t9);
+            let t17 = A::mul_add(c5, t13, s1 * s5);
+            let t18 = s234 * c5;
+            let t19 = A::mul_add(c5, t14, -(c1 * s5));
+            let t20 = A::mul_add(s1, c5, -(s5 * t13));
+            let t21 = -A::mul_add(c1, c5, s5 * t14);
+            [
+                Pose {
+                    rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [0.0, 0.0, 0.0],
+                },
+                Pose {
+                    rotation: [
+                        [c1 * c2, -(c1 * s2), s1],
+                        [s1 * c2, -(s1 * s2), t7],
+                        [s2, c2, 0.0],
+                    ],
+                    translation: [0.0, 0.0, 0.1625],
+                },
+                Pose {
+                    rotation: [
+                        [c1 * c23, -(c1 * s23), s1],
+                        [s1 * c23, -(s1 * s23), t7],
+                        [s23, c23, 0.0],
+                    ],
+                    translation: [-(c1 * t3), -(s1 * t3), 0.1625 - t4],
+                },
+                Pose {
+                    rotation: [[t13, -t11, s1], [t14, -t12, t7], [s234, c234, 0.0]],
+                    translation: [-t8, -t9, t10],
+                },
+                Pose {
+                    rotation: [[t17, t20, t11], [t19, t21, t12], [t18, t6, -c234]],
+                    translation: [t15, -t16, t10],
+                },
+                Pose {
+                    rotation: [
+                        [
+                            A::mul_add(c6, t17, -(s6 * t11)),
+                            -A::mul_add(c6, t11, s6 * t17),
+                            t20,
+                        ],
+                        [
+                            A::mul_add(c6, t19, -(s6 * t12)),
+                            -A::mul_add(c6, t12, s6 * t19),
+                            t21,
+                        ],
+                        [
+                            A::mul_add(c234, s6, c6 * t18),
+                            A::mul_add(c234, c6, -(s6 * t18)),
+                            t6,
+                        ],
+                    ],
+                    translation: [
+                        A::mul_add(0.0997, t11, t15),
+                        A::mul_add(0.0997, t12, -t16),
+                        A::mul_add(-0.0997, c234, t10),
+                    ],
+                },
+            ]
+        }
+    }
+
+    impl Forward<SpatialJacobian<6>, 6, 5> for Ur5e {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<5>,
+        ) -> SpatialJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let t2 = q[3] + t1;
+            let ([s1, s2, s5, s23, s234], [c1, c2, c5, c23, c234]) = sin_cos
+                .of([q[0], q[1], q[4], t1, t2]);
+            let t3 = 0.425 * c2;
+            let t4 = 0.425 * s2;
+            let t5 = A::mul_add(0.3922, s23, t4);
+            let t6 = A::mul_add(0.3922, c23, t3);
+            let t7 = c234 * s5;
+            let t8 = s234 * s5;
+            let t9 = -c1;
+            let t10 = A::mul_add(0.0997, s234, -t6);
+            let t11 = t4 - 0.1625;
+            let t12 = t5 - 0.1625;
+            let t13 = A::mul_add(0.0997, c234, t5) - 0.1625;
+            let t14 = 0.1333 * c234;
+            let t15 = A::mul_add(s234, t13, -(c234 * t10));
+            let t16 = A::mul_add(c5, t13, -(0.1333 * t8));
+            let t17 = A::mul_add(t8, t10, t7 * t13);
+            SpatialJacobian(Jacobian {
+                rows: [
+                    [
+                        0.0,
+                        0.1625 * c1,
+                        -(c1 * t11),
+                        -(c1 * t12),
+                        A::mul_add(c1, t14, s1 * t15),
+                        -A::mul_add(c1, t16, s1 * t17),
+                    ],
+                    [
+                        0.0,
+                        0.1625 * s1,
+                        -(s1 * t11),
+                        -(s1 * t12),
+                        A::mul_add(s1, t14, -(c1 * t15)),
+                        A::mul_add(c1, t17, -(s1 * t16)),
+                    ],
+                    [0.0, 0.0, t3, t6, 0.1333 * s234, -A::mul_add(0.1333, t7, c5 * t10)],
+                    [0.0, s1, s1, s1, c1 * s234, A::mul_add(s1, c5, -(c1 * t7))],
+                    [0.0, t9, t9, t9, s1 * s234, -A::mul_add(s1, t7, c1 * c5)],
+                    [1.0, 0.0, 0.0, 0.0, -c234, -t8],
+                ],
+            })
+        }
+    }
+
+    impl Forward<BodyJacobian<6>, 6, 5> for Ur5e {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<5>) -> BodyJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[2] + q[3];
+            let t2 = q[1] + t1;
+            let ([s5, s6, s4, s34, s234], [c5, c6, c4, c34, c234]) = sin_cos
+                .of([q[4], q[5], q[3], t1, t2]);
+            let t3 = -(s5 * s6);
+            let t4 = 0.0996 * s5;
+            let t5 = s5 * c6;
+            let t6 = 0.3922 * c4;
+            let t7 = 0.3922 * s4;
+            let t8 = A::mul_add(0.425, c34, t6);
+            let t9 = t7 - 0.0997;
+            let t10 = c5 * t8;
+            let t11 = s5 * t8;
+            let t12 = A::mul_add(0.425, s34, t7) - 0.0997;
+            let t13 = c5 * s234;
+            let t14 = s5 * s234;
+            let t15 = A::mul_add(-0.1333, s5, t10);
+            let t16 = -0.0996 - A::mul_add(0.1333, c5, t11);
+            let t17 = A::mul_add(c234, t16, -(t12 * t14));
+            let t18 = A::mul_add(t13, t16, t14 * t15);
+            let t19 = c5 * t12;
+            let t20 = A::mul_add(c5, t10, -(s5 * (-0.0996 - t11)));
+            let t21 = c5 * t9;
+            let t22 = A::mul_add(c5, c5 * t6, -(s5 * A::mul_add(-s5, t6, -0.0996)));
+            let t23 = 0.0997 * c5;
+            BodyJacobian(Jacobian {
+                rows: [
+                    [
+                        A::mul_add(s6, t18, -(c6 * t17)),
+                        -A::mul_add(c6, t19, s6 * t20),
+                        -A::mul_add(c6, t21, s6 * t22),
+                        A::mul_add(c6, t23, -(s6 * t4)),
+                        -(0.0996 * c6),
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(s6, t17, c6 * t18),
+                        A::mul_add(s6, t19, -(c6 * t20)),
+                        A::mul_add(s6, t21, -(c6 * t22)),
+                        -A::mul_add(s6, t23, c6 * t4),
+                        0.0996 * s6,
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(c234, t15, t12 * t13),
+                        s5 * t12,
+                        s5 * t9,
+                        -(0.0997 * s5),
+                        0.0,
+                        0.0,
+                    ],
+                    [A::mul_add(c6, t13, s6 * c234), t5, t5, t5, -s6, 0.0],
+                    [A::mul_add(c6, c234, -(s6 * t13)), t3, t3, t3, -c6, 0.0],
+                    [-t14, c5, c5, c5, 0.0, 1.0],
+                ],
+            })
+        }
+    }
+
+    impl Forward<GeometricJacobian<6>, 6, 5> for Ur5e {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<5>,
+        ) -> GeometricJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + q[2];
+            let t2 = q[3] + t1;
+            let ([s1, s2, s5, s23, s234], [c1, c2, c5, c23, c234]) = sin_cos
+                .of([q[0], q[1], q[4], t1, t2]);
+            let t3 = 0.425 * c2;
+            let t4 = 0.425 * s2;
+            let t5 = A::mul_add(0.3922, s23, t4);
+            let t6 = A::mul_add(0.3922, c23, t3);
+            let t7 = c234 * s5;
+            let t8 = s234 * s5;
+            let t9 = 0.0996 * c5;
+            let t10 = -c1;
+            let t11 = A::mul_add(0.0997, c234, t5);
+            let t12 = A::mul_add(-0.0997, s234, t6);
+            let t13 = A::mul_add(0.0996, t8, t11);
+            let t14 = A::mul_add(0.0996, t7, t12);
+            let t15 = t9 + 0.1333;
+            let t16 = t4 - t13;
+            let t17 = t5 - t13;
+            let t18 = t11 - t13;
+            let t19 = t14 - t12;
+            let t20 = c234 * t9;
+            let t21 = A::mul_add(s234, t18, -(c234 * t19));
+            let t22 = A::mul_add(c5, t18, t8 * t9);
+            let t23 = A::mul_add(t8, t19, t7 * t18);
+            GeometricJacobian(Jacobian {
+                rows: [
+                    [
+                        A::mul_add(c1, t15, s1 * t14),
+                        c1 * t13,
+                        -(c1 * t16),
+                        -(c1 * t17),
+                        A::mul_add(s1, t21, -(c1 * t20)),
+                        -A::mul_add(c1, t22, s1 * t23),
+                    ],
+                    [
+                        A::mul_add(s1, t15, -(c1 * t14)),
+                        s1 * t13,
+                        -(s1 * t16),
+                        -(s1 * t17),
+                        -A::mul_add(s1, t20, c1 * t21),
+                        A::mul_add(c1, t23, -(s1 * t22)),
+                    ],
+                    [
+                        0.0,
+                        -t14,
+                        t3 - t14,
+                        t6 - t14,
+                        -(s234 * t9),
+                        A::mul_add(t7, t9, -(c5 * t19)),
+                    ],
+                    [0.0, s1, s1, s1, c1 * s234, A::mul_add(s1, c5, -(c1 * t7))],
+                    [0.0, t10, t10, t10, s1 * s234, -A::mul_add(s1, t7, c1 * c5)],
+                    [1.0, 0.0, 0.0, 0.0, -c234, -t8],
+                ],
+            })
         }
     }
 

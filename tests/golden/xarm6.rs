@@ -18,7 +18,8 @@
 mod __Xarm6 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Arithmetic, Elimination, Forward, Frames, SinCos, Univariate, evaluate, lanes,
+        Arithmetic, BodyJacobian, Elimination, Forward, Frames, GeometricJacobian,
+        SinCos, SpatialJacobian, Univariate, evaluate, lanes,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -135,87 +136,7 @@ mod __Xarm6 {
         #[inline]
         #[must_use]
         pub fn fk_links(&self, q: &[f64; 6]) -> [Pose; 6] {
-            // Angles about parallel axes add up
-            let t1 = q[1] + 0.18587843800202203;
-            let t2 = t1 + (q[2] - 1.7566747647969185);
-            let ([s5, s6, s4, s1, s2, s23], [c5, c6, c4, c1, c2, c23]) = lanes::sin_cos([
-                q[4],
-                q[5],
-                q[3],
-                q[0],
-                t1,
-                t2,
-            ]);
-            let t3 = 0.28948866 * c2;
-            let t4 = 0.28948866 * s2;
-            let t5 = -s1;
-            let t6 = c1 * s23;
-            let t7 = s1 * s23;
-            let t8 = c1 * c23;
-            let t9 = s1 * c23;
-            let t10 = -t8;
-            let t11 = -t9;
-            let t12 = t4 - (0.0775 * s23 + 0.3425 * c23);
-            let t13 = c1 * t12;
-            let t14 = s1 * t12;
-            let t15 = t3 + (0.3425 * s23 - 0.0775 * c23) + 0.267;
-            let t16 = s1 * c4 + s4 * t6;
-            let t17 = c1 * c4;
-            let t18 = s4 * t7;
-            let t19 = t17 - t18;
-            let t20 = c23 * s4;
-            let t21 = s1 * s4 - c4 * t6;
-            let t22 = c1 * s4 + c4 * t7;
-            let t23 = c23 * c4;
-            let t24 = c5 * t21 - s5 * t8;
-            let t25 = c5 * t22 + s5 * t9;
-            let t26 = s23 * s5 - c5 * t23;
-            let t27 = s5 * t21 + c5 * t8;
-            let t28 = -t27;
-            let t29 = s5 * t22 - c5 * t9;
-            let t30 = s23 * c5 + s5 * t23;
-            [
-                Pose {
-                    rotation: [[c1, t5, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [0.0, 0.0, 0.267],
-                },
-                Pose {
-                    rotation: [
-                        [c1 * s2, c1 * c2, t5],
-                        [s1 * s2, s1 * c2, c1],
-                        [c2, -s2, 0.0],
-                    ],
-                    translation: [0.0, 0.0, 0.267],
-                },
-                Pose {
-                    rotation: [[-t6, t10, t5], [-t7, t11, c1], [-c23, s23, 0.0]],
-                    translation: [c1 * t4, s1 * t4, t3 + 0.267],
-                },
-                Pose {
-                    rotation: [
-                        [t21, t16, t10],
-                        [-t22, t18 - t17, t11],
-                        [-t23, t20, s23],
-                    ],
-                    translation: [t13, t14, t15],
-                },
-                Pose {
-                    rotation: [[t24, t28, -t16], [-t25, t29, t19], [t26, t30, -t20]],
-                    translation: [t13, t14, t15],
-                },
-                Pose {
-                    rotation: [
-                        [s6 * t16 + c6 * t24, c6 * t16 - s6 * t24, t28],
-                        [-(s6 * t19 + c6 * t25), s6 * t25 - c6 * t19, t29],
-                        [s6 * t20 + c6 * t26, c6 * t20 - s6 * t26, t30],
-                    ],
-                    translation: [
-                        t13 + 0.076 * t24 - 0.097 * t27,
-                        t14 - 0.076 * t25 + 0.097 * t29,
-                        t15 + 0.076 * t26 + 0.097 * t30,
-                    ],
-                },
-            ]
+            evaluate(self, q)
         }
 
         /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
@@ -228,70 +149,8 @@ mod __Xarm6 {
         #[inline]
         #[must_use]
         pub fn spatial_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + 0.18587843800202203;
-            let t2 = t1 + (q[2] - 1.7566747647969185);
-            let ([s5, s4, s1, s2, s23], [c5, c4, c1, c2, c23]) = lanes::sin_cos([
-                q[4],
-                q[3],
-                q[0],
-                t1,
-                t2,
-            ]);
-            let t3 = 0.28948866 * c2;
-            let t4 = 0.28948866 * s2;
-            let t5 = s4 * s5;
-            let t6 = -s1;
-            let t7 = 0.0775 * s23 + 0.3425 * c23;
-            let t8 = t3 + (0.3425 * s23 - 0.0775 * c23);
-            let t9 = c23 * s4;
-            let t10 = c23 * c4;
-            let t11 = s23 * c5 + s5 * t10;
-            let t12 = s23 * s4;
-            let t13 = s23 * c4;
-            let t14 = s5 * t13 - c23 * c5;
-            let t15 = 0.076 * (s4 * c5);
-            let t16 = -0.267 - t3;
-            let t17 = -0.267 - t8;
-            let t18 = t7 - t4;
-            let t19 = s23 * t18 + c23 * t17;
-            let t20 = c4 * t17;
-            let t21 = t12 * t17 - t9 * t18;
-            let t22 = -0.267 - (t8 + 0.076 * (s23 * s5 - c5 * t10));
-            let t23 = 0.076 * (c5 * t13 + c23 * s5) - (t4 - t7);
-            let t24 = t5 * t22 - t11 * t15;
-            let t25 = t11 * t23 - t14 * t22;
-            Jacobian {
-                rows: [
-                    [
-                        0.0,
-                        -(0.267 * c1),
-                        c1 * t16,
-                        -(s1 * t19),
-                        c1 * t20 - s1 * t21,
-                        c1 * t24 - s1 * t25,
-                    ],
-                    [
-                        0.0,
-                        -(0.267 * s1),
-                        s1 * t16,
-                        c1 * t19,
-                        s1 * t20 + c1 * t21,
-                        s1 * t24 + c1 * t25,
-                    ],
-                    [0.0, 0.0, t4, 0.0, -(c4 * t18), t14 * t15 - t5 * t23],
-                    [
-                        0.0,
-                        t6,
-                        t6,
-                        -(c1 * c23),
-                        -(s1 * c4 + c1 * t12),
-                        c1 * t14 - s1 * t5,
-                    ],
-                    [0.0, c1, c1, -(s1 * c23), c1 * c4 - s1 * t12, c1 * t5 + s1 * t14],
-                    [1.0, 0.0, 0.0, s23, -t9, t11],
-                ],
-            }
+            let SpatialJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The body Jacobian J_b (MLS section 3.4.1): times joint rates, the
@@ -300,73 +159,8 @@ mod __Xarm6 {
         #[inline]
         #[must_use]
         pub fn body_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = 1.7566747647969185 - q[2];
-            let t2 = t1 + (-0.18587843800202203 - q[1]);
-            let ([s5, s6, s4, s3, s23], [c5, c6, c4, c3, c23]) = lanes::sin_cos([
-                q[4],
-                q[5],
-                q[3],
-                t1,
-                t2,
-            ]);
-            let t3 = c5 * s6;
-            let t4 = s5 * s6;
-            let t5 = s4 * t3 - c4 * c6;
-            let t6 = s4 * c6 + c4 * t3;
-            let t7 = c4 * s5;
-            let t8 = s4 * s5;
-            let t9 = 0.28948866 * c3;
-            let t10 = 0.28948866 * s3;
-            let t11 = 0.076 * c6;
-            let t12 = 0.076 * s6;
-            let t13 = c5 * c6;
-            let t14 = s5 * c6;
-            let t15 = c4 * s6 + s4 * t13;
-            let t16 = -t15;
-            let t17 = s4 * s6;
-            let t18 = c4 * t13;
-            let t19 = t17 - t18;
-            let t20 = t11 + (0.0775 * (t18 - t17) + 0.3425 * t14);
-            let t21 = t12 + (0.0775 * t6 + 0.3425 * t4);
-            let t22 = 0.0775 * t7 - 0.3425 * c5 - 0.097;
-            let t23 = t22 + (c5 * t10 - t7 * t9);
-            let t24 = c23 * t19 - s23 * t14;
-            let t25 = t6 * c23 + t4 * s23;
-            let t26 = t7 * c23 - c5 * s23;
-            let t27 = t20 - (t10 * t14 - t9 * t19);
-            let t28 = t6 * t9 + t4 * t10 - t21;
-            Jacobian {
-                rows: [
-                    [
-                        -(t23 * t25 + t26 * t28),
-                        -(t5 * t23 + t8 * t28),
-                        t8 * t21 - t5 * t22,
-                        c5 * t12 - 0.097 * t4,
-                        -(0.097 * c6),
-                        0.0,
-                    ],
-                    [
-                        t26 * t27 + t23 * t24,
-                        t8 * t27 - t15 * t23,
-                        t8 * t20 - t15 * t22,
-                        c5 * t11 - 0.097 * t14,
-                        0.097 * s6,
-                        0.0,
-                    ],
-                    [
-                        t24 * t28 - t25 * t27,
-                        -(t15 * t28 + t5 * t27),
-                        t15 * t21 - t5 * t20,
-                        t4 * t11 - t12 * t14,
-                        s6 * t12 + c6 * t11,
-                        0.0,
-                    ],
-                    [t24, t16, t16, t14, -s6, 0.0],
-                    [t25, t5, t5, -t4, -c6, 0.0],
-                    [t26, t8, t8, c5, 0.0, 1.0],
-                ],
-            }
+            let BodyJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// The geometric Jacobian, which ROS uses: times joint rates, the
@@ -375,81 +169,8 @@ mod __Xarm6 {
         #[inline]
         #[must_use]
         pub fn geometric_jacobian(&self, q: &[f64; 6]) -> Jacobian<6> {
-            // Angles about parallel axes add up
-            let t1 = q[1] + 0.18587843800202203;
-            let t2 = t1 + (q[2] - 1.7566747647969185);
-            let ([s5, s4, s1, s2, s23], [c5, c4, c1, c2, c23]) = lanes::sin_cos([
-                q[4],
-                q[3],
-                q[0],
-                t1,
-                t2,
-            ]);
-            let t3 = 0.28948866 * c2;
-            let t4 = 0.28948866 * s2;
-            let t5 = -s1;
-            let t6 = c1 * t4;
-            let t7 = s1 * t4;
-            let t8 = c1 * s23;
-            let t9 = s1 * s23;
-            let t10 = c1 * c23;
-            let t11 = s1 * c23;
-            let t12 = t3 + (0.3425 * s23 - 0.0775 * c23);
-            let t13 = s1 * c4 + s4 * t8;
-            let t14 = c1 * c4 - s4 * t9;
-            let t15 = c23 * s4;
-            let t16 = s1 * s4 - c4 * t8;
-            let t17 = c1 * s4 + c4 * t9;
-            let t18 = c23 * c4;
-            let t19 = s5 * t16 + c5 * t10;
-            let t20 = s5 * t17 - c5 * t11;
-            let t21 = s23 * c5 + s5 * t18;
-            let t22 = t6 - (0.0775 * t8 + 0.3425 * t10);
-            let t23 = t7 - (0.0775 * t9 + 0.3425 * t11);
-            let t24 = 0.076 * (c5 * t16 - s5 * t10) + t22;
-            let t25 = t23 - 0.076 * (c5 * t17 + s5 * t11);
-            let t26 = t24 - 0.097 * t19;
-            let t27 = 0.097 * t20 + t25;
-            let t28 = t12 + 0.076 * (s23 * s5 - c5 * t18);
-            let t29 = 0.097 * t21 + t28;
-            let t30 = t29 - t3;
-            let t31 = t26 - t22;
-            let t32 = t27 - t23;
-            let t33 = t29 - t12;
-            let t34 = t26 - t24;
-            let t35 = t27 - t25;
-            let t36 = t29 - t28;
-            Jacobian {
-                rows: [
-                    [
-                        -t27,
-                        c1 * t29,
-                        c1 * t30,
-                        -(t11 * t33 + s23 * t32),
-                        t14 * t33 + t15 * t32,
-                        t20 * t36 - t21 * t35,
-                    ],
-                    [
-                        t26,
-                        s1 * t29,
-                        s1 * t30,
-                        s23 * t31 + t10 * t33,
-                        t13 * t33 - t15 * t31,
-                        t21 * t34 + t19 * t36,
-                    ],
-                    [
-                        0.0,
-                        -(s1 * t27 + c1 * t26),
-                        -(s1 * (t27 - t7) + c1 * (t26 - t6)),
-                        t11 * t31 - t10 * t32,
-                        -(t13 * t32 + t14 * t31),
-                        -(t19 * t35 + t20 * t34),
-                    ],
-                    [0.0, t5, t5, -t10, -t13, -t19],
-                    [0.0, c1, c1, -t11, t14, t20],
-                    [1.0, 0.0, 0.0, s23, -t15, t21],
-                ],
-            }
+            let GeometricJacobian(jacobian) = evaluate(self, q);
+            jacobian
         }
 
         /// [`Self::fk`] and [`Self::spatial_jacobian`], computed together.
@@ -1278,6 +999,321 @@ mod __Xarm6 {
                     ],
                 },
             )
+        }
+    }
+
+    impl Forward<[Pose; 6], 6, 6> for Xarm6 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<6>) -> [Pose; 6] {
+            // Angles about parallel axes add up
+            let t1 = q[1] + 0.18587843800202203;
+            let t2 = t1 + (q[2] - 1.7566747647969185);
+            let ([s5, s6, s4, s1, s2, s23], [c5, c6, c4, c1, c2, c23]) = sin_cos
+                .of([q[4], q[5], q[3], q[0], t1, t2]);
+            let t3 = 0.28948866 * c2;
+            let t4 = 0.28948866 * s2;
+            let t5 = -s1;
+            let t6 = c1 * s23;
+            let t7 = s1 * s23;
+            let t8 = c1 * c23;
+            let t9 = s1 * c23;
+            let t10 = -t8;
+            let t11 = -t9;
+            let t12 = t4 - A::mul_add(0.0775, s23, 0.3425 * c23);
+            let t13 = c1 * t12;
+            let t14 = s1 * t12;
+            let t15 = t3 + A::mul_add(0.3425, s23, -(0.0775 * c23)) + 0.267;
+            let t16 = A::mul_add(s1, c4, s4 * t6);
+            let t17 = c1 * c4;
+            let t18 = s4 * t7;
+            let t19 = t17 - t18;
+            let t20 = c23 * s4;
+            let t21 = A::mul_add(s1, s4, -(c4 * t6));
+            let t22 = A::mul_add(c1, s4, c4 * t7);
+            let t23 = c23 * c4;
+            let t24 = A::mul_add(c5, t21, -(s5 * t8));
+            let t25 = A::mul_add(c5, t22, s5 * t9);
+            let t26 = A::mul_add(s23, s5, -(c5 * t23));
+            let t27 = A::mul_add(s5, t21, c5 * t8);
+            let t28 = -t27;
+            let t29 = A::mul_add(s5, t22, -(c5 * t9));
+            let t30 = A::mul_add(s23, c5, s5 * t23);
+            [
+                Pose {
+                    rotation: [[c1, t5, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                    translation: [0.0, 0.0, 0.267],
+                },
+                Pose {
+                    rotation: [
+                        [c1 * s2, c1 * c2, t5],
+                        [s1 * s2, s1 * c2, c1],
+                        [c2, -s2, 0.0],
+                    ],
+                    translation: [0.0, 0.0, 0.267],
+                },
+                Pose {
+                    rotation: [[-t6, t10, t5], [-t7, t11, c1], [-c23, s23, 0.0]],
+                    translation: [c1 * t4, s1 * t4, t3 + 0.267],
+                },
+                Pose {
+                    rotation: [
+                        [t21, t16, t10],
+                        [-t22, t18 - t17, t11],
+                        [-t23, t20, s23],
+                    ],
+                    translation: [t13, t14, t15],
+                },
+                Pose {
+                    rotation: [[t24, t28, -t16], [-t25, t29, t19], [t26, t30, -t20]],
+                    translation: [t13, t14, t15],
+                },
+                Pose {
+                    rotation: [
+                        [
+                            A::mul_add(s6, t16, c6 * t24),
+                            A::mul_add(c6, t16, -(s6 * t24)),
+                            t28,
+                        ],
+                        [
+                            -A::mul_add(s6, t19, c6 * t25),
+                            A::mul_add(s6, t25, -(c6 * t19)),
+                            t29,
+                        ],
+                        [
+                            A::mul_add(s6, t20, c6 * t26),
+                            A::mul_add(c6, t20, -(s6 * t26)),
+                            t30,
+                        ],
+                    ],
+                    translation: [
+                        A::mul_add(-0.097, t27, A::mul_add(0.076, t24, t13)),
+                        A::mul_add(0.097, t29, A::mul_add(-0.076, t25, t14)),
+                        A::mul_add(0.097, t30, A::mul_add(0.076, t26, t15)),
+                    ],
+                },
+            ]
+        }
+    }
+
+    impl Forward<SpatialJacobian<6>, 6, 5> for Xarm6 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<5>,
+        ) -> SpatialJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + 0.18587843800202203;
+            let t2 = t1 + (q[2] - 1.7566747647969185);
+            let ([s5, s4, s1, s2, s23], [c5, c4, c1, c2, c23]) = sin_cos
+                .of([q[4], q[3], q[0], t1, t2]);
+            let t3 = 0.28948866 * c2;
+            let t4 = 0.28948866 * s2;
+            let t5 = s4 * s5;
+            let t6 = -s1;
+            let t7 = A::mul_add(0.0775, s23, 0.3425 * c23);
+            let t8 = t3 + A::mul_add(0.3425, s23, -(0.0775 * c23));
+            let t9 = c23 * s4;
+            let t10 = c23 * c4;
+            let t11 = A::mul_add(s23, c5, s5 * t10);
+            let t12 = s23 * s4;
+            let t13 = s23 * c4;
+            let t14 = A::mul_add(s5, t13, -(c23 * c5));
+            let t15 = 0.076 * (s4 * c5);
+            let t16 = -0.267 - t3;
+            let t17 = -0.267 - t8;
+            let t18 = t7 - t4;
+            let t19 = A::mul_add(s23, t18, c23 * t17);
+            let t20 = c4 * t17;
+            let t21 = A::mul_add(t12, t17, -(t9 * t18));
+            let t22 = -0.267 - A::mul_add(0.076, A::mul_add(s23, s5, -(c5 * t10)), t8);
+            let t23 = A::mul_add(0.076, A::mul_add(c5, t13, c23 * s5), -(t4 - t7));
+            let t24 = A::mul_add(t5, t22, -(t11 * t15));
+            let t25 = A::mul_add(t11, t23, -(t14 * t22));
+            SpatialJacobian(Jacobian {
+                rows: [
+                    [
+                        0.0,
+                        -(0.267 * c1),
+                        c1 * t16,
+                        -(s1 * t19),
+                        A::mul_add(c1, t20, -(s1 * t21)),
+                        A::mul_add(c1, t24, -(s1 * t25)),
+                    ],
+                    [
+                        0.0,
+                        -(0.267 * s1),
+                        s1 * t16,
+                        c1 * t19,
+                        A::mul_add(s1, t20, c1 * t21),
+                        A::mul_add(s1, t24, c1 * t25),
+                    ],
+                    [0.0, 0.0, t4, 0.0, -(c4 * t18), A::mul_add(t14, t15, -(t5 * t23))],
+                    [
+                        0.0,
+                        t6,
+                        t6,
+                        -(c1 * c23),
+                        -A::mul_add(s1, c4, c1 * t12),
+                        A::mul_add(c1, t14, -(s1 * t5)),
+                    ],
+                    [
+                        0.0,
+                        c1,
+                        c1,
+                        -(s1 * c23),
+                        A::mul_add(c1, c4, -(s1 * t12)),
+                        A::mul_add(c1, t5, s1 * t14),
+                    ],
+                    [1.0, 0.0, 0.0, s23, -t9, t11],
+                ],
+            })
+        }
+    }
+
+    impl Forward<BodyJacobian<6>, 6, 5> for Xarm6 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(q: &[f64; 6], sin_cos: impl SinCos<5>) -> BodyJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = 1.7566747647969185 - q[2];
+            let t2 = t1 + (-0.18587843800202203 - q[1]);
+            let ([s5, s6, s4, s3, s23], [c5, c6, c4, c3, c23]) = sin_cos
+                .of([q[4], q[5], q[3], t1, t2]);
+            let t3 = c5 * s6;
+            let t4 = s5 * s6;
+            let t5 = A::mul_add(s4, t3, -(c4 * c6));
+            let t6 = A::mul_add(s4, c6, c4 * t3);
+            let t7 = c4 * s5;
+            let t8 = s4 * s5;
+            let t9 = 0.28948866 * c3;
+            let t10 = 0.28948866 * s3;
+            let t11 = 0.076 * c6;
+            let t12 = 0.076 * s6;
+            let t13 = c5 * c6;
+            let t14 = s5 * c6;
+            let t15 = A::mul_add(c4, s6, s4 * t13);
+            let t16 = -t15;
+            let t17 = s4 * s6;
+            let t18 = c4 * t13;
+            let t19 = t17 - t18;
+            let t20 = t11 + A::mul_add(0.0775, t18 - t17, 0.3425 * t14);
+            let t21 = t12 + A::mul_add(0.0775, t6, 0.3425 * t4);
+            let t22 = A::mul_add(0.0775, t7, -(0.3425 * c5)) - 0.097;
+            let t23 = t22 + A::mul_add(c5, t10, -(t7 * t9));
+            let t24 = A::mul_add(c23, t19, -(s23 * t14));
+            let t25 = A::mul_add(t6, c23, t4 * s23);
+            let t26 = A::mul_add(t7, c23, -(c5 * s23));
+            let t27 = t20 - A::mul_add(t10, t14, -(t9 * t19));
+            let t28 = A::mul_add(t6, t9, t4 * t10) - t21;
+            BodyJacobian(Jacobian {
+                rows: [
+                    [
+                        -A::mul_add(t23, t25, t26 * t28),
+                        -A::mul_add(t5, t23, t8 * t28),
+                        A::mul_add(t8, t21, -(t5 * t22)),
+                        A::mul_add(c5, t12, -(0.097 * t4)),
+                        -(0.097 * c6),
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(t26, t27, t23 * t24),
+                        A::mul_add(t8, t27, -(t15 * t23)),
+                        A::mul_add(t8, t20, -(t15 * t22)),
+                        A::mul_add(c5, t11, -(0.097 * t14)),
+                        0.097 * s6,
+                        0.0,
+                    ],
+                    [
+                        A::mul_add(t24, t28, -(t25 * t27)),
+                        -A::mul_add(t15, t28, t5 * t27),
+                        A::mul_add(t15, t21, -(t5 * t20)),
+                        A::mul_add(t4, t11, -(t12 * t14)),
+                        A::mul_add(s6, t12, c6 * t11),
+                        0.0,
+                    ],
+                    [t24, t16, t16, t14, -s6, 0.0],
+                    [t25, t5, t5, -t4, -c6, 0.0],
+                    [t26, t8, t8, c5, 0.0, 1.0],
+                ],
+            })
+        }
+    }
+
+    impl Forward<GeometricJacobian<6>, 6, 5> for Xarm6 {
+        #[inline(always)]
+        fn at<A: Arithmetic>(
+            q: &[f64; 6],
+            sin_cos: impl SinCos<5>,
+        ) -> GeometricJacobian<6> {
+            // Angles about parallel axes add up
+            let t1 = q[1] + 0.18587843800202203;
+            let t2 = t1 + (q[2] - 1.7566747647969185);
+            let ([s5, s4, s1, s2, s23], [c5, c4, c1, c2, c23]) = sin_cos
+                .of([q[4], q[3], q[0], t1, t2]);
+            let t3 = 0.28948866 * c2;
+            let t4 = 0.28948866 * s2;
+            let t5 = -s1;
+            let t6 = c1 * t4;
+            let t7 = s1 * t4;
+            let t8 = c1 * s23;
+            let t9 = s1 * s23;
+            let t10 = c1 * c23;
+            let t11 = s1 * c23;
+            let t12 = t3 + A::mul_add(0.3425, s23, -(0.0775 * c23));
+            let t13 = A::mul_add(s1, c4, s4 * t8);
+            let t14 = A::mul_add(c1, c4, -(s4 * t9));
+            let t15 = c23 * s4;
+            let t16 = A::mul_add(s1, s4, -(c4 * t8));
+            let t17 = A::mul_add(c1, s4, c4 * t9);
+            let t18 = c23 * c4;
+            let t19 = A::mul_add(s5, t16, c5 * t10);
+            let t20 = A::mul_add(s5, t17, -(c5 * t11));
+            let t21 = A::mul_add(s23, c5, s5 * t18);
+            let t22 = t6 - A::mul_add(0.0775, t8, 0.3425 * t10);
+            let t23 = t7 - A::mul_add(0.0775, t9, 0.3425 * t11);
+            let t24 = A::mul_add(0.076, A::mul_add(c5, t16, -(s5 * t10)), t22);
+            let t25 = A::mul_add(-0.076, A::mul_add(c5, t17, s5 * t11), t23);
+            let t26 = A::mul_add(-0.097, t19, t24);
+            let t27 = A::mul_add(0.097, t20, t25);
+            let t28 = A::mul_add(0.076, A::mul_add(s23, s5, -(c5 * t18)), t12);
+            let t29 = A::mul_add(0.097, t21, t28);
+            let t30 = t29 - t3;
+            let t31 = t26 - t22;
+            let t32 = t27 - t23;
+            let t33 = t29 - t12;
+            let t34 = t26 - t24;
+            let t35 = t27 - t25;
+            let t36 = t29 - t28;
+            GeometricJacobian(Jacobian {
+                rows: [
+                    [
+                        -t27,
+                        c1 * t29,
+                        c1 * t30,
+                        -A::mul_add(t11, t33, s23 * t32),
+                        A::mul_add(t14, t33, t15 * t32),
+                        A::mul_add(t20, t36, -(t21 * t35)),
+                    ],
+                    [
+                        t26,
+                        s1 * t29,
+                        s1 * t30,
+                        A::mul_add(s23, t31, t10 * t33),
+                        A::mul_add(t13, t33, -(t15 * t31)),
+                        A::mul_add(t21, t34, t19 * t36),
+                    ],
+                    [
+                        0.0,
+                        -A::mul_add(s1, t27, c1 * t26),
+                        -A::mul_add(s1, t27 - t7, c1 * (t26 - t6)),
+                        A::mul_add(t11, t31, -(t10 * t32)),
+                        -A::mul_add(t13, t32, t14 * t31),
+                        -A::mul_add(t19, t35, t20 * t34),
+                    ],
+                    [0.0, t5, t5, -t10, -t13, -t19],
+                    [0.0, c1, c1, -t11, t14, t20],
+                    [1.0, 0.0, 0.0, s23, -t15, t21],
+                ],
+            })
         }
     }
     ::kinematics::__private::implement_kinematics! {

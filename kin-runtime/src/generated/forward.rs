@@ -1,17 +1,27 @@
 //! Forward kinematics of one configuration.
 
+use super::super::Jacobian;
 use super::super::scalar::Real;
 use super::arithmetic::{Arithmetic, Fused};
 use super::dispatch::{Dispatched, dispatch};
 use super::sin_cos::{SideBySide, SinCos};
 use core::marker::PhantomData;
 
-/// Straight-line code from joint values to a pose, or to a pose with its
+/// Straight-line code from joint values to poses, a Jacobian, or a pose with its
 /// Jacobian, that needs the sines and cosines of M angles.
 pub trait Forward<Output, const N: usize, const M: usize> {
     /// At `q`, radians and metres, in some arithmetic. To be `#[inline(always)]`.
     fn at<A: Arithmetic>(q: &[Real; N], sin_cos: impl SinCos<M>) -> Output;
 }
+
+/// The spatial Jacobian by itself.
+pub struct SpatialJacobian<const N: usize>(pub Jacobian<N>);
+
+/// The body Jacobian.
+pub struct BodyJacobian<const N: usize>(pub Jacobian<N>);
+
+/// The geometric Jacobian.
+pub struct GeometricJacobian<const N: usize>(pub Jacobian<N>);
 
 /// What a robot computes of a configuration.
 #[inline(always)]

@@ -60,7 +60,9 @@ pub mod __private {
     pub use super::generated::arithmetic::{Arithmetic, Fused};
     pub use super::generated::batch;
     pub use super::generated::branches::Branches;
-    pub use super::generated::forward::{Forward, evaluate};
+    pub use super::generated::forward::{
+        BodyJacobian, Forward, GeometricJacobian, SpatialJacobian, evaluate,
+    };
     pub use super::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use super::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use super::generated::lanes::{self, widen};

@@ -29,11 +29,12 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 24] = [
+const PRIVATE: [&str; 27] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
     "Between",
+    "BodyJacobian",
     "Branches",
     "Eliminant",
     "Elimination",
@@ -41,10 +42,12 @@ const PRIVATE: [&str; 24] = [
     "Forward",
     "Frames",
     "Fused",
+    "GeometricJacobian",
     "Inverse",
     "Lanes",
     "Locked",
     "SinCos",
+    "SpatialJacobian",
     "Univariate",
     "evaluate",
     "lanes",

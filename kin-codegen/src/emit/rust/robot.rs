@@ -1,7 +1,7 @@
 //! The type of a robot, with its constants, methods and documentation.
 
 use super::imports::imports;
-use super::language::signed;
+use super::language::{Writer, signed};
 use super::single::in_single;
 use super::{Names, documentation, forward, frames, inverse, redundant, singular};
 use crate::arm::CompiledArm;
@@ -226,24 +226,11 @@ fn bound(x: f64) -> TokenStream {
 
 fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     let f = compiled.forward();
-    let count = compiled.model.variables.len();
-    let g = &f.graph;
-    let links_outputs: Vec<_> = f.links.iter().flat_map(|m| m.expressions()).collect();
-    let fk_links = forward::block(g, &links_outputs, count, |w| {
-        let poses = f.links.iter().map(|link| forward::pose(w, link));
-        quote!([#(#poses),*])
-    });
-    let jacobian = |columns: &Columns| {
-        forward::block(g, &columns.expressions(), count, |w| {
-            forward::jacobian(w, columns)
-        })
-    };
     let spatial = match f.spatial_alone() {
-        Some(spatial) => jacobian(spatial),
+        Some(_) => by_itself("SpatialJacobian"),
         None => quote!(self.fk_jacobian(q).1),
     };
-    let body = jacobian(&f.body);
-    let geometric = jacobian(&f.geometric);
+    let [body, geometric] = ["BodyJacobian", "GeometricJacobian"].map(by_itself);
     let fk_cost = format!(" {}.", f.cost(&f.tip.expressions()));
     let both_cost = format!(" {}.", f.cost(&f.both.expressions()));
     quote! {
@@ -263,7 +250,7 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
         /// Units as of [`Self::fk`].
         #[inline]
         #[must_use]
-        pub fn fk_links(&self, q: &[f64; #n]) -> [Pose; #n] { #fk_links }
+        pub fn fk_links(&self, q: &[f64; #n]) -> [Pose; #n] { evaluate(self, q) }
 
         /// The spatial Jacobian J_s (MLS section 3.4.1): times joint rates, the
         /// twist (v, ω) of the tip in base coordinates, v being the velocity of
@@ -299,24 +286,52 @@ fn methods(compiled: &CompiledArm, n: &Literal) -> TokenStream {
     }
 }
 
+/// A Jacobian that is computed by itself.
+fn by_itself(jacobian: &str) -> TokenStream {
+    let jacobian = format_ident!("{jacobian}");
+    quote! {
+        let #jacobian(jacobian) = evaluate(self, q);
+        jacobian
+    }
+}
+
 /// Forward kinematics as straight-line code, of one configuration or in batches.
 fn straight(compiled: &CompiledArm, name: &Ident) -> TokenStream {
     let n = compiled.model.variables.len();
-    let f = compiled.forward();
-    let (tip, both) = (f.tip.expressions(), f.both.expressions());
-    let fk = forward::implementation(name, &quote!(Pose), &f.graph, &tip, n, |w| {
-        forward::pose(w, &f.tip)
-    });
     let count = Literal::usize_unsuffixed(n);
-    let output = quote!((Pose, Jacobian<#count>));
-    let fk_jacobian = forward::implementation(name, &output, &f.graph, &both, n, |w| {
+    let f = compiled.forward();
+    let implementation =
+        |output, outputs: &dyn Outputs, result: &dyn Fn(&Writer) -> TokenStream| {
+            forward::implementation(name, &output, &f.graph, &outputs.expressions(), n, result)
+        };
+    let fk = implementation(quote!(Pose), &f.tip, &|w| forward::pose(w, &f.tip));
+    let fk_jacobian = implementation(quote!((Pose, Jacobian<#count>)), &f.both, &|w| {
         let pose = forward::pose(w, &f.both.tip);
         let jacobian = forward::jacobian(w, &f.both.columns);
         quote!((#pose, #jacobian))
     });
+    let fk_links = implementation(quote!([Pose; #count]), &f.links, &|w| {
+        let poses = f.links.iter().map(|link| forward::pose(w, link));
+        quote!([#(#poses),*])
+    });
+    let jacobian = |which: &str, columns: &Columns| {
+        let which = format_ident!("{which}");
+        implementation(quote!(#which<#count>), columns, &|w| {
+            let jacobian = forward::jacobian(w, columns);
+            quote!(#which(#jacobian))
+        })
+    };
+    let spatial = f.spatial_alone();
+    let spatial = spatial.map(|columns| jacobian("SpatialJacobian", columns));
+    let body = jacobian("BodyJacobian", &f.body);
+    let geometric = jacobian("GeometricJacobian", &f.geometric);
     quote! {
         #fk
         #fk_jacobian
+        #fk_links
+        #spatial
+        #body
+        #geometric
     }
 }
 
