@@ -9,7 +9,7 @@
 mod random;
 
 use kinematics::__private::dispatch::{Instructions, use_at_most};
-use kinematics::__private::reproducibly;
+use kinematics::__private::reproducible::reproducibly;
 use kinematics::{Kinematics, Pose, Robot, Solution, Solutions};
 use random::Random;
 use std::sync::Mutex;

@@ -18,7 +18,7 @@ use crate::singularity::Singular;
 use crate::solver::{Certified, Lack, NoClosedForm, admits, solve};
 use crate::spec::bounds::JOINTS;
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
-use kin_runtime::__private::reproducibly;
+use kin_runtime::__private::reproducible::reproducibly;
 use std::sync::OnceLock;
 
 /// A serial arm, compiled but not yet written as Rust.

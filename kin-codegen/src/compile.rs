@@ -8,7 +8,7 @@ use crate::mechanism;
 use crate::options::Options;
 use crate::refusal::{Reason, Refusal};
 use crate::spec::{Diagnostics, Source, Spec};
-use kin_runtime::__private::reproducibly;
+use kin_runtime::__private::reproducible::reproducibly;
 use std::path::Path;
 
 /// Reads a robot file and compiles it.

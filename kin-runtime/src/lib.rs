@@ -109,7 +109,7 @@ pub mod __private {
     pub use crate::generated::lanes::{self, widen};
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement::{self, AtSwivel};
-    pub use crate::generated::reproducible::{self, reproducibly};
+    pub use crate::generated::reproducible;
     pub use crate::generated::sin_cos::{SideBySide, SinCos};
     pub use crate::generated::univariate::{
         self, Between, Eliminant, Elimination, Frames, Univariate,

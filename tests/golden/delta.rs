@@ -377,15 +377,15 @@ mod __Delta {
                     let t6 = px[t] - 0.132011139050208;
                     let t7 = pz[t] * pz[t];
                     let t8 = py[t] * py[t];
-                    let t9 = A::mul_add(
+                    let t9 = A::fma(
                         0.5,
-                        t8 + A::mul_add(t6, t6, t7) + 0.012544000000000003,
+                        t8 + A::fma(t6, t6, t7) + 0.012544000000000003,
                         -0.026912000000000016,
                     );
                     let t10 = 0.11200000000000002 * t6;
                     let t11 = 0.11200000000000002 * pz[t];
-                    let t12 = A::mul_add(t10, t10, t11 * t11);
-                    let t13 = A::mul_add(-t9, t9, t12);
+                    let t12 = A::fma(t10, t10, t11 * t11);
+                    let t13 = A::fma(-t9, t9, t12);
                     let t14 = 1e-13 * t12;
                     let t15 = math::sqrt(math::select(t13 < t14, 0.0, t13));
                     let t16 = -math::sqrt(t12);
@@ -412,9 +412,8 @@ mod __Delta {
                     let s3 = 4.3103448275862055 * t24;
                     // Residual: forward kinematics against the target (what all
                     // branches share)
-                    let t25 = 4.930380657631324e-32
-                        * (t7 + A::mul_add(px[t], px[t], t8));
-                    let t26 = A::mul_add(0.9999999999999998, t24, -py[t]);
+                    let t25 = 4.930380657631324e-32 * (t7 + A::fma(px[t], px[t], t8));
+                    let t26 = A::fma(0.9999999999999998, t24, -py[t]);
                     let t27 = t26 * t26;
                     t6_[t] = t6;
                     t10_[t] = t10;
@@ -450,12 +449,12 @@ mod __Delta {
                         let s1 = math::select(
                             t12_[t] < 1.4003408895999933e-26,
                             t2,
-                            A::mul_add(t10_[t], t29, -t19_[t]) * t20_[t],
+                            A::fma(t10_[t], t29, -t19_[t]) * t20_[t],
                         );
                         let c1 = math::select(
                             t12_[t] < 1.4003408895999933e-26,
                             t4,
-                            A::mul_add(t11_[t], t29, t18_[t]) * t20_[t],
+                            A::fma(t11_[t], t29, t18_[t]) * t20_[t],
                         );
                         // 2. q3 by SP4
                         let invalid = math::max(
@@ -469,11 +468,9 @@ mod __Delta {
                         let t31 = 4.3103448275862055 * t30;
                         let c3 = -t31;
                         // 3. q2 by SP1, given q1 and q3
-                        let t32 = A::mul_add(pz[t], c1, t6_[t] * s1);
-                        let t33 = A::mul_add(t6_[t], c1, -(pz[t] * s1)) - 0.112;
-                        let t34 = math::sqrt(
-                            A::mul_add(t32, t32, t33 * t33) * (t30 * t30),
-                        );
+                        let t32 = A::fma(pz[t], c1, t6_[t] * s1);
+                        let t33 = A::fma(t6_[t], c1, -(pz[t] * s1)) - 0.112;
+                        let t34 = math::sqrt(A::fma(t32, t32, t33 * t33) * (t30 * t30));
                         let singular = math::max(
                             t22_[t],
                             math::select(t34 < 1.1833599999999972e-25, 1.0, 0.0),
@@ -490,19 +487,19 @@ mod __Delta {
                             -(t30 * t32 * t35),
                         );
                         // Residual: forward kinematics against the target
-                        let t36 = A::mul_add(
+                        let t36 = A::fma(
                             -0.232,
-                            t31 * A::mul_add(s1, c2, c1 * s2),
-                            A::mul_add(0.112, c1, 0.132011139050208),
+                            t31 * A::fma(s1, c2, c1 * s2),
+                            A::fma(0.112, c1, 0.132011139050208),
                         );
                         let t37 = t36 - px[t];
-                        let t38 = A::mul_add(
+                        let t38 = A::fma(
                             0.232,
-                            t31 * A::mul_add(s1, s2, -(c1 * c2)),
+                            t31 * A::fma(s1, s2, -(c1 * c2)),
                             -(0.112 * s1),
                         ) - pz[t];
                         let residual = math::sqrt(
-                            t25_[t] + A::mul_add(t38, t38, A::mul_add(t37, t37, t27_[t])),
+                            t25_[t] + A::fma(t38, t38, A::fma(t37, t37, t27_[t])),
                         );
                         // Joint values: angles from sines and cosines, in (−π, π]
                         let q1 = A::angle(s1, c1);
@@ -697,24 +694,20 @@ mod __Delta {
                 let mut q2_ = [0.0; T];
                 for t in 0..T {
                     // 1. q1 by SP1
-                    let s1 = A::mul_add(
+                    let s1 = A::fma(
                         0.9086788731543293,
                         r12[t],
                         0.4174957550478551 * r32[t],
                     );
                     // 2. q2 by SP1, given q1
-                    let t1 = A::mul_add(
+                    let t1 = A::fma(
                         0.41749575504785524,
                         r11[t],
                         -(0.9086788731543297 * r31[t]),
                     );
-                    let t2 = A::mul_add(
+                    let t2 = A::fma(
                         r22[t],
-                        A::mul_add(
-                            0.9086788731543297,
-                            r11[t],
-                            0.41749575504785524 * r31[t],
-                        ),
+                        A::fma(0.9086788731543297, r11[t], 0.41749575504785524 * r31[t]),
                         -(s1 * (1.0000000000000004 * r21[t])),
                     );
                     let s2 = 0.9999999999999996 * t1;
@@ -723,65 +716,61 @@ mod __Delta {
                     let t3 = 0.9086788731543293 * r22[t];
                     let t4 = 0.4174957550478551 * r22[t];
                     let t5 = 0.5
-                        * (A::mul_add(
+                        * (A::fma(
                             r31[t],
                             r31[t],
-                            A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
+                            A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
                     let t6 = 0.5
-                        * (A::mul_add(
+                        * (A::fma(
                             r32[t],
                             r32[t],
-                            A::mul_add(r22[t], r22[t], r12[t] * r12[t]),
+                            A::fma(r22[t], r22[t], r12[t] * r12[t]),
                         ) - 1.0);
-                    let t7 = A::mul_add(
+                    let t7 = A::fma(
                         r31[t],
                         r32[t],
-                        A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                        A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t8 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t9 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t10 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t11 = A::mul_add(
+                    let t8 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t9 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t10 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t11 = A::fma(
                         t10,
                         t10,
-                        A::mul_add(
+                        A::fma(
                             t9,
                             t9,
-                            A::mul_add(
-                                t8,
-                                t8,
-                                A::mul_add(t7, t7, A::mul_add(t5, t5, t6 * t6)),
+                            A::fma(t8, t8, A::fma(t7, t7, A::fma(t5, t5, t6 * t6))),
+                        ),
+                    );
+                    let t12 = A::fma(c2, t3, 0.4174957550478549 * t1) - r11[t];
+                    let t13 = A::fma(0.9086788731543293, s1, -r12[t]);
+                    let t14 = A::fma(s2, t3, -(0.4174957550478549 * t2)) - r13[t];
+                    let t15 = A::fma(s1, c2, r21[t]);
+                    let t16 = A::fma(s1, s2, r23[t]);
+                    let t17 = A::fma(c2, t4, -(0.9086788731543288 * t1)) - r31[t];
+                    let t18 = A::fma(
+                        t17,
+                        t17,
+                        A::fma(
+                            t16,
+                            t16,
+                            A::fma(
+                                t15,
+                                t15,
+                                A::fma(t14, t14, A::fma(t12, t12, t13 * t13)),
                             ),
                         ),
                     );
-                    let t12 = A::mul_add(c2, t3, 0.4174957550478549 * t1) - r11[t];
-                    let t13 = A::mul_add(0.9086788731543293, s1, -r12[t]);
-                    let t14 = A::mul_add(s2, t3, -(0.4174957550478549 * t2)) - r13[t];
-                    let t15 = A::mul_add(s1, c2, r21[t]);
-                    let t16 = A::mul_add(s1, s2, r23[t]);
-                    let t17 = A::mul_add(c2, t4, -(0.9086788731543288 * t1)) - r31[t];
-                    let t18 = A::mul_add(
-                        t17,
-                        t17,
-                        A::mul_add(
-                            t16,
-                            t16,
-                            A::mul_add(
-                                t15,
-                                t15,
-                                A::mul_add(t14, t14, A::mul_add(t12, t12, t13 * t13)),
-                            ),
-                        ),
-                    );
-                    let t19 = A::mul_add(0.4174957550478551, s1, -r32[t]);
-                    let t20 = A::mul_add(s2, t4, 0.9086788731543288 * t2) - r33[t];
+                    let t19 = A::fma(0.4174957550478551, s1, -r32[t]);
+                    let t20 = A::fma(s2, t4, 0.9086788731543288 * t2) - r33[t];
                     let residual = math::sqrt(
-                        A::mul_add(
+                        A::fma(
                             0.010483752153249173,
                             t11,
                             0.005241876076624586
-                                * A::mul_add(t20, t20, A::mul_add(t19, t19, t18)),
+                                * A::fma(t20, t20, A::fma(t19, t19, t18)),
                         ),
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
@@ -1169,23 +1158,18 @@ mod __Delta {
                     // 1. q1 by SP3 (what all branches share)
                     let t6 = px[t] + 0.066005569525104;
                     let t7 = py[t] - 0.114325;
-                    let t8 = A::mul_add(
-                        0.49999999999999983,
-                        t6,
-                        -(0.8660254037844388 * t7),
-                    );
-                    let t9 = A::mul_add(0.8660254037844387, t6, 0.4999999999999998 * t7);
+                    let t8 = A::fma(0.49999999999999983, t6, -(0.8660254037844388 * t7));
+                    let t9 = A::fma(0.8660254037844387, t6, 0.4999999999999998 * t7);
                     let t10 = pz[t] * pz[t];
-                    let t11 = A::mul_add(
+                    let t11 = A::fma(
                         0.5,
-                        A::mul_add(t9, t9, A::mul_add(t8, t8, t10))
-                            + 0.012544000000000003,
+                        A::fma(t9, t9, A::fma(t8, t8, t10)) + 0.012544000000000003,
                         -0.026912000000000016,
                     );
                     let t12 = 0.11200000000000002 * t8;
                     let t13 = 0.11200000000000002 * pz[t];
-                    let t14 = A::mul_add(t12, t12, t13 * t13);
-                    let t15 = A::mul_add(-t11, t11, t14);
+                    let t14 = A::fma(t12, t12, t13 * t13);
+                    let t15 = A::fma(-t11, t11, t14);
                     let t16 = 1e-13 * t14;
                     let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
                     let t18 = -math::sqrt(t14);
@@ -1195,7 +1179,7 @@ mod __Delta {
                     let t22 = 1.0 / t14;
                     // 2. q3 by SP4 (what all branches share)
                     let t23 = 0.9999999999999999 * t9;
-                    let t24 = A::mul_add(-t23, t23, 0.05382400000000002);
+                    let t24 = A::fma(-t23, t23, 0.05382400000000002);
                     let t25 = math::max(
                         math::max(
                             math::select(t15 < t16, 1.0, 0.0),
@@ -1216,7 +1200,7 @@ mod __Delta {
                     let t28 = 0.8660254037844386 * t27;
                     let t29 = 0.4999999999999997 * t27;
                     let t30 = 4.930380657631324e-32
-                        * (t10 + A::mul_add(px[t], px[t], py[t] * py[t]));
+                        * (t10 + A::fma(px[t], px[t], py[t] * py[t]));
                     t8_[t] = t8;
                     t12_[t] = t12;
                     t13_[t] = t13;
@@ -1252,12 +1236,12 @@ mod __Delta {
                         let s1 = math::select(
                             t14_[t] < 1.4003408895999933e-26,
                             t2,
-                            -(A::mul_add(t12_[t], t32, t21_[t]) * t22_[t]),
+                            -(A::fma(t12_[t], t32, t21_[t]) * t22_[t]),
                         );
                         let c1 = math::select(
                             t14_[t] < 1.4003408895999933e-26,
                             t4,
-                            A::mul_add(t13_[t], t32, -t20_[t]) * t22_[t],
+                            A::fma(t13_[t], t32, -t20_[t]) * t22_[t],
                         );
                         // 2. q3 by SP4
                         let invalid = math::max(
@@ -1270,12 +1254,10 @@ mod __Delta {
                         let t33 = e2[k] * t26_[t];
                         let c3 = -(4.310344827586206 * t33);
                         // 3. q2 by SP1, given q1 and q3
-                        let t34 = A::mul_add(pz[t], c1, -(t8_[t] * s1));
-                        let t35 = A::mul_add(t8_[t], c1, pz[t] * s1) + 0.112;
+                        let t34 = A::fma(pz[t], c1, -(t8_[t] * s1));
+                        let t35 = A::fma(t8_[t], c1, pz[t] * s1) + 0.112;
                         let t36 = 1.0000000000000002 * t33;
-                        let t37 = math::sqrt(
-                            A::mul_add(t35, t35, t34 * t34) * (t36 * t36),
-                        );
+                        let t37 = math::sqrt(A::fma(t35, t35, t34 * t34) * (t36 * t36));
                         let singular = math::max(
                             t25_[t],
                             math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
@@ -1293,20 +1275,15 @@ mod __Delta {
                         );
                         // Residual: forward kinematics against the target
                         let t39 = 0.9999999999999999 * t33;
-                        let t40 = A::mul_add(
-                            A::mul_add(c1, c2, -(s1 * s2)),
-                            t39,
-                            0.112 * c1,
-                        );
+                        let t40 = A::fma(A::fma(c1, c2, -(s1 * s2)), t39, 0.112 * c1);
                         let t41 = -0.066005569525104
-                            - A::mul_add(0.49999999999999983, t40, t28_[t]) - px[t];
-                        let t42 = A::mul_add(0.8660254037844388, t40, -t29_[t])
-                            + 0.114325 - py[t];
+                            - A::fma(0.49999999999999983, t40, t28_[t]) - px[t];
+                        let t42 = A::fma(0.8660254037844388, t40, -t29_[t]) + 0.114325
+                            - py[t];
                         let t43 = pz[t]
-                            + A::mul_add(A::mul_add(s1, c2, c1 * s2), t39, 0.112 * s1);
+                            + A::fma(A::fma(s1, c2, c1 * s2), t39, 0.112 * s1);
                         let residual = math::sqrt(
-                            t30_[t]
-                                + A::mul_add(t43, t43, A::mul_add(t41, t41, t42 * t42)),
+                            t30_[t] + A::fma(t43, t43, A::fma(t41, t41, t42 * t42)),
                         );
                         // Joint values: angles from sines and cosines, in (−π, π]
                         let q1 = A::angle(s1, c1);
@@ -1529,28 +1506,28 @@ mod __Delta {
                 let mut t22_ = [0.0; T];
                 for t in 0..T {
                     // 1. q1 and q2 by SP2 (what all branches share)
-                    let t3 = A::mul_add(
+                    let t3 = A::fma(
                         0.8660254037844388,
                         r13[t],
                         0.4999999999999999 * r23[t],
                     );
-                    let t4 = A::mul_add(
+                    let t4 = A::fma(
                         0.4174957550478551,
                         r33[t],
-                        A::mul_add(
+                        A::fma(
                             0.7869389880338669,
                             r23[t],
                             -(0.4543394365771645 * r13[t]),
                         ),
                     );
                     let t5 = 0.9086788731543293 * r33[t];
-                    let t6 = A::mul_add(
+                    let t6 = A::fma(
                         0.3615619298436078,
                         r23[t],
                         -(0.20874787752392746 * r13[t]),
                     );
                     let t7 = t6 - t5;
-                    let t8 = A::mul_add(t3, t3, t4 * t4);
+                    let t8 = A::fma(t3, t3, t4 * t4);
                     let singular = math::select(t8 < 1e-13, 1.0, 0.0);
                     let t9 = math::sqrt(math::select(t8 < 1e-24, 0.0, t8));
                     let c2 = t5 - t6;
@@ -1562,35 +1539,35 @@ mod __Delta {
                     let t13 = 0.3615619298436078 * t7;
                     let t14 = 0.9086788731543293 * t7;
                     let t15 = 0.5
-                        * (A::mul_add(
+                        * (A::fma(
                             r31[t],
                             r31[t],
-                            A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
+                            A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
                     let t16 = 0.5
-                        * (A::mul_add(
+                        * (A::fma(
                             r32[t],
                             r32[t],
-                            A::mul_add(r12[t], r12[t], r22[t] * r22[t]),
+                            A::fma(r12[t], r12[t], r22[t] * r22[t]),
                         ) - 1.0);
-                    let t17 = A::mul_add(
+                    let t17 = A::fma(
                         r31[t],
                         r32[t],
-                        A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                        A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t18 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t19 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t20 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t21 = A::mul_add(
+                    let t18 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t19 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t20 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t21 = A::fma(
                         t20,
                         t20,
-                        A::mul_add(
+                        A::fma(
                             t19,
                             t19,
-                            A::mul_add(
+                            A::fma(
                                 t18,
                                 t18,
-                                A::mul_add(t17, t17, A::mul_add(t15, t15, t16 * t16)),
+                                A::fma(t17, t17, A::fma(t15, t15, t16 * t16)),
                             ),
                         ),
                     );
@@ -1631,71 +1608,59 @@ mod __Delta {
                             -(t4_[t] * t23 * t10_[t]),
                         );
                         // Residual: forward kinematics against the target
-                        let t24 = A::mul_add(0.49999999999999983, c1, s1 * t11_[t]);
-                        let t25 = A::mul_add(c1, t11_[t], -(0.49999999999999983 * s1));
-                        let t26 = A::mul_add(
+                        let t24 = A::fma(0.49999999999999983, c1, s1 * t11_[t]);
+                        let t25 = A::fma(c1, t11_[t], -(0.49999999999999983 * s1));
+                        let t26 = A::fma(
                             0.18078096492180382,
                             t23,
-                            A::mul_add(
-                                0.8660254037844388,
-                                t24,
-                                -(0.4543394365771645 * t25),
-                            ),
+                            A::fma(0.8660254037844388, t24, -(0.4543394365771645 * t25)),
                         );
-                        let t27 = A::mul_add(
+                        let t27 = A::fma(
                             -0.3131218162858913,
                             t23,
-                            A::mul_add(0.4999999999999999, t24, 0.7869389880338669 * t25),
+                            A::fma(0.4999999999999999, t24, 0.7869389880338669 * t25),
                         );
-                        let t28 = A::mul_add(
+                        let t28 = A::fma(
                             0.4174957550478551,
                             t25,
                             0.7869389880338666 * t23,
                         );
                         let t29 = t23 * c1;
                         let t30 = t23 * s1;
-                        let t31 = A::mul_add(
+                        let t31 = A::fma(
                             0.4543394365771645,
                             t29,
                             -(0.8660254037844388 * t30),
                         ) - t12_[t];
                         let t32 = t13_[t]
-                            - A::mul_add(
-                                0.4999999999999999,
-                                t30,
-                                0.7869389880338669 * t29,
-                            );
-                        let t33 = A::mul_add(0.4174957550478551, t29, t14_[t]);
-                        let t34 = r11[t] + A::mul_add(t27, t33, t28 * t32);
+                            - A::fma(0.4999999999999999, t30, 0.7869389880338669 * t29);
+                        let t33 = A::fma(0.4174957550478551, t29, t14_[t]);
+                        let t34 = r11[t] + A::fma(t27, t33, t28 * t32);
                         let t35 = t26 - r12[t];
                         let t36 = t31 - r13[t];
-                        let t37 = A::mul_add(t28, t31, t26 * t33) - r21[t];
+                        let t37 = A::fma(t28, t31, t26 * t33) - r21[t];
                         let t38 = t27 - r22[t];
                         let t39 = t32 - r23[t];
-                        let t40 = A::mul_add(
+                        let t40 = A::fma(
                             t39,
                             t39,
-                            A::mul_add(
+                            A::fma(
                                 t38,
                                 t38,
-                                A::mul_add(
+                                A::fma(
                                     t37,
                                     t37,
-                                    A::mul_add(t36, t36, A::mul_add(t34, t34, t35 * t35)),
+                                    A::fma(t36, t36, A::fma(t34, t34, t35 * t35)),
                                 ),
                             ),
                         );
-                        let t41 = A::mul_add(t26, t32, -(t27 * t31)) - r31[t];
+                        let t41 = A::fma(t26, t32, -(t27 * t31)) - r31[t];
                         let t42 = t28 - r32[t];
                         let t43 = r33[t] + t33;
                         let residual = math::sqrt(
-                            A::mul_add(
+                            A::fma(
                                 0.005241876076624585,
-                                A::mul_add(
-                                    t43,
-                                    t43,
-                                    A::mul_add(t42, t42, A::mul_add(t41, t41, t40)),
-                                ),
+                                A::fma(t43, t43, A::fma(t42, t42, A::fma(t41, t41, t40))),
                                 t22_[t],
                             ),
                         );
@@ -2083,27 +2048,18 @@ mod __Delta {
                     // 1. q1 by SP3 (what all branches share)
                     let t6 = px[t] + 0.066005569525104;
                     let t7 = py[t] + 0.114325;
-                    let t8 = A::mul_add(
-                        0.49999999999999983,
-                        t6,
-                        0.8660254037844388 * t7,
-                    );
-                    let t9 = A::mul_add(
-                        0.8660254037844387,
-                        t6,
-                        -(0.4999999999999998 * t7),
-                    );
+                    let t8 = A::fma(0.49999999999999983, t6, 0.8660254037844388 * t7);
+                    let t9 = A::fma(0.8660254037844387, t6, -(0.4999999999999998 * t7));
                     let t10 = pz[t] * pz[t];
-                    let t11 = A::mul_add(
+                    let t11 = A::fma(
                         0.5,
-                        A::mul_add(t9, t9, A::mul_add(t8, t8, t10))
-                            + 0.012544000000000003,
+                        A::fma(t9, t9, A::fma(t8, t8, t10)) + 0.012544000000000003,
                         -0.026912000000000016,
                     );
                     let t12 = 0.11200000000000002 * t8;
                     let t13 = 0.11200000000000002 * pz[t];
-                    let t14 = A::mul_add(t12, t12, t13 * t13);
-                    let t15 = A::mul_add(-t11, t11, t14);
+                    let t14 = A::fma(t12, t12, t13 * t13);
+                    let t15 = A::fma(-t11, t11, t14);
                     let t16 = 1e-13 * t14;
                     let t17 = math::sqrt(math::select(t15 < t16, 0.0, t15));
                     let t18 = -math::sqrt(t14);
@@ -2113,7 +2069,7 @@ mod __Delta {
                     let t22 = 1.0 / t14;
                     // 2. q3 by SP4 (what all branches share)
                     let t23 = 0.9999999999999999 * t9;
-                    let t24 = A::mul_add(-t23, t23, 0.05382400000000002);
+                    let t24 = A::fma(-t23, t23, 0.05382400000000002);
                     let t25 = math::max(
                         math::max(
                             math::select(t15 < t16, 1.0, 0.0),
@@ -2134,7 +2090,7 @@ mod __Delta {
                     let t28 = 0.8660254037844386 * t27;
                     let t29 = 0.4999999999999997 * t27;
                     let t30 = 4.930380657631324e-32
-                        * (t10 + A::mul_add(px[t], px[t], py[t] * py[t]));
+                        * (t10 + A::fma(px[t], px[t], py[t] * py[t]));
                     t8_[t] = t8;
                     t12_[t] = t12;
                     t13_[t] = t13;
@@ -2170,12 +2126,12 @@ mod __Delta {
                         let s1 = math::select(
                             t14_[t] < 1.4003408895999933e-26,
                             t2,
-                            -(A::mul_add(t12_[t], t32, t21_[t]) * t22_[t]),
+                            -(A::fma(t12_[t], t32, t21_[t]) * t22_[t]),
                         );
                         let c1 = math::select(
                             t14_[t] < 1.4003408895999933e-26,
                             t4,
-                            A::mul_add(t13_[t], t32, -t20_[t]) * t22_[t],
+                            A::fma(t13_[t], t32, -t20_[t]) * t22_[t],
                         );
                         // 2. q3 by SP4
                         let invalid = math::max(
@@ -2188,12 +2144,10 @@ mod __Delta {
                         let t33 = e2[k] * t26_[t];
                         let c3 = -(4.310344827586206 * t33);
                         // 3. q2 by SP1, given q1 and q3
-                        let t34 = A::mul_add(pz[t], c1, -(t8_[t] * s1));
-                        let t35 = A::mul_add(t8_[t], c1, pz[t] * s1) + 0.112;
+                        let t34 = A::fma(pz[t], c1, -(t8_[t] * s1));
+                        let t35 = A::fma(t8_[t], c1, pz[t] * s1) + 0.112;
                         let t36 = 1.0000000000000002 * t33;
-                        let t37 = math::sqrt(
-                            A::mul_add(t35, t35, t34 * t34) * (t36 * t36),
-                        );
+                        let t37 = math::sqrt(A::fma(t35, t35, t34 * t34) * (t36 * t36));
                         let singular = math::max(
                             t25_[t],
                             math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
@@ -2211,20 +2165,15 @@ mod __Delta {
                         );
                         // Residual: forward kinematics against the target
                         let t39 = 0.9999999999999999 * t33;
-                        let t40 = A::mul_add(
-                            A::mul_add(c1, c2, -(s1 * s2)),
-                            t39,
-                            0.112 * c1,
-                        );
-                        let t41 = A::mul_add(-0.49999999999999983, t40, t28_[t])
+                        let t40 = A::fma(A::fma(c1, c2, -(s1 * s2)), t39, 0.112 * c1);
+                        let t41 = A::fma(-0.49999999999999983, t40, t28_[t])
                             - 0.066005569525104 - px[t];
-                        let t42 = -0.114325
-                            - A::mul_add(0.8660254037844388, t40, t29_[t]) - py[t];
+                        let t42 = -0.114325 - A::fma(0.8660254037844388, t40, t29_[t])
+                            - py[t];
                         let t43 = pz[t]
-                            + A::mul_add(A::mul_add(s1, c2, c1 * s2), t39, 0.112 * s1);
+                            + A::fma(A::fma(s1, c2, c1 * s2), t39, 0.112 * s1);
                         let residual = math::sqrt(
-                            t30_[t]
-                                + A::mul_add(t43, t43, A::mul_add(t41, t41, t42 * t42)),
+                            t30_[t] + A::fma(t43, t43, A::fma(t41, t41, t42 * t42)),
                         );
                         // Joint values: angles from sines and cosines, in (−π, π]
                         let q1 = A::angle(s1, c1);
@@ -2447,30 +2396,22 @@ mod __Delta {
                 let mut t19_ = [0.0; T];
                 for t in 0..T {
                     // 1. q1 and q2 by SP2 (what all branches share)
-                    let t3 = A::mul_add(
+                    let t3 = A::fma(
                         0.8660254037844388,
                         r13[t],
                         -(0.4999999999999999 * r23[t]),
                     );
-                    let t4 = A::mul_add(
+                    let t4 = A::fma(
                         0.4174957550478551,
                         r33[t],
-                        -A::mul_add(
-                            0.4543394365771645,
-                            r13[t],
-                            0.7869389880338669 * r23[t],
-                        ),
+                        -A::fma(0.4543394365771645, r13[t], 0.7869389880338669 * r23[t]),
                     );
-                    let c2 = A::mul_add(
+                    let c2 = A::fma(
                         0.9086788731543293,
                         r33[t],
-                        A::mul_add(
-                            0.20874787752392746,
-                            r13[t],
-                            0.3615619298436078 * r23[t],
-                        ),
+                        A::fma(0.20874787752392746, r13[t], 0.3615619298436078 * r23[t]),
                     );
-                    let t5 = A::mul_add(t3, t3, t4 * t4);
+                    let t5 = A::fma(t3, t3, t4 * t4);
                     let singular = math::select(t5 < 1e-13, 1.0, 0.0);
                     let t6 = math::sqrt(math::select(t5 < 1e-24, 0.0, t5));
                     let t7 = 1.0 / t5;
@@ -2481,35 +2422,35 @@ mod __Delta {
                     let t10 = 0.3615619298436078 * c2;
                     let t11 = 0.9086788731543293 * c2;
                     let t12 = 0.5
-                        * (A::mul_add(
+                        * (A::fma(
                             r31[t],
                             r31[t],
-                            A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
+                            A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
                     let t13 = 0.5
-                        * (A::mul_add(
+                        * (A::fma(
                             r32[t],
                             r32[t],
-                            A::mul_add(r12[t], r12[t], r22[t] * r22[t]),
+                            A::fma(r12[t], r12[t], r22[t] * r22[t]),
                         ) - 1.0);
-                    let t14 = A::mul_add(
+                    let t14 = A::fma(
                         r31[t],
                         r32[t],
-                        A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                        A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t15 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t16 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t17 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t18 = A::mul_add(
+                    let t15 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t16 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t17 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t18 = A::fma(
                         t17,
                         t17,
-                        A::mul_add(
+                        A::fma(
                             t16,
                             t16,
-                            A::mul_add(
+                            A::fma(
                                 t15,
                                 t15,
-                                A::mul_add(t14, t14, A::mul_add(t12, t12, t13 * t13)),
+                                A::fma(t14, t14, A::fma(t12, t12, t13 * t13)),
                             ),
                         ),
                     );
@@ -2546,23 +2487,19 @@ mod __Delta {
                             -(t4_[t] * t20 * t7_[t]),
                         );
                         // Residual: forward kinematics against the target
-                        let t21 = A::mul_add(s1, t8_[t], -(0.49999999999999983 * c1));
-                        let t22 = A::mul_add(0.49999999999999983, s1, c1 * t8_[t]);
-                        let t23 = A::mul_add(
+                        let t21 = A::fma(s1, t8_[t], -(0.49999999999999983 * c1));
+                        let t22 = A::fma(0.49999999999999983, s1, c1 * t8_[t]);
+                        let t23 = A::fma(
                             -0.18078096492180382,
                             t20,
-                            A::mul_add(0.8660254037844388, t21, 0.4543394365771645 * t22),
+                            A::fma(0.8660254037844388, t21, 0.4543394365771645 * t22),
                         );
-                        let t24 = A::mul_add(
+                        let t24 = A::fma(
                             -0.3131218162858913,
                             t20,
-                            A::mul_add(
-                                0.7869389880338669,
-                                t22,
-                                -(0.4999999999999999 * t21),
-                            ),
+                            A::fma(0.7869389880338669, t22, -(0.4999999999999999 * t21)),
                         );
-                        let t25 = A::mul_add(
+                        let t25 = A::fma(
                             0.4174957550478551,
                             t22,
                             0.7869389880338666 * t20,
@@ -2570,48 +2507,40 @@ mod __Delta {
                         let t26 = t20 * c1;
                         let t27 = t20 * s1;
                         let t28 = t9_[t]
-                            + A::mul_add(
-                                0.8660254037844388,
-                                t27,
-                                0.4543394365771645 * t26,
-                            );
+                            + A::fma(0.8660254037844388, t27, 0.4543394365771645 * t26);
                         let t29 = t10_[t]
-                            + A::mul_add(
+                            + A::fma(
                                 0.7869389880338669,
                                 t26,
                                 -(0.4999999999999999 * t27),
                             );
-                        let t30 = A::mul_add(-0.4174957550478551, t26, t11_[t]);
-                        let t31 = A::mul_add(t24, t30, t25 * t29) - r11[t];
+                        let t30 = A::fma(-0.4174957550478551, t26, t11_[t]);
+                        let t31 = A::fma(t24, t30, t25 * t29) - r11[t];
                         let t32 = t23 - r12[t];
                         let t33 = t28 - r13[t];
-                        let t34 = r21[t] + A::mul_add(t25, t28, t23 * t30);
+                        let t34 = r21[t] + A::fma(t25, t28, t23 * t30);
                         let t35 = t24 - r22[t];
                         let t36 = t29 - r23[t];
-                        let t37 = A::mul_add(
+                        let t37 = A::fma(
                             t36,
                             t36,
-                            A::mul_add(
+                            A::fma(
                                 t35,
                                 t35,
-                                A::mul_add(
+                                A::fma(
                                     t34,
                                     t34,
-                                    A::mul_add(t33, t33, A::mul_add(t31, t31, t32 * t32)),
+                                    A::fma(t33, t33, A::fma(t31, t31, t32 * t32)),
                                 ),
                             ),
                         );
-                        let t38 = A::mul_add(t23, t29, -(t24 * t28)) - r31[t];
+                        let t38 = A::fma(t23, t29, -(t24 * t28)) - r31[t];
                         let t39 = r32[t] + t25;
                         let t40 = t30 - r33[t];
                         let residual = math::sqrt(
-                            A::mul_add(
+                            A::fma(
                                 0.005241876076624585,
-                                A::mul_add(
-                                    t40,
-                                    t40,
-                                    A::mul_add(t39, t39, A::mul_add(t38, t38, t37)),
-                                ),
+                                A::fma(t40, t40, A::fma(t39, t39, A::fma(t38, t38, t37))),
                                 t19_[t],
                             ),
                         );

@@ -402,33 +402,33 @@ mod __Kr6R900 {
                 .of([q[0], q[1], q[4], q[5], q[3], t1]);
             let t2 = c5 * s6;
             let t3 = s5 * s6;
-            let t4 = A::mul_add(c4, c6, -(s4 * t2));
-            let t5 = A::mul_add(s4, c6, c4 * t2);
-            let t6 = A::mul_add(s23, t3, -(c23 * t5));
-            let t7 = A::mul_add(s23, t5, c23 * t3);
-            let t8 = A::mul_add(s1, t4, -(c1 * t7));
-            let t9 = A::mul_add(s1, t7, c1 * t4);
+            let t4 = A::fma(c4, c6, -(s4 * t2));
+            let t5 = A::fma(s4, c6, c4 * t2);
+            let t6 = A::fma(s23, t3, -(c23 * t5));
+            let t7 = A::fma(s23, t5, c23 * t3);
+            let t8 = A::fma(s1, t4, -(c1 * t7));
+            let t9 = A::fma(s1, t7, c1 * t4);
             let t10 = c4 * s5;
             let t11 = s4 * s5;
-            let t12 = A::mul_add(c23, t10, s23 * c5);
-            let t13 = A::mul_add(c23, c5, -(s23 * t10));
-            let t14 = A::mul_add(c1, t13, -(s1 * t11));
-            let t15 = A::mul_add(s1, t13, c1 * t11);
+            let t12 = A::fma(c23, t10, s23 * c5);
+            let t13 = A::fma(c23, c5, -(s23 * t10));
+            let t14 = A::fma(c1, t13, -(s1 * t11));
+            let t15 = A::fma(s1, t13, c1 * t11);
             let t16 = 0.08 * s5;
             let t17 = s4 * t16;
-            let t18 = A::mul_add(-c4, t16, 0.035);
-            let t19 = A::mul_add(0.08, c5, 0.42);
-            let t20 = A::mul_add(0.455, c2, A::mul_add(s23, t18, c23 * t19)) + 0.025;
+            let t18 = A::fma(-c4, t16, 0.035);
+            let t19 = A::fma(0.08, c5, 0.42);
+            let t20 = A::fma(0.455, c2, A::fma(s23, t18, c23 * t19)) + 0.025;
             Pose {
                 rotation: [
-                    [A::mul_add(t6, t15, -(t9 * t12)), t8, t14],
-                    [A::mul_add(t6, t14, t8 * t12), t9, -t15],
-                    [-A::mul_add(t8, t15, t9 * t14), t6, -t12],
+                    [A::fma(t6, t15, -(t9 * t12)), t8, t14],
+                    [A::fma(t6, t14, t8 * t12), t9, -t15],
+                    [-A::fma(t8, t15, t9 * t14), t6, -t12],
                 ],
                 translation: [
-                    A::mul_add(c1, t20, -(s1 * t17)),
-                    -A::mul_add(s1, t20, c1 * t17),
-                    A::mul_add(-0.455, s2, A::mul_add(c23, t18, -(s23 * t19))) + 0.4,
+                    A::fma(c1, t20, -(s1 * t17)),
+                    -A::fma(s1, t20, c1 * t17),
+                    A::fma(-0.455, s2, A::fma(c23, t18, -(s23 * t19))) + 0.4,
                 ],
             }
         }
@@ -447,55 +447,51 @@ mod __Kr6R900 {
             let t2 = 0.455 * c2;
             let t3 = 0.025 * c1;
             let t4 = 0.025 * s1;
-            let t5 = A::mul_add(-0.455, s2, 0.4);
+            let t5 = A::fma(-0.455, s2, 0.4);
             let t6 = c1 * s23;
             let t7 = s1 * s23;
             let t8 = c1 * c23;
             let t9 = s1 * c23;
-            let t10 = A::mul_add(s1, c4, -(s4 * t6));
-            let t11 = A::mul_add(c1, c4, s4 * t7);
+            let t10 = A::fma(s1, c4, -(s4 * t6));
+            let t11 = A::fma(c1, c4, s4 * t7);
             let t12 = c23 * s4;
-            let t13 = A::mul_add(s1, s4, c4 * t6);
-            let t14 = A::mul_add(c4, t7, -(c1 * s4));
+            let t13 = A::fma(s1, s4, c4 * t6);
+            let t14 = A::fma(c4, t7, -(c1 * s4));
             let t15 = c23 * c4;
-            let t16 = A::mul_add(c5, t13, s5 * t8);
-            let t17 = A::mul_add(c5, t14, s5 * t9);
-            let t18 = A::mul_add(s23, s5, -(c5 * t15));
+            let t16 = A::fma(c5, t13, s5 * t8);
+            let t17 = A::fma(c5, t14, s5 * t9);
+            let t18 = A::fma(s23, s5, -(c5 * t15));
             let t19 = s5 * t13;
             let t20 = c5 * t8;
             let t21 = t19 - t20;
             let t22 = s5 * t14;
             let t23 = c5 * t9;
             let t24 = t23 - t22;
-            let t25 = A::mul_add(s23, c5, s5 * t15);
-            let t26 = A::mul_add(c1, t2, t3);
-            let t27 = A::mul_add(s1, t2, t4);
-            let t28 = t26 + A::mul_add(0.035, t6, 0.42 * t8);
-            let t29 = t27 + A::mul_add(0.035, t7, 0.42 * t9);
-            let t30 = t5 + A::mul_add(0.035, c23, -(0.42 * s23));
+            let t25 = A::fma(s23, c5, s5 * t15);
+            let t26 = A::fma(c1, t2, t3);
+            let t27 = A::fma(s1, t2, t4);
+            let t28 = t26 + A::fma(0.035, t6, 0.42 * t8);
+            let t29 = t27 + A::fma(0.035, t7, 0.42 * t9);
+            let t30 = t5 + A::fma(0.035, c23, -(0.42 * s23));
             (
                 Pose {
                     rotation: [
                         [
-                            -A::mul_add(s6, t10, c6 * t16),
-                            A::mul_add(c6, t10, -(s6 * t16)),
+                            -A::fma(s6, t10, c6 * t16),
+                            A::fma(c6, t10, -(s6 * t16)),
                             t20 - t19,
                         ],
                         [
-                            A::mul_add(c6, t17, -(s6 * t11)),
-                            A::mul_add(c6, t11, s6 * t17),
+                            A::fma(c6, t17, -(s6 * t11)),
+                            A::fma(c6, t11, s6 * t17),
                             t22 - t23,
                         ],
-                        [
-                            A::mul_add(s6, t12, c6 * t18),
-                            A::mul_add(s6, t18, -(c6 * t12)),
-                            -t25,
-                        ],
+                        [A::fma(s6, t12, c6 * t18), A::fma(s6, t18, -(c6 * t12)), -t25],
                     ],
                     translation: [
-                        A::mul_add(-0.08, t21, t28),
-                        -A::mul_add(0.08, t24, t29),
-                        A::mul_add(-0.08, t25, t30),
+                        A::fma(-0.08, t21, t28),
+                        -A::fma(0.08, t24, t29),
+                        A::fma(-0.08, t25, t30),
                     ],
                 },
                 Jacobian {
@@ -504,25 +500,25 @@ mod __Kr6R900 {
                             0.0,
                             -(0.4 * c1),
                             -(c1 * t5),
-                            -A::mul_add(s23, t29, t9 * t30),
-                            A::mul_add(t12, t29, -(t11 * t30)),
-                            -A::mul_add(t25, t29, t24 * t30),
+                            -A::fma(s23, t29, t9 * t30),
+                            A::fma(t12, t29, -(t11 * t30)),
+                            -A::fma(t25, t29, t24 * t30),
                         ],
                         [
                             0.0,
                             0.4 * s1,
                             s1 * t5,
-                            -A::mul_add(t8, t30, s23 * t28),
-                            A::mul_add(t10, t30, t12 * t28),
-                            A::mul_add(t21, t30, -(t25 * t28)),
+                            -A::fma(t8, t30, s23 * t28),
+                            A::fma(t10, t30, t12 * t28),
+                            A::fma(t21, t30, -(t25 * t28)),
                         ],
                         [
                             0.0,
-                            A::mul_add(c1, t3, s1 * t4),
-                            A::mul_add(c1, t26, s1 * t27),
-                            A::mul_add(t9, t28, -(t8 * t29)),
-                            A::mul_add(t11, t28, t10 * t29),
-                            A::mul_add(t24, t28, t21 * t29),
+                            A::fma(c1, t3, s1 * t4),
+                            A::fma(c1, t26, s1 * t27),
+                            A::fma(t9, t28, -(t8 * t29)),
+                            A::fma(t11, t28, t10 * t29),
+                            A::fma(t24, t28, t21 * t29),
                         ],
                         [0.0, s1, s1, -t8, t10, t21],
                         [0.0, c1, c1, t9, t11, t24],
@@ -552,21 +548,21 @@ mod __Kr6R900 {
             let t11 = 0.035 * c23;
             let t12 = 0.035 * s23;
             let t13 = t2 + t12 + 0.025;
-            let t14 = A::mul_add(s1, c4, -(s4 * t6));
-            let t15 = A::mul_add(c1, c4, s4 * t7);
+            let t14 = A::fma(s1, c4, -(s4 * t6));
+            let t15 = A::fma(c1, c4, s4 * t7);
             let t16 = c23 * s4;
             let t17 = -t16;
-            let t18 = A::mul_add(s1, s4, c4 * t6);
+            let t18 = A::fma(s1, s4, c4 * t6);
             let t19 = c1 * s4;
             let t20 = c4 * t7;
             let t21 = t20 - t19;
             let t22 = c23 * c4;
-            let t23 = t2 + A::mul_add(0.42, c23, t12) + 0.025;
+            let t23 = t2 + A::fma(0.42, c23, t12) + 0.025;
             let t24 = c1 * t23;
             let t25 = s1 * t23;
-            let t26 = A::mul_add(-0.42, s23, t11) - t3 + 0.4;
-            let t27 = A::mul_add(c5, t18, s5 * t8);
-            let t28 = A::mul_add(c5, t21, s5 * t9);
+            let t26 = A::fma(-0.42, s23, t11) - t3 + 0.4;
+            let t27 = A::fma(c5, t18, s5 * t8);
+            let t28 = A::fma(c5, t21, s5 * t9);
             let t29 = c5 * t22;
             let t30 = s23 * s5;
             let t31 = t30 - t29;
@@ -574,7 +570,7 @@ mod __Kr6R900 {
             let t33 = c5 * t8;
             let t34 = s5 * t21;
             let t35 = c5 * t9;
-            let t36 = A::mul_add(s23, c5, s5 * t22);
+            let t36 = A::fma(s23, c5, s5 * t22);
             let t37 = t33 - t32;
             let t38 = t34 - t35;
             let t39 = -t36;
@@ -605,26 +601,14 @@ mod __Kr6R900 {
                 },
                 Pose {
                     rotation: [
-                        [
-                            t37,
-                            A::mul_add(c6, t14, -(s6 * t27)),
-                            A::mul_add(s6, t14, c6 * t27),
-                        ],
-                        [
-                            t38,
-                            A::mul_add(c6, t15, s6 * t28),
-                            A::mul_add(s6, t15, -(c6 * t28)),
-                        ],
-                        [
-                            t39,
-                            A::mul_add(s6, t31, -(c6 * t16)),
-                            -A::mul_add(s6, t16, c6 * t31),
-                        ],
+                        [t37, A::fma(c6, t14, -(s6 * t27)), A::fma(s6, t14, c6 * t27)],
+                        [t38, A::fma(c6, t15, s6 * t28), A::fma(s6, t15, -(c6 * t28))],
+                        [t39, A::fma(s6, t31, -(c6 * t16)), -A::fma(s6, t16, c6 * t31)],
                     ],
                     translation: [
-                        A::mul_add(-0.08, t32 - t33, t24),
-                        -A::mul_add(0.08, t35 - t34, t25),
-                        A::mul_add(-0.08, t36, t26),
+                        A::fma(-0.08, t32 - t33, t24),
+                        -A::fma(0.08, t35 - t34, t25),
+                        A::fma(-0.08, t36, t26),
                     ],
                 },
             ]
@@ -643,19 +627,19 @@ mod __Kr6R900 {
                 .of([q[0], q[1], q[4], q[3], t1]);
             let t2 = 0.455 * s2;
             let t3 = s4 * s5;
-            let t4 = A::mul_add(0.455, c2, 0.025);
+            let t4 = A::fma(0.455, c2, 0.025);
             let t5 = c23 * s4;
-            let t6 = A::mul_add(s23, c5, s5 * (c23 * c4));
-            let t7 = t4 + A::mul_add(0.035, s23, 0.42 * c23);
+            let t6 = A::fma(s23, c5, s5 * (c23 * c4));
+            let t7 = t4 + A::fma(0.035, s23, 0.42 * c23);
             let t8 = s23 * s4;
-            let t9 = A::mul_add(s5, s23 * c4, -(c23 * c5));
+            let t9 = A::fma(s5, s23 * c4, -(c23 * c5));
             let t10 = t2 - 0.4;
-            let t11 = -0.4 - (A::mul_add(0.035, c23, -(0.42 * s23)) - t2);
-            let t12 = A::mul_add(c23, t11, -(s23 * t7));
+            let t11 = -0.4 - (A::fma(0.035, c23, -(0.42 * s23)) - t2);
+            let t12 = A::fma(c23, t11, -(s23 * t7));
             let t13 = c4 * t11;
-            let t14 = A::mul_add(t5, t7, t8 * t11);
+            let t14 = A::fma(t5, t7, t8 * t11);
             let t15 = t3 * t11;
-            let t16 = A::mul_add(t6, t7, t9 * t11);
+            let t16 = A::fma(t6, t7, t9 * t11);
             SpatialJacobian(Jacobian {
                 rows: [
                     [
@@ -663,16 +647,16 @@ mod __Kr6R900 {
                         -(0.4 * c1),
                         c1 * t10,
                         s1 * t12,
-                        A::mul_add(c1, t13, s1 * t14),
-                        A::mul_add(c1, t15, -(s1 * t16)),
+                        A::fma(c1, t13, s1 * t14),
+                        A::fma(c1, t15, -(s1 * t16)),
                     ],
                     [
                         0.0,
                         0.4 * s1,
                         -(s1 * t10),
                         c1 * t12,
-                        A::mul_add(c1, t14, -(s1 * t13)),
-                        -A::mul_add(s1, t15, c1 * t16),
+                        A::fma(c1, t14, -(s1 * t13)),
+                        -A::fma(s1, t15, c1 * t16),
                     ],
                     [0.0, 0.025, t4, 0.0, c4 * t7, t3 * t7],
                     [
@@ -680,16 +664,16 @@ mod __Kr6R900 {
                         s1,
                         s1,
                         -(c1 * c23),
-                        A::mul_add(s1, c4, -(c1 * t8)),
-                        A::mul_add(s1, t3, c1 * t9),
+                        A::fma(s1, c4, -(c1 * t8)),
+                        A::fma(s1, t3, c1 * t9),
                     ],
                     [
                         0.0,
                         c1,
                         c1,
                         s1 * c23,
-                        A::mul_add(c1, c4, s1 * t8),
-                        A::mul_add(c1, t3, -(s1 * t9)),
+                        A::fma(c1, c4, s1 * t8),
+                        A::fma(c1, t3, -(s1 * t9)),
                     ],
                     [-1.0, 0.0, 0.0, s23, -t5, t6],
                 ],
@@ -706,56 +690,56 @@ mod __Kr6R900 {
                 .of([q[2], q[3], q[4], q[5], t1]);
             let t2 = c5 * s6;
             let t3 = s5 * s6;
-            let t4 = A::mul_add(c4, c6, -(s4 * t2));
-            let t5 = A::mul_add(s4, c6, c4 * t2);
+            let t4 = A::fma(c4, c6, -(s4 * t2));
+            let t5 = A::fma(s4, c6, c4 * t2);
             let t6 = c23 * t5;
             let t7 = s23 * t3;
             let t8 = t7 - t6;
             let t9 = c4 * s5;
             let t10 = s4 * s5;
             let t11 = -t10;
-            let t12 = A::mul_add(c23, t9, s23 * c5);
+            let t12 = A::fma(c23, t9, s23 * c5);
             let t13 = 0.455 * c3;
             let t14 = 0.455 * s3;
             let t15 = c5 * c6;
             let t16 = s5 * c6;
-            let t17 = A::mul_add(c4, s6, s4 * t15);
+            let t17 = A::fma(c4, s6, s4 * t15);
             let t18 = -t17;
             let t19 = s4 * s6;
             let t20 = c4 * t15;
             let t21 = t19 - t20;
-            let t22 = A::mul_add(0.035, t20 - t19, 0.42 * t16);
-            let t23 = A::mul_add(0.035, t5, 0.42 * t3);
-            let t24 = A::mul_add(0.035, t9, -(0.42 * c5)) - 0.08;
-            let t25 = t22 + A::mul_add(t13, t16, -(t14 * t21));
-            let t26 = t23 + A::mul_add(t5, t14, t3 * t13);
-            let t27 = t24 + A::mul_add(t9, t14, -(c5 * t13));
-            let t28 = A::mul_add(c23, t21, s23 * t16);
-            let t29 = A::mul_add(0.025, A::mul_add(s23, t5, c23 * t3), t26);
-            let t30 = A::mul_add(0.025, A::mul_add(s23, t21, -(c23 * t16)), -t25);
-            let t31 = A::mul_add(0.025, A::mul_add(c23, c5, -(s23 * t9)), -t27);
+            let t22 = A::fma(0.035, t20 - t19, 0.42 * t16);
+            let t23 = A::fma(0.035, t5, 0.42 * t3);
+            let t24 = A::fma(0.035, t9, -(0.42 * c5)) - 0.08;
+            let t25 = t22 + A::fma(t13, t16, -(t14 * t21));
+            let t26 = t23 + A::fma(t5, t14, t3 * t13);
+            let t27 = t24 + A::fma(t9, t14, -(c5 * t13));
+            let t28 = A::fma(c23, t21, s23 * t16);
+            let t29 = A::fma(0.025, A::fma(s23, t5, c23 * t3), t26);
+            let t30 = A::fma(0.025, A::fma(s23, t21, -(c23 * t16)), -t25);
+            let t31 = A::fma(0.025, A::fma(c23, c5, -(s23 * t9)), -t27);
             BodyJacobian(Jacobian {
                 rows: [
                     [
-                        A::mul_add(t12, t29, -(t8 * t31)),
-                        -A::mul_add(t4, t27, t10 * t26),
-                        -A::mul_add(t4, t24, t10 * t23),
+                        A::fma(t12, t29, -(t8 * t31)),
+                        -A::fma(t4, t27, t10 * t26),
+                        -A::fma(t4, t24, t10 * t23),
                         0.08 * t3,
                         0.08 * c6,
                         0.0,
                     ],
                     [
-                        A::mul_add(t12, t30, t28 * t31),
-                        A::mul_add(t10, t25, -(t17 * t27)),
-                        A::mul_add(t10, t22, -(t17 * t24)),
+                        A::fma(t12, t30, t28 * t31),
+                        A::fma(t10, t25, -(t17 * t27)),
+                        A::fma(t10, t22, -(t17 * t24)),
                         -(0.08 * t16),
                         0.08 * s6,
                         0.0,
                     ],
                     [
-                        A::mul_add(t28, t29, t8 * t30),
-                        A::mul_add(t17, t26, t4 * t25),
-                        A::mul_add(t17, t23, t4 * t22),
+                        A::fma(t28, t29, t8 * t30),
+                        A::fma(t17, t26, t4 * t25),
+                        A::fma(t17, t23, t4 * t22),
                         0.0,
                         0.0,
                         0.0,
@@ -782,66 +766,66 @@ mod __Kr6R900 {
             let t3 = 0.455 * s2;
             let t4 = s4 * s5;
             let t5 = c23 * s4;
-            let t6 = A::mul_add(0.035, c23, -(0.42 * s23)) - t3;
-            let t7 = t2 + A::mul_add(0.035, s23, 0.42 * c23);
-            let t8 = A::mul_add(s23, c5, s5 * (c23 * c4));
+            let t6 = A::fma(0.035, c23, -(0.42 * s23)) - t3;
+            let t7 = t2 + A::fma(0.035, s23, 0.42 * c23);
+            let t8 = A::fma(s23, c5, s5 * (c23 * c4));
             let t9 = s23 * s4;
-            let t10 = A::mul_add(s5, s23 * c4, -(c23 * c5));
+            let t10 = A::fma(s5, s23 * c4, -(c23 * c5));
             let t11 = 0.08 * t10;
             let t12 = 0.08 * t4;
-            let t13 = A::mul_add(-0.08, t8, t6);
+            let t13 = A::fma(-0.08, t8, t6);
             let t14 = t7 - t11;
             let t15 = t14 + 0.025;
             let t16 = t3 + t13;
             let t17 = t13 - t6;
             let t18 = t14 - t7;
             let t19 = s23 * t12;
-            let t20 = A::mul_add(s23, t18, c23 * t17);
-            let t21 = A::mul_add(c4, t17, -(t5 * t12));
-            let t22 = A::mul_add(t9, t17, -(t5 * t18));
-            let t23 = A::mul_add(t4, t17, t8 * t12);
-            let t24 = A::mul_add(t8, t18, -(t10 * t17));
+            let t20 = A::fma(s23, t18, c23 * t17);
+            let t21 = A::fma(c4, t17, -(t5 * t12));
+            let t22 = A::fma(t9, t17, -(t5 * t18));
+            let t23 = A::fma(t4, t17, t8 * t12);
+            let t24 = A::fma(t8, t18, -(t10 * t17));
             GeometricJacobian(Jacobian {
                 rows: [
                     [
-                        -A::mul_add(c1, t12, s1 * t15),
+                        -A::fma(c1, t12, s1 * t15),
                         c1 * t13,
                         c1 * t16,
-                        A::mul_add(c1, t19, s1 * t20),
-                        A::mul_add(c1, t21, s1 * t22),
-                        A::mul_add(c1, t23, s1 * t24),
+                        A::fma(c1, t19, s1 * t20),
+                        A::fma(c1, t21, s1 * t22),
+                        A::fma(c1, t23, s1 * t24),
                     ],
                     [
-                        A::mul_add(s1, t12, -(c1 * t15)),
+                        A::fma(s1, t12, -(c1 * t15)),
                         -(s1 * t13),
                         -(s1 * t16),
-                        A::mul_add(c1, t20, -(s1 * t19)),
-                        A::mul_add(c1, t22, -(s1 * t21)),
-                        A::mul_add(c1, t24, -(s1 * t23)),
+                        A::fma(c1, t20, -(s1 * t19)),
+                        A::fma(c1, t22, -(s1 * t21)),
+                        A::fma(c1, t24, -(s1 * t23)),
                     ],
                     [
                         0.0,
                         t11 - t7,
                         t2 - t14,
                         c23 * t12,
-                        A::mul_add(t9, t12, -(c4 * t18)),
-                        -A::mul_add(t10, t12, t4 * t18),
+                        A::fma(t9, t12, -(c4 * t18)),
+                        -A::fma(t10, t12, t4 * t18),
                     ],
                     [
                         0.0,
                         s1,
                         s1,
                         -(c1 * c23),
-                        A::mul_add(s1, c4, -(c1 * t9)),
-                        A::mul_add(s1, t4, c1 * t10),
+                        A::fma(s1, c4, -(c1 * t9)),
+                        A::fma(s1, t4, c1 * t10),
                     ],
                     [
                         0.0,
                         c1,
                         c1,
                         s1 * c23,
-                        A::mul_add(c1, c4, s1 * t9),
-                        A::mul_add(c1, t4, -(s1 * t10)),
+                        A::fma(c1, c4, s1 * t9),
+                        A::fma(c1, t4, -(s1 * t10)),
                     ],
                     [-1.0, 0.0, 0.0, s23, -t5, t8],
                 ],
@@ -893,10 +877,10 @@ mod __Kr6R900 {
                 // 1. q1 by SP4 (what all branches share)
                 let t8 = 0.08 * r13[t];
                 let t9 = px[t] - t8;
-                let t10 = A::mul_add(-0.08, r23[t], py[t]);
-                let t11 = A::mul_add(-0.08, r33[t], pz[t]) - 0.4;
+                let t10 = A::fma(-0.08, r23[t], py[t]);
+                let t11 = A::fma(-0.08, r33[t], pz[t]) - 0.4;
                 let t12 = t8 - px[t];
-                let t13 = A::mul_add(t10, t10, t12 * t12);
+                let t13 = A::fma(t10, t10, t12 * t12);
                 let t14 = 1e-13 * t13;
                 let t15 = math::sqrt(math::select(t13 < t14, 0.0, t13));
                 let t16 = -math::sqrt(t13);
@@ -913,41 +897,31 @@ mod __Kr6R900 {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t23 = 0.5
-                    * (A::mul_add(
-                        r31[t],
-                        r31[t],
-                        A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
-                    ) - 1.0);
+                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                        - 1.0);
                 let t24 = 0.5
-                    * (A::mul_add(
-                        r32[t],
-                        r32[t],
-                        A::mul_add(r12[t], r12[t], r22[t] * r22[t]),
-                    ) - 1.0);
-                let t25 = A::mul_add(
+                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                        - 1.0);
+                let t25 = A::fma(
                     r31[t],
                     r32[t],
-                    A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                    A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t26 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t27 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t28 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t29 = A::mul_add(
+                let t26 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t27 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t28 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t29 = A::fma(
                     t28,
                     t28,
-                    A::mul_add(
+                    A::fma(
                         t27,
                         t27,
-                        A::mul_add(
-                            t26,
-                            t26,
-                            A::mul_add(t25, t25, A::mul_add(t23, t23, t24 * t24)),
-                        ),
+                        A::fma(t26, t26, A::fma(t25, t25, A::fma(t23, t23, t24 * t24))),
                     ),
                 );
-                let t30 = A::mul_add(
+                let t30 = A::fma(
                     4.930380657631324e-32,
-                    A::mul_add(pz[t], pz[t], A::mul_add(px[t], px[t], py[t] * py[t])),
+                    A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
                     1.0302250000000002 * t29,
                 );
                 t9_[t] = t9;
@@ -987,20 +961,20 @@ mod __Kr6R900 {
                     let s1 = math::select(
                         t13_[t] < 1.0302250000000001e-24,
                         t7,
-                        A::mul_add(t10_[t], t32, t19_[t]) * t21_[t],
+                        A::fma(t10_[t], t32, t19_[t]) * t21_[t],
                     );
                     let c1 = math::select(
                         t13_[t] < 1.0302250000000001e-24,
                         t4,
-                        A::mul_add(-t12_[t], t32, t18_[t]) * t21_[t],
+                        A::fma(-t12_[t], t32, t18_[t]) * t21_[t],
                     );
                     // 2. q3 by SP3, given q1
-                    let t33 = A::mul_add(t9_[t], c1, t10_[t] * s1);
+                    let t33 = A::fma(t9_[t], c1, t10_[t] * s1);
                     let t34 = 0.025 - t33;
-                    let t35 = A::mul_add(t9_[t], s1, -(t10_[t] * c1));
-                    let t36 = 0.5 * (t22_[t] + A::mul_add(t34, t34, t35 * t35));
+                    let t35 = A::fma(t9_[t], s1, -(t10_[t] * c1));
+                    let t36 = 0.5 * (t22_[t] + A::fma(t34, t34, t35 * t35));
                     let t37 = 0.192325 - t36;
-                    let t38 = A::mul_add(-t37, t37, 0.036772815625);
+                    let t38 = A::fma(-t37, t37, 0.036772815625);
                     let t39 = math::max(
                         math::max(
                             math::select(t13_[t] < t14_[t], t31, 0.0),
@@ -1014,25 +988,21 @@ mod __Kr6R900 {
                         -0.1917623936672673,
                         -math::max(-0.1917623936672673, t36 - 0.192325),
                     );
-                    let t42 = A::mul_add(0.1911, t40, 0.015925000000000016 * t41);
-                    let t43 = A::mul_add(0.015925000000000016, t40, -(0.1911 * t41));
+                    let t42 = A::fma(0.1911, t40, 0.015925000000000016 * t41);
+                    let t43 = A::fma(0.015925000000000016, t40, -(0.1911 * t41));
                     let t44 = 27.194001411198713 * t42;
                     let s3 = -t44;
                     let c3 = 27.194001411198713 * t43;
                     // 3. q2 by SP1, given q1 and q3
                     let t45 = t33 - 0.025;
-                    let t46 = A::mul_add(
-                        0.9517900493919558,
-                        t43,
-                        11.421480592703459 * t42,
-                    );
-                    let t47 = A::mul_add(
+                    let t46 = A::fma(0.9517900493919558, t43, 11.421480592703459 * t42);
+                    let t47 = A::fma(
                         11.421480592703459,
                         t43,
                         -(0.9517900493919558 * t42),
                     ) + 0.455;
                     let t48 = math::sqrt(
-                        A::mul_add(t45, t45, t22_[t]) * A::mul_add(t46, t46, t47 * t47),
+                        A::fma(t45, t45, t22_[t]) * A::fma(t46, t46, t47 * t47),
                     );
                     let t49 = math::max(
                         math::max(
@@ -1045,25 +1015,25 @@ mod __Kr6R900 {
                     let s2 = math::select(
                         t48 < 1.0302250000000001e-24,
                         t2,
-                        A::mul_add(t45, t46, -(t11_[t] * t47)) * t50,
+                        A::fma(t45, t46, -(t11_[t] * t47)) * t50,
                     );
                     let c2 = math::select(
                         t48 < 1.0302250000000001e-24,
                         t5,
-                        A::mul_add(t11_[t], t46, t45 * t47) * t50,
+                        A::fma(t11_[t], t46, t45 * t47) * t50,
                     );
                     // 4. q4 and q5 by SP2, given q1 and q2+q3 (what several branches
                     // share)
-                    let t51 = A::mul_add(r13[t], c1, r23[t] * s1);
-                    let t52 = A::mul_add(r13[t], s1, -(r23[t] * c1));
+                    let t51 = A::fma(r13[t], c1, r23[t] * s1);
+                    let t52 = A::fma(r13[t], s1, -(r23[t] * c1));
                     let t53 = c3 * s2;
                     let t54 = t44 * c2;
                     let t55 = t53 - t54;
-                    let t56 = A::mul_add(c3, c2, t44 * s2);
+                    let t56 = A::fma(c3, c2, t44 * s2);
                     let t57 = t54 - t53;
-                    let c5 = A::mul_add(r33[t], t57, t51 * t56);
-                    let t58 = A::mul_add(r33[t], t56, -(t51 * t57));
-                    let t59 = A::mul_add(t58, t58, t52 * t52);
+                    let c5 = A::fma(r33[t], t57, t51 * t56);
+                    let t58 = A::fma(r33[t], t56, -(t51 * t57));
+                    let t59 = A::fma(t58, t58, t52 * t52);
                     let singular = math::max(t49, math::select(t59 < 1e-13, 1.0, 0.0));
                     let t60 = math::select(t59 < 1e-24, -1.0, 0.0);
                     let t61 = math::sqrt(math::select(t59 < 1e-24, 0.0, t59));
@@ -1073,73 +1043,60 @@ mod __Kr6R900 {
                     // 5. q6 by SP1, given q1, q4 and q2+q3
                     let t65 = t56 * t63;
                     let t66 = t55 * t63;
-                    let t67 = A::mul_add(c1, t66, s1 * t64);
-                    let t68 = A::mul_add(c1, t64, -(s1 * t66));
-                    let t69 = A::mul_add(
-                        -r32[t],
-                        t65,
-                        A::mul_add(r22[t], t68, -(r12[t] * t67)),
-                    );
-                    let t70 = A::mul_add(
-                        r31[t],
-                        t65,
-                        -A::mul_add(r21[t], t68, -(r11[t] * t67)),
-                    );
+                    let t67 = A::fma(c1, t66, s1 * t64);
+                    let t68 = A::fma(c1, t64, -(s1 * t66));
+                    let t69 = A::fma(-r32[t], t65, A::fma(r22[t], t68, -(r12[t] * t67)));
+                    let t70 = A::fma(r31[t], t65, -A::fma(r21[t], t68, -(r11[t] * t67)));
                     // Residual: forward kinematics against the target
                     let t71 = c5 * t70;
                     let t72 = t61 * t70;
-                    let t73 = A::mul_add(t64, t69, -(t63 * t71));
-                    let t74 = A::mul_add(t63, t69, t64 * t71);
-                    let t75 = A::mul_add(t55, t72, -(t56 * t74));
-                    let t76 = A::mul_add(t55, t74, t56 * t72);
-                    let t77 = A::mul_add(c1, t76, s1 * t73);
-                    let t78 = A::mul_add(c1, t73, -(s1 * t76));
+                    let t73 = A::fma(t64, t69, -(t63 * t71));
+                    let t74 = A::fma(t63, t69, t64 * t71);
+                    let t75 = A::fma(t55, t72, -(t56 * t74));
+                    let t76 = A::fma(t55, t74, t56 * t72);
+                    let t77 = A::fma(c1, t76, s1 * t73);
+                    let t78 = A::fma(c1, t73, -(s1 * t76));
                     let t79 = t61 * t64;
                     let t80 = t61 * t63;
-                    let t81 = A::mul_add(t56, t79, t55 * c5);
-                    let t82 = A::mul_add(t56, c5, -(t55 * t79));
-                    let t83 = A::mul_add(c1, t82, s1 * t80);
-                    let t84 = A::mul_add(s1, t82, -(c1 * t80));
+                    let t81 = A::fma(t56, t79, t55 * c5);
+                    let t82 = A::fma(t56, c5, -(t55 * t79));
+                    let t83 = A::fma(c1, t82, s1 * t80);
+                    let t84 = A::fma(s1, t82, -(c1 * t80));
                     let t85 = 0.08 * t61;
                     let t86 = t63 * t85;
-                    let t87 = A::mul_add(-t64, t85, 0.035);
-                    let t88 = A::mul_add(0.08, c5, 0.42);
-                    let t89 = A::mul_add(0.455, c2, A::mul_add(t55, t87, t56 * t88))
-                        + 0.025;
-                    let t90 = A::mul_add(c1, t89, s1 * t86) - px[t];
-                    let t91 = A::mul_add(s1, t89, -(c1 * t86)) - py[t];
-                    let t92 = A::mul_add(-0.455, s2, A::mul_add(t56, t87, -(t55 * t88)))
-                        + 0.4 - pz[t];
-                    let t93 = r11[t] + A::mul_add(t78, t81, t75 * t84);
+                    let t87 = A::fma(-t64, t85, 0.035);
+                    let t88 = A::fma(0.08, c5, 0.42);
+                    let t89 = A::fma(0.455, c2, A::fma(t55, t87, t56 * t88)) + 0.025;
+                    let t90 = A::fma(c1, t89, s1 * t86) - px[t];
+                    let t91 = A::fma(s1, t89, -(c1 * t86)) - py[t];
+                    let t92 = A::fma(-0.455, s2, A::fma(t56, t87, -(t55 * t88))) + 0.4
+                        - pz[t];
+                    let t93 = r11[t] + A::fma(t78, t81, t75 * t84);
                     let t94 = r12[t] + t77;
                     let t95 = t83 - r13[t];
-                    let t96 = A::mul_add(t75, t83, -(t77 * t81)) - r21[t];
+                    let t96 = A::fma(t75, t83, -(t77 * t81)) - r21[t];
                     let t97 = t78 - r22[t];
                     let t98 = t84 - r23[t];
-                    let t99 = A::mul_add(
+                    let t99 = A::fma(
                         t98,
                         t98,
-                        A::mul_add(
+                        A::fma(
                             t97,
                             t97,
-                            A::mul_add(
+                            A::fma(
                                 t96,
                                 t96,
-                                A::mul_add(t95, t95, A::mul_add(t93, t93, t94 * t94)),
+                                A::fma(t95, t95, A::fma(t93, t93, t94 * t94)),
                             ),
                         ),
                     );
-                    let t100 = r31[t] + A::mul_add(t77, t84, t78 * t83);
+                    let t100 = r31[t] + A::fma(t77, t84, t78 * t83);
                     let t101 = t75 - r32[t];
                     let t102 = r33[t] + t81;
-                    let t103 = A::mul_add(
+                    let t103 = A::fma(
                         0.5151125000000001,
-                        A::mul_add(
-                            t102,
-                            t102,
-                            A::mul_add(t101, t101, A::mul_add(t100, t100, t99)),
-                        ),
-                        t30_[t] + A::mul_add(t92, t92, A::mul_add(t90, t90, t91 * t91)),
+                        A::fma(t102, t102, A::fma(t101, t101, A::fma(t100, t100, t99))),
+                        t30_[t] + A::fma(t92, t92, A::fma(t90, t90, t91 * t91)),
                     );
                     let residual = math::sqrt(t103);
                     // Joint values: angles from sines and cosines, in (−π, π]

@@ -274,45 +274,45 @@ mod __Panda {
                 .of([q[0], q[1], q[2], q[3], q[4], q[5], q[6]]);
             let t1 = c6 * s7;
             let t2 = s6 * s7;
-            let t3 = A::mul_add(c5, t1, -(s5 * c7));
-            let t4 = A::mul_add(s5, t1, c5 * c7);
-            let t5 = A::mul_add(c4, t2, s4 * t3);
-            let t6 = A::mul_add(s4, t2, -(c4 * t3));
-            let t7 = A::mul_add(c3, t6, s3 * t4);
-            let t8 = A::mul_add(s3, t6, -(c3 * t4));
-            let t9 = A::mul_add(c2, t5, s2 * t7);
-            let t10 = A::mul_add(c2, t7, -(s2 * t5));
-            let t11 = A::mul_add(c1, t10, -(s1 * t8));
-            let t12 = A::mul_add(s1, t10, c1 * t8);
+            let t3 = A::fma(c5, t1, -(s5 * c7));
+            let t4 = A::fma(s5, t1, c5 * c7);
+            let t5 = A::fma(c4, t2, s4 * t3);
+            let t6 = A::fma(s4, t2, -(c4 * t3));
+            let t7 = A::fma(c3, t6, s3 * t4);
+            let t8 = A::fma(s3, t6, -(c3 * t4));
+            let t9 = A::fma(c2, t5, s2 * t7);
+            let t10 = A::fma(c2, t7, -(s2 * t5));
+            let t11 = A::fma(c1, t10, -(s1 * t8));
+            let t12 = A::fma(s1, t10, c1 * t8);
             let t13 = c5 * s6;
             let t14 = s5 * s6;
-            let t15 = A::mul_add(s4, t13, -(c4 * c6));
-            let t16 = A::mul_add(s4, c6, c4 * t13);
-            let t17 = A::mul_add(c3, t16, -(s3 * t14));
-            let t18 = A::mul_add(s3, t16, c3 * t14);
-            let t19 = A::mul_add(c2, t15, -(s2 * t17));
-            let t20 = A::mul_add(s2, t15, c2 * t17);
-            let t21 = A::mul_add(c1, t20, -(s1 * t18));
-            let t22 = A::mul_add(s1, t20, c1 * t18);
-            let t23 = A::mul_add(0.107, s6, 0.088 * c6);
+            let t15 = A::fma(s4, t13, -(c4 * c6));
+            let t16 = A::fma(s4, c6, c4 * t13);
+            let t17 = A::fma(c3, t16, -(s3 * t14));
+            let t18 = A::fma(s3, t16, c3 * t14);
+            let t19 = A::fma(c2, t15, -(s2 * t17));
+            let t20 = A::fma(s2, t15, c2 * t17);
+            let t21 = A::fma(c1, t20, -(s1 * t18));
+            let t22 = A::fma(s1, t20, c1 * t18);
+            let t23 = A::fma(0.107, s6, 0.088 * c6);
             let t24 = s5 * t23;
-            let t25 = A::mul_add(0.088, s6, -(0.107 * c6)) + 0.384;
-            let t26 = A::mul_add(-c5, t23, 0.0825);
-            let t27 = 0.0825 - A::mul_add(s4, t25, c4 * t26);
-            let t28 = A::mul_add(c3, t27, -(s3 * t24));
-            let t29 = A::mul_add(s3, t27, c3 * t24);
-            let t30 = A::mul_add(c4, t25, -(s4 * t26)) + 0.316;
-            let t31 = A::mul_add(s2, t30, c2 * t28);
+            let t25 = A::fma(0.088, s6, -(0.107 * c6)) + 0.384;
+            let t26 = A::fma(-c5, t23, 0.0825);
+            let t27 = 0.0825 - A::fma(s4, t25, c4 * t26);
+            let t28 = A::fma(c3, t27, -(s3 * t24));
+            let t29 = A::fma(s3, t27, c3 * t24);
+            let t30 = A::fma(c4, t25, -(s4 * t26)) + 0.316;
+            let t31 = A::fma(s2, t30, c2 * t28);
             Pose {
                 rotation: [
-                    [A::mul_add(t12, t19, t9 * t22), t11, t21],
-                    [-A::mul_add(t9, t21, t11 * t19), t12, t22],
-                    [A::mul_add(t11, t22, -(t12 * t21)), -t9, t19],
+                    [A::fma(t12, t19, t9 * t22), t11, t21],
+                    [-A::fma(t9, t21, t11 * t19), t12, t22],
+                    [A::fma(t11, t22, -(t12 * t21)), -t9, t19],
                 ],
                 translation: [
-                    A::mul_add(c1, t31, -(s1 * t29)),
-                    A::mul_add(s1, t31, c1 * t29),
-                    A::mul_add(c2, t30, -(s2 * t28)) + 0.333,
+                    A::fma(c1, t31, -(s1 * t29)),
+                    A::fma(s1, t31, c1 * t29),
+                    A::fma(c2, t30, -(s2 * t28)) + 0.333,
                 ],
             }
         }
@@ -332,71 +332,59 @@ mod __Panda {
             let t4 = s1 * c2;
             let t5 = 0.316 * t1;
             let t6 = 0.316 * t2;
-            let t7 = A::mul_add(0.316, c2, 0.333);
+            let t7 = A::fma(0.316, c2, 0.333);
             let t8 = c3 * t3;
             let t9 = s1 * s3;
-            let t10 = A::mul_add(c3, t4, c1 * s3);
+            let t10 = A::fma(c3, t4, c1 * s3);
             let t11 = s2 * c3;
-            let t12 = A::mul_add(s3, t3, s1 * c3);
+            let t12 = A::fma(s3, t3, s1 * c3);
             let t13 = s2 * s3;
             let t14 = t9 - t8;
-            let t15 = A::mul_add(s3, t4, -(c1 * c3));
-            let t16 = A::mul_add(0.0825, t8 - t9, t5);
-            let t17 = A::mul_add(0.0825, t10, t6);
-            let t18 = A::mul_add(-0.0825, t11, t7);
-            let t19 = A::mul_add(c4, t1, s4 * t14);
-            let t20 = A::mul_add(c4, t2, -(s4 * t10));
-            let t21 = A::mul_add(c2, c4, s4 * t11);
-            let t22 = A::mul_add(c4, t14, -(s4 * t1));
-            let t23 = A::mul_add(s4, t2, c4 * t10);
-            let t24 = A::mul_add(c4, t11, -(c2 * s4));
-            let t25 = t16 + A::mul_add(0.384, t19, 0.0825 * t22);
-            let t26 = t17 + A::mul_add(0.384, t20, -(0.0825 * t23));
-            let t27 = t18 + A::mul_add(0.384, t21, 0.0825 * t24);
-            let t28 = A::mul_add(c5, t22, s5 * t12);
-            let t29 = A::mul_add(s5, t15, -(c5 * t23));
-            let t30 = A::mul_add(c5, t24, -(s5 * t13));
+            let t15 = A::fma(s3, t4, -(c1 * c3));
+            let t16 = A::fma(0.0825, t8 - t9, t5);
+            let t17 = A::fma(0.0825, t10, t6);
+            let t18 = A::fma(-0.0825, t11, t7);
+            let t19 = A::fma(c4, t1, s4 * t14);
+            let t20 = A::fma(c4, t2, -(s4 * t10));
+            let t21 = A::fma(c2, c4, s4 * t11);
+            let t22 = A::fma(c4, t14, -(s4 * t1));
+            let t23 = A::fma(s4, t2, c4 * t10);
+            let t24 = A::fma(c4, t11, -(c2 * s4));
+            let t25 = t16 + A::fma(0.384, t19, 0.0825 * t22);
+            let t26 = t17 + A::fma(0.384, t20, -(0.0825 * t23));
+            let t27 = t18 + A::fma(0.384, t21, 0.0825 * t24);
+            let t28 = A::fma(c5, t22, s5 * t12);
+            let t29 = A::fma(s5, t15, -(c5 * t23));
+            let t30 = A::fma(c5, t24, -(s5 * t13));
             let t31 = s5 * t22;
             let t32 = c5 * t12;
             let t33 = t32 - t31;
-            let t34 = A::mul_add(s5, t23, c5 * t15);
-            let t35 = A::mul_add(s5, t24, c5 * t13);
+            let t34 = A::fma(s5, t23, c5 * t15);
+            let t35 = A::fma(s5, t24, c5 * t13);
             let t36 = t31 - t32;
-            let t37 = A::mul_add(c6, t19, s6 * t28);
-            let t38 = A::mul_add(c6, t20, s6 * t29);
-            let t39 = A::mul_add(c6, t21, s6 * t30);
-            let t40 = A::mul_add(c6, t28, -(s6 * t19));
-            let t41 = A::mul_add(c6, t29, -(s6 * t20));
-            let t42 = A::mul_add(c6, t30, -(s6 * t21));
+            let t37 = A::fma(c6, t19, s6 * t28);
+            let t38 = A::fma(c6, t20, s6 * t29);
+            let t39 = A::fma(c6, t21, s6 * t30);
+            let t40 = A::fma(c6, t28, -(s6 * t19));
+            let t41 = A::fma(c6, t29, -(s6 * t20));
+            let t42 = A::fma(c6, t30, -(s6 * t21));
             let t43 = -t37;
             let t44 = -t38;
             let t45 = -t39;
-            let t46 = A::mul_add(-0.088, t40, t25);
-            let t47 = A::mul_add(-0.088, t41, t26);
-            let t48 = A::mul_add(-0.088, t42, t27);
+            let t46 = A::fma(-0.088, t40, t25);
+            let t47 = A::fma(-0.088, t41, t26);
+            let t48 = A::fma(-0.088, t42, t27);
             (
                 Pose {
                     rotation: [
-                        [
-                            -A::mul_add(c7, t40, s7 * t36),
-                            A::mul_add(s7, t40, -(c7 * t36)),
-                            t43,
-                        ],
-                        [
-                            A::mul_add(s7, t34, -(c7 * t41)),
-                            A::mul_add(s7, t41, c7 * t34),
-                            t44,
-                        ],
-                        [
-                            -A::mul_add(c7, t42, s7 * t35),
-                            A::mul_add(s7, t42, -(c7 * t35)),
-                            t45,
-                        ],
+                        [-A::fma(c7, t40, s7 * t36), A::fma(s7, t40, -(c7 * t36)), t43],
+                        [A::fma(s7, t34, -(c7 * t41)), A::fma(s7, t41, c7 * t34), t44],
+                        [-A::fma(c7, t42, s7 * t35), A::fma(s7, t42, -(c7 * t35)), t45],
                     ],
                     translation: [
-                        A::mul_add(-0.107, t37, t46),
-                        A::mul_add(-0.107, t38, t47),
-                        A::mul_add(-0.107, t39, t48),
+                        A::fma(-0.107, t37, t46),
+                        A::fma(-0.107, t38, t47),
+                        A::fma(-0.107, t39, t48),
                     ],
                 },
                 Jacobian {
@@ -404,29 +392,29 @@ mod __Panda {
                         [
                             0.0,
                             -(0.333 * c1),
-                            A::mul_add(c2, t6, -(t2 * t7)),
-                            -A::mul_add(t13, t17, t15 * t18),
-                            A::mul_add(t21, t26, -(t20 * t27)),
-                            -A::mul_add(t26, t35, t27 * t34),
-                            A::mul_add(t38, t48, -(t39 * t47)),
+                            A::fma(c2, t6, -(t2 * t7)),
+                            -A::fma(t13, t17, t15 * t18),
+                            A::fma(t21, t26, -(t20 * t27)),
+                            -A::fma(t26, t35, t27 * t34),
+                            A::fma(t38, t48, -(t39 * t47)),
                         ],
                         [
                             0.0,
                             -(0.333 * s1),
-                            A::mul_add(t1, t7, -(c2 * t5)),
-                            A::mul_add(t12, t18, t13 * t16),
-                            A::mul_add(t19, t27, -(t21 * t25)),
-                            A::mul_add(t27, t33, t25 * t35),
-                            A::mul_add(t39, t46, -(t37 * t48)),
+                            A::fma(t1, t7, -(c2 * t5)),
+                            A::fma(t12, t18, t13 * t16),
+                            A::fma(t19, t27, -(t21 * t25)),
+                            A::fma(t27, t33, t25 * t35),
+                            A::fma(t39, t46, -(t37 * t48)),
                         ],
                         [
                             0.0,
                             0.0,
-                            A::mul_add(t2, t5, -(t1 * t6)),
-                            A::mul_add(t15, t16, -(t12 * t17)),
-                            A::mul_add(t20, t25, -(t19 * t26)),
-                            A::mul_add(t25, t34, -(t26 * t33)),
-                            A::mul_add(t37, t47, -(t38 * t46)),
+                            A::fma(t2, t5, -(t1 * t6)),
+                            A::fma(t15, t16, -(t12 * t17)),
+                            A::fma(t20, t25, -(t19 * t26)),
+                            A::fma(t25, t34, -(t26 * t33)),
+                            A::fma(t37, t47, -(t38 * t46)),
                         ],
                         [0.0, -s1, t1, t12, t19, t33, t43],
                         [0.0, c1, t2, t15, t20, t34, t44],
@@ -449,35 +437,35 @@ mod __Panda {
             let t5 = s1 * c2;
             let t6 = 0.316 * t2;
             let t7 = 0.316 * t3;
-            let t8 = A::mul_add(0.316, c2, 0.333);
+            let t8 = A::fma(0.316, c2, 0.333);
             let t9 = c3 * t4;
             let t10 = s1 * s3;
             let t11 = t9 - t10;
-            let t12 = A::mul_add(c3, t5, c1 * s3);
+            let t12 = A::fma(c3, t5, c1 * s3);
             let t13 = s2 * c3;
-            let t14 = A::mul_add(s3, t4, s1 * c3);
+            let t14 = A::fma(s3, t4, s1 * c3);
             let t15 = s3 * t5;
             let t16 = c1 * c3;
             let t17 = s2 * s3;
             let t18 = t10 - t9;
             let t19 = t15 - t16;
-            let t20 = A::mul_add(0.0825, t11, t6);
-            let t21 = A::mul_add(0.0825, t12, t7);
-            let t22 = A::mul_add(-0.0825, t13, t8);
-            let t23 = A::mul_add(c4, t2, s4 * t18);
-            let t24 = A::mul_add(c4, t3, -(s4 * t12));
-            let t25 = A::mul_add(c2, c4, s4 * t13);
+            let t20 = A::fma(0.0825, t11, t6);
+            let t21 = A::fma(0.0825, t12, t7);
+            let t22 = A::fma(-0.0825, t13, t8);
+            let t23 = A::fma(c4, t2, s4 * t18);
+            let t24 = A::fma(c4, t3, -(s4 * t12));
+            let t25 = A::fma(c2, c4, s4 * t13);
             let t26 = s4 * t2;
             let t27 = c4 * t18;
             let t28 = t27 - t26;
-            let t29 = A::mul_add(s4, t3, c4 * t12);
+            let t29 = A::fma(s4, t3, c4 * t12);
             let t30 = c2 * s4;
             let t31 = c4 * t13;
             let t32 = t31 - t30;
-            let t33 = t20 + A::mul_add(0.384, t23, 0.0825 * t28);
-            let t34 = t21 + A::mul_add(0.384, t24, -(0.0825 * t29));
-            let t35 = t22 + A::mul_add(0.384, t25, 0.0825 * t32);
-            let t36 = A::mul_add(c5, t28, s5 * t14);
+            let t33 = t20 + A::fma(0.384, t23, 0.0825 * t28);
+            let t34 = t21 + A::fma(0.384, t24, -(0.0825 * t29));
+            let t35 = t22 + A::fma(0.384, t25, 0.0825 * t32);
+            let t36 = A::fma(c5, t28, s5 * t14);
             let t37 = c5 * t29;
             let t38 = s5 * t19;
             let t39 = t38 - t37;
@@ -486,12 +474,12 @@ mod __Panda {
             let t42 = t40 - t41;
             let t43 = s5 * t28;
             let t44 = c5 * t14;
-            let t45 = A::mul_add(s5, t29, c5 * t19);
-            let t46 = A::mul_add(s5, t32, c5 * t17);
+            let t45 = A::fma(s5, t29, c5 * t19);
+            let t46 = A::fma(s5, t32, c5 * t17);
             let t47 = t43 - t44;
-            let t48 = A::mul_add(c6, t23, s6 * t36);
-            let t49 = A::mul_add(c6, t24, s6 * t39);
-            let t50 = A::mul_add(c6, t25, s6 * t42);
+            let t48 = A::fma(c6, t23, s6 * t36);
+            let t49 = A::fma(c6, t24, s6 * t39);
+            let t50 = A::fma(c6, t25, s6 * t42);
             let t51 = s6 * t23;
             let t52 = c6 * t36;
             let t53 = t52 - t51;
@@ -540,26 +528,14 @@ mod __Panda {
                 },
                 Pose {
                     rotation: [
-                        [
-                            -A::mul_add(c7, t53, s7 * t47),
-                            A::mul_add(s7, t53, -(c7 * t47)),
-                            -t48,
-                        ],
-                        [
-                            A::mul_add(s7, t45, -(c7 * t56)),
-                            A::mul_add(s7, t56, c7 * t45),
-                            -t49,
-                        ],
-                        [
-                            -A::mul_add(c7, t59, s7 * t46),
-                            A::mul_add(s7, t59, -(c7 * t46)),
-                            -t50,
-                        ],
+                        [-A::fma(c7, t53, s7 * t47), A::fma(s7, t53, -(c7 * t47)), -t48],
+                        [A::fma(s7, t45, -(c7 * t56)), A::fma(s7, t56, c7 * t45), -t49],
+                        [-A::fma(c7, t59, s7 * t46), A::fma(s7, t59, -(c7 * t46)), -t50],
                     ],
                     translation: [
-                        A::mul_add(-0.107, t48, A::mul_add(-0.088, t53, t33)),
-                        A::mul_add(-0.107, t49, A::mul_add(-0.088, t56, t34)),
-                        A::mul_add(-0.107, t50, A::mul_add(-0.088, t59, t35)),
+                        A::fma(-0.107, t48, A::fma(-0.088, t53, t33)),
+                        A::fma(-0.107, t49, A::fma(-0.088, t56, t34)),
+                        A::fma(-0.107, t50, A::fma(-0.088, t59, t35)),
                     ],
                 },
             ]
@@ -573,67 +549,67 @@ mod __Panda {
                 .of([q[2], q[3], q[4], q[5], q[6], q[1]]);
             let t1 = c6 * s7;
             let t2 = s6 * s7;
-            let t3 = A::mul_add(c5, t1, -(s5 * c7));
-            let t4 = A::mul_add(s5, t1, c5 * c7);
-            let t5 = A::mul_add(c4, t2, s4 * t3);
-            let t6 = A::mul_add(s4, t2, -(c4 * t3));
-            let t7 = A::mul_add(s3, t6, -(c3 * t4));
-            let t8 = A::mul_add(c2, t5, s2 * A::mul_add(c3, t6, s3 * t4));
+            let t3 = A::fma(c5, t1, -(s5 * c7));
+            let t4 = A::fma(s5, t1, c5 * c7);
+            let t5 = A::fma(c4, t2, s4 * t3);
+            let t6 = A::fma(s4, t2, -(c4 * t3));
+            let t7 = A::fma(s3, t6, -(c3 * t4));
+            let t8 = A::fma(c2, t5, s2 * A::fma(c3, t6, s3 * t4));
             let t9 = c5 * s6;
             let t10 = s5 * s6;
-            let t11 = A::mul_add(s4, t9, -(c4 * c6));
-            let t12 = A::mul_add(s4, c6, c4 * t9);
-            let t13 = A::mul_add(s3, t12, c3 * t10);
-            let t14 = A::mul_add(c2, t11, -(s2 * A::mul_add(c3, t12, -(s3 * t10))));
+            let t11 = A::fma(s4, t9, -(c4 * c6));
+            let t12 = A::fma(s4, c6, c4 * t9);
+            let t13 = A::fma(s3, t12, c3 * t10);
+            let t14 = A::fma(c2, t11, -(s2 * A::fma(c3, t12, -(s3 * t10))));
             let t15 = 0.088 * c7;
             let t16 = 0.088 * s7;
             let t17 = s6 * c7;
             let t18 = c6 * c7;
-            let t19 = A::mul_add(c5, t18, s5 * s7);
+            let t19 = A::fma(c5, t18, s5 * s7);
             let t20 = s5 * t18;
             let t21 = c5 * s7;
             let t22 = t21 - t20;
-            let t23 = t15 + A::mul_add(0.384, t17, -(0.0825 * t19));
-            let t24 = t16 - A::mul_add(0.0825, t3, -(0.384 * t2));
-            let t25 = A::mul_add(0.384, c6, 0.0825 * t9) - 0.107;
-            let t26 = A::mul_add(c4, t17, s4 * t19);
-            let t27 = A::mul_add(c4, t19, -(s4 * t17));
+            let t23 = t15 + A::fma(0.384, t17, -(0.0825 * t19));
+            let t24 = t16 - A::fma(0.0825, t3, -(0.384 * t2));
+            let t25 = A::fma(0.384, c6, 0.0825 * t9) - 0.107;
+            let t26 = A::fma(c4, t17, s4 * t19);
+            let t27 = A::fma(c4, t19, -(s4 * t17));
             let t28 = t20 - t21;
-            let t29 = A::mul_add(0.0825, t27, t23);
-            let t30 = A::mul_add(-0.0825, t6, t24);
-            let t31 = A::mul_add(-0.0825, t12, t25);
-            let t32 = A::mul_add(s3, t27, c3 * t28);
-            let t33 = A::mul_add(0.316, t26, t29);
-            let t34 = A::mul_add(0.316, t5, t30);
-            let t35 = A::mul_add(-0.316, t11, t31);
-            let t36 = A::mul_add(c2, t26, -(s2 * A::mul_add(c3, t27, -(s3 * t28))));
+            let t29 = A::fma(0.0825, t27, t23);
+            let t30 = A::fma(-0.0825, t6, t24);
+            let t31 = A::fma(-0.0825, t12, t25);
+            let t32 = A::fma(s3, t27, c3 * t28);
+            let t33 = A::fma(0.316, t26, t29);
+            let t34 = A::fma(0.316, t5, t30);
+            let t35 = A::fma(-0.316, t11, t31);
+            let t36 = A::fma(c2, t26, -(s2 * A::fma(c3, t27, -(s3 * t28))));
             BodyJacobian(Jacobian {
                 rows: [
                     [
-                        A::mul_add(t14, t34, t8 * t35),
-                        A::mul_add(t13, t34, -(t7 * t35)),
-                        A::mul_add(t11, t30, t5 * t31),
-                        -A::mul_add(t10, t24, t4 * t25),
-                        -A::mul_add(c6, t16, 0.107 * t2),
+                        A::fma(t14, t34, t8 * t35),
+                        A::fma(t13, t34, -(t7 * t35)),
+                        A::fma(t11, t30, t5 * t31),
+                        -A::fma(t10, t24, t4 * t25),
+                        -A::fma(c6, t16, 0.107 * t2),
                         0.107 * c7,
                         0.0,
                     ],
                     [
-                        A::mul_add(t35, t36, t14 * t33),
-                        A::mul_add(t32, t35, t13 * t33),
-                        A::mul_add(t26, t31, t11 * t29),
-                        A::mul_add(t22, t25, -(t10 * t23)),
-                        -A::mul_add(0.107, t17, c6 * t15),
+                        A::fma(t35, t36, t14 * t33),
+                        A::fma(t32, t35, t13 * t33),
+                        A::fma(t26, t31, t11 * t29),
+                        A::fma(t22, t25, -(t10 * t23)),
+                        -A::fma(0.107, t17, c6 * t15),
                         -(0.107 * s7),
                         0.0,
                     ],
                     [
-                        A::mul_add(t8, t33, -(t34 * t36)),
-                        -A::mul_add(t7, t33, t32 * t34),
-                        A::mul_add(t5, t29, -(t26 * t30)),
-                        -A::mul_add(t4, t23, t22 * t24),
-                        A::mul_add(t2, t15, -(t16 * t17)),
-                        -A::mul_add(c7, t15, s7 * t16),
+                        A::fma(t8, t33, -(t34 * t36)),
+                        -A::fma(t7, t33, t32 * t34),
+                        A::fma(t5, t29, -(t26 * t30)),
+                        -A::fma(t4, t23, t22 * t24),
+                        A::fma(t2, t15, -(t16 * t17)),
+                        -A::fma(c7, t15, s7 * t16),
                         0.0,
                     ],
                     [t36, t32, t26, t22, t17, s7, 0.0],
@@ -661,40 +637,40 @@ mod __Panda {
             let t7 = 0.316 * c2;
             let t8 = c3 * t3;
             let t9 = s1 * s3;
-            let t10 = A::mul_add(c3, t4, c1 * s3);
+            let t10 = A::fma(c3, t4, c1 * s3);
             let t11 = s2 * c3;
-            let t12 = A::mul_add(s3, t3, s1 * c3);
+            let t12 = A::fma(s3, t3, s1 * c3);
             let t13 = s2 * s3;
             let t14 = t9 - t8;
-            let t15 = A::mul_add(s3, t4, -(c1 * c3));
-            let t16 = A::mul_add(0.0825, t8 - t9, t5);
-            let t17 = A::mul_add(0.0825, t10, t6);
-            let t18 = A::mul_add(c4, t1, s4 * t14);
-            let t19 = A::mul_add(c4, t2, -(s4 * t10));
-            let t20 = A::mul_add(c2, c4, s4 * t11);
-            let t21 = A::mul_add(c4, t14, -(s4 * t1));
-            let t22 = A::mul_add(s4, t2, c4 * t10);
-            let t23 = A::mul_add(c4, t11, -(c2 * s4));
-            let t24 = t16 + A::mul_add(0.384, t18, 0.0825 * t21);
-            let t25 = t17 + A::mul_add(0.384, t19, -(0.0825 * t22));
-            let t26 = A::mul_add(c5, t21, s5 * t12);
-            let t27 = A::mul_add(s5, t15, -(c5 * t22));
-            let t28 = A::mul_add(c5, t23, -(s5 * t13));
-            let t29 = A::mul_add(c5, t12, -(s5 * t21));
-            let t30 = A::mul_add(s5, t22, c5 * t15);
-            let t31 = A::mul_add(s5, t23, c5 * t13);
-            let t32 = A::mul_add(c6, t18, s6 * t26);
-            let t33 = A::mul_add(c6, t19, s6 * t27);
-            let t34 = A::mul_add(c6, t20, s6 * t28);
-            let t35 = A::mul_add(-0.088, A::mul_add(c6, t26, -(s6 * t18)), t24);
-            let t36 = A::mul_add(-0.088, A::mul_add(c6, t27, -(s6 * t19)), t25);
+            let t15 = A::fma(s3, t4, -(c1 * c3));
+            let t16 = A::fma(0.0825, t8 - t9, t5);
+            let t17 = A::fma(0.0825, t10, t6);
+            let t18 = A::fma(c4, t1, s4 * t14);
+            let t19 = A::fma(c4, t2, -(s4 * t10));
+            let t20 = A::fma(c2, c4, s4 * t11);
+            let t21 = A::fma(c4, t14, -(s4 * t1));
+            let t22 = A::fma(s4, t2, c4 * t10);
+            let t23 = A::fma(c4, t11, -(c2 * s4));
+            let t24 = t16 + A::fma(0.384, t18, 0.0825 * t21);
+            let t25 = t17 + A::fma(0.384, t19, -(0.0825 * t22));
+            let t26 = A::fma(c5, t21, s5 * t12);
+            let t27 = A::fma(s5, t15, -(c5 * t22));
+            let t28 = A::fma(c5, t23, -(s5 * t13));
+            let t29 = A::fma(c5, t12, -(s5 * t21));
+            let t30 = A::fma(s5, t22, c5 * t15);
+            let t31 = A::fma(s5, t23, c5 * t13);
+            let t32 = A::fma(c6, t18, s6 * t26);
+            let t33 = A::fma(c6, t19, s6 * t27);
+            let t34 = A::fma(c6, t20, s6 * t28);
+            let t35 = A::fma(-0.088, A::fma(c6, t26, -(s6 * t18)), t24);
+            let t36 = A::fma(-0.088, A::fma(c6, t27, -(s6 * t19)), t25);
             let t37 = 0.107 * t33;
-            let t38 = A::mul_add(-0.107, t32, t35);
+            let t38 = A::fma(-0.107, t32, t35);
             let t39 = t36 - t37;
-            let t40 = A::mul_add(-0.0825, t11, t7);
-            let t41 = A::mul_add(0.384, t20, 0.0825 * t23) + t40;
-            let t42 = A::mul_add(-0.088, A::mul_add(c6, t28, -(s6 * t20)), t41);
-            let t43 = A::mul_add(-0.107, t34, t42);
+            let t40 = A::fma(-0.0825, t11, t7);
+            let t41 = A::fma(0.384, t20, 0.0825 * t23) + t40;
+            let t42 = A::fma(-0.088, A::fma(c6, t28, -(s6 * t20)), t41);
+            let t43 = A::fma(-0.107, t34, t42);
             let t44 = t38 - t5;
             let t45 = t39 - t6;
             let t46 = t43 - t7;
@@ -712,29 +688,29 @@ mod __Panda {
                     [
                         t37 - t36,
                         c1 * t43,
-                        A::mul_add(t2, t46, -(c2 * t45)),
-                        A::mul_add(t15, t49, t13 * t48),
-                        A::mul_add(t19, t52, -(t20 * t51)),
-                        A::mul_add(t30, t52, t31 * t51),
-                        A::mul_add(t34, t54, -(t33 * t55)),
+                        A::fma(t2, t46, -(c2 * t45)),
+                        A::fma(t15, t49, t13 * t48),
+                        A::fma(t19, t52, -(t20 * t51)),
+                        A::fma(t30, t52, t31 * t51),
+                        A::fma(t34, t54, -(t33 * t55)),
                     ],
                     [
                         t38,
                         s1 * t43,
-                        A::mul_add(c2, t44, -(t1 * t46)),
-                        -A::mul_add(t13, t47, t12 * t49),
-                        A::mul_add(t20, t50, -(t18 * t52)),
-                        -A::mul_add(t31, t50, t29 * t52),
-                        A::mul_add(t32, t55, -(t34 * t53)),
+                        A::fma(c2, t44, -(t1 * t46)),
+                        -A::fma(t13, t47, t12 * t49),
+                        A::fma(t20, t50, -(t18 * t52)),
+                        -A::fma(t31, t50, t29 * t52),
+                        A::fma(t32, t55, -(t34 * t53)),
                     ],
                     [
                         0.0,
-                        -A::mul_add(s1, t39, c1 * t38),
-                        A::mul_add(t1, t45, -(t2 * t44)),
-                        A::mul_add(t12, t48, -(t15 * t47)),
-                        A::mul_add(t18, t51, -(t19 * t50)),
-                        A::mul_add(t29, t51, -(t30 * t50)),
-                        A::mul_add(t33, t53, -(t32 * t54)),
+                        -A::fma(s1, t39, c1 * t38),
+                        A::fma(t1, t45, -(t2 * t44)),
+                        A::fma(t12, t48, -(t15 * t47)),
+                        A::fma(t18, t51, -(t19 * t50)),
+                        A::fma(t29, t51, -(t30 * t50)),
+                        A::fma(t33, t53, -(t32 * t54)),
                     ],
                     [0.0, -s1, t1, t12, t18, t29, -t32],
                     [0.0, c1, t2, t15, t19, t30, -t33],
@@ -791,15 +767,14 @@ mod __Panda {
             for t in 0..T {
                 // 1. q4 by SP3, given q7 (what all branches share)
                 let t9 = px[t]
-                    + A::mul_add(-0.107, r13[t], A::mul_add(r12[t], t8, -(r11[t] * t7)));
+                    + A::fma(-0.107, r13[t], A::fma(r12[t], t8, -(r11[t] * t7)));
                 let t10 = py[t]
-                    + A::mul_add(-0.107, r23[t], A::mul_add(r22[t], t8, -(r21[t] * t7)));
+                    + A::fma(-0.107, r23[t], A::fma(r22[t], t8, -(r21[t] * t7)));
                 let t11 = pz[t]
-                    + A::mul_add(-0.107, r33[t], A::mul_add(r32[t], t8, -(r31[t] * t7)))
-                    - 0.333;
-                let t12 = 0.5 * A::mul_add(t11, t11, A::mul_add(t9, t9, t10 * t10));
+                    + A::fma(-0.107, r33[t], A::fma(r32[t], t8, -(r31[t] * t7))) - 0.333;
+                let t12 = 0.5 * A::fma(t11, t11, A::fma(t9, t9, t10 * t10));
                 let t13 = 0.13046224999999997 - t12;
-                let t14 = A::mul_add(-t13, t13, 0.01645395867506249);
+                let t14 = A::fma(-t13, t13, 0.01645395867506249);
                 let t15 = math::select(t14 < 1.645395867506249e-15, 1.0, 0.0);
                 let t16 = math::sqrt(
                     math::select(t14 < 1.645395867506249e-15, 0.0, t14),
@@ -812,24 +787,13 @@ mod __Panda {
                 let t19 = 0.057749999999999996 * t17;
                 // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
                 let t20 = 0.333 - pz[t];
-                let t21 = A::mul_add(
-                    -r31[t],
-                    t20,
-                    A::mul_add(r11[t], px[t], r21[t] * py[t]),
-                );
-                let t22 = A::mul_add(
-                    -r32[t],
-                    t20,
-                    A::mul_add(r12[t], px[t], r22[t] * py[t]),
-                );
-                let t23 = A::mul_add(
-                    r33[t],
-                    t20,
-                    -A::mul_add(r13[t], px[t], r23[t] * py[t]),
-                ) + 0.107;
-                let t24 = A::mul_add(s7, t21, c7 * t22);
-                let t25 = A::mul_add(c7, t21, -(s7 * t22)) - 0.088;
-                let t26 = A::mul_add(t23, t23, t25 * t25);
+                let t21 = A::fma(-r31[t], t20, A::fma(r11[t], px[t], r21[t] * py[t]));
+                let t22 = A::fma(-r32[t], t20, A::fma(r12[t], px[t], r22[t] * py[t]));
+                let t23 = A::fma(r33[t], t20, -A::fma(r13[t], px[t], r23[t] * py[t]))
+                    + 0.107;
+                let t24 = A::fma(s7, t21, c7 * t22);
+                let t25 = A::fma(c7, t21, -(s7 * t22)) - 0.088;
+                let t26 = A::fma(t23, t23, t25 * t25);
                 let t27 = 1e-13 * t26;
                 let t28 = -math::sqrt(t26);
                 let t29 = math::select(t26 < 9.763255449212622e-25, 1.0, 0.0);
@@ -838,41 +802,31 @@ mod __Panda {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t32 = 0.5
-                    * (A::mul_add(
-                        r31[t],
-                        r31[t],
-                        A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
-                    ) - 1.0);
+                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                        - 1.0);
                 let t33 = 0.5
-                    * (A::mul_add(
-                        r32[t],
-                        r32[t],
-                        A::mul_add(r12[t], r12[t], r22[t] * r22[t]),
-                    ) - 1.0);
-                let t34 = A::mul_add(
+                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                        - 1.0);
+                let t34 = A::fma(
                     r31[t],
                     r32[t],
-                    A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                    A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t35 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t36 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t37 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t38 = A::mul_add(
+                let t35 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t36 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t37 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t38 = A::fma(
                     t37,
                     t37,
-                    A::mul_add(
+                    A::fma(
                         t36,
                         t36,
-                        A::mul_add(
-                            t35,
-                            t35,
-                            A::mul_add(t34, t34, A::mul_add(t32, t32, t33 * t33)),
-                        ),
+                        A::fma(t35, t35, A::fma(t34, t34, A::fma(t32, t32, t33 * t33))),
                     ),
                 );
-                let t39 = A::mul_add(
+                let t39 = A::fma(
                     4.930380657631324e-32,
-                    A::mul_add(pz[t], pz[t], A::mul_add(px[t], px[t], py[t] * py[t])),
+                    A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
                     0.9763255449212622 * t38,
                 );
                 t14_[t] = t14;
@@ -910,23 +864,17 @@ mod __Panda {
                 for t in 0..T {
                     // 1. q4 by SP3, given q7
                     let t40 = e1[k] * t16_[t];
-                    let t41 = A::mul_add(-0.11453774999999997, t40, t19_[t]);
-                    let t42 = A::mul_add(0.057749999999999996, t40, t18_[t]);
+                    let t41 = A::fma(-0.11453774999999997, t40, t19_[t]);
+                    let t42 = A::fma(0.057749999999999996, t40, t18_[t]);
                     let s4 = 60.77564796097327 * t41;
                     let t43 = 60.77564796097327 * t42;
                     let c4 = -t43;
                     // 2. q5 and q6 by SP2, given q4 and q7
-                    let t44 = A::mul_add(
-                        19.205104755667552,
-                        t42,
-                        5.013990956780295 * t41,
-                    ) - 0.384;
-                    let t45 = A::mul_add(
-                        19.205104755667552,
-                        t41,
-                        -(5.013990956780295 * t42),
-                    ) - 0.0825;
-                    let t46 = A::mul_add(-t44, t44, t26_[t]);
+                    let t44 = A::fma(19.205104755667552, t42, 5.013990956780295 * t41)
+                        - 0.384;
+                    let t45 = A::fma(19.205104755667552, t41, -(5.013990956780295 * t42))
+                        - 0.0825;
+                    let t46 = A::fma(-t44, t44, t26_[t]);
                     let t47 = -e2[k];
                     let t48 = e2[k] * math::sqrt(math::select(t46 < t27_[t], 0.0, t46));
                     let t49 = math::max(t28_[t], -math::max(t28_[t], -t44));
@@ -940,15 +888,15 @@ mod __Panda {
                     let s6 = math::select(
                         t26_[t] < 9.763255449212622e-25,
                         t2,
-                        -(A::mul_add(t23_[t], t48, t25_[t] * t49) * t30_[t]),
+                        -(A::fma(t23_[t], t48, t25_[t] * t49) * t30_[t]),
                     );
                     let c6 = math::select(
                         t26_[t] < 9.763255449212622e-25,
                         t5,
-                        A::mul_add(t25_[t], t48, -(t23_[t] * t49)) * t30_[t],
+                        A::fma(t25_[t], t48, -(t23_[t] * t49)) * t30_[t],
                     );
-                    let t51 = A::mul_add(t25_[t], c6, -(t23_[t] * s6));
-                    let t52 = math::sqrt(t45 * t45 * A::mul_add(t51, t51, t31_[t]));
+                    let t51 = A::fma(t25_[t], c6, -(t23_[t] * s6));
+                    let t52 = math::sqrt(t45 * t45 * A::fma(t51, t51, t31_[t]));
                     let t53 = math::max(
                         math::max(
                             math::max(t15_[t], math::select(t46 < t27_[t], 1.0, 0.0)),
@@ -972,26 +920,14 @@ mod __Panda {
                     let t55 = s4 * c5;
                     let t56 = s4 * s5;
                     let t57 = t43 * c6;
-                    let t58 = A::mul_add(s6, t55, t57);
-                    let t59 = A::mul_add(t43, s6, -(c6 * t55));
-                    let t60 = A::mul_add(s7, t59, c7 * t56);
-                    let t61 = A::mul_add(s7, t56, -(c7 * t59));
-                    let t62 = A::mul_add(
-                        r13[t],
-                        t58,
-                        A::mul_add(r11[t], t61, r12[t] * t60),
-                    );
-                    let t63 = A::mul_add(
-                        r23[t],
-                        t58,
-                        A::mul_add(r21[t], t61, r22[t] * t60),
-                    );
-                    let c2 = A::mul_add(
-                        r33[t],
-                        t58,
-                        A::mul_add(r31[t], t61, r32[t] * t60),
-                    );
-                    let t64 = A::mul_add(t62, t62, t63 * t63);
+                    let t58 = A::fma(s6, t55, t57);
+                    let t59 = A::fma(t43, s6, -(c6 * t55));
+                    let t60 = A::fma(s7, t59, c7 * t56);
+                    let t61 = A::fma(s7, t56, -(c7 * t59));
+                    let t62 = A::fma(r13[t], t58, A::fma(r11[t], t61, r12[t] * t60));
+                    let t63 = A::fma(r23[t], t58, A::fma(r21[t], t61, r22[t] * t60));
+                    let c2 = A::fma(r33[t], t58, A::fma(r31[t], t61, r32[t] * t60));
+                    let t64 = A::fma(t62, t62, t63 * t63);
                     let singular = math::max(t53, math::select(t64 < 1e-13, 1.0, 0.0));
                     let t65 = math::select(t64 < 1e-24, -1.0, 0.0);
                     let t66 = math::sqrt(math::select(t64 < 1e-24, 0.0, t64));
@@ -999,84 +935,79 @@ mod __Panda {
                     let t68 = math::select(t64 < 1e-24, t3, t63 * t66 * t67);
                     let t69 = math::select(t64 < 1e-24, t6, t62 * t66 * t67);
                     // 4. q3 by SP1, given q1, q4, q5, q6 and q7
-                    let t70 = A::mul_add(r11[t], t68, -(r21[t] * t69));
-                    let t71 = A::mul_add(r12[t], t68, -(r22[t] * t69));
-                    let t72 = A::mul_add(c7, t70, -(s7 * t71));
-                    let t73 = A::mul_add(s7, t70, c7 * t71);
-                    let t74 = A::mul_add(r13[t], t68, -(r23[t] * t69));
-                    let t75 = A::mul_add(s6, t74, c6 * t72);
-                    let t76 = A::mul_add(
+                    let t70 = A::fma(r11[t], t68, -(r21[t] * t69));
+                    let t71 = A::fma(r12[t], t68, -(r22[t] * t69));
+                    let t72 = A::fma(c7, t70, -(s7 * t71));
+                    let t73 = A::fma(s7, t70, c7 * t71);
+                    let t74 = A::fma(r13[t], t68, -(r23[t] * t69));
+                    let t75 = A::fma(s6, t74, c6 * t72);
+                    let t76 = A::fma(
                         t43,
-                        A::mul_add(c5, t75, s5 * t73),
-                        -(s4 * A::mul_add(c6, t74, -(s6 * t72))),
+                        A::fma(c5, t75, s5 * t73),
+                        -(s4 * A::fma(c6, t74, -(s6 * t72))),
                     );
-                    let t77 = A::mul_add(c5, t73, -(s5 * t75));
+                    let t77 = A::fma(c5, t73, -(s5 * t75));
                     // Residual: forward kinematics against the target
                     let t78 = s7 * c6;
                     let t79 = s7 * s6;
-                    let t80 = A::mul_add(c5, t78, -(c7 * s5));
-                    let t81 = A::mul_add(s5, t78, c7 * c5);
-                    let t82 = A::mul_add(t43, t79, -(s4 * t80));
-                    let t83 = A::mul_add(s4, t79, t43 * t80);
-                    let t84 = A::mul_add(t77, t83, t76 * t81);
-                    let t85 = A::mul_add(t76, t83, -(t77 * t81));
-                    let t86 = A::mul_add(c2, t82, -(t66 * t84));
-                    let t87 = A::mul_add(t66, t82, c2 * t84);
-                    let t88 = A::mul_add(t69, t87, -(t68 * t85));
-                    let t89 = A::mul_add(t68, t87, t69 * t85);
+                    let t80 = A::fma(c5, t78, -(c7 * s5));
+                    let t81 = A::fma(s5, t78, c7 * c5);
+                    let t82 = A::fma(t43, t79, -(s4 * t80));
+                    let t83 = A::fma(s4, t79, t43 * t80);
+                    let t84 = A::fma(t77, t83, t76 * t81);
+                    let t85 = A::fma(t76, t83, -(t77 * t81));
+                    let t86 = A::fma(c2, t82, -(t66 * t84));
+                    let t87 = A::fma(t66, t82, c2 * t84);
+                    let t88 = A::fma(t69, t87, -(t68 * t85));
+                    let t89 = A::fma(t68, t87, t69 * t85);
                     let t90 = s6 * c5;
                     let t91 = s6 * s5;
-                    let t92 = A::mul_add(s4, t90, t57);
-                    let t93 = A::mul_add(s4, c6, -(t43 * t90));
-                    let t94 = A::mul_add(t77, t93, -(t76 * t91));
-                    let t95 = A::mul_add(t76, t93, t77 * t91);
-                    let t96 = A::mul_add(c2, t92, -(t66 * t94));
-                    let t97 = A::mul_add(t66, t92, c2 * t94);
-                    let t98 = A::mul_add(t69, t97, -(t68 * t95));
-                    let t99 = A::mul_add(t68, t97, t69 * t95);
-                    let t100 = A::mul_add(0.107, s6, 0.088 * c6);
+                    let t92 = A::fma(s4, t90, t57);
+                    let t93 = A::fma(s4, c6, -(t43 * t90));
+                    let t94 = A::fma(t77, t93, -(t76 * t91));
+                    let t95 = A::fma(t76, t93, t77 * t91);
+                    let t96 = A::fma(c2, t92, -(t66 * t94));
+                    let t97 = A::fma(t66, t92, c2 * t94);
+                    let t98 = A::fma(t69, t97, -(t68 * t95));
+                    let t99 = A::fma(t68, t97, t69 * t95);
+                    let t100 = A::fma(0.107, s6, 0.088 * c6);
                     let t101 = s5 * t100;
-                    let t102 = A::mul_add(0.088, s6, -(0.107 * c6)) + 0.384;
-                    let t103 = A::mul_add(-c5, t100, 0.0825);
-                    let t104 = A::mul_add(t43, t103, -(s4 * t102)) + 0.0825;
-                    let t105 = A::mul_add(t77, t104, -(t76 * t101));
-                    let t106 = A::mul_add(t76, t104, t77 * t101);
-                    let t107 = 0.316 - A::mul_add(t43, t102, s4 * t103);
-                    let t108 = A::mul_add(t66, t107, c2 * t105);
-                    let t109 = A::mul_add(t69, t108, -(t68 * t106)) - px[t];
-                    let t110 = A::mul_add(t68, t108, t69 * t106) - py[t];
-                    let t111 = A::mul_add(c2, t107, -(t66 * t105)) + 0.333 - pz[t];
-                    let t112 = A::mul_add(t89, t96, -(t86 * t99)) - r11[t];
+                    let t102 = A::fma(0.088, s6, -(0.107 * c6)) + 0.384;
+                    let t103 = A::fma(-c5, t100, 0.0825);
+                    let t104 = A::fma(t43, t103, -(s4 * t102)) + 0.0825;
+                    let t105 = A::fma(t77, t104, -(t76 * t101));
+                    let t106 = A::fma(t76, t104, t77 * t101);
+                    let t107 = 0.316 - A::fma(t43, t102, s4 * t103);
+                    let t108 = A::fma(t66, t107, c2 * t105);
+                    let t109 = A::fma(t69, t108, -(t68 * t106)) - px[t];
+                    let t110 = A::fma(t68, t108, t69 * t106) - py[t];
+                    let t111 = A::fma(c2, t107, -(t66 * t105)) + 0.333 - pz[t];
+                    let t112 = A::fma(t89, t96, -(t86 * t99)) - r11[t];
                     let t113 = t88 - r12[t];
                     let t114 = t98 - r13[t];
-                    let t115 = A::mul_add(t86, t98, -(t88 * t96)) - r21[t];
+                    let t115 = A::fma(t86, t98, -(t88 * t96)) - r21[t];
                     let t116 = t89 - r22[t];
                     let t117 = t99 - r23[t];
-                    let t118 = A::mul_add(
+                    let t118 = A::fma(
                         t117,
                         t117,
-                        A::mul_add(
+                        A::fma(
                             t116,
                             t116,
-                            A::mul_add(
+                            A::fma(
                                 t115,
                                 t115,
-                                A::mul_add(t114, t114, A::mul_add(t112, t112, t113 * t113)),
+                                A::fma(t114, t114, A::fma(t112, t112, t113 * t113)),
                             ),
                         ),
                     );
-                    let t119 = A::mul_add(t88, t99, -(t89 * t98)) - r31[t];
+                    let t119 = A::fma(t88, t99, -(t89 * t98)) - r31[t];
                     let t120 = t86 - r32[t];
                     let t121 = t96 - r33[t];
-                    let t122 = A::mul_add(
+                    let t122 = A::fma(
                         0.4881627724606311,
-                        A::mul_add(
-                            t121,
-                            t121,
-                            A::mul_add(t120, t120, A::mul_add(t119, t119, t118)),
-                        ),
-                        t39_[t]
-                            + A::mul_add(t111, t111, A::mul_add(t109, t109, t110 * t110)),
+                        A::fma(t121, t121, A::fma(t120, t120, A::fma(t119, t119, t118))),
+                        t39_[t] + A::fma(t111, t111, A::fma(t109, t109, t110 * t110)),
                     );
                     let residual = math::sqrt(t122);
                     // Joint values: angles from sines and cosines, in (−π, π]
@@ -1205,15 +1136,14 @@ mod __Panda {
             for t in 0..T {
                 // 1. q4 by SP3, given q7 (what all branches share)
                 let t3 = px[t]
-                    + A::mul_add(-0.107, r13[t], A::mul_add(r12[t], t2, -(r11[t] * t1)));
+                    + A::fma(-0.107, r13[t], A::fma(r12[t], t2, -(r11[t] * t1)));
                 let t4 = py[t]
-                    + A::mul_add(-0.107, r23[t], A::mul_add(r22[t], t2, -(r21[t] * t1)));
+                    + A::fma(-0.107, r23[t], A::fma(r22[t], t2, -(r21[t] * t1)));
                 let t5 = pz[t]
-                    + A::mul_add(-0.107, r33[t], A::mul_add(r32[t], t2, -(r31[t] * t1)))
-                    - 0.333;
-                let t6 = 0.5 * A::mul_add(t5, t5, A::mul_add(t3, t3, t4 * t4));
+                    + A::fma(-0.107, r33[t], A::fma(r32[t], t2, -(r31[t] * t1))) - 0.333;
+                let t6 = 0.5 * A::fma(t5, t5, A::fma(t3, t3, t4 * t4));
                 let t7 = 0.13046224999999997 - t6;
-                let t8 = A::mul_add(-t7, t7, 0.01645395867506249);
+                let t8 = A::fma(-t7, t7, 0.01645395867506249);
                 let argument1 = 1.049085042422014 * t8;
                 let t9 = math::sqrt(math::select(t8 < 1.645395867506249e-15, 0.0, t8));
                 let t10 = math::max(
@@ -1224,23 +1154,15 @@ mod __Panda {
                 let t12 = 0.057749999999999996 * t10;
                 // 2. q5 and q6 by SP2, given q4 and q7 (what all branches share)
                 let t13 = 0.333 - pz[t];
-                let t14 = A::mul_add(
-                    r33[t],
-                    t13,
-                    -A::mul_add(r13[t], px[t], r23[t] * py[t]),
-                ) + 0.107;
-                let t15 = A::mul_add(
+                let t14 = A::fma(r33[t], t13, -A::fma(r13[t], px[t], r23[t] * py[t]))
+                    + 0.107;
+                let t15 = A::fma(
                     c7,
-                    A::mul_add(-r31[t], t13, A::mul_add(r11[t], px[t], r21[t] * py[t])),
-                    -(s7
-                        * A::mul_add(
-                            -r32[t],
-                            t13,
-                            A::mul_add(r12[t], px[t], r22[t] * py[t]),
-                        )),
+                    A::fma(-r31[t], t13, A::fma(r11[t], px[t], r21[t] * py[t])),
+                    -(s7 * A::fma(-r32[t], t13, A::fma(r12[t], px[t], r22[t] * py[t]))),
                 );
                 let t16 = t15 - 0.088;
-                let t17 = A::mul_add(t14, t14, t16 * t16);
+                let t17 = A::fma(t14, t14, t16 * t16);
                 argument1_[t] = argument1;
                 t9_[t] = t9;
                 t11_[t] = t11;
@@ -1255,14 +1177,13 @@ mod __Panda {
                     // 1. q4 by SP3, given q7
                     let t18 = e1[k] * t9_[t];
                     // 2. q5 and q6 by SP2, given q4 and q7
-                    let t19 = A::mul_add(
+                    let t19 = A::fma(
                         19.205104755667552,
-                        A::mul_add(0.057749999999999996, t18, t11_[t]),
-                        5.013990956780295
-                            * A::mul_add(-0.11453774999999997, t18, t12_[t]),
+                        A::fma(0.057749999999999996, t18, t11_[t]),
+                        5.013990956780295 * A::fma(-0.11453774999999997, t18, t12_[t]),
                     );
                     let t20 = t19 - 0.384;
-                    let argument2 = 1.0242485257114184 * A::mul_add(-t20, t20, t17_[t]);
+                    let argument2 = 1.0242485257114184 * A::fma(-t20, t20, t17_[t]);
                     argument2_[k][t] = argument2;
                 }
             }

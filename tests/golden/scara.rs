@@ -322,8 +322,8 @@ mod __Scara {
             Pose {
                 rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
                 translation: [
-                    -A::mul_add(0.4, s1, 0.3 * s12),
-                    A::mul_add(0.4, c1, 0.3 * c12),
+                    -A::fma(0.4, s1, 0.3 * s12),
+                    A::fma(0.4, c1, 0.3 * c12),
                     q[3] + 0.5,
                 ],
             }
@@ -342,8 +342,8 @@ mod __Scara {
             let ([s1, s12, s123], [c1, c12, c123]) = sin_cos.of([q[0], t1, t2]);
             let t3 = 0.4 * c1;
             let t4 = 0.4 * s1;
-            let t5 = A::mul_add(0.3, s12, t4);
-            let t6 = A::mul_add(0.3, c12, t3);
+            let t5 = A::fma(0.3, s12, t4);
+            let t6 = A::fma(0.3, c12, t3);
             (
                 Pose {
                     rotation: [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
@@ -373,8 +373,8 @@ mod __Scara {
             let t3 = 0.4 * c1;
             let t4 = 0.4 * s1;
             let t5 = -s123;
-            let t6 = A::mul_add(0.7, s123, -A::mul_add(0.3, s12, t4));
-            let t7 = A::mul_add(-0.7, c123, A::mul_add(0.3, c12, t3));
+            let t6 = A::fma(0.7, s123, -A::fma(0.3, s12, t4));
+            let t7 = A::fma(-0.7, c123, A::fma(0.3, c12, t3));
             [
                 Pose {
                     rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -382,11 +382,7 @@ mod __Scara {
                 },
                 Pose {
                     rotation: [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                    translation: [
-                        A::mul_add(0.4, s12, -t4),
-                        A::mul_add(-0.4, c12, t3),
-                        0.0,
-                    ],
+                    translation: [A::fma(0.4, s12, -t4), A::fma(-0.4, c12, t3), 0.0],
                 },
                 Pose {
                     rotation: [[c123, t5, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
@@ -413,8 +409,8 @@ mod __Scara {
             let t3 = 0.4 * s1;
             SpatialJacobian(Jacobian {
                 rows: [
-                    [0.0, t2, A::mul_add(0.3, c12, t2), 0.0],
-                    [0.0, t3, A::mul_add(0.3, s12, t3), 0.0],
+                    [0.0, t2, A::fma(0.3, c12, t2), 0.0],
+                    [0.0, t3, A::fma(0.3, s12, t3), 0.0],
                     [0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, 0.0, 0.0],
                     [0.0, 0.0, 0.0, 0.0],
@@ -434,8 +430,8 @@ mod __Scara {
             let t3 = 0.3 * s3;
             BodyJacobian(Jacobian {
                 rows: [
-                    [-A::mul_add(0.4, c23, t2), -t2, 0.0, 0.0],
-                    [A::mul_add(0.4, s23, t3), t3, 0.0, 0.0],
+                    [-A::fma(0.4, c23, t2), -t2, 0.0, 0.0],
+                    [A::fma(0.4, s23, t3), t3, 0.0, 0.0],
                     [0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, 0.0, 0.0],
                     [0.0, 0.0, 0.0, 0.0],
@@ -456,8 +452,8 @@ mod __Scara {
             let ([s1, s12], [c1, c12]) = sin_cos.of([q[0], t1]);
             let t2 = 0.4 * c1;
             let t3 = 0.4 * s1;
-            let t4 = A::mul_add(0.3, s12, t3);
-            let t5 = A::mul_add(0.3, c12, t2);
+            let t4 = A::fma(0.3, s12, t3);
+            let t5 = A::fma(0.3, c12, t2);
             GeometricJacobian(Jacobian {
                 rows: [
                     [-t5, t2 - t5, 0.0, 0.0],
@@ -516,30 +512,18 @@ mod __Scara {
             for t in 0..T {
                 // 1. q1+q2+q3 by SP1
                 // 2. q4 by T2
-                let t3 = A::mul_add(
-                    r31[t],
-                    pz[t],
-                    A::mul_add(r11[t], px[t], r21[t] * py[t]),
-                );
-                let t4 = A::mul_add(
-                    r32[t],
-                    pz[t],
-                    A::mul_add(r12[t], px[t], r22[t] * py[t]),
-                );
-                let t5 = A::mul_add(
-                    r33[t],
-                    pz[t],
-                    A::mul_add(r13[t], px[t], r23[t] * py[t]),
-                );
+                let t3 = A::fma(r31[t], pz[t], A::fma(r11[t], px[t], r21[t] * py[t]));
+                let t4 = A::fma(r32[t], pz[t], A::fma(r12[t], px[t], r22[t] * py[t]));
+                let t5 = A::fma(r33[t], pz[t], A::fma(r13[t], px[t], r23[t] * py[t]));
                 let d4 = t5 - 0.5;
                 // 3. q2 by SP3, given q4 (what all branches share)
                 let t6 = -0.5 - d4;
-                let t7 = A::mul_add(r13[t], t6, px[t]);
-                let t8 = A::mul_add(r23[t], t6, py[t]);
-                let t9 = A::mul_add(r33[t], t6, pz[t]);
-                let t10 = 0.5 * A::mul_add(t9, t9, A::mul_add(t7, t7, t8 * t8));
+                let t7 = A::fma(r13[t], t6, px[t]);
+                let t8 = A::fma(r23[t], t6, py[t]);
+                let t9 = A::fma(r33[t], t6, pz[t]);
+                let t10 = 0.5 * A::fma(t9, t9, A::fma(t7, t7, t8 * t8));
                 let t11 = 0.125 - t10;
-                let t12 = A::mul_add(-t11, t11, 0.014399999999999996);
+                let t12 = A::fma(-t11, t11, 0.014399999999999996);
                 let t13 = math::select(t12 < 1.4399999999999997e-15, 1.0, 0.0);
                 let t14 = math::sqrt(
                     math::select(t12 < 1.4399999999999997e-15, 0.0, t12),
@@ -551,11 +535,11 @@ mod __Scara {
                 let t16 = 8.333333333333334 * t15;
                 let c2 = -t16;
                 // 4. q3 by SP1, given q2 and q4 (what all branches share)
-                let t17 = A::mul_add(3.333333333333334, t15, -0.3);
+                let t17 = A::fma(3.333333333333334, t15, -0.3);
                 let t18 = t4 * t17;
                 let t19 = t3 * t17;
                 let t20 = t17 * t17;
-                let t21 = A::mul_add(t3, t3, t4 * t4);
+                let t21 = A::fma(t3, t3, t4 * t4);
                 // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3 (what all
                 // branches share)
                 let t22 = r11[t] * t16;
@@ -563,35 +547,29 @@ mod __Scara {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t24 = r31[t] * r31[t];
-                let t25 = 0.5
-                    * (t24 + A::mul_add(r11[t], r11[t], r21[t] * r21[t]) - 1.0);
+                let t25 = 0.5 * (t24 + A::fma(r11[t], r11[t], r21[t] * r21[t]) - 1.0);
                 let t26 = r32[t] * r32[t];
-                let t27 = 0.5
-                    * (t26 + A::mul_add(r12[t], r12[t], r22[t] * r22[t]) - 1.0);
-                let t28 = A::mul_add(
+                let t27 = 0.5 * (t26 + A::fma(r12[t], r12[t], r22[t] * r22[t]) - 1.0);
+                let t28 = A::fma(
                     r31[t],
                     r32[t],
-                    A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                    A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t29 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t30 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t31 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t32 = A::mul_add(
+                let t29 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t30 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t31 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t32 = A::fma(
                     t31,
                     t31,
-                    A::mul_add(
+                    A::fma(
                         t30,
                         t30,
-                        A::mul_add(
-                            t29,
-                            t29,
-                            A::mul_add(t28, t28, A::mul_add(t25, t25, t27 * t27)),
-                        ),
+                        A::fma(t29, t29, A::fma(t28, t28, A::fma(t25, t25, t27 * t27))),
                     ),
                 );
-                let t33 = A::mul_add(
+                let t33 = A::fma(
                     4.930380657631324e-32,
-                    A::mul_add(pz[t], pz[t], A::mul_add(px[t], px[t], py[t] * py[t])),
+                    A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
                     1.44 * t32,
                 );
                 let t34 = t5 - pz[t];
@@ -599,15 +577,15 @@ mod __Scara {
                 let t36 = r12[t] + r21[t];
                 let t37 = r11[t] - r22[t];
                 let t38 = 1.0 - r33[t];
-                let t39 = A::mul_add(
+                let t39 = A::fma(
                     t38,
                     t38,
                     t26
                         + (t24
-                            + A::mul_add(
+                            + A::fma(
                                 r23[t],
                                 r23[t],
-                                A::mul_add(t37, t37, A::mul_add(r13[t], r13[t], t36 * t36)),
+                                A::fma(t37, t37, A::fma(r13[t], r13[t], t36 * t36)),
                             )),
                 );
                 let t40 = 0.72 * t39;
@@ -650,7 +628,7 @@ mod __Scara {
                     let s2 = -t42;
                     // 4. q3 by SP1, given q2 and q4
                     let t43 = 3.333333333333334 * t41;
-                    let t44 = math::sqrt(A::mul_add(t43, t43, t20_[t]) * t21_[t]);
+                    let t44 = math::sqrt(A::fma(t43, t43, t20_[t]) * t21_[t]);
                     let singular = math::max(
                         t13_[t],
                         math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
@@ -659,31 +637,25 @@ mod __Scara {
                     let s3 = math::select(
                         t44 < 1.4399999999999998e-24,
                         t1,
-                        A::mul_add(t4_[t], t43, -t19_[t]) * t45,
+                        A::fma(t4_[t], t43, -t19_[t]) * t45,
                     );
                     let c3 = math::select(
                         t44 < 1.4399999999999998e-24,
                         t2,
-                        -(A::mul_add(t3_[t], t43, t18_[t]) * t45),
+                        -(A::fma(t3_[t], t43, t18_[t]) * t45),
                     );
                     // 5. q1 as the rest of the sum, given q1+q2+q3, q2 and q3
-                    let t46 = A::mul_add(r11[t], t42, t23_[t]);
-                    let t47 = A::mul_add(r12[t], t42, -t22_[t]);
-                    let t48 = A::mul_add(c3, t46, -(s3 * t47));
-                    let t49 = A::mul_add(c3, t47, s3 * t46);
+                    let t46 = A::fma(r11[t], t42, t23_[t]);
+                    let t47 = A::fma(r12[t], t42, -t22_[t]);
+                    let t48 = A::fma(c3, t46, -(s3 * t47));
+                    let t49 = A::fma(c3, t47, s3 * t46);
                     // Residual: forward kinematics against the target
-                    let t50 = A::mul_add(
-                        0.3,
-                        A::mul_add(t16_[t], t48, t42 * t49),
-                        -(0.4 * t48),
-                    ) - px[t];
-                    let t51 = A::mul_add(
-                        0.4,
-                        t49,
-                        0.3 * A::mul_add(t42, t48, -(t16_[t] * t49)),
-                    ) - py[t];
+                    let t50 = A::fma(0.3, A::fma(t16_[t], t48, t42 * t49), -(0.4 * t48))
+                        - px[t];
+                    let t51 = A::fma(0.4, t49, 0.3 * A::fma(t42, t48, -(t16_[t] * t49)))
+                        - py[t];
                     let residual = math::sqrt(
-                        t33_[t] + (t35_[t] + A::mul_add(t50, t50, t51 * t51)) + t40_[t],
+                        t33_[t] + (t35_[t] + A::fma(t50, t50, t51 * t51)) + t40_[t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(t48, t49);

@@ -396,29 +396,28 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], q[5], t1, t2]);
             let t3 = c5 * s6;
             let t4 = s5 * s6;
-            let t5 = A::mul_add(c234, c6, -(s234 * t3));
-            let t6 = A::mul_add(s234, c6, c234 * t3);
-            let t7 = A::mul_add(c1, t6, s1 * t4);
-            let t8 = A::mul_add(c1, t4, -(s1 * t6));
+            let t5 = A::fma(c234, c6, -(s234 * t3));
+            let t6 = A::fma(s234, c6, c234 * t3);
+            let t7 = A::fma(c1, t6, s1 * t4);
+            let t8 = A::fma(c1, t4, -(s1 * t6));
             let t9 = c234 * s5;
             let t10 = s234 * s5;
-            let t11 = A::mul_add(s1, c5, -(c1 * t9));
-            let t12 = A::mul_add(s1, t9, c1 * c5);
+            let t11 = A::fma(s1, c5, -(c1 * t9));
+            let t12 = A::fma(s1, t9, c1 * c5);
             let t13 = 0.0996 * s5;
-            let t14 = A::mul_add(0.425, s2, 0.3922 * s23)
-                + A::mul_add(0.0997, c234, s234 * t13);
-            let t15 = A::mul_add(0.425, c2, 0.3922 * c23)
-                + A::mul_add(c234, t13, -(0.0997 * s234));
-            let t16 = A::mul_add(-0.0996, c5, -0.1333);
+            let t14 = A::fma(0.425, s2, 0.3922 * s23) + A::fma(0.0997, c234, s234 * t13);
+            let t15 = A::fma(0.425, c2, 0.3922 * c23)
+                + A::fma(c234, t13, -(0.0997 * s234));
+            let t16 = A::fma(-0.0996, c5, -0.1333);
             Pose {
                 rotation: [
-                    [A::mul_add(t5, t12, -(t8 * t10)), -t7, t11],
-                    [A::mul_add(t5, t11, -(t7 * t10)), t8, -t12],
-                    [A::mul_add(t7, t12, -(t8 * t11)), t5, -t10],
+                    [A::fma(t5, t12, -(t8 * t10)), -t7, t11],
+                    [A::fma(t5, t11, -(t7 * t10)), t8, -t12],
+                    [A::fma(t7, t12, -(t8 * t11)), t5, -t10],
                 ],
                 translation: [
-                    -A::mul_add(c1, t15, s1 * t16),
-                    A::mul_add(c1, t16, -(s1 * t15)),
+                    -A::fma(c1, t15, s1 * t16),
+                    A::fma(c1, t16, -(s1 * t15)),
                     0.1625 - t14,
                 ],
             }
@@ -438,45 +437,45 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], q[5], t1, t2]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
-            let t5 = A::mul_add(0.3922, s23, t4);
-            let t6 = A::mul_add(0.3922, c23, t3);
+            let t5 = A::fma(0.3922, s23, t4);
+            let t6 = A::fma(0.3922, c23, t3);
             let t7 = c5 * s6;
             let t8 = s5 * s6;
-            let t9 = A::mul_add(c234, c6, -(s234 * t7));
-            let t10 = A::mul_add(s234, c6, c234 * t7);
-            let t11 = A::mul_add(c1, t10, s1 * t8);
-            let t12 = A::mul_add(c1, t8, -(s1 * t10));
+            let t9 = A::fma(c234, c6, -(s234 * t7));
+            let t10 = A::fma(s234, c6, c234 * t7);
+            let t11 = A::fma(c1, t10, s1 * t8);
+            let t12 = A::fma(c1, t8, -(s1 * t10));
             let t13 = c234 * s5;
             let t14 = s234 * s5;
             let t15 = -t14;
-            let t16 = A::mul_add(s1, c5, -(c1 * t13));
-            let t17 = A::mul_add(s1, t13, c1 * c5);
+            let t16 = A::fma(s1, c5, -(c1 * t13));
+            let t17 = A::fma(s1, t13, c1 * c5);
             let t18 = -t17;
             let t19 = 0.0996 * s5;
             let t20 = 0.0997 * c234;
             let t21 = 0.0997 * s234;
-            let t22 = t6 + A::mul_add(c234, t19, -t21);
-            let t23 = A::mul_add(-0.0996, c5, -0.1333);
+            let t22 = t6 + A::fma(c234, t19, -t21);
+            let t23 = A::fma(-0.0996, c5, -0.1333);
             let t24 = -c1;
             let t25 = t21 - t6;
             let t26 = t4 - 0.1625;
             let t27 = t5 - 0.1625;
             let t28 = t5 + t20 - 0.1625;
             let t29 = 0.1333 * c234;
-            let t30 = A::mul_add(s234, t28, -(c234 * t25));
-            let t31 = A::mul_add(c5, t28, -(0.1333 * t14));
-            let t32 = A::mul_add(t14, t25, t13 * t28);
+            let t30 = A::fma(s234, t28, -(c234 * t25));
+            let t31 = A::fma(c5, t28, -(0.1333 * t14));
+            let t32 = A::fma(t14, t25, t13 * t28);
             (
                 Pose {
                     rotation: [
-                        [A::mul_add(t9, t17, -(t12 * t14)), -t11, t16],
-                        [A::mul_add(t9, t16, -(t11 * t14)), t12, t18],
-                        [A::mul_add(t11, t17, -(t12 * t16)), t9, t15],
+                        [A::fma(t9, t17, -(t12 * t14)), -t11, t16],
+                        [A::fma(t9, t16, -(t11 * t14)), t12, t18],
+                        [A::fma(t11, t17, -(t12 * t16)), t9, t15],
                     ],
                     translation: [
-                        -A::mul_add(c1, t22, s1 * t23),
-                        A::mul_add(c1, t23, -(s1 * t22)),
-                        0.1625 - (t5 + A::mul_add(s234, t19, t20)),
+                        -A::fma(c1, t22, s1 * t23),
+                        A::fma(c1, t23, -(s1 * t22)),
+                        0.1625 - (t5 + A::fma(s234, t19, t20)),
                     ],
                 },
                 Jacobian {
@@ -486,16 +485,16 @@ mod __Ur5e {
                             0.1625 * c1,
                             -(c1 * t26),
                             -(c1 * t27),
-                            A::mul_add(c1, t29, s1 * t30),
-                            -A::mul_add(c1, t31, s1 * t32),
+                            A::fma(c1, t29, s1 * t30),
+                            -A::fma(c1, t31, s1 * t32),
                         ],
                         [
                             0.0,
                             0.1625 * s1,
                             -(s1 * t26),
                             -(s1 * t27),
-                            A::mul_add(s1, t29, -(c1 * t30)),
-                            A::mul_add(c1, t32, -(s1 * t31)),
+                            A::fma(s1, t29, -(c1 * t30)),
+                            A::fma(c1, t32, -(s1 * t31)),
                         ],
                         [
                             0.0,
@@ -503,7 +502,7 @@ mod __Ur5e {
                             t3,
                             t6,
                             0.1333 * s234,
-                            -A::mul_add(0.1333, t13, c5 * t25),
+                            -A::fma(0.1333, t13, c5 * t25),
                         ],
                         [0.0, s1, s1, s1, c1 * s234, t16],
                         [0.0, t24, t24, t24, s1 * s234, t18],
@@ -524,23 +523,23 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], q[5], t1, t2]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
-            let t5 = A::mul_add(0.3922, c23, t3);
+            let t5 = A::fma(0.3922, c23, t3);
             let t6 = -(s234 * s5);
             let t7 = -c1;
             let t8 = c1 * t5;
             let t9 = s1 * t5;
-            let t10 = 0.1625 - A::mul_add(0.3922, s23, t4);
+            let t10 = 0.1625 - A::fma(0.3922, s23, t4);
             let t11 = c1 * s234;
             let t12 = s1 * s234;
             let t13 = c1 * c234;
             let t14 = s1 * c234;
-            let t15 = A::mul_add(0.1333, s1, -t8);
-            let t16 = A::mul_add(0.1333, c1, t9);
-            let t17 = A::mul_add(c5, t13, s1 * s5);
+            let t15 = A::fma(0.1333, s1, -t8);
+            let t16 = A::fma(0.1333, c1, t9);
+            let t17 = A::fma(c5, t13, s1 * s5);
             let t18 = s234 * c5;
-            let t19 = A::mul_add(c5, t14, -(c1 * s5));
-            let t20 = A::mul_add(s1, c5, -(s5 * t13));
-            let t21 = -A::mul_add(c1, c5, s5 * t14);
+            let t19 = A::fma(c5, t14, -(c1 * s5));
+            let t20 = A::fma(s1, c5, -(s5 * t13));
+            let t21 = -A::fma(c1, c5, s5 * t14);
             [
                 Pose {
                     rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -572,26 +571,14 @@ mod __Ur5e {
                 },
                 Pose {
                     rotation: [
-                        [
-                            A::mul_add(c6, t17, -(s6 * t11)),
-                            -A::mul_add(c6, t11, s6 * t17),
-                            t20,
-                        ],
-                        [
-                            A::mul_add(c6, t19, -(s6 * t12)),
-                            -A::mul_add(c6, t12, s6 * t19),
-                            t21,
-                        ],
-                        [
-                            A::mul_add(c234, s6, c6 * t18),
-                            A::mul_add(c234, c6, -(s6 * t18)),
-                            t6,
-                        ],
+                        [A::fma(c6, t17, -(s6 * t11)), -A::fma(c6, t11, s6 * t17), t20],
+                        [A::fma(c6, t19, -(s6 * t12)), -A::fma(c6, t12, s6 * t19), t21],
+                        [A::fma(c234, s6, c6 * t18), A::fma(c234, c6, -(s6 * t18)), t6],
                     ],
                     translation: [
-                        A::mul_add(0.0997, t11, t15),
-                        A::mul_add(0.0997, t12, -t16),
-                        A::mul_add(-0.0997, c234, t10),
+                        A::fma(0.0997, t11, t15),
+                        A::fma(0.0997, t12, -t16),
+                        A::fma(-0.0997, c234, t10),
                     ],
                 },
             ]
@@ -611,19 +598,19 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], t1, t2]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
-            let t5 = A::mul_add(0.3922, s23, t4);
-            let t6 = A::mul_add(0.3922, c23, t3);
+            let t5 = A::fma(0.3922, s23, t4);
+            let t6 = A::fma(0.3922, c23, t3);
             let t7 = c234 * s5;
             let t8 = s234 * s5;
             let t9 = -c1;
-            let t10 = A::mul_add(0.0997, s234, -t6);
+            let t10 = A::fma(0.0997, s234, -t6);
             let t11 = t4 - 0.1625;
             let t12 = t5 - 0.1625;
-            let t13 = A::mul_add(0.0997, c234, t5) - 0.1625;
+            let t13 = A::fma(0.0997, c234, t5) - 0.1625;
             let t14 = 0.1333 * c234;
-            let t15 = A::mul_add(s234, t13, -(c234 * t10));
-            let t16 = A::mul_add(c5, t13, -(0.1333 * t8));
-            let t17 = A::mul_add(t8, t10, t7 * t13);
+            let t15 = A::fma(s234, t13, -(c234 * t10));
+            let t16 = A::fma(c5, t13, -(0.1333 * t8));
+            let t17 = A::fma(t8, t10, t7 * t13);
             SpatialJacobian(Jacobian {
                 rows: [
                     [
@@ -631,20 +618,20 @@ mod __Ur5e {
                         0.1625 * c1,
                         -(c1 * t11),
                         -(c1 * t12),
-                        A::mul_add(c1, t14, s1 * t15),
-                        -A::mul_add(c1, t16, s1 * t17),
+                        A::fma(c1, t14, s1 * t15),
+                        -A::fma(c1, t16, s1 * t17),
                     ],
                     [
                         0.0,
                         0.1625 * s1,
                         -(s1 * t11),
                         -(s1 * t12),
-                        A::mul_add(s1, t14, -(c1 * t15)),
-                        A::mul_add(c1, t17, -(s1 * t16)),
+                        A::fma(s1, t14, -(c1 * t15)),
+                        A::fma(c1, t17, -(s1 * t16)),
                     ],
-                    [0.0, 0.0, t3, t6, 0.1333 * s234, -A::mul_add(0.1333, t7, c5 * t10)],
-                    [0.0, s1, s1, s1, c1 * s234, A::mul_add(s1, c5, -(c1 * t7))],
-                    [0.0, t9, t9, t9, s1 * s234, -A::mul_add(s1, t7, c1 * c5)],
+                    [0.0, 0.0, t3, t6, 0.1333 * s234, -A::fma(0.1333, t7, c5 * t10)],
+                    [0.0, s1, s1, s1, c1 * s234, A::fma(s1, c5, -(c1 * t7))],
+                    [0.0, t9, t9, t9, s1 * s234, -A::fma(s1, t7, c1 * c5)],
                     [1.0, 0.0, 0.0, 0.0, -c234, -t8],
                 ],
             })
@@ -664,50 +651,50 @@ mod __Ur5e {
             let t5 = s5 * c6;
             let t6 = 0.3922 * c4;
             let t7 = 0.3922 * s4;
-            let t8 = A::mul_add(0.425, c34, t6);
+            let t8 = A::fma(0.425, c34, t6);
             let t9 = t7 - 0.0997;
             let t10 = c5 * t8;
             let t11 = s5 * t8;
-            let t12 = A::mul_add(0.425, s34, t7) - 0.0997;
+            let t12 = A::fma(0.425, s34, t7) - 0.0997;
             let t13 = c5 * s234;
             let t14 = s5 * s234;
-            let t15 = A::mul_add(-0.1333, s5, t10);
-            let t16 = -0.0996 - A::mul_add(0.1333, c5, t11);
-            let t17 = A::mul_add(c234, t16, -(t12 * t14));
-            let t18 = A::mul_add(t13, t16, t14 * t15);
+            let t15 = A::fma(-0.1333, s5, t10);
+            let t16 = -0.0996 - A::fma(0.1333, c5, t11);
+            let t17 = A::fma(c234, t16, -(t12 * t14));
+            let t18 = A::fma(t13, t16, t14 * t15);
             let t19 = c5 * t12;
-            let t20 = A::mul_add(c5, t10, -(s5 * (-0.0996 - t11)));
+            let t20 = A::fma(c5, t10, -(s5 * (-0.0996 - t11)));
             let t21 = c5 * t9;
-            let t22 = A::mul_add(c5, c5 * t6, -(s5 * A::mul_add(-s5, t6, -0.0996)));
+            let t22 = A::fma(c5, c5 * t6, -(s5 * A::fma(-s5, t6, -0.0996)));
             let t23 = 0.0997 * c5;
             BodyJacobian(Jacobian {
                 rows: [
                     [
-                        A::mul_add(s6, t18, -(c6 * t17)),
-                        -A::mul_add(c6, t19, s6 * t20),
-                        -A::mul_add(c6, t21, s6 * t22),
-                        A::mul_add(c6, t23, -(s6 * t4)),
+                        A::fma(s6, t18, -(c6 * t17)),
+                        -A::fma(c6, t19, s6 * t20),
+                        -A::fma(c6, t21, s6 * t22),
+                        A::fma(c6, t23, -(s6 * t4)),
                         -(0.0996 * c6),
                         0.0,
                     ],
                     [
-                        A::mul_add(s6, t17, c6 * t18),
-                        A::mul_add(s6, t19, -(c6 * t20)),
-                        A::mul_add(s6, t21, -(c6 * t22)),
-                        -A::mul_add(s6, t23, c6 * t4),
+                        A::fma(s6, t17, c6 * t18),
+                        A::fma(s6, t19, -(c6 * t20)),
+                        A::fma(s6, t21, -(c6 * t22)),
+                        -A::fma(s6, t23, c6 * t4),
                         0.0996 * s6,
                         0.0,
                     ],
                     [
-                        A::mul_add(c234, t15, t12 * t13),
+                        A::fma(c234, t15, t12 * t13),
                         s5 * t12,
                         s5 * t9,
                         -(0.0997 * s5),
                         0.0,
                         0.0,
                     ],
-                    [A::mul_add(c6, t13, s6 * c234), t5, t5, t5, -s6, 0.0],
-                    [A::mul_add(c6, c234, -(s6 * t13)), t3, t3, t3, -c6, 0.0],
+                    [A::fma(c6, t13, s6 * c234), t5, t5, t5, -s6, 0.0],
+                    [A::fma(c6, c234, -(s6 * t13)), t3, t3, t3, -c6, 0.0],
                     [-t14, c5, c5, c5, 0.0, 1.0],
                 ],
             })
@@ -727,42 +714,42 @@ mod __Ur5e {
                 .of([q[0], q[1], q[4], t1, t2]);
             let t3 = 0.425 * c2;
             let t4 = 0.425 * s2;
-            let t5 = A::mul_add(0.3922, s23, t4);
-            let t6 = A::mul_add(0.3922, c23, t3);
+            let t5 = A::fma(0.3922, s23, t4);
+            let t6 = A::fma(0.3922, c23, t3);
             let t7 = c234 * s5;
             let t8 = s234 * s5;
             let t9 = 0.0996 * c5;
             let t10 = -c1;
-            let t11 = A::mul_add(0.0997, c234, t5);
-            let t12 = A::mul_add(-0.0997, s234, t6);
-            let t13 = A::mul_add(0.0996, t8, t11);
-            let t14 = A::mul_add(0.0996, t7, t12);
+            let t11 = A::fma(0.0997, c234, t5);
+            let t12 = A::fma(-0.0997, s234, t6);
+            let t13 = A::fma(0.0996, t8, t11);
+            let t14 = A::fma(0.0996, t7, t12);
             let t15 = t9 + 0.1333;
             let t16 = t4 - t13;
             let t17 = t5 - t13;
             let t18 = t11 - t13;
             let t19 = t14 - t12;
             let t20 = c234 * t9;
-            let t21 = A::mul_add(s234, t18, -(c234 * t19));
-            let t22 = A::mul_add(c5, t18, t8 * t9);
-            let t23 = A::mul_add(t8, t19, t7 * t18);
+            let t21 = A::fma(s234, t18, -(c234 * t19));
+            let t22 = A::fma(c5, t18, t8 * t9);
+            let t23 = A::fma(t8, t19, t7 * t18);
             GeometricJacobian(Jacobian {
                 rows: [
                     [
-                        A::mul_add(c1, t15, s1 * t14),
+                        A::fma(c1, t15, s1 * t14),
                         c1 * t13,
                         -(c1 * t16),
                         -(c1 * t17),
-                        A::mul_add(s1, t21, -(c1 * t20)),
-                        -A::mul_add(c1, t22, s1 * t23),
+                        A::fma(s1, t21, -(c1 * t20)),
+                        -A::fma(c1, t22, s1 * t23),
                     ],
                     [
-                        A::mul_add(s1, t15, -(c1 * t14)),
+                        A::fma(s1, t15, -(c1 * t14)),
                         s1 * t13,
                         -(s1 * t16),
                         -(s1 * t17),
-                        -A::mul_add(s1, t20, c1 * t21),
-                        A::mul_add(c1, t23, -(s1 * t22)),
+                        -A::fma(s1, t20, c1 * t21),
+                        A::fma(c1, t23, -(s1 * t22)),
                     ],
                     [
                         0.0,
@@ -770,10 +757,10 @@ mod __Ur5e {
                         t3 - t14,
                         t6 - t14,
                         -(s234 * t9),
-                        A::mul_add(t7, t9, -(c5 * t19)),
+                        A::fma(t7, t9, -(c5 * t19)),
                     ],
-                    [0.0, s1, s1, s1, c1 * s234, A::mul_add(s1, c5, -(c1 * t7))],
-                    [0.0, t10, t10, t10, s1 * s234, -A::mul_add(s1, t7, c1 * c5)],
+                    [0.0, s1, s1, s1, c1 * s234, A::fma(s1, c5, -(c1 * t7))],
+                    [0.0, t10, t10, t10, s1 * s234, -A::fma(s1, t7, c1 * c5)],
                     [1.0, 0.0, 0.0, 0.0, -c234, -t8],
                 ],
             })
@@ -828,7 +815,7 @@ mod __Ur5e {
                 let t10 = 0.0996 * r33[t];
                 let t11 = px[t] - t8;
                 let t12 = t9 - py[t];
-                let t13 = A::mul_add(t12, t12, t11 * t11);
+                let t13 = A::fma(t12, t12, t11 * t11);
                 let t14 = t13 - 0.01776889;
                 let t15 = 1e-13 * t13;
                 let t16 = math::sqrt(math::select(t14 < t15, 0.0, t14));
@@ -846,41 +833,31 @@ mod __Ur5e {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t24 = 0.5
-                    * (A::mul_add(
-                        r31[t],
-                        r31[t],
-                        A::mul_add(r11[t], r11[t], r21[t] * r21[t]),
-                    ) - 1.0);
+                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                        - 1.0);
                 let t25 = 0.5
-                    * (A::mul_add(
-                        r32[t],
-                        r32[t],
-                        A::mul_add(r12[t], r12[t], r22[t] * r22[t]),
-                    ) - 1.0);
-                let t26 = A::mul_add(
+                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                        - 1.0);
+                let t26 = A::fma(
                     r31[t],
                     r32[t],
-                    A::mul_add(r11[t], r12[t], r21[t] * r22[t]),
+                    A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t27 = r13[t] - A::mul_add(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t28 = r23[t] - A::mul_add(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t29 = r33[t] - A::mul_add(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t30 = A::mul_add(
+                let t27 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t28 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t29 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t30 = A::fma(
                     t29,
                     t29,
-                    A::mul_add(
+                    A::fma(
                         t28,
                         t28,
-                        A::mul_add(
-                            t27,
-                            t27,
-                            A::mul_add(t26, t26, A::mul_add(t24, t24, t25 * t25)),
-                        ),
+                        A::fma(t27, t27, A::fma(t26, t26, A::fma(t24, t24, t25 * t25))),
                     ),
                 );
-                let t31 = A::mul_add(
+                let t31 = A::fma(
                     4.930380657631324e-32,
-                    A::mul_add(pz[t], pz[t], A::mul_add(px[t], px[t], py[t] * py[t])),
+                    A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
                     1.7221312899999994 * t30,
                 );
                 t8_[t] = t8;
@@ -936,20 +913,20 @@ mod __Ur5e {
                     let s1 = math::select(
                         t13_[t] < 1.7221312899999994e-24,
                         t2,
-                        A::mul_add(t12_[t], t33, t20_[t]) * t22_[t],
+                        A::fma(t12_[t], t33, t20_[t]) * t22_[t],
                     );
                     let c1 = math::select(
                         t13_[t] < 1.7221312899999994e-24,
                         t5,
-                        A::mul_add(-t11_[t], t33, t19_[t]) * t22_[t],
+                        A::fma(-t11_[t], t33, t19_[t]) * t22_[t],
                     );
                     // 2. q2+q3+q4 and q5 by SP2, given q1
                     let t34 = r13[t] * s1;
                     let t35 = r23[t] * c1;
-                    let t36 = A::mul_add(r13[t], c1, r23[t] * s1);
+                    let t36 = A::fma(r13[t], c1, r23[t] * s1);
                     let t37 = t35 - t34;
                     let c5 = t34 - t35;
-                    let t38 = A::mul_add(t36, t36, t23_[t]);
+                    let t38 = A::fma(t36, t36, t23_[t]);
                     let t39 = math::max(
                         math::max(
                             math::select(t14_[t] < t15_[t], t32, 0.0),
@@ -965,26 +942,20 @@ mod __Ur5e {
                     let t41 = c1 * s234;
                     let t42 = s1 * s234;
                     let t43 = r31[t] * c234;
-                    let t44 = A::mul_add(r11[t], t41, r21[t] * t42);
-                    let c6 = A::mul_add(
-                        r32[t],
-                        c234,
-                        -A::mul_add(r12[t], t41, r22[t] * t42),
-                    );
+                    let t44 = A::fma(r11[t], t41, r21[t] * t42);
+                    let c6 = A::fma(r32[t], c234, -A::fma(r12[t], t41, r22[t] * t42));
                     let s6 = t43 - t44;
                     // 4. q3 by SP3, given q6 (what several branches share)
                     let t45 = 0.0997 * c6;
                     let t46 = 0.0997 * (t44 - t43);
-                    let t47 = px[t]
-                        + (A::mul_add(r12[t], t45, -(r11[t] * t46)) - t8_[t]);
-                    let t48 = py[t]
-                        + (A::mul_add(r22[t], t45, -(r21[t] * t46)) - t9_[t]);
-                    let t49 = pz[t]
-                        + (A::mul_add(r32[t], t45, -(r31[t] * t46)) - t10_[t]) - 0.1625;
+                    let t47 = px[t] + (A::fma(r12[t], t45, -(r11[t] * t46)) - t8_[t]);
+                    let t48 = py[t] + (A::fma(r22[t], t45, -(r21[t] * t46)) - t9_[t]);
+                    let t49 = pz[t] + (A::fma(r32[t], t45, -(r31[t] * t46)) - t10_[t])
+                        - 0.1625;
                     let t50 = t49 * t49;
-                    let t51 = 0.5 * (t50 + A::mul_add(t47, t47, t48 * t48));
+                    let t51 = 0.5 * (t50 + A::fma(t47, t47, t48 * t48));
                     let level = 0.17610736499999996 - t51;
-                    let t52 = A::mul_add(-level, level, 0.02778388922499999);
+                    let t52 = A::fma(-level, level, 0.02778388922499999);
                     let t53 = math::max(
                         math::max(
                             math::max(t21_[t], math::select(t38 < 1e-13, 1.0, 0.0)),
@@ -1009,15 +980,15 @@ mod __Ur5e {
                         0.0,
                     );
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t59 = A::mul_add(c1, t47, s1 * t48);
+                    let t59 = A::fma(c1, t47, s1 * t48);
                     let t60 = 2.3529411764705883 * t55;
-                    let t61 = A::mul_add(-2.3529411764705883, t56, 0.425);
+                    let t61 = A::fma(-2.3529411764705883, t56, 0.425);
                     let t62 = t49 * t60;
                     let t63 = t59 * t61;
                     let t64 = t59 * t60;
                     let t65 = t49 * t61;
                     let t66 = math::sqrt(
-                        A::mul_add(t59, t59, t50) * A::mul_add(t60, t60, t61 * t61),
+                        A::fma(t59, t59, t50) * A::fma(t60, t60, t61 * t61),
                     );
                     let singular = math::max(
                         t53,
@@ -1028,48 +999,44 @@ mod __Ur5e {
                     // branches share)
                     let t68 = c5 * s6;
                     let t69 = s5 * s6;
-                    let t70 = A::mul_add(c234, c6, -(s234 * t68));
-                    let t71 = A::mul_add(s234, c6, c234 * t68);
-                    let t72 = A::mul_add(c1, t71, s1 * t69);
-                    let t73 = A::mul_add(c1, t69, -(s1 * t71));
+                    let t70 = A::fma(c234, c6, -(s234 * t68));
+                    let t71 = A::fma(s234, c6, c234 * t68);
+                    let t72 = A::fma(c1, t71, s1 * t69);
+                    let t73 = A::fma(c1, t69, -(s1 * t71));
                     let t74 = s5 * c234;
                     let t75 = s5 * s234;
-                    let t76 = A::mul_add(c1, t74, s1 * t37);
-                    let t77 = A::mul_add(-s1, t74, c1 * t37);
+                    let t76 = A::fma(c1, t74, s1 * t37);
+                    let t77 = A::fma(-s1, t74, c1 * t37);
                     let t78 = 0.0996 * s5;
-                    let t79 = A::mul_add(0.0997, c234, s234 * t78);
-                    let t80 = A::mul_add(c234, t78, -(0.0997 * s234));
-                    let t81 = A::mul_add(-0.0996, c5, -0.1333);
+                    let t79 = A::fma(0.0997, c234, s234 * t78);
+                    let t80 = A::fma(c234, t78, -(0.0997 * s234));
+                    let t81 = A::fma(-0.0996, c5, -0.1333);
                     let t82 = c1 * t81;
                     let t83 = s1 * t81;
-                    let t84 = r11[t] + A::mul_add(t73, t75, t70 * t77);
+                    let t84 = r11[t] + A::fma(t73, t75, t70 * t77);
                     let t85 = r12[t] + t72;
                     let t86 = r13[t] + t76;
-                    let t87 = r21[t] + A::mul_add(t70, t76, t72 * t75);
+                    let t87 = r21[t] + A::fma(t70, t76, t72 * t75);
                     let t88 = t73 - r22[t];
                     let t89 = t77 - r23[t];
-                    let t90 = A::mul_add(
+                    let t90 = A::fma(
                         t89,
                         t89,
-                        A::mul_add(
+                        A::fma(
                             t88,
                             t88,
-                            A::mul_add(
+                            A::fma(
                                 t87,
                                 t87,
-                                A::mul_add(t86, t86, A::mul_add(t84, t84, t85 * t85)),
+                                A::fma(t86, t86, A::fma(t84, t84, t85 * t85)),
                             ),
                         ),
                     );
-                    let t91 = A::mul_add(t73, t76, -(t72 * t77)) - r31[t];
+                    let t91 = A::fma(t73, t76, -(t72 * t77)) - r31[t];
                     let t92 = t70 - r32[t];
                     let t93 = r33[t] + t75;
                     let t94 = 0.8610656449999997
-                        * A::mul_add(
-                            t93,
-                            t93,
-                            A::mul_add(t92, t92, A::mul_add(t91, t91, t90)),
-                        );
+                        * A::fma(t93, t93, A::fma(t92, t92, A::fma(t91, t91, t90)));
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(s1, c1);
                     let t95 = A::angle(-t57, c3);
@@ -1145,33 +1112,32 @@ mod __Ur5e {
                     let s2 = math::select(
                         t66_[k][t] < 1.7221312899999994e-24,
                         t3,
-                        -(A::mul_add(e3[k], t64_[k][t], t65_[k][t]) * t67_[k][t]),
+                        -(A::fma(e3[k], t64_[k][t], t65_[k][t]) * t67_[k][t]),
                     );
                     let c2 = math::select(
                         t66_[k][t] < 1.7221312899999994e-24,
                         t6,
-                        A::mul_add(e3[k], t62_[k][t], -t63_[k][t]) * t67_[k][t],
+                        A::fma(e3[k], t62_[k][t], -t63_[k][t]) * t67_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t96 = A::mul_add(s234_[k][t], c2, -(c234_[k][t] * s2));
-                    let t97 = A::mul_add(c234_[k][t], c2, s234_[k][t] * s2);
+                    let t96 = A::fma(s234_[k][t], c2, -(c234_[k][t] * s2));
+                    let t97 = A::fma(c234_[k][t], c2, s234_[k][t] * s2);
                     // Residual: forward kinematics against the target
-                    let t98 = A::mul_add(
+                    let t98 = A::fma(
                         0.3922,
-                        A::mul_add(t58_[k][t], s2, e3[k] * (t57_[k][t] * c2)),
+                        A::fma(t58_[k][t], s2, e3[k] * (t57_[k][t] * c2)),
                         -(0.425 * s2),
                     ) - t79_[k][t];
-                    let t99 = A::mul_add(
+                    let t99 = A::fma(
                         0.425,
                         c2,
-                        0.3922 * A::mul_add(e3[k], t57_[k][t] * s2, -(t58_[k][t] * c2)),
+                        0.3922 * A::fma(e3[k], t57_[k][t] * s2, -(t58_[k][t] * c2)),
                     ) + t80_[k][t];
-                    let t100 = px[t] + A::mul_add(c1_[k][t], t99, t83_[k][t]);
-                    let t101 = A::mul_add(-s1_[k][t], t99, t82_[k][t]) - py[t];
+                    let t100 = px[t] + A::fma(c1_[k][t], t99, t83_[k][t]);
+                    let t101 = A::fma(-s1_[k][t], t99, t82_[k][t]) - py[t];
                     let t102 = t98 + 0.1625 - pz[t];
                     let residual = math::sqrt(
-                        t31_[t]
-                            + A::mul_add(t102, t102, A::mul_add(t100, t100, t101 * t101))
+                        t31_[t] + A::fma(t102, t102, A::fma(t100, t100, t101 * t101))
                             + t94_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
@@ -1183,8 +1149,8 @@ mod __Ur5e {
                         t103 + 6.283185307179586,
                     );
                     let q4 = A::angle(
-                        A::mul_add(e3[k], t57_[k][t] * t97, -(t58_[k][t] * t96)),
-                        -A::mul_add(t58_[k][t], t97, e3[k] * (t57_[k][t] * t96)),
+                        A::fma(e3[k], t57_[k][t] * t97, -(t58_[k][t] * t96)),
+                        -A::fma(t58_[k][t], t97, e3[k] * (t57_[k][t] * t96)),
                     );
                     invalid_[k][t] = invalid;
                     residual_[k][t] = residual;

@@ -870,34 +870,33 @@ mod __Xarm6 {
                 .of([q[4], q[5], q[3], q[0], t1, t2]);
             let t3 = c5 * s6;
             let t4 = s5 * s6;
-            let t5 = A::mul_add(s4, t3, -(c4 * c6));
-            let t6 = A::mul_add(s4, c6, c4 * t3);
-            let t7 = A::mul_add(c23, t6, -(s23 * t4));
-            let t8 = A::mul_add(s23, t6, c23 * t4);
-            let t9 = A::mul_add(c1, t8, -(s1 * t5));
-            let t10 = A::mul_add(s1, t8, c1 * t5);
+            let t5 = A::fma(s4, t3, -(c4 * c6));
+            let t6 = A::fma(s4, c6, c4 * t3);
+            let t7 = A::fma(c23, t6, -(s23 * t4));
+            let t8 = A::fma(s23, t6, c23 * t4);
+            let t9 = A::fma(c1, t8, -(s1 * t5));
+            let t10 = A::fma(s1, t8, c1 * t5);
             let t11 = c4 * s5;
             let t12 = s4 * s5;
-            let t13 = A::mul_add(c23, t11, s23 * c5);
-            let t14 = A::mul_add(s23, t11, -(c23 * c5));
-            let t15 = A::mul_add(c1, t14, -(s1 * t12));
-            let t16 = A::mul_add(s1, t14, c1 * t12);
-            let t17 = A::mul_add(0.076, c5, -(0.097 * s5));
+            let t13 = A::fma(c23, t11, s23 * c5);
+            let t14 = A::fma(s23, t11, -(c23 * c5));
+            let t15 = A::fma(c1, t14, -(s1 * t12));
+            let t16 = A::fma(s1, t14, c1 * t12);
+            let t17 = A::fma(0.076, c5, -(0.097 * s5));
             let t18 = s4 * t17;
-            let t19 = A::mul_add(-c4, t17, -0.0775);
-            let t20 = -0.3425 - A::mul_add(0.076, s5, 0.097 * c5);
-            let t21 = A::mul_add(0.28948866, s2, A::mul_add(s23, t19, c23 * t20));
+            let t19 = A::fma(-c4, t17, -0.0775);
+            let t20 = -0.3425 - A::fma(0.076, s5, 0.097 * c5);
+            let t21 = A::fma(0.28948866, s2, A::fma(s23, t19, c23 * t20));
             Pose {
                 rotation: [
-                    [A::mul_add(t10, t13, -(t7 * t16)), t9, t15],
-                    [A::mul_add(t7, t15, -(t9 * t13)), t10, t16],
-                    [A::mul_add(t9, t16, -(t10 * t15)), t7, t13],
+                    [A::fma(t10, t13, -(t7 * t16)), t9, t15],
+                    [A::fma(t7, t15, -(t9 * t13)), t10, t16],
+                    [A::fma(t9, t16, -(t10 * t15)), t7, t13],
                 ],
                 translation: [
-                    A::mul_add(c1, t21, s1 * t18),
-                    A::mul_add(s1, t21, -(c1 * t18)),
-                    A::mul_add(0.28948866, c2, A::mul_add(c23, t19, -(s23 * t20)))
-                        + 0.267,
+                    A::fma(c1, t21, s1 * t18),
+                    A::fma(s1, t21, -(c1 * t18)),
+                    A::fma(0.28948866, c2, A::fma(c23, t19, -(s23 * t20))) + 0.267,
                 ],
             }
         }
@@ -918,53 +917,41 @@ mod __Xarm6 {
             let t4 = -s1;
             let t5 = c1 * t3;
             let t6 = s1 * t3;
-            let t7 = A::mul_add(0.28948866, c2, 0.267);
+            let t7 = A::fma(0.28948866, c2, 0.267);
             let t8 = c1 * s23;
             let t9 = s1 * s23;
             let t10 = c1 * c23;
             let t11 = s1 * c23;
-            let t12 = A::mul_add(s1, c4, s4 * t8);
-            let t13 = A::mul_add(c1, c4, -(s4 * t9));
+            let t12 = A::fma(s1, c4, s4 * t8);
+            let t13 = A::fma(c1, c4, -(s4 * t9));
             let t14 = c23 * s4;
-            let t15 = A::mul_add(s1, s4, -(c4 * t8));
-            let t16 = A::mul_add(c1, s4, c4 * t9);
+            let t15 = A::fma(s1, s4, -(c4 * t8));
+            let t16 = A::fma(c1, s4, c4 * t9);
             let t17 = c23 * c4;
-            let t18 = A::mul_add(c5, t15, -(s5 * t10));
-            let t19 = A::mul_add(c5, t16, s5 * t11);
-            let t20 = A::mul_add(s23, s5, -(c5 * t17));
-            let t21 = A::mul_add(s5, t15, c5 * t10);
+            let t18 = A::fma(c5, t15, -(s5 * t10));
+            let t19 = A::fma(c5, t16, s5 * t11);
+            let t20 = A::fma(s23, s5, -(c5 * t17));
+            let t21 = A::fma(s5, t15, c5 * t10);
             let t22 = -t21;
-            let t23 = A::mul_add(s5, t16, -(c5 * t11));
-            let t24 = A::mul_add(s23, c5, s5 * t17);
-            let t25 = t5 - A::mul_add(0.0775, t8, 0.3425 * t10);
-            let t26 = t6 - A::mul_add(0.0775, t9, 0.3425 * t11);
-            let t27 = t7 + A::mul_add(0.3425, s23, -(0.0775 * c23));
-            let t28 = A::mul_add(0.076, t18, t25);
-            let t29 = A::mul_add(-0.076, t19, t26);
-            let t30 = A::mul_add(0.076, t20, t27);
+            let t23 = A::fma(s5, t16, -(c5 * t11));
+            let t24 = A::fma(s23, c5, s5 * t17);
+            let t25 = t5 - A::fma(0.0775, t8, 0.3425 * t10);
+            let t26 = t6 - A::fma(0.0775, t9, 0.3425 * t11);
+            let t27 = t7 + A::fma(0.3425, s23, -(0.0775 * c23));
+            let t28 = A::fma(0.076, t18, t25);
+            let t29 = A::fma(-0.076, t19, t26);
+            let t30 = A::fma(0.076, t20, t27);
             (
                 Pose {
                     rotation: [
-                        [
-                            A::mul_add(s6, t12, c6 * t18),
-                            A::mul_add(c6, t12, -(s6 * t18)),
-                            t22,
-                        ],
-                        [
-                            -A::mul_add(s6, t13, c6 * t19),
-                            A::mul_add(s6, t19, -(c6 * t13)),
-                            t23,
-                        ],
-                        [
-                            A::mul_add(s6, t14, c6 * t20),
-                            A::mul_add(c6, t14, -(s6 * t20)),
-                            t24,
-                        ],
+                        [A::fma(s6, t12, c6 * t18), A::fma(c6, t12, -(s6 * t18)), t22],
+                        [-A::fma(s6, t13, c6 * t19), A::fma(s6, t19, -(c6 * t13)), t23],
+                        [A::fma(s6, t14, c6 * t20), A::fma(c6, t14, -(s6 * t20)), t24],
                     ],
                     translation: [
-                        A::mul_add(-0.097, t21, t28),
-                        A::mul_add(0.097, t23, t29),
-                        A::mul_add(0.097, t24, t30),
+                        A::fma(-0.097, t21, t28),
+                        A::fma(0.097, t23, t29),
+                        A::fma(0.097, t24, t30),
                     ],
                 },
                 Jacobian {
@@ -973,25 +960,25 @@ mod __Xarm6 {
                             0.0,
                             -(0.267 * c1),
                             -(c1 * t7),
-                            A::mul_add(s23, t26, t11 * t27),
-                            -A::mul_add(t14, t26, t13 * t27),
-                            A::mul_add(t24, t29, -(t23 * t30)),
+                            A::fma(s23, t26, t11 * t27),
+                            -A::fma(t14, t26, t13 * t27),
+                            A::fma(t24, t29, -(t23 * t30)),
                         ],
                         [
                             0.0,
                             -(0.267 * s1),
                             -(s1 * t7),
-                            -A::mul_add(t10, t27, s23 * t25),
-                            A::mul_add(t14, t25, -(t12 * t27)),
-                            -A::mul_add(t21, t30, t24 * t28),
+                            -A::fma(t10, t27, s23 * t25),
+                            A::fma(t14, t25, -(t12 * t27)),
+                            -A::fma(t21, t30, t24 * t28),
                         ],
                         [
                             0.0,
                             0.0,
-                            A::mul_add(c1, t5, s1 * t6),
-                            A::mul_add(t10, t26, -(t11 * t25)),
-                            A::mul_add(t13, t25, t12 * t26),
-                            A::mul_add(t23, t28, t21 * t29),
+                            A::fma(c1, t5, s1 * t6),
+                            A::fma(t10, t26, -(t11 * t25)),
+                            A::fma(t13, t25, t12 * t26),
+                            A::fma(t23, t28, t21 * t29),
                         ],
                         [0.0, t4, t4, -t10, -t12, t22],
                         [0.0, c1, c1, -t11, t13, t23],
@@ -1019,25 +1006,25 @@ mod __Xarm6 {
             let t9 = s1 * c23;
             let t10 = -t8;
             let t11 = -t9;
-            let t12 = t4 - A::mul_add(0.0775, s23, 0.3425 * c23);
+            let t12 = t4 - A::fma(0.0775, s23, 0.3425 * c23);
             let t13 = c1 * t12;
             let t14 = s1 * t12;
-            let t15 = t3 + A::mul_add(0.3425, s23, -(0.0775 * c23)) + 0.267;
-            let t16 = A::mul_add(s1, c4, s4 * t6);
+            let t15 = t3 + A::fma(0.3425, s23, -(0.0775 * c23)) + 0.267;
+            let t16 = A::fma(s1, c4, s4 * t6);
             let t17 = c1 * c4;
             let t18 = s4 * t7;
             let t19 = t17 - t18;
             let t20 = c23 * s4;
-            let t21 = A::mul_add(s1, s4, -(c4 * t6));
-            let t22 = A::mul_add(c1, s4, c4 * t7);
+            let t21 = A::fma(s1, s4, -(c4 * t6));
+            let t22 = A::fma(c1, s4, c4 * t7);
             let t23 = c23 * c4;
-            let t24 = A::mul_add(c5, t21, -(s5 * t8));
-            let t25 = A::mul_add(c5, t22, s5 * t9);
-            let t26 = A::mul_add(s23, s5, -(c5 * t23));
-            let t27 = A::mul_add(s5, t21, c5 * t8);
+            let t24 = A::fma(c5, t21, -(s5 * t8));
+            let t25 = A::fma(c5, t22, s5 * t9);
+            let t26 = A::fma(s23, s5, -(c5 * t23));
+            let t27 = A::fma(s5, t21, c5 * t8);
             let t28 = -t27;
-            let t29 = A::mul_add(s5, t22, -(c5 * t9));
-            let t30 = A::mul_add(s23, c5, s5 * t23);
+            let t29 = A::fma(s5, t22, -(c5 * t9));
+            let t30 = A::fma(s23, c5, s5 * t23);
             [
                 Pose {
                     rotation: [[c1, t5, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -1069,26 +1056,14 @@ mod __Xarm6 {
                 },
                 Pose {
                     rotation: [
-                        [
-                            A::mul_add(s6, t16, c6 * t24),
-                            A::mul_add(c6, t16, -(s6 * t24)),
-                            t28,
-                        ],
-                        [
-                            -A::mul_add(s6, t19, c6 * t25),
-                            A::mul_add(s6, t25, -(c6 * t19)),
-                            t29,
-                        ],
-                        [
-                            A::mul_add(s6, t20, c6 * t26),
-                            A::mul_add(c6, t20, -(s6 * t26)),
-                            t30,
-                        ],
+                        [A::fma(s6, t16, c6 * t24), A::fma(c6, t16, -(s6 * t24)), t28],
+                        [-A::fma(s6, t19, c6 * t25), A::fma(s6, t25, -(c6 * t19)), t29],
+                        [A::fma(s6, t20, c6 * t26), A::fma(c6, t20, -(s6 * t26)), t30],
                     ],
                     translation: [
-                        A::mul_add(-0.097, t27, A::mul_add(0.076, t24, t13)),
-                        A::mul_add(0.097, t29, A::mul_add(-0.076, t25, t14)),
-                        A::mul_add(0.097, t30, A::mul_add(0.076, t26, t15)),
+                        A::fma(-0.097, t27, A::fma(0.076, t24, t13)),
+                        A::fma(0.097, t29, A::fma(-0.076, t25, t14)),
+                        A::fma(0.097, t30, A::fma(0.076, t26, t15)),
                     ],
                 },
             ]
@@ -1110,25 +1085,25 @@ mod __Xarm6 {
             let t4 = 0.28948866 * s2;
             let t5 = s4 * s5;
             let t6 = -s1;
-            let t7 = A::mul_add(0.0775, s23, 0.3425 * c23);
-            let t8 = t3 + A::mul_add(0.3425, s23, -(0.0775 * c23));
+            let t7 = A::fma(0.0775, s23, 0.3425 * c23);
+            let t8 = t3 + A::fma(0.3425, s23, -(0.0775 * c23));
             let t9 = c23 * s4;
             let t10 = c23 * c4;
-            let t11 = A::mul_add(s23, c5, s5 * t10);
+            let t11 = A::fma(s23, c5, s5 * t10);
             let t12 = s23 * s4;
             let t13 = s23 * c4;
-            let t14 = A::mul_add(s5, t13, -(c23 * c5));
+            let t14 = A::fma(s5, t13, -(c23 * c5));
             let t15 = 0.076 * (s4 * c5);
             let t16 = -0.267 - t3;
             let t17 = -0.267 - t8;
             let t18 = t7 - t4;
-            let t19 = A::mul_add(s23, t18, c23 * t17);
+            let t19 = A::fma(s23, t18, c23 * t17);
             let t20 = c4 * t17;
-            let t21 = A::mul_add(t12, t17, -(t9 * t18));
-            let t22 = -0.267 - A::mul_add(0.076, A::mul_add(s23, s5, -(c5 * t10)), t8);
-            let t23 = A::mul_add(0.076, A::mul_add(c5, t13, c23 * s5), -(t4 - t7));
-            let t24 = A::mul_add(t5, t22, -(t11 * t15));
-            let t25 = A::mul_add(t11, t23, -(t14 * t22));
+            let t21 = A::fma(t12, t17, -(t9 * t18));
+            let t22 = -0.267 - A::fma(0.076, A::fma(s23, s5, -(c5 * t10)), t8);
+            let t23 = A::fma(0.076, A::fma(c5, t13, c23 * s5), -(t4 - t7));
+            let t24 = A::fma(t5, t22, -(t11 * t15));
+            let t25 = A::fma(t11, t23, -(t14 * t22));
             SpatialJacobian(Jacobian {
                 rows: [
                     [
@@ -1136,33 +1111,33 @@ mod __Xarm6 {
                         -(0.267 * c1),
                         c1 * t16,
                         -(s1 * t19),
-                        A::mul_add(c1, t20, -(s1 * t21)),
-                        A::mul_add(c1, t24, -(s1 * t25)),
+                        A::fma(c1, t20, -(s1 * t21)),
+                        A::fma(c1, t24, -(s1 * t25)),
                     ],
                     [
                         0.0,
                         -(0.267 * s1),
                         s1 * t16,
                         c1 * t19,
-                        A::mul_add(s1, t20, c1 * t21),
-                        A::mul_add(s1, t24, c1 * t25),
+                        A::fma(s1, t20, c1 * t21),
+                        A::fma(s1, t24, c1 * t25),
                     ],
-                    [0.0, 0.0, t4, 0.0, -(c4 * t18), A::mul_add(t14, t15, -(t5 * t23))],
+                    [0.0, 0.0, t4, 0.0, -(c4 * t18), A::fma(t14, t15, -(t5 * t23))],
                     [
                         0.0,
                         t6,
                         t6,
                         -(c1 * c23),
-                        -A::mul_add(s1, c4, c1 * t12),
-                        A::mul_add(c1, t14, -(s1 * t5)),
+                        -A::fma(s1, c4, c1 * t12),
+                        A::fma(c1, t14, -(s1 * t5)),
                     ],
                     [
                         0.0,
                         c1,
                         c1,
                         -(s1 * c23),
-                        A::mul_add(c1, c4, -(s1 * t12)),
-                        A::mul_add(c1, t5, s1 * t14),
+                        A::fma(c1, c4, -(s1 * t12)),
+                        A::fma(c1, t5, s1 * t14),
                     ],
                     [1.0, 0.0, 0.0, s23, -t9, t11],
                 ],
@@ -1180,8 +1155,8 @@ mod __Xarm6 {
                 .of([q[4], q[5], q[3], t1, t2]);
             let t3 = c5 * s6;
             let t4 = s5 * s6;
-            let t5 = A::mul_add(s4, t3, -(c4 * c6));
-            let t6 = A::mul_add(s4, c6, c4 * t3);
+            let t5 = A::fma(s4, t3, -(c4 * c6));
+            let t6 = A::fma(s4, c6, c4 * t3);
             let t7 = c4 * s5;
             let t8 = s4 * s5;
             let t9 = 0.28948866 * c3;
@@ -1190,44 +1165,44 @@ mod __Xarm6 {
             let t12 = 0.076 * s6;
             let t13 = c5 * c6;
             let t14 = s5 * c6;
-            let t15 = A::mul_add(c4, s6, s4 * t13);
+            let t15 = A::fma(c4, s6, s4 * t13);
             let t16 = -t15;
             let t17 = s4 * s6;
             let t18 = c4 * t13;
             let t19 = t17 - t18;
-            let t20 = t11 + A::mul_add(0.0775, t18 - t17, 0.3425 * t14);
-            let t21 = t12 + A::mul_add(0.0775, t6, 0.3425 * t4);
-            let t22 = A::mul_add(0.0775, t7, -(0.3425 * c5)) - 0.097;
-            let t23 = t22 + A::mul_add(c5, t10, -(t7 * t9));
-            let t24 = A::mul_add(c23, t19, -(s23 * t14));
-            let t25 = A::mul_add(t6, c23, t4 * s23);
-            let t26 = A::mul_add(t7, c23, -(c5 * s23));
-            let t27 = t20 - A::mul_add(t10, t14, -(t9 * t19));
-            let t28 = A::mul_add(t6, t9, t4 * t10) - t21;
+            let t20 = t11 + A::fma(0.0775, t18 - t17, 0.3425 * t14);
+            let t21 = t12 + A::fma(0.0775, t6, 0.3425 * t4);
+            let t22 = A::fma(0.0775, t7, -(0.3425 * c5)) - 0.097;
+            let t23 = t22 + A::fma(c5, t10, -(t7 * t9));
+            let t24 = A::fma(c23, t19, -(s23 * t14));
+            let t25 = A::fma(t6, c23, t4 * s23);
+            let t26 = A::fma(t7, c23, -(c5 * s23));
+            let t27 = t20 - A::fma(t10, t14, -(t9 * t19));
+            let t28 = A::fma(t6, t9, t4 * t10) - t21;
             BodyJacobian(Jacobian {
                 rows: [
                     [
-                        -A::mul_add(t23, t25, t26 * t28),
-                        -A::mul_add(t5, t23, t8 * t28),
-                        A::mul_add(t8, t21, -(t5 * t22)),
-                        A::mul_add(c5, t12, -(0.097 * t4)),
+                        -A::fma(t23, t25, t26 * t28),
+                        -A::fma(t5, t23, t8 * t28),
+                        A::fma(t8, t21, -(t5 * t22)),
+                        A::fma(c5, t12, -(0.097 * t4)),
                         -(0.097 * c6),
                         0.0,
                     ],
                     [
-                        A::mul_add(t26, t27, t23 * t24),
-                        A::mul_add(t8, t27, -(t15 * t23)),
-                        A::mul_add(t8, t20, -(t15 * t22)),
-                        A::mul_add(c5, t11, -(0.097 * t14)),
+                        A::fma(t26, t27, t23 * t24),
+                        A::fma(t8, t27, -(t15 * t23)),
+                        A::fma(t8, t20, -(t15 * t22)),
+                        A::fma(c5, t11, -(0.097 * t14)),
                         0.097 * s6,
                         0.0,
                     ],
                     [
-                        A::mul_add(t24, t28, -(t25 * t27)),
-                        -A::mul_add(t15, t28, t5 * t27),
-                        A::mul_add(t15, t21, -(t5 * t20)),
-                        A::mul_add(t4, t11, -(t12 * t14)),
-                        A::mul_add(s6, t12, c6 * t11),
+                        A::fma(t24, t28, -(t25 * t27)),
+                        -A::fma(t15, t28, t5 * t27),
+                        A::fma(t15, t21, -(t5 * t20)),
+                        A::fma(t4, t11, -(t12 * t14)),
+                        A::fma(s6, t12, c6 * t11),
                         0.0,
                     ],
                     [t24, t16, t16, t14, -s6, 0.0],
@@ -1258,24 +1233,24 @@ mod __Xarm6 {
             let t9 = s1 * s23;
             let t10 = c1 * c23;
             let t11 = s1 * c23;
-            let t12 = t3 + A::mul_add(0.3425, s23, -(0.0775 * c23));
-            let t13 = A::mul_add(s1, c4, s4 * t8);
-            let t14 = A::mul_add(c1, c4, -(s4 * t9));
+            let t12 = t3 + A::fma(0.3425, s23, -(0.0775 * c23));
+            let t13 = A::fma(s1, c4, s4 * t8);
+            let t14 = A::fma(c1, c4, -(s4 * t9));
             let t15 = c23 * s4;
-            let t16 = A::mul_add(s1, s4, -(c4 * t8));
-            let t17 = A::mul_add(c1, s4, c4 * t9);
+            let t16 = A::fma(s1, s4, -(c4 * t8));
+            let t17 = A::fma(c1, s4, c4 * t9);
             let t18 = c23 * c4;
-            let t19 = A::mul_add(s5, t16, c5 * t10);
-            let t20 = A::mul_add(s5, t17, -(c5 * t11));
-            let t21 = A::mul_add(s23, c5, s5 * t18);
-            let t22 = t6 - A::mul_add(0.0775, t8, 0.3425 * t10);
-            let t23 = t7 - A::mul_add(0.0775, t9, 0.3425 * t11);
-            let t24 = A::mul_add(0.076, A::mul_add(c5, t16, -(s5 * t10)), t22);
-            let t25 = A::mul_add(-0.076, A::mul_add(c5, t17, s5 * t11), t23);
-            let t26 = A::mul_add(-0.097, t19, t24);
-            let t27 = A::mul_add(0.097, t20, t25);
-            let t28 = A::mul_add(0.076, A::mul_add(s23, s5, -(c5 * t18)), t12);
-            let t29 = A::mul_add(0.097, t21, t28);
+            let t19 = A::fma(s5, t16, c5 * t10);
+            let t20 = A::fma(s5, t17, -(c5 * t11));
+            let t21 = A::fma(s23, c5, s5 * t18);
+            let t22 = t6 - A::fma(0.0775, t8, 0.3425 * t10);
+            let t23 = t7 - A::fma(0.0775, t9, 0.3425 * t11);
+            let t24 = A::fma(0.076, A::fma(c5, t16, -(s5 * t10)), t22);
+            let t25 = A::fma(-0.076, A::fma(c5, t17, s5 * t11), t23);
+            let t26 = A::fma(-0.097, t19, t24);
+            let t27 = A::fma(0.097, t20, t25);
+            let t28 = A::fma(0.076, A::fma(s23, s5, -(c5 * t18)), t12);
+            let t29 = A::fma(0.097, t21, t28);
             let t30 = t29 - t3;
             let t31 = t26 - t22;
             let t32 = t27 - t23;
@@ -1289,25 +1264,25 @@ mod __Xarm6 {
                         -t27,
                         c1 * t29,
                         c1 * t30,
-                        -A::mul_add(t11, t33, s23 * t32),
-                        A::mul_add(t14, t33, t15 * t32),
-                        A::mul_add(t20, t36, -(t21 * t35)),
+                        -A::fma(t11, t33, s23 * t32),
+                        A::fma(t14, t33, t15 * t32),
+                        A::fma(t20, t36, -(t21 * t35)),
                     ],
                     [
                         t26,
                         s1 * t29,
                         s1 * t30,
-                        A::mul_add(s23, t31, t10 * t33),
-                        A::mul_add(t13, t33, -(t15 * t31)),
-                        A::mul_add(t21, t34, t19 * t36),
+                        A::fma(s23, t31, t10 * t33),
+                        A::fma(t13, t33, -(t15 * t31)),
+                        A::fma(t21, t34, t19 * t36),
                     ],
                     [
                         0.0,
-                        -A::mul_add(s1, t27, c1 * t26),
-                        -A::mul_add(s1, t27 - t7, c1 * (t26 - t6)),
-                        A::mul_add(t11, t31, -(t10 * t32)),
-                        -A::mul_add(t13, t32, t14 * t31),
-                        -A::mul_add(t19, t35, t20 * t34),
+                        -A::fma(s1, t27, c1 * t26),
+                        -A::fma(s1, t27 - t7, c1 * (t26 - t6)),
+                        A::fma(t11, t31, -(t10 * t32)),
+                        -A::fma(t13, t32, t14 * t31),
+                        -A::fma(t19, t35, t20 * t34),
                     ],
                     [0.0, t5, t5, -t10, -t13, -t19],
                     [0.0, c1, c1, -t11, t14, t20],

@@ -20,6 +20,7 @@ mod targets;
 use js::JsRobot;
 use kin_codegen::{GeneratedC, GeneratedJs};
 use kinematics::__private::math;
+use kinematics::__private::reproducible::reproducibly;
 use kinematics::{Pose, Robot, RobotSource, Target, Twist};
 use program::{Compiler, Program, generated};
 use robots::{Asked, all};
@@ -173,15 +174,20 @@ fn compare(subjects: &[Subject], written: &str) {
 
 fn compare_one(subject: &Subject, written: &mut Written) {
     compare_forward(subject, written);
-    for (pose, seed) in &subject.targets {
-        inverse(subject, pose, seed, written);
-    }
+    reproducibly(|| {
+        for (pose, seed) in &subject.targets {
+            inverse(subject, pose, seed, written);
+        }
+    });
 }
 
+/// Without fused operations, which the other languages have not.
 fn compare_forward(subject: &Subject, written: &mut Written) {
-    for q in &subject.configurations {
-        forward(subject, q, written);
-    }
+    reproducibly(|| {
+        for q in &subject.configurations {
+            forward(subject, q, written);
+        }
+    });
 }
 
 /// Runs a robot's JavaScript, and compares.

@@ -103,18 +103,17 @@ impl Robot for Platform<'_> {
 }
 
 impl Platform<'_> {
-    /// The solution of a chain nearest home, of those that count.
+    /// The solution of a chain nearest home, by the Euclidean norm, of those that count.
     fn nearest(&self, chain: usize, solutions: &[Vec<f64>]) -> Option<Vec<f64>> {
         let model = &self.compiled.mechanism.legs[chain].model;
         let length = self.generic.length();
         let from_home = |q: &Vec<f64>| -> f64 {
             let joints = q.iter().enumerate();
-            joints
-                .map(|(j, value)| match model.turns(j) {
-                    true => math::wrap(*value).abs(),
-                    false => value.abs() / length,
-                })
-                .sum()
+            let moved = joints.map(|(j, value)| match model.turns(j) {
+                true => math::wrap(*value),
+                false => value / length,
+            });
+            moved.map(|x| x * x).sum()
         };
         (solutions.iter())
             .filter(|q| !self.limited || is_within(model, q))

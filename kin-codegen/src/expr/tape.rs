@@ -253,7 +253,7 @@ impl Tape {
                 if fused == Fusing::Nothing {
                     lane_by_lane!($to, [$($operand),*], $k => rounded!($a * $b) + $c);
                 } else {
-                    lane_by_lane!($to, [$($operand),*], $k => Fused::<FUSED>::mul_add($a, $b, $c));
+                    lane_by_lane!($to, [$($operand),*], $k => Fused::<FUSED>::fma($a, $b, $c));
                 }
             };
         }

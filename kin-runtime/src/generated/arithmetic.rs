@@ -6,7 +6,7 @@ use super::super::scalar::{Real, angle_by};
 /// The operations that differ between instruction sets.
 pub trait Arithmetic {
     /// a b + c; see [`math::mul_add`].
-    fn mul_add(a: Real, b: Real, c: Real) -> Real;
+    fn fma(a: Real, b: Real, c: Real) -> Real;
     /// The angle of the vector (x, y) in (−π, π] radians, for loops over lanes; see
     /// [`lanes::angle`](super::lanes::angle).
     fn angle(y: Real, x: Real) -> Real;
@@ -17,7 +17,7 @@ pub struct Fused<const IS: bool>;
 
 impl<const IS: bool> Arithmetic for Fused<IS> {
     #[inline(always)]
-    fn mul_add(a: Real, b: Real, c: Real) -> Real {
+    fn fma(a: Real, b: Real, c: Real) -> Real {
         math::mul_add::<IS>(a, b, c)
     }
 

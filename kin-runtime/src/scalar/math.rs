@@ -109,10 +109,10 @@ fn sin_cos_eighth<const FUSED: bool>(r: f64) -> (f64, f64) {
 ///
 /// ```
 /// use kin_runtime::__private::math::mul_add;
-/// let small = f64::EPSILON / 4.0;
-/// assert_eq!(mul_add::<false>(1.0 + f64::EPSILON, 1.0 - small, -1.0), f64::EPSILON);
+/// let (a, b) = (1.0 + f64::EPSILON, 1.0 - f64::EPSILON);
+/// assert_eq!(mul_add::<false>(a, b, -1.0), 0.0);
 /// # #[cfg(feature = "std")]
-/// assert_ne!(mul_add::<true>(1.0 + f64::EPSILON, 1.0 - small, -1.0), f64::EPSILON);
+/// assert_eq!(mul_add::<true>(a, b, -1.0), -f64::EPSILON * f64::EPSILON);
 /// ```
 #[inline(always)]
 pub fn mul_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {

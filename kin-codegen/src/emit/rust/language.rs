@@ -47,7 +47,7 @@ impl Language for Rust {
     }
 
     fn mul_add(a: TokenStream, b: TokenStream, c: TokenStream) -> TokenStream {
-        quote!(A::mul_add(#a, #b, #c))
+        quote!(A::fma(#a, #b, #c))
     }
 
     fn call(function: Function, arguments: Vec<TokenStream>) -> TokenStream {
