@@ -54,6 +54,8 @@ macro_rules! arm {
     };
 }
 arm!(Forwarded);
+// As the parameter of generated functions.
+arm!(A);
 
 /// The crate `kinematics`, as another hands it on.
 mod robotics {
@@ -115,4 +117,5 @@ fn main() {
     assert_eq!(captured::Planar.ik(&Planar.fk(&q)).len(), 2);
     assert_eq!(captured::FiveBar::ACTUATED, crowded::FiveBar::ACTUATED);
     assert_eq!(Forwarded.fk(&q), Planar.fk(&q));
+    assert_eq!(A.ik(&A.fk(&q)), Planar.ik(&Planar.fk(&q)));
 }

@@ -574,3 +574,78 @@ impl<'a> Writer<'a> {
 
 /// Nodes by what they are of.
 type Partners = NodeMap<[Expr; 5], Vec<usize>>;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By the interpreter of single lanes, bit by bit.
+    #[test]
+    fn every_lane_is_what_the_interpreter_has() {
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|name| g.input(name));
+        let (sin, cos) = g.sin_cos(x);
+        let (first, second) = (g.sign(), g.sign());
+        let root = g.sqrt(y);
+        let root = g.mul(first, root);
+        let sum = g.add(sin, root);
+        let limited = g.max(sum, cos);
+        let quotient = g.div(limited, y);
+        let other = g.mul(second, quotient);
+        let angle = g.atan2(other, sum);
+        let wrapped = g.wrap(angle);
+        let less = g.select_less(wrapped, cos, root, other);
+        let minus = g.neg(less);
+        let [product, another, third] = [[sin, y], [cos, less], [y, y]].map(|[a, b]| g.mul(a, b));
+        let sums = [
+            g.add(product, angle),
+            g.sub(another, angle),
+            g.sub(angle, third),
+        ];
+        let [fourth, fifth] = [[sums[0], y], [sums[1], cos]].map(|[a, b]| g.mul(a, b));
+        let both = g.add(fourth, fifth);
+        let [sixth, seventh] = [[both, y], [sums[2], cos]].map(|[a, b]| g.mul(a, b));
+        let apart = g.sub(sixth, seventh);
+        let outputs = [less, angle, minus, sin, y, first, both, apart];
+        let tape = Tape::new(&g, &outputs);
+        let inputs = [0.7, 2.3];
+        let four = tape.run::<4>(&inputs, 0);
+        let rest = tape.run::<2>(&inputs, 2);
+        // Beside other inputs.
+        let beside = tape.run_each::<8, 2>([&[-0.4, 1.9], &inputs], 0);
+        for lane in 0..4 {
+            let mut values = Vec::new();
+            g.evaluate(&inputs, lane, &mut values);
+            for (number, output) in outputs.iter().enumerate() {
+                let expected = values[output.index()].to_bits();
+                assert_eq!(four.output(number)[lane as usize].to_bits(), expected);
+                assert_eq!(beside.output(number)[lane as usize + 4].to_bits(), expected);
+                if lane >= 2 {
+                    assert_eq!(rest.output(number)[lane as usize - 2].to_bits(), expected);
+                }
+            }
+        }
+        // Places are used again.
+        assert!(tape.places < g.nodes().len(), "{}", tape.places);
+    }
+
+    #[test]
+    fn products_are_fused_where_the_processor_can_and_reproducibly_nowhere() {
+        let mut g = Graph::new();
+        let [a, b, c] = ["a", "b", "c"].map(|name| g.input(name));
+        let product = g.mul(a, b);
+        let sum = g.add(product, c);
+        let tape = Tape::new(&g, &[sum]).fusing(Fusing::Lanes);
+        let small = f64::EPSILON;
+        let run = || {
+            tape.run::<4>(&[1.0 + small, 1.0 - small, -1.0], 0)
+                .output(0)[3]
+        };
+        #[cfg(target_arch = "x86_64")]
+        let can = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        #[cfg(not(target_arch = "x86_64"))]
+        let can = cfg!(target_arch = "aarch64");
+        assert_eq!(run(), if can { -small * small } else { 0.0 });
+        assert_eq!(reproducible::reproducibly(run), 0.0);
+    }
+}

@@ -5,10 +5,9 @@ use super::super::scalar::{Real, angle_by};
 
 /// The operations that differ between instruction sets.
 pub trait Arithmetic {
-    /// a b + c; see [`math::mul_add`].
+    /// a b + c.
     fn fma(a: Real, b: Real, c: Real) -> Real;
-    /// The angle of the vector (x, y) in (−π, π] radians, for loops over lanes; see
-    /// [`lanes::angle`](super::lanes::angle).
+    /// The angle of the vector (x, y) in (−π, π] radians, for loops over lanes.
     fn angle(y: Real, x: Real) -> Real;
 }
 
