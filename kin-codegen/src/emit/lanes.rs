@@ -10,7 +10,7 @@
 //! first two signs share a loop of four.
 
 use super::headings::{self, GIVEN, Headings, SHARED};
-use super::language::Language;
+use super::language::{Language, MulAdd};
 use super::straight::{Place, Trig, Writer};
 use crate::closed_form::ClosedForm;
 use crate::expr::inverse::InverseGraph;
@@ -133,11 +133,13 @@ fn busy(g: &Graph, outputs: &[Expr], loops: &[u8], stages: &[usize]) -> usize {
     busy.map(|(width, _)| *width).max().unwrap_or(1)
 }
 
-/// Writes all lanes of a closed form. `inputs` is how the inputs behind the target are read.
+/// Writes all lanes of a closed form. `inputs` is how the inputs behind the target are read,
+/// and `fused` how products and sums are, if they are fused.
 pub fn lanes<L: Language>(
     solver: &ClosedForm,
     inverse: &InverseGraph,
     inputs: impl IntoIterator<Item = L::Text>,
+    fused: Option<MulAdd<L::Text>>,
 ) -> Lanes<L> {
     let g = &inverse.graph;
     let headings = Headings::new(&solver.plan, &solver.linkage, inverse);
@@ -148,7 +150,7 @@ pub fn lanes<L: Language>(
     let target = target_names();
     let target = target.iter().map(|name| L::of_target(name));
     let inputs: Vec<L::Text> = target.chain(inputs).collect();
-    let mut writer = Writer::<L>::new(g, &outputs, &inputs, &stages, L::FUSES);
+    let mut writer = Writer::<L>::new(g, &outputs, &inputs, &stages, fused);
     let last_read = last_read(&writer, inverse, &stages, SHARED + loops.len());
     let trig = writer.sines_and_cosines();
     let given = given(&mut writer, &headings, &stages);

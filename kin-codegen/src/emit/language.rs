@@ -5,9 +5,6 @@ use crate::expr::RootPart;
 /// A language of generated code. [`Writer`](super::straight::Writer) decides what is
 /// written in which order and under which names, for all languages alike.
 pub trait Language {
-    /// Whether the lanes of a plan are written with fused operations.
-    const FUSES: bool;
-
     /// A piece of source.
     type Text: Clone;
 
@@ -21,8 +18,6 @@ pub trait Language {
     fn parenthesized(a: Self::Text) -> Self::Text;
     /// An operation on two numbers.
     fn infix(a: Self::Text, operator: Operator, b: Self::Text) -> Self::Text;
-    /// a b + c as one operation, where it can be.
-    fn mul_add(a: Self::Text, b: Self::Text, c: Self::Text) -> Self::Text;
     /// A call of a function of the runtime.
     fn call(function: Function, arguments: Vec<Self::Text>) -> Self::Text;
     /// A number of a root of the quartic that was solved under this name.
@@ -41,6 +36,9 @@ pub trait Language {
     /// A comment, where a statement can stand.
     fn comment(text: &str) -> Self::Text;
 }
+
+/// How a language writes a b + c as one operation, of a, b and c.
+pub type MulAdd<Text> = fn(Text, Text, Text) -> Text;
 
 /// An operation that is written between its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

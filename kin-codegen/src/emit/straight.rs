@@ -1,7 +1,7 @@
 //! Expressions as statements of a language: one per shared or named node, the rest
 //! inline.
 
-use super::language::{Function, Language, Operator};
+use super::language::{Function, Language, MulAdd, Operator};
 use crate::expr::{Expr, Graph, Node};
 use std::collections::HashSet;
 
@@ -51,8 +51,8 @@ pub struct Writer<'a, L: Language> {
     needed: Vec<bool>,
     /// How many operations read a node.
     uses: Vec<u32>,
-    /// Products that are one operation with the sum that reads them.
-    fused: Vec<bool>,
+    /// Products that are one operation with the sum that reads them, and how that is written.
+    fused: Option<(Vec<bool>, MulAdd<L::Text>)>,
     /// Nodes that stand inline where they are used.
     inline: Vec<bool>,
     /// What a node is called, once it has been written.
@@ -67,14 +67,14 @@ pub struct Writer<'a, L: Language> {
 impl<'a, L: Language> Writer<'a, L> {
     /// For a function that computes `outputs`. `inputs` is how the
     /// inputs are read, by number. Nodes of different `stages` do
-    /// not stand inline in each other; products and sums are `fused` operations
-    /// if they are to be.
+    /// not stand inline in each other; `fused` is how a product and a sum are
+    /// written as one operation, if they are to be one.
     pub fn new(
         graph: &'a Graph,
         outputs: &[Expr],
         inputs: &[L::Text],
         stages: &[usize],
-        fused: bool,
+        fused: Option<MulAdd<L::Text>>,
     ) -> Self {
         let needed = graph.reachable(outputs);
         let mut uses = vec![0; needed.len()];
@@ -88,13 +88,9 @@ impl<'a, L: Language> Writer<'a, L> {
         for e in outputs {
             uses[e.index()] += 1;
         }
-        let fused = match fused {
-            true => graph.fused(outputs),
-            false => vec![false; needed.len()],
-        };
         let mut writer = Self {
             graph,
-            fused,
+            fused: fused.map(|mul_add| (graph.fused(outputs), mul_add)),
             inline: Vec::new(),
             names: vec![None; needed.len()],
             needed,
@@ -152,7 +148,7 @@ impl<'a, L: Language> Writer<'a, L> {
                 | Node::Sin(_)
                 | Node::Cos(_)
                 | Node::TrigRoot(..) => false,
-                _ if self.fused[i] => true,
+                _ if self.is_fused(self.expr(i)) => true,
                 // Free to repeat.
                 Node::Neg(a) if !pinned[i] && matches!(self.graph.node(*a), Node::Input(_)) => true,
                 _ => {
@@ -333,21 +329,13 @@ impl<'a, L: Language> Writer<'a, L> {
     fn value(&self, e: Expr) -> (L::Text, Binding) {
         use Binding::{Atom, Product, Sum, Unary};
         let infix = |a, operator, b, binding| (L::infix(a, operator, b), binding);
+        if let Some(fused) = self.fused(e) {
+            return (fused, Atom);
+        }
         match self.graph.node(e) {
             Node::Constant(bits) => constant::<L>(f64::from_bits(bits)),
             Node::Input(_) | Node::Sign(_) | Node::Sin(_) | Node::Cos(_) => {
                 unreachable!("inputs, signs, sines and cosines have names before they are read")
-            }
-            Node::Add(a, b) if self.fused[a.index()] => self.mul_add(a, b),
-            Node::Add(a, b) if self.fused[b.index()] => self.mul_add(b, a),
-            Node::Sub(a, b) if self.fused[a.index()] => {
-                let [x, y] = self.factors(a).map(|e| self.read(e).0);
-                (L::mul_add(x, y, self.negated(b)), Atom)
-            }
-            Node::Sub(a, b) if self.fused[b.index()] => {
-                let [x, y] = self.factors(b);
-                let (x, y) = (self.negated(x), self.read(y).0);
-                (L::mul_add(x, y, self.read(a).0), Atom)
             }
             Node::Add(a, b) => match self.graph.value(b) {
                 Some(c) if c < 0.0 => {
@@ -391,17 +379,34 @@ impl<'a, L: Language> Writer<'a, L> {
         }
     }
 
-    /// The sum of a product that is fused and of what is added to it.
-    fn mul_add(&self, product: Expr, addend: Expr) -> (L::Text, Binding) {
-        let [a, b] = self.factors(product).map(|e| self.read(e).0);
-        (L::mul_add(a, b, self.read(addend).0), Binding::Atom)
+    /// A sum or difference that is one operation with a product in it.
+    fn fused(&self, e: Expr) -> Option<L::Text> {
+        let (_, mul_add) = self.fused.as_ref()?;
+        let read = |e: Expr| self.read(e).0;
+        let factors = |product| match self.graph.node(product) {
+            Node::Mul(a, b) if self.is_fused(product) => Some([a, b]),
+            _ => None,
+        };
+        let [x, y, z] = match self.graph.node(e) {
+            Node::Add(a, b) => match (factors(a), factors(b)) {
+                (Some([x, y]), _) => [read(x), read(y), read(b)],
+                (None, Some([x, y])) => [read(x), read(y), read(a)],
+                (None, None) => return None,
+            },
+            Node::Sub(a, b) => match (factors(a), factors(b)) {
+                (Some([x, y]), _) => [read(x), read(y), self.negated(b)],
+                (None, Some([x, y])) => [self.negated(x), read(y), read(a)],
+                (None, None) => return None,
+            },
+            _ => return None,
+        };
+        Some(mul_add(x, y, z))
     }
 
-    fn factors(&self, product: Expr) -> [Expr; 2] {
-        match self.graph.node(product) {
-            Node::Mul(a, b) => [a, b],
-            other => unreachable!("{other:?} is no product"),
-        }
+    /// Whether a product is one operation with the sum that reads it.
+    fn is_fused(&self, product: Expr) -> bool {
+        let fused = self.fused.as_ref();
+        fused.is_some_and(|(fused, _)| fused[product.index()])
     }
 
     /// −a.

@@ -19,7 +19,7 @@ pub fn body<L: Curly>(
         .map(|i| format!("q[{i}]"))
         .collect();
     let stages = vec![0; g.nodes().len()];
-    let mut writer = Writer::<L>::new(g, outputs, &inputs, &stages, false);
+    let mut writer = Writer::<L>::new(g, outputs, &inputs, &stages, None);
     let mut body = L::bound(&writer.sines_and_cosines());
     let statements = writer.statements(Place::Scalar, |_| true, |_| Vec::new(), |_, _| ());
     body += &statements.concat();

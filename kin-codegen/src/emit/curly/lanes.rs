@@ -30,7 +30,7 @@ pub fn body<L: Curly>(solver: &ClosedForm, inverse: &InverseGraph) -> Body {
     let (solved, given) = (solver.given.variables(), solver.given.parameters());
     let own = [places("seed", solved), places("given", given)].concat();
     let inputs = own.into_iter().chain(["free_below".to_owned()]);
-    let found = lanes::<L>(solver, inverse, inputs);
+    let found = lanes::<L>(solver, inverse, inputs, None);
     let width = found.width;
     let mut statements = String::new();
     let trig = L::bound(&found.trig);

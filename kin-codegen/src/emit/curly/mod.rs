@@ -35,8 +35,6 @@ pub trait Curly {
 }
 
 impl<L: Curly> Language for L {
-    const FUSES: bool = false;
-
     type Text = String;
 
     fn name(name: &str) -> String {
@@ -63,10 +61,6 @@ impl<L: Curly> Language for L {
             Operator::Over => '/',
         };
         format!("{a} {operator} {b}")
-    }
-
-    fn mul_add(a: String, b: String, c: String) -> String {
-        format!("({a} * {b} + {c})")
     }
 
     fn call(function: Function, arguments: Vec<String>) -> String {

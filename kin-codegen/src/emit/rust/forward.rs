@@ -1,7 +1,8 @@
 //! Forward kinematics and Jacobians as Rust functions.
 
 use super::comment::comment;
-use super::language::{Writer, matrix, sines_and_cosines};
+use super::language::{Writer, matrix, mul_add, sines_and_cosines};
+use crate::emit::language::MulAdd;
 use crate::emit::straight::Place;
 use crate::expr::jacobian::Columns;
 use crate::expr::linear::Motion;
@@ -71,7 +72,8 @@ fn block_of(
         })
         .collect();
     let stages = vec![0; g.nodes().len()];
-    let mut writer = Writer::new(g, outputs, &inputs, &stages, sin_cos.is_some());
+    let fused = sin_cos.is_some().then_some(mul_add as MulAdd<_>);
+    let mut writer = Writer::new(g, outputs, &inputs, &stages, fused);
     let sin_cos = sin_cos.unwrap_or_else(|| quote!(lanes::sin_cos));
     let trig = sines_and_cosines(&mut writer, &sin_cos);
     let statements = writer.statements(Place::Scalar, |_| true, |_| Vec::new(), |_, _| ());

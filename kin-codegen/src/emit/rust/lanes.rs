@@ -3,7 +3,7 @@
 //! inside of those do.
 
 use super::comment::comment;
-use super::language::{Rust, array, bound, identifier};
+use super::language::{Rust, array, bound, identifier, mul_add};
 use crate::closed_form::ClosedForm;
 use crate::emit::headings;
 use crate::emit::lanes::{self, Output, Stage, is_minus, told_of_angles};
@@ -42,7 +42,7 @@ pub fn lanes(
     inputs: impl IntoIterator<Item = TokenStream>,
     sin_cos: &TokenStream,
 ) -> Lanes {
-    let found = lanes::lanes::<Rust>(solver, inverse, inputs);
+    let found = lanes::lanes::<Rust>(solver, inverse, inputs, Some(mul_add));
     let values = found.trig.angles.iter().map(|angle| angle.value.clone());
     let angles = (found.trig.sums.clone(), values.collect());
     let mut statements = bound(found.trig, sin_cos);

@@ -15,8 +15,6 @@ pub struct Rust;
 pub type Writer<'a> = straight::Writer<'a, Rust>;
 
 impl Language for Rust {
-    const FUSES: bool = true;
-
     type Text = TokenStream;
 
     fn name(name: &str) -> TokenStream {
@@ -44,10 +42,6 @@ impl Language for Rust {
             Operator::Times => quote!(#a * #b),
             Operator::Over => quote!(#a / #b),
         }
-    }
-
-    fn mul_add(a: TokenStream, b: TokenStream, c: TokenStream) -> TokenStream {
-        quote!(A::fma(#a, #b, #c))
     }
 
     fn call(function: Function, arguments: Vec<TokenStream>) -> TokenStream {
@@ -105,6 +99,11 @@ impl Language for Rust {
     fn comment(text: &str) -> TokenStream {
         comment(text)
     }
+}
+
+/// a b + c in the arithmetic that the caller of a function says.
+pub fn mul_add(a: TokenStream, b: TokenStream, c: TokenStream) -> TokenStream {
+    quote!(A::fma(#a, #b, #c))
 }
 
 /// The statements that compute all sines and cosines of a function, in one call.
