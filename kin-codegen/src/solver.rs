@@ -37,7 +37,7 @@ pub(crate) const DESIGNED: f64 = 1e-2;
 const TAKES_PART: f64 = 0.1;
 
 /// With more noise an elimination is not asked beside an idealized arm.
-const NOISY: f64 = 1e-8;
+const NOISY: f64 = 1e-4;
 
 /// So many choices of eliminations are tried of an arm that is solved by them alone.
 const CHOICES: usize = 6;

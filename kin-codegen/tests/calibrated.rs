@@ -89,6 +89,8 @@ fn nothing_is_lost_of_an_offset_shoulder_and_a_wrist() {
 
 /// Of seven joints, at values of one that is given: at an end of the chain, where an arm is not asked
 /// for another, or between the others, for which eliminations are asked that do not depend on it.
+/// Two of the configurations tried while an arm of the last kind is compiled are 2.4e-3 rad apart,
+/// at a conditioning of 4e-4 and where no pivot of the Jacobian is below 5e-3.
 fn nothing_is_lost_of_seven(path: &str, free: Option<usize>) {
     let design = design(path);
     let mut random = Random(0x5eed);
@@ -96,7 +98,7 @@ fn nothing_is_lost_of_seven(path: &str, free: Option<usize>) {
         joints: free.into_iter().collect(),
         ..Asked::default()
     };
-    for noise in [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+    for noise in [1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let model = measured(&design, noise, &mut random);
         let (chain, length) = (model.chain(), size(&model));
         let solved = solve_redundant(&model, &Linkage::new(&model), Target::Pose, &asked);

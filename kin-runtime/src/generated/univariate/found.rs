@@ -8,8 +8,7 @@ use crate::{Solution, Solutions, math};
 /// Solutions reach the target to this, in units of the arm's size.
 const REACHED: f64 = 1e-13;
 
-/// Below this a pivot of the Jacobian, relative to the largest, is that of a
-/// singular configuration.
+/// Below this independence of the Jacobian's columns a configuration is singular.
 const SINGULAR: f64 = 1e-5;
 
 /// Singular solutions that are nearer to each other, radians or half the arm's size, are one,
@@ -26,7 +25,7 @@ pub(super) struct Found {
     /// How far the target's rotation is from the one that is reached, radians.
     gap: f64,
     pub regular: Solutions<6>,
-    /// Of each regular solution, the least pivot of the Jacobian by the largest.
+    /// Of each regular solution, how far from singular it is.
     pub independence: [f64; Solutions::<6>::CAPACITY],
     /// Where the Jacobian loses rank: these may be members of families, and must not
     /// take the place of others.
@@ -77,7 +76,7 @@ impl Found {
     }
 
     /// Whether the solution next to a configuration is known: a regular one, with no other
-    /// beside it, where the least pivot is above `meeting` times the largest.
+    /// beside it, where it is `meeting` from singular or more.
     pub fn knows(&mut self, q: &[f64; 6], meeting: f64) -> bool {
         let prismatic = self.regular.prismatic();
         let beside = |known: &Solution<6>| within(BESIDE, prismatic, &known.q, q);

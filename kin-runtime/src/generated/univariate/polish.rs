@@ -27,7 +27,7 @@ pub(super) struct Polished {
     pub q: [[f64; LANES]; 6],
     /// How far the tip is from the target, in units of the arm's size.
     pub residual: [f64; LANES],
-    /// The least pivot of the Jacobian by the largest.
+    /// How far from singular they are, see [`Factored::independence`].
     pub independence: [f64; LANES],
 }
 
@@ -398,11 +398,26 @@ impl<L: Lanes> Factored<L> {
         [least, largest]
     }
 
-    /// The least pivot by the largest.
+    /// How far from singular: 1 / (‖J⁻¹‖ · the largest pivot), by the norm of all entries, which is
+    /// below the least singular value by no more than √6. A pivot may be far above it.
     #[inline(always)]
     fn independence(&self) -> L {
-        let [least, largest] = self.extremes();
-        (least * largest.inverse()).sqrt()
+        let mut sum = L::ZERO;
+        for j in 0..6 {
+            // Column j of R⁻¹, and J⁻¹ = R⁻¹ D⁻¹ Qᵀ.
+            let mut column = [L::ZERO; 6];
+            column[j] = L::ONE;
+            let mut square = L::ONE;
+            for i in (0..j).rev() {
+                for l in i + 1..=j {
+                    column[i] = column[i].minus(self.above[i][l], column[l]);
+                }
+                square = square.plus(column[i], column[i]);
+            }
+            sum = sum.plus(square, self.inverses[j]);
+        }
+        let [_, largest] = self.extremes();
+        (sum * largest).inverse().sqrt()
     }
 
     #[inline(always)]

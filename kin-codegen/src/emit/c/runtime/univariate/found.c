@@ -11,7 +11,7 @@ typedef struct kin_found {
     double gap;
     kin_six regular[KIN_MOST_FOUND];
     int regular_count;
-    /* Of each regular solution, the least pivot of the Jacobian by the largest. */
+    /* Of each regular solution, how far from singular it is. */
     double independence[KIN_MOST_FOUND];
     /* Where the Jacobian loses rank: these may be members of families, and must not take the place
      * of others. */
@@ -62,8 +62,7 @@ static int kin_place_of(kin_found *found, const kin_six *solution)
     return found->regular_count++;
 }
 
-/* Below this a pivot of the Jacobian, relative to the largest, is that of a singular
- * configuration. */
+/* Below this independence of the Jacobian's columns a configuration is singular. */
 #define KIN_SINGULAR 1e-5
 /* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
  * members of a family; from so near, Newton's method leads to a regular solution. */
@@ -103,7 +102,7 @@ static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int 
 }
 
 /* Whether the solution next to a configuration is known: a regular one, with no other beside it,
- * where the least pivot is above `meeting` times the largest. */
+ * where it is `meeting` from singular or more. */
 static int kin_is_known(kin_found *found, const double q[6], double meeting)
 {
     for (int i = 0; i < found->regular_count; ++i) {

@@ -143,12 +143,38 @@ KIN_INLINE void kin_extremes(const kin_orthogonal *jacobian, double *least, doub
     }
 }
 
+/* How far from singular: 1 / (|J^-1| * the largest pivot), by the norm of all entries, which is below
+ * the least singular value by no more than the root of 6. A pivot may be far above it. */
+KIN_INLINE void kin_independence(const kin_orthogonal *jacobian, double *out)
+{
+    kin_pack least, largest, sum;
+    kin_fill(sum, 0.0);
+    for (int j = 0; j < 6; ++j) {
+        /* Column j of R^-1, and J^-1 = R^-1 D^-1 Q^T. */
+        kin_pack column[6], square;
+        kin_fill(column[j], 1.0);
+        kin_fill(square, 1.0);
+        for (int i = j - 1; i >= 0; --i) {
+            kin_fill(column[i], 0.0);
+            for (int l = i + 1; l <= j; ++l) {
+                kin_minus(column[i], jacobian->above[i][l], column[l]);
+            }
+            kin_plus(square, column[i], column[i]);
+        }
+        kin_plus(sum, square, jacobian->inverses[j]);
+    }
+    kin_extremes(jacobian, least, largest);
+    for (int k = 0; k < KIN_LANES; ++k) {
+        out[k] = sqrt(1.0 / (sum[k] * largest[k]));
+    }
+}
+
 /* Where configurations arrived. */
 typedef struct kin_arrived {
     kin_pack q[6];
     /* How far the tip is from the target, in units of the arm's size. */
     kin_pack residual;
-    /* The least pivot of the Jacobian by the largest. */
+    /* Of the Jacobian's columns. */
     kin_pack independence;
 } kin_arrived;
 
@@ -183,7 +209,7 @@ KIN_INLINE void kin_polish_of(
 {
     kin_system system;
     kin_orthogonal jacobian;
-    kin_pack before, longest, change[6], least, largest;
+    kin_pack before, longest, change[6];
     for (int i = 0; i < 6; ++i) {
         kin_copy(out->q[i], start[i]);
     }
@@ -210,10 +236,7 @@ KIN_INLINE void kin_polish_of(
         }
     }
     kin_copy(out->residual, system.residual);
-    kin_extremes(&jacobian, least, largest);
-    for (int k = 0; k < KIN_LANES; ++k) {
-        out->independence[k] = sqrt(least[k] / largest[k]);
-    }
+    kin_independence(&jacobian, out->independence);
 }
 
 KIN_BY_PROCESSOR(
