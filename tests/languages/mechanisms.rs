@@ -8,12 +8,13 @@ use kin_codegen::{Compiled, GeneratedJs, Options, compile};
 use kinematics::__private::math;
 use kinematics::Twist;
 
-const MECHANISMS: [&str; 5] = [
+const MECHANISMS: [&str; 6] = [
     "robots/delta.yaml",
     "robots/five_bar.yaml",
     "robots/four_bar.yaml",
     "robots/slider_crank.yaml",
     "robots/stewart.yaml",
+    "tests/robots/uneven_delta.yaml",
 ];
 
 /// The mechanism of a file, and the JavaScript of it.
