@@ -5,10 +5,10 @@
 //! tilt of a few digits makes a plan lose what it would lose if it were degenerate.
 
 use crate::geometry::{Line, Vec3, axes, concurrency, cross, dot, norm, size, sub};
-use crate::model::{JointKind, Model, configurations};
+use crate::model::{Joint, JointKind, Model, configurations};
 use crate::random::Random;
-use kin_runtime::Pose;
 use kin_runtime::subproblems::{subproblem1, subproblem2};
+use kin_runtime::{Chain, Pose, Twist};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -27,6 +27,7 @@ pub fn aligned(model: &Model) -> Vec<Vec<f64>> {
     let arm = Arm {
         model,
         axes: axes(model),
+        twists: model.joints.iter().map(Joint::twist).collect(),
     };
     arm.alignments(&mut random)
 }
@@ -48,6 +49,7 @@ struct Arm<'a> {
     model: &'a Model,
     /// At home, base coordinates.
     axes: Vec<Line>,
+    twists: Vec<Twist>,
 }
 
 /// A point of the arm.
@@ -120,9 +122,8 @@ impl Arm<'_> {
 
     /// The motion of some joints in a row.
     fn motion(&self, q: &[f64], joints: Range<usize>) -> Pose {
-        joints.fold(Pose::IDENTITY, |before, joint| {
-            before * Pose::exp(&self.model.joints[joint].twist(), q[joint])
-        })
+        let twists = self.twists[joints.clone()].to_vec();
+        Chain::new(twists, Pose::IDENTITY).fk(&q[joints])
     }
 
     /// Turns one or two joints between `i` and `j` so that their axes are
@@ -169,9 +170,9 @@ impl Arm<'_> {
         let joint = i + 1 + random.below((j - i - 1) as u64);
         let [before, behind] = [i + 1..joint, joint + 1..j].map(|joints| self.motion(&q, joints));
         let axis = moved(&behind, &self.axes[j]);
+        let moving = Chain::new(vec![self.twists[joint]], Pose::IDENTITY);
         let apart = |x: f64| {
-            let turn = Pose::exp(&self.model.joints[joint].twist(), x);
-            let line = moved(&(before * turn), &axis);
+            let line = moved(&(before * moving.fk(&[x])), &axis);
             let normal = cross(self.axes[i].direction, line.direction);
             dot(sub(line.point, self.axes[i].point), normal)
         };

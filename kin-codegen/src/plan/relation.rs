@@ -407,7 +407,8 @@ impl Relation {
 
 /// The sine of the angle between two pairs of coefficients, of a sine and of a cosine.
 fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let amplitudes = a[0].hypot(a[1]) * b[0].hypot(b[1]);
+    let square = |[x, y]: [f64; 2]| x * x + y * y;
+    let amplitudes = (square(a) * square(b)).sqrt();
     if amplitudes > 0.0 {
         determinant(a, b).abs() / amplitudes
     } else {
