@@ -23,8 +23,8 @@ pub struct GeneratedJs {
 
 /// Compiles a robot file to JavaScript: of an arm the functions `fk`, `fk_links`, `fk_frame`,
 /// `spatial_jacobian`, `body_jacobian`, `geometric_jacobian`, `within_limits` and `approach`, and of
-/// one with an exact closed form `ik`, `ik_seeded` and `ik_nearest`, or `ik_at` and `redundancy`
-/// where it has parameters; of a parallel mechanism `fk`, `gap`, `close` and `ik`. Joint values are
+/// one that is solved by a closed form or an elimination `ik`, `ik_seeded` and `ik_nearest`, or `ik_at`
+/// and `redundancy` where it has parameters; of a parallel mechanism `fk`, `gap`, `close` and `ik`. Joint values are
 /// in radians and metres, poses are twelve numbers, three rows of `[R | p]`, Jacobians six rows
 /// (v, ω).
 ///

@@ -121,6 +121,34 @@ const $angle = (y, x) => {
     return -Math.PI < angle ? angle : Math.PI;
 };
 
+/* The product of two poses. */
+const $product = (a, b) => {
+    const out = new Float64Array(12);
+    for (let i = 0; i < 12; i += 4) {
+        for (let j = 0; j < 4; ++j) {
+            out[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j]
+                + (j === 3 ? a[i + 3] : 0.0);
+        }
+    }
+    return out;
+};
+
+/* The pose that another leads back from. */
+const $inverse = (pose) => {
+    const out = new Float64Array(12);
+    for (let i = 0; i < 3; ++i) {
+        for (let j = 0; j < 3; ++j) {
+            out[4 * i + j] = pose[4 * j + i];
+            out[4 * i + 3] -= pose[4 * j + i] * pose[4 * j + 3];
+        }
+    }
+    return out;
+};
+
+/* A point of a body in base coordinates. */
+const $point = (pose, p) =>
+    [0, 4, 8].map((i) => pose[i] * p[0] + pose[i + 1] * p[1] + pose[i + 2] * p[2] + pose[i + 3]);
+
 /* How far a pose is from a target, as far as the target counts, metres. */
 const $distance = (form, pose, target) => {
     let shift = 0.0;
@@ -317,10 +345,6 @@ const $nearest = (arm, solutions, seed) => {
     return chosen;
 };
 
-/* A point of a body in base coordinates. */
-const $point = (pose, p) =>
-    [0, 4, 8].map((i) => pose[i] * p[0] + pose[i + 1] * p[1] + pose[i + 2] * p[2] + pose[i + 3]);
-
 /* The swivel angle, by elbow and wrist in base coordinates: how far the elbow is turned about
  * the line from the shoulder to the wrist, from where the reference direction points; and how
  * the angle changes with the elbow while the wrist rests. */
@@ -511,16 +535,16 @@ const $insert = (arm, found, solutions) => {
         if (found.residual < solutions[known].residual) {
             solutions[known] = { ...found, branch: solutions[known].branch };
         }
-    } else if (solutions.length < arm.form.branches) {
+    } else if (solutions.length < arm.form.most) {
         solutions.push(found);
     }
 };
 
-/* A branch that rounding keeps from its target, corrected; null if it stays off. */
-const $corrected = (arm, target, given, solved, branch, singular) => {
+/* A branch that rounding keeps from its target, corrected; it may stay off. */
+const $corrected = (arm, target, given, solved, branch, singular, evaluations = 12) => {
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
-    const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, 12);
+    const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
     const q = found.q.map((x, i) => (arm.joints[form.solved[i]].turns ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
@@ -531,9 +555,8 @@ const $corrected = (arm, target, given, solved, branch, singular) => {
 };
 
 /* The branches that reach their target, those that rounding keeps from it corrected. */
-const $solve = (arm, target, seed, given) => {
+const $reaching = (arm, target, given, lanes) => {
     const { form } = arm;
-    const lanes = $branches(form, target, seed, given);
     const solutions = [];
     const nearly = [];
     const correct = form.swivel ? $at_swivel : $corrected;
@@ -566,17 +589,9 @@ const $solve = (arm, target, seed, given) => {
     return solutions;
 };
 
-/* The product of two poses. */
-const $product = (a, b) => {
-    const out = new Float64Array(12);
-    for (let i = 0; i < 12; i += 4) {
-        for (let j = 0; j < 4; ++j) {
-            out[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j]
-                + (j === 3 ? a[i + 3] : 0.0);
-        }
-    }
-    return out;
-};
+/* The solutions of a target by the branches of a plan. */
+const $solve = (arm, target, seed, given) =>
+    $reaching(arm, target, given, $branches(arm.form, target, seed, given));
 
 /* A target with the tool turned about the tip's z axis. */
 const $turned = (pose, angle) => {
@@ -632,11 +647,12 @@ const $arm = (arm) => {
         return { q: found.q, residual: found.residual };
     };
     if (form) {
-        const zeros = form.solved.map(() => 0.0);
+        /* Of a polynomial all roots are found without a seed. */
+        const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
         arm.ik_at = (pose, parameters, seed = zeros) => {
             const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
             const target = form.turns_tool ? $turned(pose, turn) : pose;
-            return $solve(arm, target, seed, parameters);
+            return form.solve(arm, target, seed, parameters);
         };
         arm.redundancy = (pose, q) => {
             const parameters = form.locked.map((joint) => q[joint]);
@@ -729,6 +745,7 @@ return $arm({
         plan: "SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4)",
         target: "whole poses",
         branches: 8,
+        most: 8,
         postures: [{
             name: "shoulder",
             words: ["left", "right", "left", "right", "left", "right", "left", "right"],
@@ -754,6 +771,8 @@ return $arm({
         counts_rotation: true,
         counts_axis: false,
         projected: false,
+        solve: $solve,
+        search: null,
         lanes: (target, seed, given, free_below) => {
             const lanes = {
                 q: Array.from({ length: 6 }, () => new Float64Array(8)),

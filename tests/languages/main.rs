@@ -41,7 +41,7 @@ struct Subject {
     /// What it is asked, as text.
     input: String,
     has_inverse: bool,
-    /// Whether a polynomial in one joint takes part, which JavaScript does without.
+    /// Whether a polynomial in one joint takes part.
     eliminates: bool,
     /// Whether branches are refined, and have the numbers of a plan's.
     refines: bool,
@@ -86,7 +86,6 @@ fn subjects() -> (Vec<Subject>, Program) {
 
 impl Subject {
     fn new(asked: &Asked, c: &GeneratedC, js: String, rust: Robot) -> Self {
-        let mut input = String::new();
         let mut configurations = targets::configurations(rust.joints());
         configurations.extend(targets::at_limits(rust.limits()));
         let has_inverse = c.header.contains("_MAX_SOLUTIONS");
@@ -94,27 +93,40 @@ impl Subject {
             true => reproducibly(|| targets::targets(&rust, &configurations)),
             false => Vec::new(),
         };
-        let _ = writeln!(input, "{}", configurations.len());
-        configurations.iter().for_each(|q| write(&mut input, q));
-        if has_inverse {
-            let _ = writeln!(input, "{}", targets.len());
-            for (pose, seed) in &targets {
-                write(&mut input, &rows(pose));
-                write(&mut input, seed);
-                write(&mut input, &reproducibly(|| rust.redundancy(pose, seed)));
-            }
-        }
-        Subject {
+        let mut subject = Subject {
             path: asked.path,
             rust,
             js,
-            input,
+            input: String::new(),
             has_inverse,
             eliminates: asked.eliminates,
             refines: asked.refines,
             configurations,
             targets,
+        };
+        subject.input = subject.asking(1);
+        subject
+    }
+
+    /// What it is asked if only one of so many targets is, as text.
+    fn asking(&self, every: usize) -> String {
+        let mut input = String::new();
+        let _ = writeln!(input, "{}", self.configurations.len());
+        let configurations = self.configurations.iter();
+        configurations.for_each(|q| write(&mut input, q));
+        if self.has_inverse {
+            let targets = self.targets.iter().step_by(every);
+            let _ = writeln!(input, "{}", targets.len());
+            for (pose, seed) in targets {
+                write(&mut input, &rows(pose));
+                write(&mut input, seed);
+                write(
+                    &mut input,
+                    &reproducibly(|| self.rust.redundancy(pose, seed)),
+                );
+            }
         }
+        input
     }
 }
 
@@ -166,17 +178,21 @@ impl Written<'_> {
 fn compare(subjects: &[Subject], written: &str) {
     let mut written = Written(written.split_ascii_whitespace());
     for subject in subjects {
-        compare_one(subject, &mut written);
+        compare_one(subject, 1, &mut written);
         assert_eq!(written.0.next(), Some(program::END));
     }
     assert!(written.0.next().is_none());
 }
 
-/// Without fused operations, which the other languages have not.
-fn compare_one(subject: &Subject, written: &mut Written) {
-    compare_forward(subject, written);
+/// Without fused operations, which the other languages have not; of [`Subject::asking`].
+fn compare_one(subject: &Subject, every: usize, written: &mut Written) {
+    reproducibly(|| {
+        for q in &subject.configurations {
+            forward(subject, q, written);
+        }
+    });
     let mut all = || {
-        for (pose, seed) in &subject.targets {
+        for (pose, seed) in subject.targets.iter().step_by(every) {
             inverse(subject, pose, seed, written);
         }
     };
@@ -187,23 +203,13 @@ fn compare_one(subject: &Subject, written: &mut Written) {
     }
 }
 
-/// As [`compare_one`].
-fn compare_forward(subject: &Subject, written: &mut Written) {
-    reproducibly(|| {
-        for q in &subject.configurations {
-            forward(subject, q, written);
-        }
-    });
-}
-
-/// Runs a robot's JavaScript, and compares.
+/// Runs a robot's JavaScript, and compares. Eliminations take an interpreter of it long: of their
+/// targets it is asked a third.
 fn compare_js(subject: &Subject) {
-    let written = JsRobot::new(&subject.js).ask(&subject.input);
+    let every = if subject.eliminates { 3 } else { 1 };
+    let written = JsRobot::new(&subject.js).ask(&subject.asking(every));
     let mut written = Written(written.split_ascii_whitespace());
-    match subject.eliminates {
-        false => compare_one(subject, &mut written),
-        true => compare_forward(subject, &mut written),
-    }
+    compare_one(subject, every, &mut written);
     assert!(written.0.next().is_none());
 }
 

@@ -1,5 +1,5 @@
-//! What the comparison with Rust is worth: mistakes that are put into the C of a robot, one by
-//! one, signs and bounds, and each of which it has to find.
+//! What the comparison with Rust is worth: mistakes that are put into the C and the JavaScript of a
+//! robot, one by one, signs and bounds, and each of which it has to find.
 
 use super::*;
 use kin_codegen::Options;
@@ -51,6 +51,43 @@ const OF_REFINEMENT: [[&str; 2]; 3] = [
     ],
     ["&& !clear; ++i", "&& clear > 1; ++i"],
     ["return solution->branch", "return -solution->branch"],
+];
+
+/// The same of the search in JavaScript.
+const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
+    ["- 2.0 * (across + ", "+ 2.0 * (across + "],
+    [
+        "im[2][k] = re[1][k] - re[0][k]",
+        "im[2][k] = re[1][k] + re[0][k]",
+    ],
+    ["odd = values[j] - mirrored", "odd = values[j] + mirrored"],
+    ["= of_cosines - of_sines", "= of_cosines + of_sines"],
+    ["here.value * rises > 0.0", "here.value * rises < 0.0"],
+    ["(a - b) * (a + b)", "(a - b) * (a - b)"],
+    ["line[3 + i] - behind[0]", "line[3 + i] + behind[0]"],
+    ["p[0] * far_p[1] - p[1]", "p[0] * far_p[1] + p[1]"],
+    ["$turn(-functions[next]", "$turn(functions[next]"],
+    ["b * cosine - a * sine", "b * cosine + a * sine"],
+    ["const $EXTRANEOUS = 0.05", "const $EXTRANEOUS = 1e-15"],
+    ["(0.3 / longest)", "(-0.3 / longest)"],
+    ["residual <= 1e-13", "residual <= 1e-3"],
+    ["solution.q[i]) < 1e-6", "solution.q[i]) < 1.0"],
+    ["const $SINGULAR = 1e-5", "const $SINGULAR = 1e-2"],
+    ["search.gap <= 1e-9", "search.gap <= 1e-1"],
+    ["return unclear;", "return [];"],
+];
+
+/// The same of what moves branches to the arm as given.
+const OF_REFINEMENT_IN_JS: [[&str; 2]; 3] = [
+    [
+        "lanes.invalid[k] <= 0.0 && (is",
+        "lanes.invalid[k] > 0.0 && (is",
+    ],
+    [
+        "is_clear = is_clear || $answer",
+        "is_clear = true || $answer",
+    ],
+    ["a.branch - b.branch", "b.branch - a.branch"],
 ];
 
 /// The text with one of its lines changed.
@@ -111,6 +148,44 @@ fn mistakes_of_the_refinement_are_found() {
     let right = generated(asked.path, "mistaken", &asked.options);
     let all: Vec<String> = replaced(&right.source, &OF_REFINEMENT).collect();
     each_is_found("mistakes_of_refinement", &asked, &right, &all);
+}
+
+#[test]
+fn mistakes_in_javascript_are_found() {
+    let of_search = Asked {
+        eliminates: true,
+        ..Asked::of("robots/xarm6.yaml", Options::default())
+    };
+    let of_refinement = Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of("tests/robots/noisy/calibrated.yaml", Options::default())
+    };
+    let both = [
+        (of_search, &OF_SEARCH_IN_JS[..]),
+        (of_refinement, &OF_REFINEMENT_IN_JS[..]),
+    ];
+    for (asked, mistakes) in both {
+        let c = generated(asked.path, "mistaken", &asked.options);
+        let source = read(asked.path);
+        let right = GeneratedJs::of(c.robot.clone(), &source, &asked.options).source;
+        let rust = Robot::load(&source, &asked.options).unwrap();
+        let mut subject = Subject::new(&asked, &c, String::new(), rust);
+        subject.configurations.clear();
+        let targets = std::mem::take(&mut subject.targets);
+        // A few at a time, until it is found.
+        let mut is_right = |text: String| {
+            subject.js = text;
+            targets.chunks(12).all(|some| {
+                subject.targets = some.to_vec();
+                catch_unwind(AssertUnwindSafe(|| compare_js(&subject))).is_ok()
+            })
+        };
+        for (text, mistake) in replaced(&right, mistakes).zip(mistakes) {
+            assert!(!is_right(text), "{mistake:?}");
+        }
+        assert!(is_right(right));
+    }
 }
 
 /// A text with one passage replaced, for each of them.

@@ -21,6 +21,15 @@ fn error(robot: &str, options: &Options) -> String {
     }
 }
 
+/// What is said of a robot that is written in either language.
+fn in_both(robot: &str, options: &Options) -> [(&'static str, String); 2] {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let source = Source::read(robot, &root).unwrap();
+    let c = generated(robot, "arm", options);
+    let js = generate_js(&source, options).unwrap();
+    [("C", told(&c.warnings)), ("JavaScript", told(&js.warnings))]
+}
+
 /// Without inverse kinematics, and its header says why.
 fn is_forward_alone(c: &GeneratedC, why: &str) {
     let GeneratedC { header, source, .. } = c;
@@ -31,21 +40,6 @@ fn is_forward_alone(c: &GeneratedC, why: &str) {
         comment.contains(&format!("no inverse kinematics in C: {why}")),
         "{header}"
     );
-}
-
-#[test]
-fn an_arm_without_a_closed_form() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let source = Source::read("robots/xarm6.yaml", &root).unwrap();
-    let js = generate_js(&source, &Options::default()).unwrap();
-    assert_eq!(
-        told(&js.warnings),
-        "no inverse kinematics in JavaScript: the arm has no closed form, and the polynomial in \
-         one joint that solves it, univariate(q6,q5,q4,q3,q2,q1), is not written as JavaScript\n\
-         help: generate Rust, which has it; `--ik none` says that JavaScript without it is meant"
-    );
-    let c = generated("robots/xarm6.yaml", "arm", &Options::default());
-    assert_eq!(told(&c.warnings), "");
 }
 
 /// Of an arm off its design, for positions: no elimination stands beside its branches.
@@ -60,11 +54,16 @@ fn refined() -> Options {
 fn an_arm_off_its_design() {
     let c = generated("tests/robots/noisy/calibrated.yaml", "arm", &refined());
     is_forward_alone(&c, "the closed form is that of an arm whose tip is up to");
-    assert!(told(&c.warnings).ends_with(
-        "and the refinement of its solutions is not written as C\nhelp: write the relations \
-         between the axes exactly, as `kin explain` has them, or generate Rust, which has it; \
-         `--ik none` says that C without it is meant"
-    ));
+    for (language, said) in in_both("tests/robots/noisy/calibrated.yaml", &refined()) {
+        assert!(
+            said.ends_with(&format!(
+                "and the refinement of its solutions is not written as {language}\nhelp: write the \
+                 relations between the axes exactly, as `kin explain` has them, or generate Rust, \
+                 which has it; `--ik none` says that {language} without it is meant"
+            )),
+            "{said}"
+        );
+    }
 }
 
 /// Of an arm without a closed form, and of one off its design.
@@ -80,13 +79,17 @@ fn a_joint_that_is_given_between_others() {
         };
         let c = generated(robot, "arm", &options);
         is_forward_alone(&c, "joints between those that are solved for are given");
-        assert_eq!(
-            told(&c.warnings),
-            "no inverse kinematics in C: joints between those that are solved for are given, and \
-             their elimination at the values of these is not written as C\n\
-             help: let joints at the ends of the chain stay free, or generate Rust, which has it; \
-             `--ik none` says that C without it is meant"
-        );
+        for (language, said) in in_both(robot, &options) {
+            assert_eq!(
+                said,
+                format!(
+                    "no inverse kinematics in {language}: joints between those that are solved for \
+                     are given, and their elimination at the values of these is not written as \
+                     {language}\nhelp: let joints at the ends of the chain stay free, or generate \
+                     Rust, which has it; `--ik none` says that {language} without it is meant"
+                )
+            );
+        }
     }
 }
 
@@ -106,7 +109,9 @@ fn strict_makes_errors_of_it() {
         ..Options::default()
     };
     for robot in ["robots/ur5e.urdf", "robots/xarm6.yaml"] {
-        assert_eq!(told(&generated(robot, "arm", &strict).warnings), "");
+        for (language, said) in in_both(robot, &strict) {
+            assert_eq!(said, "", "{robot} in {language}");
+        }
     }
 }
 

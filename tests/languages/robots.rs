@@ -57,8 +57,7 @@ const BY_DEFAULT: &[&str] = &[
     "tests/robots/targets/polar.yaml",
 ];
 
-/// Solved by a polynomial in one joint, which is not written as JavaScript: of six joints, of seven
-/// one of which is given, and of five.
+/// Solved by a polynomial in one joint: of six joints, of seven one of which is given, and of five.
 const ELIMINATED: &[(&str, Option<Target>)] = &[
     ("robots/sawyer.yaml", None),
     ("robots/xarm6.yaml", None),

@@ -52,12 +52,12 @@ pub(crate) fn mechanism(compiled: &CompiledMechanism, prefix: &str, told: &Heade
 
 /// Why the inverse kinematics of a mechanism is left out of its C, if it has any and it is.
 pub(crate) fn refused_mechanism(compiled: &CompiledMechanism) -> Option<Diagnostic> {
-    refused::of_mechanism(compiled, "C", true)
+    refused::of_mechanism(compiled, "C")
 }
 
 /// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
 pub(crate) fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
-    refused::refused(compiled, "C", true)
+    refused::refused(compiled, "C")
 }
 
 /// The closed form, where it is written as C.

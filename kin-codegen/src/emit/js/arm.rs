@@ -1,7 +1,7 @@
 //! An arm: what the file says of it, and its functions of q.
 
 use super::form;
-use super::language::{JavaScript, array, filling, numbers, object, signed};
+use super::language::{JavaScript, array, filling, numbers, object, rows, signed};
 use super::text::string;
 use crate::arm::CompiledArm;
 use crate::closed_form::ClosedForm;
@@ -15,7 +15,6 @@ use crate::expr::{Expr, Graph};
 use crate::geometry::{size, without_noise};
 use crate::model::Model;
 use crate::singularity::Singular;
-use kin_runtime::Pose;
 
 /// The expression that is an arm.
 pub fn arm(compiled: &CompiledArm) -> String {
@@ -24,10 +23,9 @@ pub fn arm(compiled: &CompiledArm) -> String {
     let f = compiled.forward();
     let (g, both) = (&f.graph, &f.both);
     let all: Vec<usize> = (0..model.joints.len()).collect();
-    let form =
-        form(compiled).and_then(|form| Some(form::form(compiled, form, form.expressions()?)));
+    let form = form(compiled).map(|form| form::form(compiled, form));
     let none = || "null".to_owned();
-    let why = refused(compiled, "JavaScript", false).map(|it| string(&it.reason));
+    let why = refused(compiled, "JavaScript").map(|it| string(&it.reason));
     let aim = [
         ("size", signed(size(model))),
         ("counts_translation", "true".into()),
@@ -93,7 +91,7 @@ pub fn arm(compiled: &CompiledArm) -> String {
 
 /// The closed form, where it is written as JavaScript.
 fn form(compiled: &CompiledArm) -> Option<&ClosedForm> {
-    let is_written = refused(compiled, "JavaScript", false).is_none();
+    let is_written = refused(compiled, "JavaScript").is_none();
     compiled.form().filter(|_| is_written)
 }
 
@@ -129,18 +127,6 @@ fn frames(model: &Model) -> String {
         ])
     };
     array(model.frames.iter().map(frame))
-}
-
-/// The twelve numbers of a pose, by rows.
-pub fn rows(pose: &Pose) -> impl Iterator<Item = f64> + use<> {
-    let Pose {
-        rotation,
-        translation,
-    } = *pose;
-    (0..3).flat_map(move |i| {
-        let [a, b, c] = rotation[i];
-        [a, b, c, translation[i]]
-    })
 }
 
 /// A function of q that gives back an array.

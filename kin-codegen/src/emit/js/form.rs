@@ -2,17 +2,20 @@
 
 use super::language::{JavaScript, array, numbers, object, signed};
 use super::text::string;
+use super::univariate;
 use crate::arm::CompiledArm;
-use crate::closed_form::ClosedForm;
+use crate::closed_form::{ClosedForm, Inverse};
 use crate::emit::curly::indented;
 use crate::emit::curly::lanes::body;
 use crate::emit::postures::Postures;
 use crate::expr::inverse::InverseGraph;
 use crate::plan::Target;
-use kin_runtime::Swivel;
+use kin_runtime::{Solutions, Swivel};
 
 /// The object that says how the arm is solved.
-pub fn form(compiled: &CompiledArm, solver: &ClosedForm, inverse: &InverseGraph) -> String {
+pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
+    let inverse = solver.expressions();
+    let search = solver.elimination();
     let model = &compiled.model;
     let redundancy = compiled.redundancy.as_ref();
     let accept = solver.acceptance();
@@ -22,12 +25,28 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm, inverse: &InverseGraph)
     let solved = (0..model.variables.len()).filter(|i| !locked.contains(i));
     let places = |places: Vec<usize>| array(places.iter().map(usize::to_string));
     let swivel = redundancy.and_then(|it| it.swivel);
-    let free_angle = inverse.free_angle.map(|free| free.coordinate.to_string());
+    let free_angle = inverse.and_then(|it| it.free_angle);
+    let free_angle = free_angle.map(|free| free.coordinate.to_string());
+    let most = match search {
+        Some(_) => Solutions::<6>::CAPACITY,
+        None => solver.plan.branches(),
+    };
+    // An elimination has the size of the joints that are solved for.
+    let size = match &solver.inverse {
+        Inverse::Univariate(arm) => arm.size,
+        Inverse::Expressions(_) => accept.size,
+    };
+    let solve = match (&solver.inverse, search) {
+        (Inverse::Univariate(_), _) => "$solve_by_roots",
+        (Inverse::Expressions(_), Some(_)) => "$solve_refining",
+        (Inverse::Expressions(_), None) => "$solve",
+    };
     let none = || "null".to_owned();
     let mut fields = vec![
         ("plan", string(&solver.plan.to_string())),
         ("target", string(compiled.target().phrase())),
         ("branches", solver.plan.branches().to_string()),
+        ("most", most.to_string()),
         ("postures", postures(solver)),
         ("parameters", parameters(compiled)),
         ("solved", places(solved.collect())),
@@ -40,12 +59,20 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm, inverse: &InverseGraph)
             "swivel",
             swivel.map_or_else(none, |it| points(&it.at_run_time(model))),
         ),
-        ("size", signed(accept.size)),
+        ("size", signed(size)),
         ("tolerance", signed(accept.tolerance)),
         ("free_angle", free_angle.unwrap_or_else(none)),
     ];
     fields.extend(counts(solver.plan.target));
-    fields.push(("lanes", lanes(solver, inverse)));
+    fields.push(("solve", solve.into()));
+    fields.push((
+        "search",
+        search.map_or_else(none, |arm| univariate::search(solver, arm)),
+    ));
+    fields.push((
+        "lanes",
+        inverse.map_or_else(none, |inverse| lanes(solver, inverse)),
+    ));
     object(&fields)
 }
 

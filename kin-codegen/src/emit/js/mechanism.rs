@@ -1,7 +1,7 @@
 //! A parallel mechanism: its chains as arms, and which of their joints are driven.
 
-use super::arm::{arm, rows};
-use super::language::{array, numbers, object, signed};
+use super::arm::arm;
+use super::language::{array, numbers, object, rows, signed};
 use super::text::string;
 use crate::emit::refused::of_mechanism;
 use crate::mechanism::{Aim, CompiledMechanism, LegForm};
@@ -57,5 +57,5 @@ fn chain(compiled: &CompiledMechanism, i: usize) -> String {
 
 /// Why inverse kinematics is left out, if a chain's is.
 pub fn why_not(compiled: &CompiledMechanism) -> Option<Diagnostic> {
-    of_mechanism(compiled, "JavaScript", false)
+    of_mechanism(compiled, "JavaScript")
 }

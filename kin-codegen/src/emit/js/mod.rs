@@ -6,6 +6,7 @@ mod language;
 mod mechanism;
 mod runtime;
 mod text;
+mod univariate;
 
 use super::header::Header;
 use super::refused;
@@ -29,7 +30,7 @@ pub(crate) fn robot(compiled: &Compiled, told: &Header) -> String {
 /// Why the inverse kinematics of a robot is left out of its JavaScript, if it has any and it is.
 pub(crate) fn refused(compiled: &Compiled) -> Option<Diagnostic> {
     match compiled {
-        Compiled::Arm(arm) => refused::refused(arm, "JavaScript", false),
+        Compiled::Arm(arm) => refused::refused(arm, "JavaScript"),
         Compiled::Mechanism(mechanism) => mechanism::why_not(mechanism),
     }
 }

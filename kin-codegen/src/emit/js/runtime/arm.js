@@ -1,15 +1,3 @@
-/* The product of two poses. */
-const $product = (a, b) => {
-    const out = new Float64Array(12);
-    for (let i = 0; i < 12; i += 4) {
-        for (let j = 0; j < 4; ++j) {
-            out[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j]
-                + (j === 3 ? a[i + 3] : 0.0);
-        }
-    }
-    return out;
-};
-
 /* A target with the tool turned about the tip's z axis. */
 const $turned = (pose, angle) => {
     const { sine, cosine } = $sin_cos(angle);
@@ -64,11 +52,12 @@ const $arm = (arm) => {
         return { q: found.q, residual: found.residual };
     };
     if (form) {
-        const zeros = form.solved.map(() => 0.0);
+        /* Of a polynomial all roots are found without a seed. */
+        const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
         arm.ik_at = (pose, parameters, seed = zeros) => {
             const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
             const target = form.turns_tool ? $turned(pose, turn) : pose;
-            return $solve(arm, target, seed, parameters);
+            return form.solve(arm, target, seed, parameters);
         };
         arm.redundancy = (pose, q) => {
             const parameters = form.locked.map((joint) => q[joint]);

@@ -14,17 +14,6 @@ const $chain_solutions = (chain, target) => {
     });
 };
 
-const $inverse = (pose) => {
-    const out = new Float64Array(12);
-    for (let i = 0; i < 3; ++i) {
-        for (let j = 0; j < 3; ++j) {
-            out[4 * i + j] = pose[4 * j + i];
-            out[4 * i + 3] -= pose[4 * j + i] * pose[4 * j + 3];
-        }
-    }
-    return out;
-};
-
 /* What the platform's poses by the chains miss each other by, and how the joints make it: of
  * all chains against the first. The angles count at the distance of the mechanism's length. */
 const $gaps = (mechanism, q, free) => {

@@ -89,16 +89,16 @@ const $insert = (arm, found, solutions) => {
         if (found.residual < solutions[known].residual) {
             solutions[known] = { ...found, branch: solutions[known].branch };
         }
-    } else if (solutions.length < arm.form.branches) {
+    } else if (solutions.length < arm.form.most) {
         solutions.push(found);
     }
 };
 
-/* A branch that rounding keeps from its target, corrected; null if it stays off. */
-const $corrected = (arm, target, given, solved, branch, singular) => {
+/* A branch that rounding keeps from its target, corrected; it may stay off. */
+const $corrected = (arm, target, given, solved, branch, singular, evaluations = 12) => {
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
-    const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, 12);
+    const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
     const q = found.q.map((x, i) => (arm.joints[form.solved[i]].turns ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
@@ -109,9 +109,8 @@ const $corrected = (arm, target, given, solved, branch, singular) => {
 };
 
 /* The branches that reach their target, those that rounding keeps from it corrected. */
-const $solve = (arm, target, seed, given) => {
+const $reaching = (arm, target, given, lanes) => {
     const { form } = arm;
-    const lanes = $branches(form, target, seed, given);
     const solutions = [];
     const nearly = [];
     const correct = form.swivel ? $at_swivel : $corrected;
@@ -143,3 +142,7 @@ const $solve = (arm, target, seed, given) => {
     nearly.forEach(add);
     return solutions;
 };
+
+/* The solutions of a target by the branches of a plan. */
+const $solve = (arm, target, seed, given) =>
+    $reaching(arm, target, given, $branches(arm.form, target, seed, given));

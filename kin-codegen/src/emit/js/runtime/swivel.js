@@ -1,7 +1,3 @@
-/* A point of a body in base coordinates. */
-const $point = (pose, p) =>
-    [0, 4, 8].map((i) => pose[i] * p[0] + pose[i + 1] * p[1] + pose[i + 2] * p[2] + pose[i + 3]);
-
 /* The swivel angle, by elbow and wrist in base coordinates: how far the elbow is turned about
  * the line from the shoulder to the wrist, from where the reference direction points; and how
  * the angle changes with the elbow while the wrist rests. */

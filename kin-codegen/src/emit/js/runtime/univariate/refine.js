@@ -1,0 +1,46 @@
+/* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers. Where
+ * one is flagged, lost, or too near to another one to tell them apart, eliminations are asked for the
+ * others, which are numbered from the number of branches on. */
+const $refined = (form, target, lanes) => {
+    const { size, near_singular } = form.search;
+    const search = $begin(form, target);
+    if (!(search.gap <= 1e-9)) {
+        return [];
+    }
+    /* Where a root of the plan is flagged, the two solutions that differ by its sign may be as far from
+     * each other. */
+    search.meeting = $max($MEETING, 4.0 * near_singular);
+    search.branch = form.branches;
+    let is_clear = true;
+    for (let k = 0; k < form.branches; ++k) {
+        const is_singular = lanes.singular[k] > 0.0;
+        /* Of arms of fewer joints branches need not reach the target. */
+        if (!(lanes.invalid[k] <= 0.0 && (is_singular || lanes.residual[k] <= search.meeting * size))) {
+            continue;
+        }
+        const from = $in_units(form.search, lanes.q.map((lane) => lane[k]));
+        const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
+        const before = search.regular.length;
+        if (!$insert_arrived(search, arrived, k)) {
+            $stick(search, arrived);
+        }
+        is_clear = is_clear && !is_singular && search.regular.length > before;
+    }
+    for (const elimination of form.search.eliminations.slice(0, $ASKED)) {
+        is_clear = is_clear || $answer(search, $ask(search, elimination));
+    }
+    return [...search.regular, ...search.singular].slice(0, $MOST_FOUND).sort((a, b) => a.branch - b.branch);
+};
+
+/* The solutions of a target by the branches of a plan and eliminations beside them: of an arm off its
+ * design always, otherwise where a step degenerates. */
+const $solve_refining = (arm, target, seed, given) => {
+    const { form } = arm;
+    const lanes = $branches(form, target, seed, given);
+    const degenerates = lanes.singular.some((x, k) => x > 0.0 && lanes.invalid[k] <= 0.0);
+    if (form.search.is_exact && !degenerates) {
+        return $reaching(arm, target, given, lanes);
+    }
+    const found = $refined(form, $carried(form.search, target, given), lanes);
+    return $to_solutions(arm, target, given, found);
+};

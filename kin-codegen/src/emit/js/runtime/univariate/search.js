@@ -1,0 +1,417 @@
+/* The solutions of a target, by the eliminations of an arm. */
+
+/* Solutions at most, and configurations that wait at a time. */
+const $MOST_FOUND = 16;
+const $MOST_WAITING = 8;
+/* Below this independence of the Jacobian's columns a configuration is singular. */
+const $SINGULAR = 1e-5;
+/* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
+ * members of a family; from so near, Newton's method leads to a regular solution. */
+const $FAMILY = 1e-4;
+/* Eliminations that are asked at most: where one is not sure of its answer, the next is. */
+const $ASKED = 3;
+/* Cosines and sines that are off by more are those of an extraneous root; by more than the second, they
+ * are not of one of several that have almost met; where they are off by less than the third, a null
+ * vector is of one solution, and no mixture. */
+const $EXTRANEOUS = 0.05;
+const $MIXED = 0.5;
+const $PURE = 1e-3;
+/* Below this another solution may be so near that roots of the polynomial do not tell the two apart. */
+const $MEETING = 3e-3;
+/* Steps of Newton's method at most; twice as many where it converges slowly. */
+const $NEWTON_STEPS = 6;
+
+/* How far two values of a joint are apart. */
+const $apart = ({ of }, joint, a, b) => Math.abs(of.slides[joint] ? a - b : $wrap(a - b));
+
+/* Whether no joint is farther from where it is in the other configuration. */
+const $are_within = (search, distance, a, b) =>
+    a.every((x, i) => $apart(search, i, x, b[i]) <= distance);
+
+/* The place of a regular solution, which is appended unless it is there: of two the better one is
+ * kept. -1 if there is no place left. */
+const $place_of = (search, solution) => {
+    const { regular } = search;
+    const is_same = (known) => known.q.every((x, i) => $apart(search, i, x, solution.q[i]) < 1e-6);
+    const known = regular.findIndex(is_same);
+    if (known >= 0) {
+        if (solution.residual < regular[known].residual) {
+            regular[known] = { ...solution, branch: regular[known].branch };
+        }
+        return known;
+    }
+    return regular.length === $MOST_FOUND ? -1 : regular.push(solution) - 1;
+};
+
+/* Adds a configuration that has arrived, if it is a solution; whether it is one. */
+const $insert_arrived = (search, arrived, branch) => {
+    const { residual, independence } = arrived;
+    const { of, gap, regular, singular } = search;
+    if (!(residual <= 1e-13)) {
+        return false;
+    }
+    const solution = {
+        q: Array.from(arrived.q, (x, i) => (of.slides[i] ? x : $wrap(x))),
+        residual: of.size * Math.sqrt(residual * residual + gap * gap),
+        branch,
+        singular: independence < $SINGULAR,
+        independence,
+    };
+    if (!solution.singular) {
+        const place = $place_of(search, solution);
+        if (place >= 0) {
+            search.again |= 1 << place;
+            regular[place].independence = independence;
+        }
+        return true;
+    }
+    const is_of_family = ({ q }) => $are_within(search, $FAMILY, q, solution.q);
+    if (!singular.some(is_of_family) && singular.length < $MOST_FOUND) {
+        singular.push(solution);
+    }
+    return true;
+};
+
+/* Whether the solution next to a configuration is known: a regular one, with no other beside it, where
+ * it is `meeting` from singular or more. */
+const $is_known = (search, q) => {
+    const known = search.regular.findIndex((it) =>
+        it.independence > search.meeting && $are_within(search, $FAMILY, it.q, q));
+    search.again |= known >= 0 ? 1 << known : 0;
+    return known >= 0;
+};
+
+/* A target's rotation, made orthonormal by Newton's method. */
+const $orthonormalize = (target) => {
+    for (let step = 0; step < 5; ++step) {
+        const dual = $square(3);
+        for (let i = 0; i < 3; ++i) {
+            const x = target.slice(4 * ((i + 1) % 3));
+            const y = target.slice(4 * ((i + 2) % 3));
+            for (let j = 0; j < 3; ++j) {
+                const a = (j + 1) % 3;
+                const b = (j + 2) % 3;
+                dual[i][j] = x[a] * y[b] - x[b] * y[a];
+            }
+        }
+        const volume = $dot(dual[0], target);
+        for (let i = 0; i < 3; ++i) {
+            for (let j = 0; j < 3; ++j) {
+                target[4 * i + j] = 0.5 * (target[4 * i + j] + dual[i][j] / volume);
+            }
+        }
+    }
+};
+
+/* A rotation whose third column is along that of a target (Duff et al., J. Computer Graphics
+ * Techniques 6, 2017). */
+const $complete_axis = (target) => {
+    const axis = [target[2], target[6], target[10]];
+    const length = Math.sqrt($dot(axis, axis));
+    const [x, y, z] = axis.map((it) => it / length);
+    const sign = $copysign(1.0, z);
+    const a = -1.0 / (sign + z);
+    const b = x * y * a;
+    const rotation = [1.0 + sign * x * x * a, b, x, sign * b, sign + y * y * a, y, -sign * x, -y, z];
+    rotation.forEach((it, i) => (target[4 * Math.floor(i / 3) + (i % 3)] = it));
+};
+
+/* What is known of a target, which is a rotation, lengths in units of half the arm's size: nothing
+ * yet. Where solutions are less independent than `meeting`, another one may be near. */
+const $search_of = (of, target) => ({
+    of,
+    target,
+    /* How far the rotation asked for is from the one that is reached, radians. */
+    gap: 0.0,
+    regular: [],
+    singular: [],
+    /* Bit i is set where regular solution i was found again since this was cleared. */
+    again: 0,
+    /* The branch of the next solution. */
+    branch: 0,
+    /* Near the target, where Newton's method led to, and no further. */
+    stuck: [],
+    meeting: $MEETING,
+    /* Whether another target is the one that is meant. */
+    is_beside: false,
+    /* Of so many solutions the neighbours were looked for. */
+    looked_at: { regular: 0, singular: 0 },
+});
+
+/* The same of a target as given, lengths in metres. */
+const $begin = (form, given) => {
+    const { size } = form.search;
+    const target = Array.from(given, (x, i) => x * (i % 4 === 3 ? 2.0 / size : 1.0));
+    const gap = $rotation_error(form, given);
+    if (form.counts_axis) {
+        $complete_axis(target);
+    } else if (gap <= 0.1) {
+        $orthonormalize(target);
+    }
+    return { ...$search_of(form.search, target), gap };
+};
+
+/* Keeps where Newton's method has come near to a target that it converges to slowly, or that is out of
+ * reach by little. */
+const $stick = (search, { q, residual }) => {
+    const is_there = (other) => $are_within(search, $FAMILY, other, q);
+    if (residual < 1e-3 && search.stuck.length < $MOST_WAITING && !search.stuck.some(is_there)) {
+        search.stuck.push(q);
+    }
+};
+
+/* Adds where Newton's method has arrived, as a branch of its own if it is new; whether it is a
+ * solution. */
+const $insert_new = (search, arrived) => {
+    const count = () => search.regular.length + search.singular.length;
+    const before = count();
+    const is_reached = $insert_arrived(search, arrived, search.branch);
+    search.branch += count() > before ? 1 : 0;
+    return is_reached;
+};
+
+/* Starts Newton's method from a configuration. */
+const $start = (search, q) => {
+    const arrived = $polish(search.of, search.target, q, 2 * $NEWTON_STEPS);
+    if (!$insert_new(search, arrived)) {
+        $stick(search, arrived);
+    }
+};
+
+/* The same, if it may be near a solution that is not known: if it is off by no more. */
+const $start_unknown = (search, { q, inconsistency }, off) => {
+    if (inconsistency < off && !$is_known(search, q)) {
+        $start(search, q);
+    }
+};
+
+/* Adds the solution at every root, if it has one; those that may have more. */
+const $one_each = (search, loop, roots) => {
+    const unclear = [];
+    for (const candidate of roots.candidates) {
+        const { q, inconsistency: off } = $recover(loop, candidate.angle);
+        const before = search.again;
+        const is_known = $is_known(search, q);
+        const is_one = !candidate.is_twice && !candidate.is_several;
+        /* Next to another one a root is known to half of its digits. */
+        const is_mixed = off >= $EXTRANEOUS && $has_neighbour(roots, candidate);
+        if ((is_known && (search.again === before || off > $PURE)) || !is_one || is_mixed) {
+            unclear.push(candidate);
+        } else if (!is_known && off < $EXTRANEOUS) {
+            $insert_new(search, $polish(search.of, search.target, q, $NEWTON_STEPS));
+            if (search.again === before) {
+                unclear.push(candidate);
+            }
+        }
+    }
+    return unclear;
+};
+
+/* Adds the solutions that share a value of the kept joint. */
+const $several_each = (search, loop, unclear) => {
+    for (const { angle, is_several } of unclear) {
+        const starts = $recover_several(loop, angle, is_several ? $SHARING : 2);
+        starts.forEach((start, i) => $start_unknown(search, start, i < 2 ? $EXTRANEOUS : $MIXED));
+    }
+};
+
+/* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's method
+ * got stuck; where several meet, each shows the next. */
+const $meet = (search) => {
+    const { of, target, regular, singular, looked_at } = search;
+    let points = search.stuck;
+    search.stuck = [];
+    for (let round = 0; round < 4; ++round) {
+        for (; points.length < $MOST_WAITING && looked_at.regular < regular.length; ++looked_at.regular) {
+            const { q, independence } = regular[looked_at.regular];
+            if (independence < search.meeting) {
+                points.push(q);
+            }
+        }
+        for (; points.length < $MOST_WAITING && looked_at.singular < singular.length; ++looked_at.singular) {
+            points.push(singular[looked_at.singular].q);
+        }
+        if (points.length === 0) {
+            break;
+        }
+        points.flatMap((q) => $split(of, target, q)).forEach((q) => $start(search, q));
+        points = [];
+    }
+    search.stuck = [];
+};
+
+/* What one elimination says of the target, before any solution is computed; without roots where nothing
+ * stands out of the noise. */
+const $ask = (search, elimination) => {
+    const loop = $loop(search.of, elimination, search.target);
+    const f = $polynomial(loop);
+    return { loop, noise: f.noise, roots: f.noise < 1e-3 ? $find_roots(f) : null };
+};
+
+/* Whether the solutions near a candidate are known to be all: two that share a value of the kept joint,
+ * and are regular. */
+const $resolves = (search, { loop, roots }, candidate) => {
+    const { joints, backwards } = loop.elimination;
+    const is_near = (kept) => Math.abs($wrap(kept - candidate.angle)) < $CLUSTER;
+    const near = search.regular.filter(({ q }) => is_near(backwards ? -q[joints[0]] : q[joints[0]]));
+    const candidates = roots.candidates.filter(({ angle }) => is_near(angle));
+    return candidate.is_twice && candidates.length === 1 && near.length === 2
+        && near.every(({ independence }) => independence > $MEETING);
+};
+
+/* Where a family of solutions makes a polynomial of zeros, those of targets beside this one are none,
+ * and the regular solutions there are beside those here. */
+const $ask_beside = (search, elimination) => {
+    if (search.is_beside) {
+        return;
+    }
+    /* A turn by 1e-4 about (0.36, 0.48, 0.8), and lengths in units of half the arm's size. */
+    const [x, y, z, w] = [0.36 * 0.5e-4, 0.48 * 0.5e-4, 0.8 * 0.5e-4, 1.0];
+    const s = 2.0 / (x * x + y * y + z * z + w * w);
+    const there = [
+        1.0 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w), 3e-5,
+        s * (x * y + z * w), 1.0 - s * (x * x + z * z), s * (y * z - x * w), -5e-5,
+        s * (x * z - y * w), s * (y * z + x * w), 1.0 - s * (x * x + y * y), 8e-5,
+    ];
+    /* Where solutions have met, one of the two is out of reach. */
+    for (const by of [there, $inverse(there)]) {
+        const beside = { ...$search_of(search.of, $product(search.target, by)), is_beside: true };
+        $answer(beside, $ask(beside, elimination));
+        [...beside.regular, ...beside.singular].forEach(({ q }) => $start(search, q));
+    }
+    $meet(search);
+};
+
+/* Adds what one elimination finds; whether all solutions are sure to be among those found. */
+const $answer = (search, asked) => {
+    const { loop, noise, roots } = asked;
+    if (roots === null) {
+        $ask_beside(search, loop.elimination);
+        return false;
+    }
+    search.again = 0;
+    const unclear = $one_each(search, loop, roots);
+    $several_each(search, loop, unclear);
+    if (roots.is_incomplete) {
+        $ask_beside(search, loop.elimination);
+    }
+    $meet(search);
+    return !roots.is_incomplete && noise < $NOISY
+        && unclear.every((candidate) => $resolves(search, asked, candidate))
+        && search.again === (1 << search.regular.length) - 1;
+};
+
+/* Whether every root is known to be one, or two. */
+const $is_clear = ({ noise, roots }) => noise < $NOISY && roots !== null && !roots.is_incomplete
+    && !roots.candidates.some(({ is_several }) => is_several);
+
+/* Asks the eliminations in turn until one is sure of its answer. Where roots are not told apart that
+ * costs more than the next polynomial, which is looked at before. */
+const $search_all = (search) => {
+    const unclear = [];
+    for (const elimination of search.of.eliminations.slice(0, $ASKED)) {
+        const asked = $ask(search, elimination);
+        if (!$is_clear(asked)) {
+            unclear.push(asked);
+        } else if ($answer(search, asked)) {
+            return;
+        }
+    }
+    unclear.some((asked) => $answer(search, asked));
+};
+
+/* Joint values in the units of an elimination, of six joints: those behind an arm's tip are at zero. */
+const $in_units = ({ size, slides }, q) =>
+    slides.map((slide, i) => (i < q.length ? q[i] : 0.0) * (slide ? 2.0 / size : 1.0));
+
+/* The solutions of a target as the joints that are solved for see it: the regular ones, then the
+ * singular ones. If the seed is a singular solution, it is among them. */
+const $search_target = (form, target, seed) => {
+    const search = $begin(form, target);
+    if (seed) {
+        const from = $in_units(form.search, seed);
+        const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
+        if (arrived.independence < $SINGULAR) {
+            $insert_arrived(search, arrived, 0);
+        }
+    }
+    if (search.gap <= 1e-9) {
+        $search_all(search);
+    }
+    const [kept] = form.search.eliminations[0].joints;
+    const by_kept = (a, b) => a.q[kept] - b.q[kept];
+    return [...search.regular.sort(by_kept), ...search.singular.sort(by_kept)];
+};
+
+/* The solutions among those that were found, with what is given: of an arm of fewer than six joints
+ * those that have the ones behind its tip at zero. */
+const $to_solutions = (arm, target, given, found) => {
+    const { form } = arm;
+    const { size, slides } = form.search;
+    const n = form.solved.length;
+    const solutions = [];
+    for (const { q, residual, branch, singular } of found.slice(0, $MOST_FOUND)) {
+        const solved = q.slice(0, n).map((x, i) => (slides[i] ? 0.5 * size * x : x));
+        if (form.search.is_whole) {
+            solutions.push({ q: $whole(arm, solved, given), residual, branch, singular });
+            continue;
+        }
+        /* Where six joints are nearly singular, a target that is off by rounding is reached with the
+         * joints behind the tip this far from zero. A turn about the tip's axis, where it is free, is
+         * one that need not be at zero. */
+        if (!q.slice(n + (form.counts_axis ? 1 : 0)).every((x) => Math.abs(x) < 1e-2)) {
+            continue;
+        }
+        /* A regular solution takes two evaluations. */
+        const corrected = $corrected(arm, target, given, solved, branch, false, 24);
+        if (corrected.residual <= 1e-9 * size) {
+            $insert(arm, corrected, solutions);
+        }
+    }
+    return solutions;
+};
+
+/* The motion back of a joint of value q: of its twist, linear and angular. */
+const $undo = (twist, q) => {
+    const v = twist.slice(0, 3);
+    const w = twist.slice(3);
+    const turns = w.some((x) => x !== 0.0);
+    const { sine, cosine } = turns ? $sin_cos(-q) : { sine: 0.0, cosine: 1.0 };
+    const out = new Float64Array(12);
+    for (let i = 0; i < 3; ++i) {
+        for (let j = 0; j < 3; ++j) {
+            out[4 * i + j] += (i === j ? cosine : 0.0) + (1.0 - cosine) * w[i] * w[j];
+        }
+        const a = (i + 1) % 3;
+        const b = (i + 2) % 3;
+        out[4 * i + b] += sine * w[a];
+        out[4 * i + a] -= sine * w[b];
+    }
+    /* A point of the axis. */
+    const p = [0, 1, 2].map((i) => {
+        const a = (i + 1) % 3;
+        const b = (i + 2) % 3;
+        return w[a] * v[b] - w[b] * v[a];
+    });
+    for (let i = 0; i < 3; ++i) {
+        out[4 * i + 3] = turns
+            ? p[i] - (out[4 * i] * p[0] + out[4 * i + 1] * p[1] + out[4 * i + 2] * p[2]) : -q * v[i];
+    }
+    return out;
+};
+
+/* The target of the joints that are solved for: those that are given stand at the ends, and their
+ * motions are known, the first ones seen from the base, the others from the tip. */
+const $carried = ({ front, behind }, target, given) => {
+    const from_base = front.reduce((pose, twist, i) => $product($undo(twist, given[i]), pose), target);
+    return behind.reduceRight(
+        (pose, twist, i) => $product(pose, $undo(twist, given[front.length + i])), from_base);
+};
+
+/* The solutions of a target by eliminations alone. Of a polynomial's roots the branch is the place. */
+const $solve_by_roots = (arm, target, seed, given) => {
+    const { form } = arm;
+    const found = $search_target(form, $carried(form.search, target, given), seed);
+    const solutions = $to_solutions(arm, target, given, found);
+    return solutions.map((solution, branch) => ({ ...solution, branch }));
+};

@@ -1,0 +1,117 @@
+//! Inverse kinematics by a polynomial in one joint: the arm's numbers, for what is the same for every
+//! arm.
+
+use super::language::{array, numbers, object, rows, signed};
+use crate::closed_form::ClosedForm;
+use crate::geometry::Carried;
+use crate::univariate::Arm;
+use kin_runtime::__private::univariate::{Elimination, coefficients_on_arc, cosine_of_turn};
+use kin_runtime::{Target, Twist};
+
+/// Parts of a turn: 24 and 32 samples, their halves and 16 arcs are on it.
+const PARTS: usize = 192;
+
+/// The object that says what is searched.
+pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
+    let free_turn = usize::from(arm.counts == Target::PositionAxis);
+    let is_whole = solver.given.variables() + free_turn == 6;
+    let Carried { front, behind, .. } = &Carried::new(&solver.given);
+    let twists = |twists: &[Twist]| array(twists.iter().map(twist));
+    object(&[
+        ("size", signed(arm.size)),
+        (
+            "fixed",
+            lines(arm.frames.fixed.iter().map(|it| numbers(rows(it)))),
+        ),
+        (
+            "slides",
+            array((0..6).map(|joint| arm.frames.slides(joint).to_string())),
+        ),
+        ("is_whole", is_whole.to_string()),
+        ("is_exact", solver.is_exact().to_string()),
+        ("near_singular", signed(solver.acceptance().near_singular)),
+        ("front", twists(front)),
+        ("behind", twists(behind)),
+        (
+            "eliminations",
+            array(arm.kept.iter().map(|kept| elimination(&kept.elimination))),
+        ),
+    ])
+}
+
+/// Without the noise of composing frames.
+fn twist(twist: &Twist) -> String {
+    let clean = |x: &f64| if x.abs() < 1e-15 { 0.0 } else { *x };
+    numbers(twist.linear.iter().chain(&twist.angular).map(clean))
+}
+
+fn elimination(elimination: &Elimination) -> String {
+    let Elimination {
+        joints,
+        backwards,
+        degree,
+        functionals,
+        half,
+        third,
+        fold,
+        powers,
+        rows,
+        columns,
+    } = elimination;
+    let is_zero = |row: &[f64; 15]| row.iter().all(|x| *x == 0.0);
+    let count = functionals.iter().rposition(|row| !is_zero(row));
+    let count = count.map_or(0, |last| last + 1);
+    let vectors = |all: &[[f64; 15]]| lines(all.iter().map(|row| numbers(*row)));
+    object(&[
+        ("joints", integers(joints)),
+        ("backwards", backwards.to_string()),
+        ("degree", degree.to_string()),
+        ("half", half.to_string()),
+        ("functionals", vectors(&functionals[..count])),
+        ("third", vectors(third)),
+        ("fold", fold.map_or_else(|| "null".into(), signed)),
+        ("powers", integers(powers)),
+        ("rows", array(rows.iter().map(|row| integers(row)))),
+        ("columns", integers(columns)),
+    ])
+}
+
+fn integers(values: &[u8]) -> String {
+    array(values.iter().map(u8::to_string))
+}
+
+/// An array, each item on a line of its own.
+fn lines(items: impl IntoIterator<Item = String>) -> String {
+    let items: String = items
+        .into_iter()
+        .map(|item| format!("    {item},\n"))
+        .collect();
+    format!("[\n{items}]")
+}
+
+/// Tables of numbers that Rust computes as constants; those of degrees above 8 where code has any.
+pub fn tables(code: &str) -> String {
+    let cosines: Vec<f64> = (0..PARTS).map(|i| cosine_of_turn(i, PARTS)).collect();
+    let cosines = cosines.chunks(4).map(|line| {
+        let line: Vec<String> = line.iter().copied().map(signed).collect();
+        format!("    {},\n", line.join(", "))
+    });
+    let is_high = (9..=12).any(|degree| code.contains(&format!("degree: {degree},")));
+    let degrees = [Some(8), is_high.then_some(12)];
+    let bases = degrees.into_iter().flatten().map(basis);
+    format!(
+        "/* Cosines of parts of a turn. */\nconst $cosines = [\n{}];\n\n\
+         /* By degree, the coefficients of cos k a and of sin k a in Bernstein's basis on an arc about\n \
+         * a = 0: by place, one half of all, and k. */\nconst $bernstein = {{\n{}}};\n",
+        cosines.collect::<String>(),
+        bases.collect::<String>()
+    )
+}
+
+fn basis(degree: usize) -> String {
+    let places = (0..=degree).map(|i| {
+        let each = (0..=degree).map(|k| numbers(coefficients_on_arc(degree > 8, i, k)));
+        format!("        {},\n", array(each))
+    });
+    format!("    {degree}: [\n{}    ],\n", places.collect::<String>())
+}
