@@ -3,7 +3,7 @@
 use crate::js::{JsRobot, NAMES, is_no_markup, named};
 use crate::read;
 use kin_cli::view::page;
-use kin_codegen::{Compiled, Options, compile};
+use kin_codegen::{Compiled, Options, Target, compile};
 
 /// Where the scripts that need a page begin.
 const PAGE: &str = "// The page: what is shown";
@@ -15,7 +15,8 @@ fn script(page: &str) -> &str {
 }
 
 /// What stands in its place moves the target and the joints of a robot, and says how far its tip
-/// is from the target, how far from the end of what is drawn, and how many branches there are.
+/// is from the target, how far from the end of what is drawn, how many branches there are, and whether
+/// it follows by Newton's method.
 const ASKED: &str = "
 globalThis.matchMedia = () => ({ matches: false });
 const subject = Array.isArray(robot.chains) ? new MechanismView(robot, view) : new ArmView(robot, view);
@@ -35,31 +36,50 @@ export default { ask() {
     const branches = subject.branches();
     const here = branches === null ? 1 : branches.filter(({ current }) => current).length;
     const measures = subject.measures().every(({ value }) => Number.isFinite(value));
-    return [moved, off, drawn, branches ? branches.length : 0, here, measures ? 1 : 0, subject.reached ? 1 : 0];
+    return [moved, off, drawn, branches ? branches.length : 0, here, measures ? 1 : 0, subject.reached ? 1 : 0,
+        /Newton/.test(subject.reach()[0]) ? 1 : 0];
 } };
 ";
 
 #[test]
 fn arms_and_mechanisms_follow_their_target() {
-    // With how many branches are shown at least.
+    // With how many branches are shown at least, by eliminations as well.
     let robots = [
         ("robots/ur5e.urdf", 2.0),
         ("robots/scara.yaml", 2.0),
         ("robots/panda.yaml", 2.0),
         ("robots/iiwa14.yaml", 2.0),
-        ("robots/xarm6.yaml", 0.0),
-        ("tests/robots/noisy/calibrated.yaml", 0.0),
+        ("robots/xarm6.yaml", 4.0),
+        ("robots/sawyer.yaml", 2.0),
+        ("tests/robots/noisy/calibrated.yaml", 4.0),
         ("robots/delta.yaml", 0.0),
         ("robots/stewart.yaml", 0.0),
     ];
-    for (path, least) in robots {
-        let (page, _) = page(&read(path), &Options::default()).unwrap();
+    let by_default = robots.map(|(path, least)| (path, Options::default(), least));
+    // No elimination stands beside these branches.
+    let to_position = Options {
+        target: Some(Target::Position),
+        ..Options::default()
+    };
+    let followed = ("tests/robots/noisy/calibrated.yaml", to_position, 0.0);
+    for (path, options, least) in by_default.into_iter().chain([followed]) {
+        let (page, _) = page(&read(path), &options).unwrap();
         let (before, after) = script(&page).split_once(PAGE).unwrap();
         assert!(after.contains("requestAnimationFrame"));
         let before = before.replace("export default robot;", "");
         let said = JsRobot::new(&format!("{before}{ASKED}")).call("ask_of", "");
         let numbers: Vec<f64> = said.split(' ').map(|x| x.parse().unwrap()).collect();
-        let [moved, off, drawn, branches, here, measures, reached] = numbers[..] else {
+        let [
+            moved,
+            off,
+            drawn,
+            branches,
+            here,
+            measures,
+            reached,
+            follows,
+        ] = numbers[..]
+        else {
             panic!("{said}")
         };
         assert!(moved > 1e-3, "{path}: a joint moved the tip by {moved} m");
@@ -67,6 +87,8 @@ fn arms_and_mechanisms_follow_their_target() {
         assert!(drawn < 1e-9, "{path}: drawn {drawn} m from its tip");
         assert!(branches >= least && here == 1.0, "{path}: {said}");
         assert!(measures == 1.0 && reached == 1.0, "{path}: {said}");
+        let is_mechanism = page.contains("$mechanism(");
+        assert_eq!(follows == 1.0, least == 0.0 && !is_mechanism, "{path}");
     }
 }
 

@@ -149,6 +149,9 @@ class ArmView {
     }
 
     posture(branch) {
+        if (branch >= this.form.branches) {
+            return "beside the plan's branches";
+        }
         const words = this.form.postures.map(({ name, words }) => `${name} ${words[branch]}`);
         return words.length > 0 ? words.join(", ") : this.form.branches > 1 ? `branch ${branch}` : "the only branch";
     }

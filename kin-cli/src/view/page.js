@@ -58,7 +58,9 @@ const parameter = (() => {
     const ends = only.joint === null ? [-Math.PI, Math.PI] : travel(robot.joints[only.joint], view.size);
     const solve = (value) => subject.solutionsAt([value, ...subject.parameters.slice(1)])
         .map(({ q, branch }) => ({ branch, within: robot.within_limits(q) !== null }));
-    return new Parameter(byId("parameter"), only, ends, robot.form.branches, solve,
+    // Eliminations take longer than expressions.
+    const samples = robot.form.search ? 45 : 180;
+    return new Parameter(byId("parameter"), only, ends, robot.form.most, samples, solve,
         (value) => changed(() => subject.setParameter(value)));
 })();
 
@@ -83,7 +85,8 @@ const draw = () => {
     const branches = subject.branches();
     byId("branches-section").hidden = branches === null;
     if (branches) {
-        byId("branch-count").textContent = `${branches.length} of ${robot.form.branches}, nearest marked`;
+        const of = robot.form.search ? "found" : `of ${robot.form.branches}`;
+        byId("branch-count").textContent = `${branches.length} ${of}, nearest marked`;
         showBranches(branches);
     }
     showMeasures(subject.measures());

@@ -1,13 +1,10 @@
 // The free parameter of an arm with a joint to spare: a slider, and under it where each branch
 // exists.
 
-/** Values looked at between the ends. */
-const SAMPLES = 180;
-
 class Parameter {
-    /** `solve` has the solutions of the target at a value. */
-    constructor(place, parameter, [lower, upper], branches, solve, changed) {
-        Object.assign(this, { parameter, lower, upper, branches, solve });
+    /** `solve` has the solutions of the target at a value; so many are looked at between the ends. */
+    constructor(place, parameter, [lower, upper], branches, count, solve, changed) {
+        Object.assign(this, { parameter, lower, upper, branches, count, solve });
         const title = `${parameter.name}: given beside the target`;
         this.slider = slider({ ...parameter, label: "value", title }, [lower, upper], changed);
         this.strip = element("canvas", { id: "strip", title: "where each branch exists; pale: beyond the limits" });
@@ -35,7 +32,7 @@ class Parameter {
     /** The intervals in which some branch exists, within limits or not; ends by bisection. */
     intervals(samples, level) {
         const is = (states) => states.some((state) => state >= level);
-        const at = (k) => this.lower + ((this.upper - this.lower) * k) / SAMPLES;
+        const at = (k) => this.lower + ((this.upper - this.lower) * k) / this.count;
         const end = (k) => {
             let [inside, outside] = is(samples[k]) ? [at(k), at(k + 1)] : [at(k + 1), at(k)];
             for (let step = 0; step < 14; ++step) {
@@ -46,7 +43,7 @@ class Parameter {
         };
         const found = [];
         let from = is(samples[0]) ? this.lower : null;
-        for (let k = 0; k < SAMPLES; ++k) {
+        for (let k = 0; k < this.count; ++k) {
             const [here, next] = [is(samples[k]), is(samples[k + 1])];
             if (!here && next) {
                 from = end(k);
@@ -61,14 +58,14 @@ class Parameter {
     show(value, isNewTarget, colour) {
         this.slider.show(value);
         if (isNewTarget) {
-            this.samples = Array.from({ length: SAMPLES + 1 }, (_, k) =>
-                this.states(this.lower + ((this.upper - this.lower) * k) / SAMPLES));
+            this.samples = Array.from({ length: this.count + 1 }, (_, k) =>
+                this.states(this.lower + ((this.upper - this.lower) * k) / this.count));
             this.found = [2, 1].map((level) => this.intervals(this.samples, level));
             const { unit, scale } = shownAs(this.parameter.turns);
             const list = (found) => found.map((ends) =>
                 `[${ends.map((x) => rounded(x * scale, 1)).join(", ")}] ${unit}`).join(" and ") || "nowhere";
             this.text.textContent = `Within limits: ${list(this.found[0])}. In reach: ${list(this.found[1])}.`;
-            this.text.title = `Looked for at ${SAMPLES + 1} values, ends by bisection; shorter intervals can be missed.`;
+            this.text.title = `Looked for at ${this.count + 1} values, ends by bisection; shorter intervals can be missed.`;
         }
         this.draw(value, colour);
     }
@@ -84,7 +81,7 @@ class Parameter {
         this.strip.height = height * ratio;
         const context = this.strip.getContext("2d");
         context.scale(ratio, ratio);
-        const step = width / (SAMPLES + 1);
+        const step = width / (this.count + 1);
         used.forEach((branch, row) => {
             context.fillStyle = branchColour(branch);
             this.samples.forEach((states, k) => {
