@@ -224,3 +224,17 @@ fn a_delta_is_explained() {
     }
     assert!(text.contains("three spheres meet"), "{text}");
 }
+
+/// The directions that a step is read from are not told of: plans that differ in them alone would
+/// be the same words again.
+#[test]
+fn no_plan_is_told_of_twice() {
+    for file in ["iiwa14.yaml", "panda.yaml", "ur5e.urdf"] {
+        let inverse = told(&robot(file)).inverse.unwrap();
+        assert_eq!(inverse.others.len(), 3, "{file}");
+        for (i, other) in inverse.others.iter().enumerate() {
+            let before = &inverse.others[..i];
+            assert!(*other != inverse.plan && !before.contains(other), "{file}");
+        }
+    }
+}

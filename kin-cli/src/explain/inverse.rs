@@ -7,7 +7,7 @@ use kin_codegen::certificate::Certificate;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::geometry::Linkage;
-use kin_codegen::plan::Plans;
+use kin_codegen::plan::{Plan, Plans};
 use kin_codegen::redundancy;
 use kin_codegen::solver::Certified;
 use kin_codegen::univariate::Kept;
@@ -15,6 +15,8 @@ use serde::Serialize;
 
 /// Other plans told of.
 const ALTERNATIVES: usize = 3;
+/// Of so many plans that are found.
+const LOOKED_AT: usize = 24;
 
 /// A verified closed form.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -100,11 +102,7 @@ impl Inverse {
             plan: plan.to_string(),
             steps: steps.map(|step| Step::of(step, &form.linkage)).collect(),
             branches: plan.branches(),
-            others: Plans::new(&form.linkage, plan.target)
-                .filter(|other| other != plan)
-                .take(ALTERNATIVES)
-                .map(|other| other.to_string())
-                .collect(),
+            others: others(&form.linkage, plan),
             cost: form.expressions().map(LaneCost::of),
             kept: {
                 let kept = form.elimination().into_iter().flat_map(|arm| &arm.kept);
@@ -113,6 +111,19 @@ impl Inverse {
             certificate: certified.certificate,
         }
     }
+}
+
+/// Other plans that the search comes by first; those that differ in what a step is read from
+/// alone are one.
+fn others(linkage: &Linkage, plan: &Plan) -> Vec<String> {
+    let plans = Plans::new(linkage, plan.target).take(LOOKED_AT);
+    let mut names = vec![plan.to_string()];
+    for name in plans.map(|other| other.to_string()) {
+        if names.len() <= ALTERNATIVES && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.split_off(1)
 }
 
 impl Inverse {
