@@ -6,6 +6,7 @@ mod random;
 
 mod js;
 mod mechanisms;
+mod meeting;
 mod mistakes;
 mod moveit;
 #[path = "../../kin-codegen/tests/named/mod.rs"]
