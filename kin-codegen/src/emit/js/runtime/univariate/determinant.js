@@ -173,7 +173,7 @@ const $improve = ({ rows, inverses }, x) => {
 /* An orthonormal basis of what Q R nearly takes to zero: the least right singular vectors, by
  * subspace iteration. */
 const $null_space = (triangle, count) => {
-    const space = Array.from({ length: count }, (_, n) => Float64Array.from({ length: 16 }, (__, i) => {
+    const space = Array.from({ length: count }, (_, n) => new Float64Array(16).map((__, i) => {
         /* Starts that no arm is square to: the fractional parts of multiples of the golden ratio,
          * about 0. */
         const x = ((((n + 1) * i) % 61) + 1) * 0.6180339887498948;

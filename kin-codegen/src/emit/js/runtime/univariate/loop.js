@@ -33,7 +33,7 @@ const $move_line = (pose, line) => {
 /* What a joint that goes back makes of a line: the coefficients of 1, the cosine and the sine, or
  * of 1, a slide and its square. */
 const $go_back = (slides, line) => {
-    const first = Float64Array.from(line);
+    const first = line.slice();
     const second = new Float64Array(15);
     const third = new Float64Array(15);
     if (slides) {

@@ -3,7 +3,7 @@
 /* What is missing and the geometric Jacobian that makes it, by columns; lengths in units of the arm's
  * size. */
 const $system = ({ fixed, slides }, target, q) => {
-    const r = [0, 1, 2].map((i) => Array.from(fixed[0].slice(4 * i, 4 * i + 3)));
+    const r = [0, 1, 2].map((i) => fixed[0].slice(4 * i, 4 * i + 3));
     const p = [0, 1, 2].map((i) => fixed[0][4 * i + 3]);
     const axes = [];
     const origins = [];
@@ -23,9 +23,11 @@ const $system = ({ fixed, slides }, target, q) => {
             p[i] = p[i] + x * next[3] + y * next[7] + z * next[11];
         }
     }
-    const columns = axes.map((z, joint) => {
+    const columns = [];
+    for (let joint = 0; joint < 6; ++joint) {
+        const z = axes[joint];
         const o = origins[joint];
-        const column = new Float64Array(6);
+        const column = $zeros(6);
         for (let i = 0; i < 3; ++i) {
             const a = (i + 1) % 3;
             const b = (i + 2) % 3;
@@ -33,9 +35,9 @@ const $system = ({ fixed, slides }, target, q) => {
             column[i] = 0.5 * (slides[joint] ? z[i] : along);
             column[3 + i] = slides[joint] ? 0.0 : z[i];
         }
-        return column;
-    });
-    const error = new Float64Array(6);
+        columns.push(column);
+    }
+    const error = $zeros(6);
     let square = 0.0;
     for (let i = 0; i < 3; ++i) {
         const a = (i + 1) % 3;
@@ -56,10 +58,10 @@ const $system = ({ fixed, slides }, target, q) => {
  * turn is as good as by reflections (Bjorck, BIT 7, 1967). Also the squares of the pivots, and their
  * inverses. */
 const $orthogonal = (system) => {
-    const columns = system.columns.map((column) => Float64Array.from(column));
+    const columns = system.columns.map((column) => column.slice());
     const above = $square(6);
-    const squares = new Float64Array(6);
-    const inverses = new Float64Array(6);
+    const squares = $zeros(6);
+    const inverses = $zeros(6);
     for (let j = 0; j < 6; ++j) {
         squares[j] = $max($dot(columns[j], columns[j]), 1e-24);
         inverses[j] = 1.0 / squares[j];
@@ -84,8 +86,8 @@ const $back_substitute = ({ above }, x) => {
 
 /* x of J x = e. */
 const $solve_jacobian = (jacobian, error) => {
-    const e = Float64Array.from(error);
-    const x = new Float64Array(6);
+    const e = error.slice();
+    const x = $zeros(6);
     for (let j = 0; j < 6; ++j) {
         x[j] = $dot(jacobian.columns[j], e) * jacobian.inverses[j];
         for (let i = 0; i < 6; ++i) {
@@ -108,7 +110,7 @@ const $independence = (jacobian) => {
     let sum = 0.0;
     for (let j = 0; j < 6; ++j) {
         /* Column j of R^-1, and J^-1 = R^-1 D^-1 Q^T. */
-        const column = new Float64Array(6);
+        const column = $zeros(6);
         column[j] = 1.0;
         let square = 1.0;
         for (let i = j - 1; i >= 0; --i) {
@@ -134,7 +136,7 @@ const $is_steady = (jacobian, { residual }) => {
  * root it gains 4. Where it arrived, how far the tip is from the target in units of the arm's size,
  * and how far from singular the Jacobian is. */
 const $polish = (search, target, start, steps) => {
-    const q = Float64Array.from(start);
+    const q = start.slice();
     let before = Infinity;
     let system = $system(search, target, q);
     let jacobian = $orthogonal(system);
@@ -163,7 +165,7 @@ const $polish = (search, target, start, steps) => {
  * inverse iteration on the transpose of J times J. */
 const $weak_motion = (jacobian) => {
     /* A start that no arm is square to. */
-    const x = Float64Array.from({ length: 6 }, (_, i) => 1.0 + 0.3 * i);
+    const x = $zeros(6).map((_, i) => 1.0 + 0.3 * i);
     for (let round = 0; round < 2; ++round) {
         for (let j = 0; j < 6; ++j) {
             for (let i = 0; i < j; ++i) {

@@ -3,7 +3,9 @@
  * (Auzinger and Stetter, ISNM 86, 1988). So many may share it. */
 const $SHARING = 4;
 
-const $square = (n) => Array.from({ length: n }, () => new Float64Array(n));
+const $zeros = (n) => new Array(n).fill(0.0);
+
+const $square = (n) => $zeros(n).map(() => $zeros(n));
 
 /* g^-1 h, for a positive definite g; both are used up. */
 const $solve_square = (g, h) => {
@@ -64,7 +66,7 @@ const $eigenvectors_of_pair = (t) => {
 };
 
 /* a times b, of squares. */
-const $times = (a, b) => a.map((row) => Float64Array.from(b[0], (_, j) => {
+const $times = (a, b) => a.map((row) => b[0].map((_, j) => {
     let sum = 0.0;
     for (let m = 0; m < b.length; ++m) {
         sum += row[m] * b[m][j];
@@ -114,7 +116,7 @@ const $eigenvectors = (given) => {
     }
     t = $times($transposed(basis), $times(given, basis));
     return basis.map((_, c) => {
-        const weights = new Float64Array(n);
+        const weights = $zeros(n);
         weights[c] = 1.0;
         for (let i = c - 1; i >= 0; --i) {
             let above = 0.0;
@@ -132,7 +134,7 @@ const $eigenvectors = (given) => {
 const $monomial_vectors = (elimination, space) => {
     const image = $multiplication(elimination, space);
     const all = space.length === 2 ? $eigenvectors_of_pair(image) : $eigenvectors(image);
-    return all.map((weights) => Float64Array.from(space[0], (_, i) => {
+    return all.map((weights) => space[0].map((_, i) => {
         let sum = 0.0;
         for (let b = 0; b < space.length; ++b) {
             sum += space[b][i] * weights[b];
@@ -204,7 +206,7 @@ const $move = ({ slides }, place, { sine, cosine }, l, p) => {
 const $see_line = ({ far_side }, kept, fifth, sixth) => {
     const { sine: s, cosine: c } = fifth;
     const by_fifth = (k, i) => far_side[k][i] + c * far_side[k + 1][i] + s * far_side[k + 2][i];
-    const line = Float64Array.from(far_side[0], (_, i) =>
+    const line = far_side[0].map((_, i) =>
         by_fifth(0, i) + by_fifth(3, i) * sixth.cosine + by_fifth(6, i) * sixth.sine);
     for (let v = 0; v < 12; v += 3) {
         $turn(-kept.sine, kept.cosine, line, v);

@@ -208,7 +208,7 @@ const $at_extremum = (isolation, interval) => {
 const $halved = (interval) => {
     const share = 0.4871;
     const cut = $between(interval, share);
-    const upper = Float64Array.from(interval.coefficients);
+    const upper = interval.coefficients.slice();
     const lower = new Float64Array(upper.length);
     for (let i = 0; i < upper.length; ++i) {
         lower[i] = upper[0];

@@ -51,7 +51,7 @@ const $insert_arrived = (search, arrived, branch) => {
         return false;
     }
     const solution = {
-        q: Array.from(arrived.q, (x, i) => (of.slides[i] ? x : $wrap(x))),
+        q: arrived.q.map((x, i) => (of.slides[i] ? x : $wrap(x))),
         residual: of.size * Math.sqrt(residual * residual + gap * gap),
         branch,
         singular: independence < $SINGULAR,
