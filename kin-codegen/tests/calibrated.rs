@@ -13,6 +13,7 @@ use kin_codegen::random::Random;
 use kin_codegen::redundancy::{Asked, solve_redundant};
 use kin_codegen::solver::{Certified, solve};
 use kin_codegen::spec::{ArmSpec, Source};
+use kin_codegen::univariate::Kept;
 use kin_runtime::Pose;
 use measured::{configuration, measured};
 use std::collections::BTreeSet;
@@ -107,7 +108,10 @@ fn nothing_is_lost_of_seven(path: &str, free: Option<usize>) {
             Some(joint) => assert_eq!(redundancy.joints, [joint], "{noise:e}"),
             None => assert!(matches!(redundancy.joints[..], [0 | 6]), "{noise:e}"),
         }
-        assert!(form.elimination().is_some(), "{noise:e}");
+        let kept = &form.elimination().unwrap().kept;
+        // One that is never sure and loses random targets says nothing of those near singular.
+        let says = |kept: &Kept| kept.unsure < 100.0 || kept.lost == 0;
+        assert!(kept.iter().all(says), "{noise:e}: {kept:?}");
         assert!(certificate.excused_share < 0.03, "{noise:e}");
         for k in 0..300 {
             let q = configuration(7, k, &mut random);

@@ -15,7 +15,7 @@ const SAME: f64 = 1e-5;
 /// answer.
 pub const MOST: usize = 3;
 
-/// One that is never sure of its answer and loses more than one target in so many says nothing.
+/// One that is never sure of its answer and loses one target in so many says nothing.
 const MANY: usize = 16;
 
 /// An elimination, and how it did on random targets.
@@ -32,11 +32,18 @@ pub struct Kept {
     pub noise: f64,
 }
 
+impl Kept {
+    /// Whether it is never sure of its answer and loses some of so many random targets.
+    pub(super) fn says_nothing(&self, targets: usize) -> bool {
+        self.unsure == 100.0 && self.lost * MANY >= targets
+    }
+}
+
 /// The joints to keep of the first ones, the one that separates solutions best first; empty
 /// where no joint will do. The first [`MOST`] are asked, where those are enough.
 pub fn choose(family: &Family, joints: usize) -> Vec<Kept> {
     let mut kept = each(family, joints, TARGETS);
-    kept.retain(|kept| kept.unsure < 100.0 || kept.lost * MANY < TARGETS);
+    kept.retain(|kept| !kept.says_nothing(TARGETS));
     let by_quality = |a: &Kept, b: &Kept| {
         a.lost
             .cmp(&b.lost)
