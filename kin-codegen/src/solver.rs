@@ -513,6 +513,10 @@ fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate:
     let near = trials.near_singular(form.untold());
     let mut arms = univariate::Arm::keeping_each(trials.model(), trials.linkage());
     arms.retain(|arm| arm.kept[0].noise < NOISY);
+    // Those that say nothing are taken where all do: curves cost more.
+    if !arms.iter().all(univariate::Arm::says_nothing) {
+        arms.retain(|arm| !arm.says_nothing());
+    }
     // How many of the motions no kept joint takes part in.
     let untold = |kept: &[Kept]| {
         let hardly = |near: &NearSingular, kept: &Kept| {

@@ -110,18 +110,23 @@ impl Arm {
         }
     }
 
-    /// The same with every joint kept that can be, one at a time, those that say nothing only
-    /// where all do; none if there are more than six.
+    /// The same with every joint kept that can be, one at a time; none if there are more than
+    /// six.
     pub fn keeping_each(model: &Model, linkage: &Linkage) -> Vec<Self> {
         let Some((family, linkage)) = Family::of(model, linkage) else {
             return Vec::new();
         };
-        let mut all = each(&family, linkage.links.len(), FEW);
-        if !all.iter().all(|kept| kept.says_nothing(FEW)) {
-            all.retain(|kept| !kept.says_nothing(FEW));
-        }
         let arm = |kept| Self::keeping(&linkage, &family, vec![kept]);
-        all.into_iter().map(arm).collect()
+        each(&family, linkage.links.len(), FEW)
+            .into_iter()
+            .map(arm)
+            .collect()
+    }
+
+    /// Whether of [those](Self::keeping_each) one is never sure of its answer, and loses random
+    /// targets.
+    pub fn says_nothing(&self) -> bool {
+        self.kept[0].says_nothing(FEW)
     }
 
     /// Which joint is kept, of an elimination beside branches: `q4`, and which others where that is
