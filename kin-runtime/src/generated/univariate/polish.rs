@@ -398,8 +398,8 @@ impl<L: Lanes> Factored<L> {
         [least, largest]
     }
 
-    /// How far from singular: 1 / (‖J⁻¹‖ · the largest pivot), by the norm of all entries, which is
-    /// below the least singular value by no more than √6. A pivot may be far above it.
+    /// How far from singular: 1 / (‖J⁻¹‖ · the largest pivot). By the norm of all entries 1 / ‖J⁻¹‖ is
+    /// the least singular value but for a factor of √6; a pivot may be far above that.
     #[inline(always)]
     fn independence(&self) -> L {
         let mut sum = L::ZERO;
@@ -450,5 +450,74 @@ impl<L: Lanes> Factored<L> {
             x.iter_mut().for_each(|x| *x *= share);
         }
         x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::singular_values::SingularValues;
+    use core::f64::consts::PI;
+
+    /// The rows of the Jacobian, by differences of forward kinematics; lengths as in
+    /// [`Forward::column`].
+    fn rows(frames: &Frames, q: &[f64; 6]) -> [[f64; 6]; 6] {
+        const H: f64 = 1e-5;
+        let moved = |joint: usize, by: f64| {
+            let mut q = *q;
+            q[joint] += by;
+            frames.forward(&q)
+        };
+        core::array::from_fn(|i| {
+            core::array::from_fn(|joint| {
+                let (ahead, behind) = (moved(joint, H), moved(joint, -H));
+                let change = match i {
+                    0..3 => 0.5 * (ahead.translation[i] - behind.translation[i]),
+                    _ => {
+                        let turn = Pose {
+                            translation: [0.0; 3],
+                            ..ahead * behind.inverse()
+                        };
+                        turn.log().angular[i - 3]
+                    }
+                };
+                change / (2.0 * H)
+            })
+        })
+    }
+
+    /// Of random arms, and of configurations as near to singular as they come by.
+    #[test]
+    fn independence_is_the_least_singular_value_but_for_the_root_of_six() {
+        // Fractions of multiples of the golden ratio.
+        let mut number = 0.0;
+        let mut random = |most: f64| {
+            number = (number + 0.618_033_988_749_895) % 1.0;
+            most * (2.0 * number - 1.0)
+        };
+        let mut least = f64::INFINITY;
+        for _ in 0..500 {
+            let mut three = |most: f64| core::array::from_fn(|_| random(most));
+            let fixed =
+                core::array::from_fn(|_| Pose::from_axis_angle(three(1.0), 2.0, three(0.5)));
+            let frames = Frames {
+                fixed,
+                prismatic: 0,
+            };
+            let q: [f64; 6] = core::array::from_fn(|_| random(PI));
+            let arrived = polished(&frames, &frames.forward(&q), &q.map(|q| [q; LANES]), 0);
+            let rows = rows(&frames, &q);
+            let values = SingularValues::<6, 6>::new(&rows).values;
+            let first: f64 = rows.iter().map(|row| row[0] * row[0]).sum::<f64>().sqrt();
+            // The largest pivot is between the first column and the largest singular value.
+            let [low, high] = [values[0] * 6.0_f64.sqrt(), first].map(|by| values[5] / by);
+            let said = arrived.independence[0];
+            assert!(
+                said > 0.999 * low && said < 1.001 * high,
+                "{low} {said} {high}"
+            );
+            least = least.min(said);
+        }
+        assert!(least < 1e-3, "{least}");
     }
 }

@@ -143,8 +143,8 @@ KIN_INLINE void kin_extremes(const kin_orthogonal *jacobian, double *least, doub
     }
 }
 
-/* How far from singular: 1 / (|J^-1| * the largest pivot), by the norm of all entries, which is below
- * the least singular value by no more than the root of 6. A pivot may be far above it. */
+/* How far from singular: 1 / (|J^-1| * the largest pivot). By the norm of all entries 1 / |J^-1| is
+ * the least singular value but for a factor of the root of 6; a pivot may be far above that. */
 KIN_INLINE void kin_independence(const kin_orthogonal *jacobian, double *out)
 {
     kin_pack least, largest, sum;

@@ -104,8 +104,8 @@ const $extremes = ({ squares }) => squares.reduce(
     [squares[0], squares[0]],
 );
 
-/* How far from singular: 1 / (|J^-1| * the largest pivot), by the norm of all entries, which is below
- * the least singular value by no more than the root of 6. A pivot may be far above it. */
+/* How far from singular: 1 / (|J^-1| * the largest pivot). By the norm of all entries 1 / |J^-1| is
+ * the least singular value but for a factor of the root of 6; a pivot may be far above that. */
 const $independence = (jacobian) => {
     let sum = 0.0;
     for (let j = 0; j < 6; ++j) {
