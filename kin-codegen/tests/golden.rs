@@ -129,3 +129,11 @@ fn javascript_of_a_mechanism() {
 fn c_of_three_parallel_axes() {
     check_c("robots/ur5e.urdf", ["ur5e.h", "ur5e.c"]);
 }
+
+#[test]
+fn c_of_a_mechanism() {
+    check_c(
+        "robots/slider_crank.yaml",
+        ["slider_crank.h", "slider_crank.c"],
+    );
+}

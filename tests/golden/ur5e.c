@@ -86,6 +86,16 @@ UR5E_INLINE double ur5e_max(double a, double b)
     return ur5e_select(b, a, a, b);
 }
 
+/* The length of a vector. */
+static double ur5e_norm(const double *x, int count)
+{
+    double square = 0.0;
+    for (int i = 0; i < count; ++i) {
+        square += x[i] * x[i];
+    }
+    return sqrt(square);
+}
+
 /* Sine and cosine of x radians, within 1.5e-16 for |x| up to 1.6e6, without meaning beyond
  * 3e15: reduction by pi/2 in two parts (Cody and Waite), minimax polynomials. Without jumps, for
  * loops that become vector instructions. */
@@ -208,6 +218,225 @@ static double ur5e_roomiest_turn(double here, double quarter, double half)
         return near_ < far_ ? phase : ur5e_wrap(phase + pi);
     }
     return ur5e_wrap(phase - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
+}
+
+/* Of the values of a joint that are q but for full turns, if it turns, the one inside its limits
+ * and nearest to a seed, and how far it is beyond a stop. */
+static double ur5e_next_inside(
+    int turns, double lower, double upper, double q, double seed, double *beyond)
+{
+    const double pi = 3.141592653589793, turn = turns ? 6.283185307179586 : 0.0;
+    const double middle = 0.5 * (lower + upper);
+    double first = lower - 1e-9 + pi, last = upper + 1e-9 - pi, value;
+    /* Without stops the middle is no number and not taken. */
+    first = middle < first ? middle : first;
+    last = middle > last ? middle : last;
+    seed = seed < first ? first : seed;
+    seed = seed > last ? last : seed;
+    value = q + turn * ur5e_round((seed - q) * (turn * 0.025330295910584444));
+    *beyond = ur5e_max(value - upper, lower - value);
+    return value;
+}
+
+/* A value, not beyond a stop. */
+static double ur5e_at_most_at_a_stop(double lower, double upper, double value)
+{
+    value = value > upper ? upper : value;
+    return value < lower ? lower : value;
+}
+
+/* How far a pose is from a target. */
+typedef struct ur5e_metric {
+    /* The distance at which angles count as lengths, and by how much solutions may miss, metres. */
+    double size;
+    double tolerance;
+    /* What of a target counts: of the rotation the direction of the axis, or its projection. */
+    int translation;
+    int rotation;
+    int axis;
+    int projected;
+} ur5e_metric;
+
+/* How far the rotation of a target is from one, as far as it counts. */
+static double ur5e_rotation_error(const ur5e_metric *by, const double target[12])
+{
+    double x[3], y[3], z[3], missing[6], square = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        x[i] = target[4 * i];
+        y[i] = target[4 * i + 1];
+        z[i] = target[4 * i + 2];
+    }
+    if (by->axis) {
+        return fabs(sqrt(z[0] * z[0] + z[1] * z[1] + z[2] * z[2]) - 1.0);
+    }
+    missing[0] = 0.5 * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0);
+    missing[1] = 0.5 * (y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0);
+    missing[2] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    for (int i = 0; i < 3; ++i) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        missing[3 + i] = z[i] - (x[a] * y[b] - x[b] * y[a]);
+    }
+    for (int i = 0; i < 6; ++i) {
+        square += missing[i] * missing[i];
+    }
+    return by->rotation && !by->projected ? sqrt(square) : 0.0;
+}
+
+/* Why a target has no solutions, by the codes of the header. */
+static int ur5e_why_none(const ur5e_metric *by, const double target[12])
+{
+    for (int i = 0; i < 12; ++i) {
+        const int counts = i % 4 == 3 ? by->translation : by->rotation;
+        if (counts && !(fabs(target[i]) <= 1.7976931348623157e308)) {
+            return -1;
+        }
+    }
+    return ur5e_rotation_error(by, target) * by->size <= by->tolerance ? 0 : -2;
+}
+
+/* A configuration as the target sees it: what is missing, and how the joints make it;
+ * lengths in units of the arm's size, zero where the target does not count. */
+typedef struct ur5e_linearization {
+    double q[6];
+    double residual;
+    double error[6];
+    double rows[6][6];
+} ur5e_linearization;
+
+/* The joints that are solved for: how many, and the function that has their pose and spatial
+ * Jacobian, with what is given beside a target. */
+typedef struct ur5e_solved_for {
+    int count;
+    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][6]);
+    const void *given;
+} ur5e_solved_for;
+
+/* How far a pose is from a target, as far as the target counts, metres. */
+static double ur5e_distance(const ur5e_metric *by, const double pose[12], const double target[12])
+{
+    double shift = 0.0, turn = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        const double off = pose[i] - target[i];
+        if (i % 4 == 3) {
+            shift += off * off;
+        } else if (i % 4 == 2 || !by->axis) {
+            turn += (by->axis ? 1.0 : 0.5) * off * off;
+        }
+    }
+    shift = by->translation ? shift : 0.0;
+    return sqrt(shift + (by->rotation ? by->size * by->size * turn : 0.0));
+}
+
+/* Fills in all but the configuration. */
+static void ur5e_linearize(
+    const ur5e_metric *by, const ur5e_solved_for *joints, const double target[12], ur5e_linearization *here)
+{
+    double pose[12], jacobian[6][6];
+    joints->see(here->q, joints->given, pose, jacobian);
+    for (int i = 0; i < 3; ++i) {
+        const double off = pose[4 * i + 3] - target[4 * i + 3];
+        here->error[i] = by->translation ? -off / by->size : 0.0;
+        here->error[3 + i] = 0.0;
+    }
+    for (int j = by->axis ? 2 : 0; by->rotation && j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3;
+            here->error[3 + i] += (by->axis ? 1.0 : 0.5)
+                * (pose[4 * a + j] * target[4 * b + j] - pose[4 * b + j] * target[4 * a + j]);
+        }
+    }
+    here->residual = ur5e_distance(by, pose, target);
+    for (int k = 0; k < joints->count; ++k) {
+        double v[3], w[3], along = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            v[i] = jacobian[i][k];
+            w[i] = jacobian[3 + i][k];
+            along += w[i] * pose[4 * i + 2];
+        }
+        for (int i = 0; i < 3; ++i) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3;
+            const double linear = v[i] + (w[a] * pose[4 * b + 3] - w[b] * pose[4 * a + 3]);
+            const double angular = by->axis ? w[i] - along * pose[4 * i + 2] : w[i];
+            here->rows[i][k] = by->translation ? linear / by->size : 0.0;
+            here->rows[3 + i][k] = by->rotation ? angular : 0.0;
+        }
+    }
+}
+
+/* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
+ * diagonal. */
+static void ur5e_factor(double rows[6][6], int count, double damping, double lower[6][6])
+{
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            lower[i][j] = i == j ? damping : 0.0;
+            for (int row = 0; row < 6; ++row) {
+                lower[i][j] += rows[row][i] * rows[row][j];
+            }
+        }
+    }
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < i; ++j) {
+            for (int k = 0; k < j; ++k) {
+                lower[i][j] -= lower[i][k] * lower[j][k];
+            }
+            lower[i][j] *= lower[j][j];
+            lower[i][i] -= lower[i][j] * lower[i][j];
+        }
+        /* Rounding may leave the square of a singular pivot below zero. */
+        lower[i][i] = 1.0 / sqrt(lower[i][i] > 1e-20 ? lower[i][i] : 1e-20);
+    }
+}
+
+/* Levenberg's method from a configuration that nearly reaches the target, damped by the
+ * square of what is missing (Yamashita and Fukushima, Computing Supplement 15, 2001), for at
+ * most twelve evaluations. Whether the Jacobian loses rank where it has arrived. */
+static int ur5e_correct(
+    const ur5e_metric *by, const ur5e_solved_for *joints, const double target[12], int evaluations,
+    ur5e_linearization *here)
+{
+    double lower[6][6], weight = 1.0, miss, least, most;
+    ur5e_linearize(by, joints, target, here);
+    miss = ur5e_norm(here->error, 6);
+    for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
+         ++step) {
+        ur5e_linearization there;
+        double x[6], next;
+        ur5e_factor(here->rows, joints->count, weight * miss * miss, lower);
+        for (int i = 0; i < joints->count; ++i) {
+            x[i] = 0.0;
+            for (int row = 0; row < 6; ++row) {
+                x[i] += here->rows[row][i] * here->error[row];
+            }
+            for (int k = 0; k < i; ++k) {
+                x[i] -= lower[i][k] * x[k];
+            }
+            x[i] *= lower[i][i];
+        }
+        for (int i = joints->count - 1; i >= 0; --i) {
+            for (int k = i + 1; k < joints->count; ++k) {
+                x[i] -= lower[k][i] * x[k];
+            }
+            x[i] *= lower[i][i];
+            there.q[i] = here->q[i] + x[i];
+        }
+        ur5e_linearize(by, joints, target, &there);
+        next = ur5e_norm(there.error, 6);
+        if (next < miss) {
+            weight *= next < 0.5 * miss ? 0.1 : 1.0;
+            *here = there;
+            miss = next;
+        } else {
+            weight *= 8.0;
+        }
+    }
+    ur5e_factor(here->rows, joints->count, 0.0, lower);
+    least = most = lower[0][0];
+    for (int i = 1; i < joints->count; ++i) {
+        most = lower[i][i] > most ? lower[i][i] : most;
+        least = lower[i][i] < least ? lower[i][i] : least;
+    }
+    return least / most < 1e-5;
 }
 
 void ur5e_fk(const double q[UR5E_JOINTS], double pose[12])
@@ -732,57 +961,30 @@ int ur5e_fk_frame(const double q[UR5E_JOINTS], int frame, double pose[12])
     return 0;
 }
 
-
-/* Of the values of joint i that are q but for full turns the one inside its limits and
- * nearest to a seed, and how far it is beyond a stop. */
-static double ur5e_next_inside(int i, double q, double seed, double *beyond)
-{
-    const double pi = 3.141592653589793, turn = ur5e_turns[i] ? 6.283185307179586 : 0.0;
-    const double lower = ur5e_lower_limits[i], upper = ur5e_upper_limits[i];
-    const double middle = 0.5 * (lower + upper);
-    double first = lower - 1e-9 + pi, last = upper + 1e-9 - pi, value;
-    /* Without stops the middle is no number and not taken. */
-    first = middle < first ? middle : first;
-    last = middle > last ? middle : last;
-    seed = seed < first ? first : seed;
-    seed = seed > last ? last : seed;
-    value = q + turn * ur5e_round((seed - q) * (turn * 0.025330295910584444));
-    *beyond = ur5e_max(value - upper, lower - value);
-    return value;
-}
-
-/* A value, not beyond a stop. */
-static double ur5e_at_most_at_a_stop(int i, double value)
-{
-    value = value > ur5e_upper_limits[i] ? ur5e_upper_limits[i] : value;
-    return value < ur5e_lower_limits[i] ? ur5e_lower_limits[i] : value;
-}
-
 int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
 {
     int inside = 1;
     for (int i = 0; i < UR5E_JOINTS; ++i) {
+        const double lower = ur5e_lower_limits[i], upper = ur5e_upper_limits[i];
         double beyond;
-        const double value = ur5e_next_inside(i, q[i], q[i], &beyond);
+        const double value = ur5e_next_inside(ur5e_turns[i], lower, upper, q[i], q[i], &beyond);
         const int is_inside = beyond <= 1e-9;
-        moved[i] = is_inside ? ur5e_at_most_at_a_stop(i, value) : q[i];
+        moved[i] = is_inside ? ur5e_at_most_at_a_stop(lower, upper, value) : q[i];
         inside = inside && is_inside;
     }
     return inside;
 }
 
-
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
  * and by how much solutions may miss the target, metres; below which conditioning of the Jacobian
- * branches do not tell solutions, of an arm off its design; what of a target counts. */
+ * branches do not tell solutions, of an arm off its design. */
 #define UR5E_SOLVED 6
 #define UR5E_SIZE 1.3122999999999998
 #define UR5E_TOLERANCE 1.3123e-9
 #define UR5E_NEAR_SINGULAR 0.0
-#define UR5E_COUNTS_TRANSLATION 1
-#define UR5E_COUNTS_ROTATION 1
-#define UR5E_COUNTS_AXIS 0
-#define UR5E_PROJECTED 0
+
+static const ur5e_metric ur5e_own_metric = {
+    UR5E_SIZE, UR5E_TOLERANCE, 1, 1, 0, 0};
 
 /* The joints that are solved for. */
 static const int ur5e_solved[UR5E_SOLVED] = {0, 1, 2, 3, 4, 5};
@@ -1158,204 +1360,19 @@ static void ur5e_compute_branches(
     }
 }
 
-/* How far the rotation of a target is from one, as far as it counts. */
-static double ur5e_rotation_error(const double target[12])
-{
-    double x[3], y[3], z[3], missing[6], square = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        x[i] = target[4 * i];
-        y[i] = target[4 * i + 1];
-        z[i] = target[4 * i + 2];
-    }
-    if (UR5E_COUNTS_AXIS) {
-        return fabs(sqrt(z[0] * z[0] + z[1] * z[1] + z[2] * z[2]) - 1.0);
-    }
-    missing[0] = 0.5 * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0);
-    missing[1] = 0.5 * (y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0);
-    missing[2] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    for (int i = 0; i < 3; ++i) {
-        const int a = (i + 1) % 3, b = (i + 2) % 3;
-        missing[3 + i] = z[i] - (x[a] * y[b] - x[b] * y[a]);
-    }
-    for (int i = 0; i < 6; ++i) {
-        square += missing[i] * missing[i];
-    }
-    return UR5E_COUNTS_ROTATION && !UR5E_PROJECTED ? sqrt(square) : 0.0;
-}
-
-/* Why a target has no solutions. */
-static int ur5e_why_none(const double target[12])
-{
-    for (int i = 0; i < 12; ++i) {
-        const int counts = i % 4 == 3 ? UR5E_COUNTS_TRANSLATION : UR5E_COUNTS_ROTATION;
-        if (counts && !(fabs(target[i]) <= 1.7976931348623157e308)) {
-            return UR5E_NOT_FINITE;
-        }
-    }
-    return ur5e_rotation_error(target) * UR5E_SIZE <= UR5E_TOLERANCE ? 0 : UR5E_NOT_A_ROTATION;
-}
-
-/* What is given beside a target: values of joints. */
-typedef double ur5e_given;
-#define UR5E_CORRECTED UR5E_SOLVED
-
-/* The pose of a configuration, and the spatial Jacobian of the joints that are solved for. */
-static void ur5e_seen(
-    const double solved[UR5E_CORRECTED], const ur5e_given *given, double pose[12],
-    double jacobian[6][UR5E_CORRECTED])
+/* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
+ * values of joints that are given. */
+static void ur5e_see_joints(
+    const double *solved, const void *given, double pose[12], double jacobian[6][6])
 {
     double q[UR5E_JOINTS], all[6 * UR5E_JOINTS];
-    ur5e_whole(solved, given, q);
+    ur5e_whole(solved, (const double *)given, q);
     ur5e_fk_jacobian(q, pose, all);
     for (int row = 0; row < 6; ++row) {
-        for (int k = 0; k < UR5E_CORRECTED; ++k) {
+        for (int k = 0; k < UR5E_SOLVED; ++k) {
             jacobian[row][k] = all[row * UR5E_JOINTS + ur5e_solved[k]];
         }
     }
-}
-
-/* A configuration as the target sees it: what is missing, and how the joints make it;
- * lengths in units of the arm's size, zero where the target does not count. */
-typedef struct ur5e_linearization {
-    double q[UR5E_CORRECTED];
-    double residual;
-    double error[6];
-    double rows[6][UR5E_CORRECTED];
-} ur5e_linearization;
-
-/* How far a pose is from a target, as far as the target counts, metres. */
-static double ur5e_distance(const double pose[12], const double target[12])
-{
-    double shift = 0.0, turn = 0.0;
-    for (int i = 0; i < 12; ++i) {
-        const double off = pose[i] - target[i];
-        if (i % 4 == 3) {
-            shift += off * off;
-        } else if (i % 4 == 2 || !UR5E_COUNTS_AXIS) {
-            turn += (UR5E_COUNTS_AXIS ? 1.0 : 0.5) * off * off;
-        }
-    }
-    shift = UR5E_COUNTS_TRANSLATION ? shift : 0.0;
-    return sqrt(shift + (UR5E_COUNTS_ROTATION ? UR5E_SIZE * UR5E_SIZE * turn : 0.0));
-}
-
-/* Fills in all but the configuration. */
-static void ur5e_linearize(const double target[12], const ur5e_given *given, ur5e_linearization *here)
-{
-    double pose[12], jacobian[6][UR5E_CORRECTED];
-    ur5e_seen(here->q, given, pose, jacobian);
-    for (int i = 0; i < 3; ++i) {
-        const double off = pose[4 * i + 3] - target[4 * i + 3];
-        here->error[i] = UR5E_COUNTS_TRANSLATION ? -off / UR5E_SIZE : 0.0;
-        here->error[3 + i] = 0.0;
-    }
-    for (int j = UR5E_COUNTS_AXIS ? 2 : 0; UR5E_COUNTS_ROTATION && j < 3; ++j) {
-        for (int i = 0; i < 3; ++i) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            here->error[3 + i] += (UR5E_COUNTS_AXIS ? 1.0 : 0.5)
-                * (pose[4 * a + j] * target[4 * b + j] - pose[4 * b + j] * target[4 * a + j]);
-        }
-    }
-    here->residual = ur5e_distance(pose, target);
-    for (int k = 0; k < UR5E_CORRECTED; ++k) {
-        double v[3], w[3], along = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            v[i] = jacobian[i][k];
-            w[i] = jacobian[3 + i][k];
-            along += w[i] * pose[4 * i + 2];
-        }
-        for (int i = 0; i < 3; ++i) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            const double linear = v[i] + (w[a] * pose[4 * b + 3] - w[b] * pose[4 * a + 3]);
-            const double angular = UR5E_COUNTS_AXIS ? w[i] - along * pose[4 * i + 2] : w[i];
-            here->rows[i][k] = UR5E_COUNTS_TRANSLATION ? linear / UR5E_SIZE : 0.0;
-            here->rows[3 + i][k] = UR5E_COUNTS_ROTATION ? angular : 0.0;
-        }
-    }
-}
-
-/* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
- * diagonal. */
-static void ur5e_factor(double rows[6][UR5E_CORRECTED], double damping, double lower[UR5E_CORRECTED][UR5E_CORRECTED])
-{
-    for (int i = 0; i < UR5E_CORRECTED; ++i) {
-        for (int j = 0; j <= i; ++j) {
-            lower[i][j] = i == j ? damping : 0.0;
-            for (int row = 0; row < 6; ++row) {
-                lower[i][j] += rows[row][i] * rows[row][j];
-            }
-        }
-    }
-    for (int i = 0; i < UR5E_CORRECTED; ++i) {
-        for (int j = 0; j < i; ++j) {
-            for (int k = 0; k < j; ++k) {
-                lower[i][j] -= lower[i][k] * lower[j][k];
-            }
-            lower[i][j] *= lower[j][j];
-            lower[i][i] -= lower[i][j] * lower[i][j];
-        }
-        /* Rounding may leave the square of a singular pivot below zero. */
-        lower[i][i] = 1.0 / sqrt(lower[i][i] > 1e-20 ? lower[i][i] : 1e-20);
-    }
-}
-
-static double ur5e_norm(const double error[6])
-{
-    double square = 0.0;
-    for (int i = 0; i < 6; ++i) {
-        square += error[i] * error[i];
-    }
-    return sqrt(square);
-}
-
-/* Levenberg's method from a configuration that nearly reaches the target, damped by the
- * square of what is missing (Yamashita and Fukushima, Computing Supplement 15, 2001), for at
- * most twelve evaluations. Whether the Jacobian loses rank where it has arrived. */
-static int ur5e_correct(
-    const double target[12], const ur5e_given *given, int evaluations, ur5e_linearization *here)
-{
-    double lower[UR5E_CORRECTED][UR5E_CORRECTED], weight = 1.0, miss, least, most;
-    ur5e_linearize(target, given, here);
-    miss = ur5e_norm(here->error);
-    for (int step = 0; step < evaluations && here->residual >= 1e-14 * UR5E_SIZE && weight <= 1e12;
-         ++step) {
-        ur5e_linearization there;
-        double x[UR5E_CORRECTED], next;
-        ur5e_factor(here->rows, weight * miss * miss, lower);
-        for (int i = 0; i < UR5E_CORRECTED; ++i) {
-            x[i] = 0.0;
-            for (int row = 0; row < 6; ++row) {
-                x[i] += here->rows[row][i] * here->error[row];
-            }
-            for (int k = 0; k < i; ++k) {
-                x[i] -= lower[i][k] * x[k];
-            }
-            x[i] *= lower[i][i];
-        }
-        for (int i = UR5E_CORRECTED - 1; i >= 0; --i) {
-            for (int k = i + 1; k < UR5E_CORRECTED; ++k) {
-                x[i] -= lower[k][i] * x[k];
-            }
-            x[i] *= lower[i][i];
-            there.q[i] = here->q[i] + x[i];
-        }
-        ur5e_linearize(target, given, &there);
-        next = ur5e_norm(there.error);
-        if (next < miss) {
-            weight *= next < 0.5 * miss ? 0.1 : 1.0;
-            *here = there;
-            miss = next;
-        } else {
-            weight *= 8.0;
-        }
-    }
-    ur5e_factor(here->rows, 0.0, lower);
-    least = most = lower[0][0];
-    for (int i = 1; i < UR5E_CORRECTED; ++i) {
-        most = lower[i][i] > most ? lower[i][i] : most;
-        least = lower[i][i] < least ? lower[i][i] : least;
-    }
-    return least / most < 1e-5;
 }
 
 /* Adds a solution, unless it is one of those that are there; of two the better one stays. */
@@ -1389,7 +1406,8 @@ static int ur5e_add_corrected(
     const ur5e_lanes *lanes, const double target[12], const double *given,
     ur5e_solution *solutions, int count)
 {
-    if (!(ur5e_rotation_error(target) * UR5E_SIZE <= UR5E_TOLERANCE)) {
+    const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given};
+    if (!(ur5e_rotation_error(&ur5e_own_metric, target) * UR5E_SIZE <= UR5E_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
@@ -1400,7 +1418,7 @@ static int ur5e_add_corrected(
             for (int i = 0; i < UR5E_SOLVED; ++i) {
                 here.q[i] = lanes->q[i][k];
             }
-            found.singular = ur5e_correct(target, given, 12, &here) || lanes->singular[k] > 0.0;
+            found.singular = ur5e_correct(&ur5e_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
             for (int i = 0; i < UR5E_SOLVED; ++i) {
                 here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
             }
@@ -1442,7 +1460,7 @@ static int ur5e_solve(
     if (nearly) {
         count = ur5e_add_corrected(&lanes, target, given, solutions, count);
     }
-    return count > 0 ? count : ur5e_why_none(target);
+    return count > 0 ? count : ur5e_why_none(&ur5e_own_metric, target);
 }
 
 int ur5e_ik(const double pose[12], ur5e_solution solutions[UR5E_MAX_SOLUTIONS])
@@ -1470,11 +1488,13 @@ static int ur5e_choose(
         for (int i = 0; i < UR5E_JOINTS; ++i) {
             const int known = fabs(seed[i]) < HUGE_VAL;
             const double from = known ? seed[i] : 0.0;
+            const double lower = ur5e_lower_limits[i], upper = ur5e_upper_limits[i];
             double beyond;
-            const double value = ur5e_next_inside(i, solutions[k].q[i], from, &beyond);
+            const double value = ur5e_next_inside(
+                ur5e_turns[i], lower, upper, solutions[k].q[i], from, &beyond);
             motion += known ? (value - from) * (value - from) : 0.0;
             excess = ur5e_max(excess, beyond);
-            moved.q[i] = ur5e_at_most_at_a_stop(i, value);
+            moved.q[i] = ur5e_at_most_at_a_stop(lower, upper, value);
         }
         if (excess <= 1e-9 && motion < least) {
             least = motion;

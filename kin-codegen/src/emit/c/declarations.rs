@@ -56,13 +56,34 @@ pub fn guarded(prefix: &str, about: &str, conventions: &str, declarations: &str)
 
 /// An arm's sizes, constants, types and functions.
 pub fn of_arm(compiled: &CompiledArm, prefix: &str) -> String {
+    let mut parts = vec![CONSTANTS, FORWARD];
+    if !compiled.model.frames.is_empty() {
+        parts.push(FRAMES);
+    }
+    if let Some(form) = form(compiled) {
+        parts.push(SOLUTION);
+        parts.push(match compiled.redundancy {
+            Some(_) => IK_AT,
+            None if form.expressions().is_none() => IK_OF_ROOTS,
+            None => IK,
+        });
+    }
+    let (sizes, parts) = (sizes(compiled), parts.join("\n"));
+    named(&format!("{sizes}\n{parts}"), prefix)
+}
+
+/// An arm's sizes and types.
+pub fn types(compiled: &CompiledArm) -> String {
+    let solution = form(compiled).map_or("", |_| SOLUTION);
+    format!("{}\n{solution}", sizes(compiled))
+}
+
+fn sizes(compiled: &CompiledArm) -> String {
     let model = &compiled.model;
     let mut sizes = format!("#define KIN_JOINTS {}\n", model.variables.len());
-    let mut parts = vec![CONSTANTS.to_owned(), FORWARD.to_owned()];
     if !model.frames.is_empty() {
         let _ = writeln!(sizes, "#define KIN_FRAMES {}", model.frames.len());
         sizes += "#define KIN_NO_SUCH_FRAME (-1)\n";
-        parts.push(FRAMES.to_owned());
     }
     if let Some(form) = form(compiled) {
         let branches = form.plan.branches();
@@ -83,15 +104,8 @@ pub fn of_arm(compiled: &CompiledArm, prefix: &str) -> String {
             );
             let _ = writeln!(sizes, "#define KIN_PARAMETERS {}", redundancy.parameters());
         }
-        parts.push(SOLUTION.to_owned());
-        parts.push(match compiled.redundancy {
-            Some(_) => IK_AT.to_owned(),
-            None if form.expressions().is_none() => IK_OF_ROOTS.to_owned(),
-            None => IK.to_owned(),
-        });
     }
-    let (sizes, parts) = (named(&sizes, prefix), named(&parts.join("\n"), prefix));
-    format!("{sizes}\n{parts}")
+    sizes
 }
 
 /// What the robot is.

@@ -15,11 +15,7 @@ use std::fmt::Write as _;
 pub fn functions(model: &Model, solver: &ClosedForm, redundancy: Option<&Redundancy>) -> String {
     let solve = match &solver.inverse {
         Inverse::Expressions(inverse) => by_expressions(model, solver, inverse, redundancy),
-        Inverse::Univariate(arm) => vec![
-            runtime::SOLUTIONS.to_owned(),
-            univariate::search(arm),
-            univariate::solve(solver, arm),
-        ],
+        Inverse::Univariate(arm) => vec![univariate::search(arm), univariate::solve(solver, arm)],
     };
     let parts = [constants(solver), whole(model, solver)].into_iter();
     let parts = parts.chain(solve).chain([entry(redundancy, solver)]);
@@ -40,13 +36,11 @@ fn by_expressions(
             points(&swivel.at_run_time(model)),
             runtime::SWIVEL.to_owned(),
             runtime::AT_SWIVEL.to_owned(),
-            runtime::CORRECTION.to_owned(),
+            runtime::INSERT.to_owned(),
             runtime::SWIVELLED.to_owned(),
         ]
         .join("\n"),
-        None if solver.plan.target.is_projected() => String::new(),
-        None if !solver.is_exact() => univariate::correction(solver),
-        None => [runtime::SEEN, runtime::CORRECTION, runtime::CORRECTED].join("\n"),
+        None => [runtime::SEEN, runtime::INSERT, runtime::CORRECTED].join("\n"),
     };
     let (search, refined) = match &solver.refinement {
         Refinement::Univariate(arm) => univariate::refine(solver, arm),
@@ -56,7 +50,6 @@ fn by_expressions(
         lanes::function(solver, inverse),
         runtime::DISPATCH.to_owned(),
         branches(solver, inverse),
-        runtime::SOLUTIONS.to_owned(),
         correction,
         search,
         solve(solver, swivel.is_some(), &refined),
@@ -76,31 +69,33 @@ pub fn size(solver: &ClosedForm) -> f64 {
 fn constants(solver: &ClosedForm) -> String {
     let (size, tolerance) = (size(solver), solver.acceptance().tolerance);
     let target = solver.plan.target;
-    let is = |holds: bool| i32::from(holds);
     let translation = !matches!(target, Target::Direction | Target::Orientation);
     let all = [
         ("SOLVED", solver.given.variables().to_string()),
         ("SIZE", signed(size)),
         ("TOLERANCE", signed(tolerance)),
         ("NEAR_SINGULAR", signed(solver.acceptance().near_singular)),
-        ("COUNTS_TRANSLATION", is(translation).to_string()),
-        (
-            "COUNTS_ROTATION",
-            is(target != Target::Position).to_string(),
-        ),
-        ("COUNTS_AXIS", is(target.fixes_axis()).to_string()),
-        ("PROJECTED", is(target.is_projected()).to_string()),
+    ];
+    let counts = [
+        translation,
+        target != Target::Position,
+        target.fixes_axis(),
+        target.is_projected(),
     ];
     let mut out = String::from(
         "/* The joints that are solved for; the arm's size, at whose distance angles count as \
          lengths,\n * and by how much solutions may miss the target, metres; below which conditioning of \
-         the Jacobian\n * branches do not tell solutions, of an arm off its design; what of a target \
-         counts. */\n",
+         the Jacobian\n * branches do not tell solutions, of an arm off its design. */\n",
     );
     for (name, value) in all {
         let _ = writeln!(out, "#define KIN_{name} {value}");
     }
-    out
+    let counts = counts
+        .map(|counts| i32::from(counts).to_string())
+        .join(", ");
+    out + &format!(
+        "\nstatic const kin_metric kin_own_metric = {{\n    KIN_SIZE, KIN_TOLERANCE, {counts}}};\n"
+    )
 }
 
 /// The points by which a swivel angle is told.
@@ -258,7 +253,7 @@ fn solve(solver: &ClosedForm, swivel: bool, refined: &str) -> String {
          solutions[count].residual = lanes.residual[k];\n            \
          solutions[count].branch = k;\n            \
          solutions[count].singular = lanes.singular[k] > 0.0;\n            ++count;\n        }}{marked}\n    }}\n\
-         {corrected}    return count > 0 ? count : kin_why_none(target);\n}}\n"
+         {corrected}    return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
     )
 }
 

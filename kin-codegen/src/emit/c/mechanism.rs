@@ -1,6 +1,7 @@
 //! A parallel mechanism: its chains as arms, and what they make of the platform together.
 
-use super::declarations::{about as about_arm, guarded, of_arm};
+use super::called::hidden;
+use super::declarations::{about as about_arm, guarded, of_arm, types};
 use super::definitions::{constants, file, functions, limits};
 use super::language::signed;
 use super::name::{named, of_part};
@@ -16,7 +17,7 @@ const MECHANISM: &str = include_str!("runtime/mechanism/mechanism.h");
 const IK: &str = include_str!("runtime/mechanism/ik.h");
 const FK: &str = include_str!("runtime/mechanism/fk.h");
 
-/// A chain of the mechanism, or one that its forward kinematics cuts out of a loop.
+/// A chain of the mechanism, or what its kinematics makes of chains.
 struct Part<'a> {
     /// What its names have behind the mechanism's.
     name: String,
@@ -24,15 +25,40 @@ struct Part<'a> {
     arm: &'a CompiledArm,
 }
 
-/// All of them.
+impl Part<'_> {
+    /// What only this file calls.
+    fn own(&self) -> String {
+        let variables = self.arm.model.variables.iter().enumerate();
+        let variables: Vec<_> = variables
+            .map(|(i, variable)| (variable, self.arm.model.turns(i)))
+            .collect();
+        let limits = limits(&variables).replace(";\n", ";\n\n");
+        let told = comment(std::slice::from_ref(&self.what)) + &types(self.arm);
+        let all = [told, limits, functions(self.arm)];
+        of_part(&hidden(&all.join("\n")), &self.name, runtime::is_shared)
+    }
+}
+
+/// The chains.
+fn chains(compiled: &CompiledMechanism) -> Vec<Part<'_>> {
+    let chain = |(k, arm): (usize, _)| {
+        let what = format!("The chain `{}`.", compiled.mechanism.legs[k].name);
+        let name = format!("chain{k}");
+        Part { name, what, arm }
+    };
+    compiled.legs.iter().enumerate().map(chain).collect()
+}
+
+/// What kinematics makes of them.
 fn parts(compiled: &CompiledMechanism) -> Vec<Part<'_>> {
     let mut parts = Vec::new();
     let mut add = |name: String, what: String, arm| parts.push(Part { name, what, arm });
-    let inverse = inverse(compiled);
-    for (k, arm) in compiled.legs.iter().enumerate() {
-        let name = &compiled.mechanism.legs[k].name;
-        add(format!("chain{k}"), format!("The chain `{name}`."), arm);
-        if let Some(LegForm::Split(split)) = inverse.map(|(_, legs)| &legs[k]) {
+    for (k, leg) in inverse(compiled)
+        .iter()
+        .flat_map(|(_, legs)| legs.iter().enumerate())
+    {
+        if let LegForm::Split(split) = leg {
+            let name = &compiled.mechanism.legs[k].name;
             let head = format!("The chain `{name}` up to the point where its last axes meet.");
             let tail = format!("What of the chain `{name}` turns about that point.");
             add(format!("chain{k}_head"), head, &split.head);
@@ -125,7 +151,7 @@ pub fn declarations(compiled: &CompiledMechanism, prefix: &str) -> String {
         );
     }
     let mut all = named(&own, prefix);
-    for part in parts(compiled) {
+    for part in chains(compiled) {
         let mut about = vec![part.what, String::new()];
         about.extend(about_arm(part.arm));
         let declared = of_arm(part.arm, &format!("{prefix}_{}", part.name));
@@ -137,10 +163,13 @@ pub fn declarations(compiled: &CompiledMechanism, prefix: &str) -> String {
 /// The file of definitions, behind the comment at the top.
 pub fn definitions(compiled: &CompiledMechanism, prefix: &str) -> String {
     let (mut data, mut code) = (own_constants(compiled, prefix), String::new());
-    for part in parts(compiled) {
+    for part in chains(compiled) {
         data += &constants(part.arm, &format!("{prefix}_{}", part.name));
         let functions = of_part(&functions(part.arm), &part.name, runtime::is_shared);
         let _ = writeln!(code, "{functions}");
+    }
+    for part in parts(compiled) {
+        let _ = writeln!(code, "{}", part.own());
     }
     code += &chain_twists(compiled);
     for piece in runtime::MECHANISM.iter().chain([&runtime::LIMITS]) {

@@ -1,5 +1,6 @@
 //! C99: a header and one file for a robot, which need nothing but `math.h`.
 
+mod called;
 mod declarations;
 mod definitions;
 mod forward;

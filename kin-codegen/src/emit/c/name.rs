@@ -92,15 +92,17 @@ pub fn named(code: &str, prefix: &str) -> String {
     lines.collect::<Vec<_>>().join(&format!("{upper}_"))
 }
 
-/// Code of a part of a robot, whose names get the part's behind `kin_`, but for what `shared` says
-/// is the same for all parts, by how it goes on there.
+/// Code of a part of a robot, whose names get the part's behind `kin_`, but for those that are
+/// `shared` by all parts.
 pub fn of_part(code: &str, part: &str, shared: impl Fn(&str) -> bool) -> String {
     let own = |code: &str, prefix: &str, part: &str| {
         let mut pieces = code.split(prefix);
         let mut out = pieces.next().unwrap_or_default().to_owned();
         for piece in pieces {
+            let end = piece.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+            let name = &piece[..end.unwrap_or(piece.len())];
             out += prefix;
-            if !shared(piece) {
+            if !shared(&format!("{prefix}{name}")) {
                 out += part;
                 out.push('_');
             }
@@ -138,7 +140,7 @@ mod tests {
     #[test]
     fn parts_share_what_is_the_same() {
         let code = "KIN_INLINE kin_fk(KIN_JOINTS); kin_max(kin_maximum)";
-        let shared = |rest: &str| ["INLINE ", "max("].iter().any(|it| rest.starts_with(it));
+        let shared = |name: &str| ["KIN_INLINE", "kin_max"].contains(&name);
         assert_eq!(
             of_part(code, "chain1", shared),
             "KIN_INLINE kin_chain1_fk(KIN_CHAIN1_JOINTS); kin_max(kin_chain1_maximum)"

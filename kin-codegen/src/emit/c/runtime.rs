@@ -1,29 +1,33 @@
-//! What generated code calls: pieces of C, of which a file has those that it needs.
+//! What generated code calls: pieces of C, of which a file has what it calls.
 
-/// The functions by which pieces are called, what they are of, and their source; one that is
-/// called stands in front of those that call it.
-const PIECES: [(&str, &str); 9] = [
-    ("kin_select(", include_str!("runtime/select.c")),
-    ("kin_round(", include_str!("runtime/round.c")),
-    ("kin_max(", include_str!("runtime/max.c")),
-    ("kin_sin_cos(", include_str!("runtime/sin_cos.c")),
-    ("kin_wrap(", include_str!("runtime/wrap.c")),
-    ("kin_atan2(", include_str!("runtime/atan2.c")),
-    ("kin_angle(", include_str!("runtime/angle.c")),
-    ("kin_trig_roots(", include_str!("runtime/quartic.c")),
-    ("kin_roomiest_turn(", include_str!("runtime/free_angle.c")),
+use super::called::{called, defined};
+
+/// What is the same for all arms; what is called stands in front of what calls it.
+const PIECES: [&str; 15] = [
+    include_str!("runtime/select.c"),
+    include_str!("runtime/round.c"),
+    include_str!("runtime/max.c"),
+    include_str!("runtime/norm.c"),
+    include_str!("runtime/sin_cos.c"),
+    include_str!("runtime/wrap.c"),
+    include_str!("runtime/atan2.c"),
+    include_str!("runtime/angle.c"),
+    include_str!("runtime/quartic.c"),
+    include_str!("runtime/free_angle.c"),
+    include_str!("runtime/poses.c"),            // `Pose`
+    include_str!("runtime/univariate/lanes.c"), // lanes.rs
+    include_str!("runtime/travel.c"),
+    include_str!("runtime/metric.c"),
+    include_str!("runtime/correction.c"),
 ];
 
 /// The lanes, by the instructions at hand.
 pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
-/// From the lanes to solutions: why there are none.
-pub const SOLUTIONS: &str = include_str!("runtime/solutions.c");
-/// One branch that rounding keeps from its target, corrected; it calls what [`SEEN`] or
-/// [`AT_SWIVEL`] defines.
-pub const CORRECTION: &str = include_str!("runtime/correction.c");
 /// The joints that are solved for, as a target sees them.
 pub const SEEN: &str = include_str!("runtime/seen.c");
-/// All such branches, behind both of these.
+/// A solution among others.
+pub const INSERT: &str = include_str!("runtime/insert.c");
+/// All branches that rounding keeps from their target, corrected, behind these.
 pub const CORRECTED: &str = include_str!("runtime/corrected.c");
 /// The swivel angle.
 pub const SWIVEL: &str = include_str!("runtime/swivel.c");
@@ -36,31 +40,29 @@ pub const ELIMINATION: &str = include_str!("runtime/univariate/elimination.c");
 /// Behind the eliminations of an arm, the search for what solves a target: the same algorithms,
 /// thresholds and bounds as in the files of `generated/univariate` of the runtime that are named
 /// behind them. Who changes the one changes the other.
-pub const SEARCH: [&str; 18] = [
-    include_str!("runtime/univariate/lanes.c"),     // lanes.rs
-    include_str!("runtime/univariate/poses.c"),     // `Pose`
-    include_str!("runtime/univariate/line.c"),      // line.rs
-    include_str!("runtime/univariate/places.c"),    // matrix.rs
-    include_str!("runtime/univariate/equations.c"), // elimination.rs
-    include_str!("runtime/univariate/matrix.c"),    // matrix.rs
-    include_str!("runtime/univariate/factors.c"),   // determinant.rs
-    include_str!("runtime/univariate/triangle.c"),  // determinant.rs
-    include_str!("runtime/univariate/harmonics.c"), // harmonics.rs
+pub const SEARCH: [&str; 16] = [
+    include_str!("runtime/univariate/line.c"),       // line.rs
+    include_str!("runtime/univariate/places.c"),     // matrix.rs
+    include_str!("runtime/univariate/equations.c"),  // elimination.rs
+    include_str!("runtime/univariate/matrix.c"),     // matrix.rs
+    include_str!("runtime/univariate/factors.c"),    // determinant.rs
+    include_str!("runtime/univariate/triangle.c"),   // determinant.rs
+    include_str!("runtime/univariate/harmonics.c"),  // harmonics.rs
     include_str!("runtime/univariate/polynomial.c"), // polynomial.rs
-    include_str!("runtime/univariate/bernstein.c"), // bernstein.rs
-    include_str!("runtime/univariate/roots.c"),     // roots.rs
-    include_str!("runtime/univariate/sharing.c"),   // sharing.rs
-    include_str!("runtime/univariate/recover.c"),   // recover.rs
-    include_str!("runtime/univariate/polish.c"),    // polish.rs
-    include_str!("runtime/univariate/split.c"),     // polish.rs
-    include_str!("runtime/univariate/found.c"),     // found.rs
-    include_str!("runtime/univariate/search.c"),    // search.rs
+    include_str!("runtime/univariate/bernstein.c"),  // bernstein.rs
+    include_str!("runtime/univariate/roots.c"),      // roots.rs
+    include_str!("runtime/univariate/sharing.c"),    // sharing.rs
+    include_str!("runtime/univariate/recover.c"),    // recover.rs
+    include_str!("runtime/univariate/polish.c"),     // polish.rs
+    include_str!("runtime/univariate/split.c"),      // polish.rs
+    include_str!("runtime/univariate/found.c"),      // found.rs
+    include_str!("runtime/univariate/search.c"),     // search.rs
 ];
 /// All eliminations in turn, as in `search.rs`.
 pub const SOLVE: &str = include_str!("runtime/univariate/solve.c");
 /// Solutions of six joints, as in `short.rs`.
 pub const WHOLE: &str = include_str!("runtime/univariate/whole.c");
-/// Solutions of fewer, as there, behind [`SEEN`] and [`CORRECTION`].
+/// Solutions of fewer, as there, behind [`SEEN`] and [`INSERT`].
 pub const SHORT: &str = include_str!("runtime/univariate/short.c");
 /// From branches of an idealized arm to solutions of the arm as given, as in `search.rs`.
 pub const REFINE: &str = include_str!("runtime/univariate/refine.c");
@@ -71,11 +73,10 @@ pub const LIMITS: &str = include_str!("runtime/limits.c");
 /// The solution that moves the joints least.
 pub const NEAREST: &str = include_str!("runtime/nearest.c");
 
-/// Twists and motions, poses, and of a mechanism which joints are actuated, what chains span, and
+/// Twists and motions, and of a mechanism which joints are actuated, what chains span, and
 /// triangles.
-pub const MECHANISM: [&str; 7] = [
+pub const MECHANISM: [&str; 6] = [
     include_str!("runtime/mechanism/motions.c"), // exponential.rs
-    include_str!("runtime/univariate/poses.c"),
     include_str!("runtime/mechanism/actuated.c"),
     include_str!("runtime/mechanism/span.c"),   // span.rs
     include_str!("runtime/mechanism/linear.c"), // givens.rs, singular_values.rs
@@ -87,23 +88,13 @@ pub const POSTURES: &str = include_str!("runtime/mechanism/postures.c");
 /// Where three spheres meet, as in `spheres.rs`.
 pub const SPHERES: &str = include_str!("runtime/mechanism/spheres.c");
 
-/// Whether a name of this beginning, behind `kin_` or `KIN_`, is that of a piece, or of what stands
-/// in front of all.
+/// Whether a name is that of a piece, or of what stands in front of all.
 pub fn is_shared(name: &str) -> bool {
-    let pieces = PIECES.iter();
-    let mut names = pieces.filter_map(|(function, _)| function.strip_prefix("kin_"));
-    name.starts_with("INLINE ")
-        || name.starts_with("root ")
-        || names.any(|function| name.starts_with(function))
+    let mut names = PIECES.iter().flat_map(|piece| defined(piece));
+    name == "KIN_INLINE" || names.any(|it| it == name)
 }
 
-/// The pieces that code needs, in front of it.
+/// Code and the pieces that it needs, without what nobody calls.
 pub fn with_pieces(code: &str) -> String {
-    let mut out = code.to_owned();
-    for (function, source) in PIECES.iter().rev() {
-        if out.contains(function) {
-            out = format!("{source}\n{out}");
-        }
-    }
-    out
+    called(&[&PIECES.join("\n"), code].join("\n"))
 }

@@ -34,28 +34,24 @@ fn to_solutions(solver: &ClosedForm, arm: &Arm) -> &'static str {
     }
 }
 
-/// What [`refine`] needs of an arm off its design: of one with other joints behind its tip the
-/// correction.
-pub fn correction(solver: &ClosedForm) -> String {
-    match solver.elimination() {
-        Some(arm) if !is_whole(solver, arm) => [runtime::SEEN, runtime::CORRECTION].join("\n"),
-        _ => String::new(),
+/// What makes solutions of what was found.
+fn from_found(solver: &ClosedForm, arm: &Arm) -> &'static str {
+    match is_whole(solver, arm) {
+        true => runtime::WHOLE,
+        false => runtime::SHORT,
     }
 }
 
 /// From branches of an idealized arm to solutions of this one, behind its branches and
-/// [`runtime::CORRECTION`]: what it is, and the statements that do it.
+/// [`runtime::INSERT`]: what it is, and the statements that do it.
 pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
-    let short = match is_whole(solver, arm) {
-        true => runtime::WHOLE,
-        false => runtime::SHORT,
-    };
     let (carry, carrying, target) = carry(solver);
-    let parts = [&search(arm), short, runtime::REFINE, &carry];
+    let found = from_found(solver, arm);
+    let parts = [&search(arm), found, runtime::REFINE, &carry];
     let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     let refined = format!(
         "{carrying}    kin_refine({target}, &lanes, &search);\n    count = {};\n    \
-         return count > 0 ? count : kin_why_none(target);\n",
+         return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n",
         to_solutions(solver, arm)
     );
     (parts.join("\n"), refined)
@@ -65,10 +61,12 @@ pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
 pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
     let (carry, carrying, target) = carry(solver);
     let found = to_solutions(solver, arm);
-    let parts = match is_whole(solver, arm) {
-        true => vec![runtime::WHOLE],
-        false => vec![runtime::SEEN, runtime::CORRECTION, runtime::SHORT],
-    };
+    let parts = [
+        runtime::SEEN,
+        runtime::INSERT,
+        from_found(solver, arm),
+        runtime::SOLVE,
+    ];
     let solve = format!(
         "/* The solutions of a target. Of a polynomial's roots the branch is the place. */\n\
          static int kin_solve(\n    const double target[12], const double *seed, \
@@ -76,10 +74,10 @@ pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
          int count;\n{carrying}    kin_search_target({target}, seed, &search);\n    \
          count = {found};\n    \
          for (int i = 0; i < count; ++i) {{\n        solutions[i].branch = i;\n    }}\n    \
-         return count > 0 ? count : kin_why_none(target);\n}}\n"
+         return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
     );
     let parts = parts.into_iter().map(str::to_owned);
-    let parts = parts.chain([runtime::SOLVE.to_owned(), carry, solve]);
+    let parts = parts.chain([carry, solve]);
     let parts: Vec<String> = parts.filter(|part| !part.is_empty()).collect();
     parts.join("\n")
 }

@@ -53,10 +53,10 @@ static void kin_told(
 
 /* The pose of a configuration, and the spatial Jacobian of the others, which take the joint that
  * is told along. */
-static void kin_seen(
-    const double others[KIN_CORRECTED], const kin_given *given, double pose[12],
-    double jacobian[6][KIN_CORRECTED])
+static void kin_see_joints(
+    const double *others, const void *beside, double pose[12], double jacobian[6][6])
 {
+    const kin_given *const given = (const kin_given *)beside;
     double q[KIN_JOINTS], all[6 * KIN_JOINTS], slopes[KIN_JOINTS];
     kin_told(others, given, q);
     kin_fk_jacobian(q, pose, all);

@@ -3,7 +3,8 @@ static int kin_add_corrected(
     const kin_lanes *lanes, const double target[12], const double *given,
     kin_solution *solutions, int count)
 {
-    if (!(kin_rotation_error(target) * KIN_SIZE <= KIN_TOLERANCE)) {
+    const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given};
+    if (!(kin_rotation_error(&kin_own_metric, target) * KIN_SIZE <= KIN_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < KIN_BRANCHES; ++k) {
@@ -14,7 +15,7 @@ static int kin_add_corrected(
             for (int i = 0; i < KIN_SOLVED; ++i) {
                 here.q[i] = lanes->q[i][k];
             }
-            found.singular = kin_correct(target, given, 12, &here) || lanes->singular[k] > 0.0;
+            found.singular = kin_correct(&kin_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
             for (int i = 0; i < KIN_SOLVED; ++i) {
                 here.q[i] = kin_turns[kin_solved[i]] ? kin_wrap(here.q[i]) : here.q[i];
             }

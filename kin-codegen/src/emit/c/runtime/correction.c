@@ -1,47 +1,56 @@
 /* A configuration as the target sees it: what is missing, and how the joints make it;
  * lengths in units of the arm's size, zero where the target does not count. */
 typedef struct kin_linearization {
-    double q[KIN_CORRECTED];
+    double q[6];
     double residual;
     double error[6];
-    double rows[6][KIN_CORRECTED];
+    double rows[6][6];
 } kin_linearization;
 
+/* The joints that are solved for: how many, and the function that has their pose and spatial
+ * Jacobian, with what is given beside a target. */
+typedef struct kin_solved_for {
+    int count;
+    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][6]);
+    const void *given;
+} kin_solved_for;
+
 /* How far a pose is from a target, as far as the target counts, metres. */
-static double kin_distance(const double pose[12], const double target[12])
+static double kin_distance(const kin_metric *by, const double pose[12], const double target[12])
 {
     double shift = 0.0, turn = 0.0;
     for (int i = 0; i < 12; ++i) {
         const double off = pose[i] - target[i];
         if (i % 4 == 3) {
             shift += off * off;
-        } else if (i % 4 == 2 || !KIN_COUNTS_AXIS) {
-            turn += (KIN_COUNTS_AXIS ? 1.0 : 0.5) * off * off;
+        } else if (i % 4 == 2 || !by->axis) {
+            turn += (by->axis ? 1.0 : 0.5) * off * off;
         }
     }
-    shift = KIN_COUNTS_TRANSLATION ? shift : 0.0;
-    return sqrt(shift + (KIN_COUNTS_ROTATION ? KIN_SIZE * KIN_SIZE * turn : 0.0));
+    shift = by->translation ? shift : 0.0;
+    return sqrt(shift + (by->rotation ? by->size * by->size * turn : 0.0));
 }
 
 /* Fills in all but the configuration. */
-static void kin_linearize(const double target[12], const kin_given *given, kin_linearization *here)
+static void kin_linearize(
+    const kin_metric *by, const kin_solved_for *joints, const double target[12], kin_linearization *here)
 {
-    double pose[12], jacobian[6][KIN_CORRECTED];
-    kin_seen(here->q, given, pose, jacobian);
+    double pose[12], jacobian[6][6];
+    joints->see(here->q, joints->given, pose, jacobian);
     for (int i = 0; i < 3; ++i) {
         const double off = pose[4 * i + 3] - target[4 * i + 3];
-        here->error[i] = KIN_COUNTS_TRANSLATION ? -off / KIN_SIZE : 0.0;
+        here->error[i] = by->translation ? -off / by->size : 0.0;
         here->error[3 + i] = 0.0;
     }
-    for (int j = KIN_COUNTS_AXIS ? 2 : 0; KIN_COUNTS_ROTATION && j < 3; ++j) {
+    for (int j = by->axis ? 2 : 0; by->rotation && j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
             const int a = (i + 1) % 3, b = (i + 2) % 3;
-            here->error[3 + i] += (KIN_COUNTS_AXIS ? 1.0 : 0.5)
+            here->error[3 + i] += (by->axis ? 1.0 : 0.5)
                 * (pose[4 * a + j] * target[4 * b + j] - pose[4 * b + j] * target[4 * a + j]);
         }
     }
-    here->residual = kin_distance(pose, target);
-    for (int k = 0; k < KIN_CORRECTED; ++k) {
+    here->residual = kin_distance(by, pose, target);
+    for (int k = 0; k < joints->count; ++k) {
         double v[3], w[3], along = 0.0;
         for (int i = 0; i < 3; ++i) {
             v[i] = jacobian[i][k];
@@ -51,18 +60,18 @@ static void kin_linearize(const double target[12], const kin_given *given, kin_l
         for (int i = 0; i < 3; ++i) {
             const int a = (i + 1) % 3, b = (i + 2) % 3;
             const double linear = v[i] + (w[a] * pose[4 * b + 3] - w[b] * pose[4 * a + 3]);
-            const double angular = KIN_COUNTS_AXIS ? w[i] - along * pose[4 * i + 2] : w[i];
-            here->rows[i][k] = KIN_COUNTS_TRANSLATION ? linear / KIN_SIZE : 0.0;
-            here->rows[3 + i][k] = KIN_COUNTS_ROTATION ? angular : 0.0;
+            const double angular = by->axis ? w[i] - along * pose[4 * i + 2] : w[i];
+            here->rows[i][k] = by->translation ? linear / by->size : 0.0;
+            here->rows[3 + i][k] = by->rotation ? angular : 0.0;
         }
     }
 }
 
 /* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
  * diagonal. */
-static void kin_factor(double rows[6][KIN_CORRECTED], double damping, double lower[KIN_CORRECTED][KIN_CORRECTED])
+static void kin_factor(double rows[6][6], int count, double damping, double lower[6][6])
 {
-    for (int i = 0; i < KIN_CORRECTED; ++i) {
+    for (int i = 0; i < count; ++i) {
         for (int j = 0; j <= i; ++j) {
             lower[i][j] = i == j ? damping : 0.0;
             for (int row = 0; row < 6; ++row) {
@@ -70,7 +79,7 @@ static void kin_factor(double rows[6][KIN_CORRECTED], double damping, double low
             }
         }
     }
-    for (int i = 0; i < KIN_CORRECTED; ++i) {
+    for (int i = 0; i < count; ++i) {
         for (int j = 0; j < i; ++j) {
             for (int k = 0; k < j; ++k) {
                 lower[i][j] -= lower[i][k] * lower[j][k];
@@ -83,30 +92,22 @@ static void kin_factor(double rows[6][KIN_CORRECTED], double damping, double low
     }
 }
 
-static double kin_norm(const double error[6])
-{
-    double square = 0.0;
-    for (int i = 0; i < 6; ++i) {
-        square += error[i] * error[i];
-    }
-    return sqrt(square);
-}
-
 /* Levenberg's method from a configuration that nearly reaches the target, damped by the
  * square of what is missing (Yamashita and Fukushima, Computing Supplement 15, 2001), for at
  * most twelve evaluations. Whether the Jacobian loses rank where it has arrived. */
 static int kin_correct(
-    const double target[12], const kin_given *given, int evaluations, kin_linearization *here)
+    const kin_metric *by, const kin_solved_for *joints, const double target[12], int evaluations,
+    kin_linearization *here)
 {
-    double lower[KIN_CORRECTED][KIN_CORRECTED], weight = 1.0, miss, least, most;
-    kin_linearize(target, given, here);
-    miss = kin_norm(here->error);
-    for (int step = 0; step < evaluations && here->residual >= 1e-14 * KIN_SIZE && weight <= 1e12;
+    double lower[6][6], weight = 1.0, miss, least, most;
+    kin_linearize(by, joints, target, here);
+    miss = kin_norm(here->error, 6);
+    for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
          ++step) {
         kin_linearization there;
-        double x[KIN_CORRECTED], next;
-        kin_factor(here->rows, weight * miss * miss, lower);
-        for (int i = 0; i < KIN_CORRECTED; ++i) {
+        double x[6], next;
+        kin_factor(here->rows, joints->count, weight * miss * miss, lower);
+        for (int i = 0; i < joints->count; ++i) {
             x[i] = 0.0;
             for (int row = 0; row < 6; ++row) {
                 x[i] += here->rows[row][i] * here->error[row];
@@ -116,15 +117,15 @@ static int kin_correct(
             }
             x[i] *= lower[i][i];
         }
-        for (int i = KIN_CORRECTED - 1; i >= 0; --i) {
-            for (int k = i + 1; k < KIN_CORRECTED; ++k) {
+        for (int i = joints->count - 1; i >= 0; --i) {
+            for (int k = i + 1; k < joints->count; ++k) {
                 x[i] -= lower[k][i] * x[k];
             }
             x[i] *= lower[i][i];
             there.q[i] = here->q[i] + x[i];
         }
-        kin_linearize(target, given, &there);
-        next = kin_norm(there.error);
+        kin_linearize(by, joints, target, &there);
+        next = kin_norm(there.error, 6);
         if (next < miss) {
             weight *= next < 0.5 * miss ? 0.1 : 1.0;
             *here = there;
@@ -133,37 +134,11 @@ static int kin_correct(
             weight *= 8.0;
         }
     }
-    kin_factor(here->rows, 0.0, lower);
+    kin_factor(here->rows, joints->count, 0.0, lower);
     least = most = lower[0][0];
-    for (int i = 1; i < KIN_CORRECTED; ++i) {
+    for (int i = 1; i < joints->count; ++i) {
         most = lower[i][i] > most ? lower[i][i] : most;
         least = lower[i][i] < least ? lower[i][i] : least;
     }
     return least / most < 1e-5;
-}
-
-/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
-static int kin_insert(const kin_solution *found, kin_solution *solutions, int count)
-{
-    for (int known = 0; known < count; ++known) {
-        int same = 1;
-        for (int i = 0; i < KIN_JOINTS; ++i) {
-            const double off = found->q[i] - solutions[known].q[i];
-            const double apart = kin_turns[i] ? fabs(kin_wrap(off)) : fabs(off);
-            same = same && apart < 1e-6;
-        }
-        if (same) {
-            if (found->residual < solutions[known].residual) {
-                const int branch = solutions[known].branch;
-                solutions[known] = *found;
-                solutions[known].branch = branch;
-            }
-            return count;
-        }
-    }
-    if (count < KIN_MAX_SOLUTIONS) {
-        solutions[count] = *found;
-        ++count;
-    }
-    return count;
 }

@@ -10,11 +10,13 @@ static int kin_choose(
         for (int i = 0; i < KIN_JOINTS; ++i) {
             const int known = fabs(seed[i]) < HUGE_VAL;
             const double from = known ? seed[i] : 0.0;
+            const double lower = kin_lower_limits[i], upper = kin_upper_limits[i];
             double beyond;
-            const double value = kin_next_inside(i, solutions[k].q[i], from, &beyond);
+            const double value = kin_next_inside(
+                kin_turns[i], lower, upper, solutions[k].q[i], from, &beyond);
             motion += known ? (value - from) * (value - from) : 0.0;
             excess = kin_max(excess, beyond);
-            moved.q[i] = kin_at_most_at_a_stop(i, value);
+            moved.q[i] = kin_at_most_at_a_stop(lower, upper, value);
         }
         if (excess <= 1e-9 && motion < least) {
             least = motion;

@@ -6,8 +6,9 @@ static int kin_add_corrected(
     kin_linearization here;
     kin_solution found;
     kin_given given;
+    kin_solved_for joints;
     double q[KIN_JOINTS], slopes[KIN_JOINTS], pose[12];
-    if (!(kin_rotation_error(target) * KIN_SIZE <= KIN_TOLERANCE)) {
+    if (!(kin_rotation_error(&kin_own_metric, target) * KIN_SIZE <= KIN_TOLERANCE)) {
         return count;
     }
     for (int i = 0; i < KIN_JOINTS; ++i) {
@@ -22,7 +23,10 @@ static int kin_add_corrected(
         here.q[i] = q[i + (i >= given.joint)];
     }
     found.branch = k;
-    found.singular = kin_correct(target, &given, 12, &here) || lanes->singular[k] > 0.0;
+    joints.count = KIN_CORRECTED;
+    joints.see = kin_see_joints;
+    joints.given = &given;
+    found.singular = kin_correct(&kin_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
     if (!(here.residual <= KIN_TOLERANCE)) {
         return count;
     }
@@ -38,6 +42,6 @@ static int kin_add_corrected(
         return count;
     }
     kin_fk(found.q, pose);
-    found.residual = kin_distance(pose, target);
+    found.residual = kin_distance(&kin_own_metric, pose, target);
     return found.residual <= KIN_TOLERANCE ? kin_insert(&found, solutions, count) : count;
 }

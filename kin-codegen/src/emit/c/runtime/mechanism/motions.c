@@ -7,17 +7,11 @@ static void kin_cross(const double a[3], const double b[3], double out[3])
     }
 }
 
-/* The length of a vector of three. */
-static double kin_norm(const double a[3])
-{
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
 /* The motion along a twist: the linear part, and behind it the angular. */
 static void kin_exp(const double twist[6], double out[12])
 {
     const double *v = twist, *w = twist + 3;
-    const double angle = kin_norm(w);
+    const double angle = kin_norm(w, 3);
     double sine, cosine, half, unused, b, c, once[3], curved[3];
     kin_sin_cos(angle, &sine, &cosine);
     kin_sin_cos(0.5 * angle, &half, &unused);
@@ -67,7 +61,7 @@ static void kin_log(const double pose[12], double out[6])
             quaternion[i] = -quaternion[i];
         }
     }
-    sine = kin_norm(quaternion);
+    sine = kin_norm(quaternion, 3);
     half = kin_atan2(sine, quaternion[3]);
     factor = sine > 0.0 ? 2.0 * half / sine : 2.0;
     for (int i = 0; i < 3; ++i) {

@@ -27,7 +27,7 @@ int kin_count(const kin_postures *postures)
     int count = 0;
     for (int place = 0; place < KIN_MOST; ++place) {
         int here = 1;
-        for (int chain = 0; chain < KIN_CHAINS; ++chain) {
+        for (int chain = 0; here > 0 && chain < KIN_CHAINS; ++chain) {
             here *= kin_in_place(postures, chain, place);
         }
         count += here;
@@ -39,7 +39,7 @@ int kin_posture(const kin_postures *postures, int number, double q[KIN_JOINTS])
 {
     for (int place = 0; place < KIN_MOST && number >= 0; ++place) {
         int here = 1, rest = number;
-        for (int chain = 0; chain < KIN_CHAINS; ++chain) {
+        for (int chain = 0; here > 0 && chain < KIN_CHAINS; ++chain) {
             here *= kin_in_place(postures, chain, place);
         }
         number -= here;
@@ -81,9 +81,11 @@ static int kin_choose_posture(
                 for (int joint = kin_chains[chain]; joint < kin_chains[chain + 1]; ++joint) {
                     const double own = postures->q[b][joint];
                     if (limited) {
+                        const double lower = kin_lower_limits[joint], upper = kin_upper_limits[joint];
                         double beyond;
-                        const double value = kin_next_inside(joint, own, seed[joint], &beyond);
-                        moved[joint] = kin_at_most_at_a_stop(joint, value);
+                        const double value = kin_next_inside(
+                            kin_turns[joint], lower, upper, own, seed[joint], &beyond);
+                        moved[joint] = kin_at_most_at_a_stop(lower, upper, value);
                         distance += beyond <= 1e-9 ? 0.0 : HUGE_VAL;
                     } else {
                         const double apart = own - seed[joint];

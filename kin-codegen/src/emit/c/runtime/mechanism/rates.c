@@ -59,8 +59,8 @@ static double kin_apart(const double *poses)
         for (int i = 0; i < 3; ++i) {
             skew[i] = between[(i + 2) % 3][(i + 1) % 3] - between[(i + 1) % 3][(i + 2) % 3];
         }
-        apart[0] = kin_norm(off);
-        apart[1] = KIN_LENGTH * kin_atan2(kin_norm(skew), trace - 1.0);
+        apart[0] = kin_norm(off, 3);
+        apart[1] = KIN_LENGTH * kin_atan2(kin_norm(skew, 3), trace - 1.0);
         for (int i = 0; i < 2; ++i) {
             /* What is no number is no closed loop. */
             if (!(apart[i] <= gap)) {

@@ -42,8 +42,7 @@ static void kin_span_of(
 {
     double longest = 0.0;
     span->rank = 0;
-    while (span->rank < 6) {
-        const int k = span->rank;
+    for (int k = 0; k < 6; ++k) {
         double inside[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, most = -1.0, length, target, size;
         int chosen = first;
         for (int joint = first; joint < end; ++joint) {

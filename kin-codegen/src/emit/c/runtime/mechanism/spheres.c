@@ -11,19 +11,19 @@ static int kin_three_spheres(
     }
     kin_cross(u, v, normal);
     square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-    size = kin_max(kin_norm(u), kin_norm(v));
+    size = kin_max(kin_norm(u, 3), kin_norm(v, 3));
     size = kin_max(kin_max(size, radii[0]), kin_max(radii[1], radii[2]));
-    if (!(sqrt(square) > 1e-12 * kin_norm(u) * kin_norm(v))) {
+    if (!(sqrt(square) > 1e-12 * kin_norm(u, 3) * kin_norm(v, 3))) {
         return 0;
     }
-    a = 0.5 * (kin_norm(u) * kin_norm(u) + (radii[0] - radii[1]) * (radii[0] + radii[1]));
-    b = 0.5 * (kin_norm(v) * kin_norm(v) + (radii[0] - radii[2]) * (radii[0] + radii[2]));
+    a = 0.5 * (kin_norm(u, 3) * kin_norm(u, 3) + (radii[0] - radii[1]) * (radii[0] + radii[1]));
+    b = 0.5 * (kin_norm(v, 3) * kin_norm(v, 3) + (radii[0] - radii[2]) * (radii[0] + radii[2]));
     kin_cross(v, normal, beside_v);
     kin_cross(normal, u, beside_u);
     for (int i = 0; i < 3; ++i) {
         x[i] = (a * beside_v[i] + b * beside_u[i]) / square;
     }
-    height = (radii[0] - kin_norm(x)) * (radii[0] + kin_norm(x));
+    height = (radii[0] - kin_norm(x, 3)) * (radii[0] + kin_norm(x, 3));
     if (height < -1e-13 * size * size) {
         return 0;
     }

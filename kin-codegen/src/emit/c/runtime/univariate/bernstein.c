@@ -92,5 +92,4 @@ KIN_INLINE void kin_find_arcs_of(const kin_harmonics *f, kin_arcs *out)
         out->share[arc] = (at[arc] + change) / (out->count - 1.0);
     }
 }
-
 KIN_BY_PROCESSOR(kin_find_arcs, (const kin_harmonics *f, kin_arcs *out), (f, out))

@@ -238,7 +238,6 @@ KIN_INLINE void kin_polish_of(
     kin_copy(out->residual, system.residual);
     kin_independence(&jacobian, out->independence);
 }
-
-KIN_BY_PROCESSOR(
-    kin_polish, (const double target[12], kin_pack start[6], int steps, kin_arrived *out),
+KIN_BY_PROCESSOR(kin_polish,
+    (const double target[12], kin_pack start[6], int steps, kin_arrived *out),
     (target, start, steps, out))

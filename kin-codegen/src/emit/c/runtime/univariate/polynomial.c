@@ -55,14 +55,12 @@ KIN_INLINE void kin_factored_polynomial_of(const kin_recovery *of, kin_harmonics
 {
     kin_sample(of, 0, f);
 }
-
 KIN_BY_PROCESSOR(kin_factored_polynomial, (const kin_recovery *of, kin_harmonics *f), (of, f))
 
 KIN_INLINE void kin_reflected_polynomial_of(const kin_recovery *of, kin_harmonics *f)
 {
     kin_sample(of, 1, f);
 }
-
 KIN_BY_PROCESSOR(kin_reflected_polynomial, (const kin_recovery *of, kin_harmonics *f), (of, f))
 
 /* Above this noise no pivot can be trusted that was not chosen for the target. */

@@ -250,9 +250,7 @@ KIN_INLINE void kin_joints_of_vectors_of(
         out->inconsistency[k] = kin_max(second_off[k], fabs(third_off[k]));
     }
 }
-
-KIN_BY_PROCESSOR(
-    kin_joints_of_vectors,
+KIN_BY_PROCESSOR(kin_joints_of_vectors,
     (const kin_recovery *of, const double *kept, kin_pack null[16], kin_starts *out),
     (of, kept, null, out))
 
@@ -278,9 +276,7 @@ KIN_INLINE void kin_find_null_vector_of(
     kin_null_vector(&factors, null);
     kin_misses(of, cosine, sine, null, miss);
 }
-
-KIN_BY_PROCESSOR(
-    kin_find_null_vector,
+KIN_BY_PROCESSOR(kin_find_null_vector,
     (const kin_recovery *of, const double *kept, kin_pack null[16], double *miss),
     (of, kept, null, miss))
 
@@ -295,9 +291,7 @@ KIN_INLINE void kin_find_null_space_of(
     kin_triangulate(&triangle);
     kin_null_space(&triangle, count, space);
 }
-
-KIN_BY_PROCESSOR(
-    kin_find_null_space,
+KIN_BY_PROCESSOR(kin_find_null_space,
     (const kin_recovery *of, const double *kept, int count, kin_pack space[][16]),
     (of, kept, count, space))
 

@@ -282,7 +282,7 @@ KIN_INLINE void kin_find_simple_roots_of(
             low[k] = kin_select(0.0, height, low[k], x[k]);
             high[k] = kin_select(0.0, height, x[k], high[k]);
             next = 0.5 * (low[k] + high[k]);
-            next = (newton >= low[k]) & (newton <= high[k]) ? newton : next;
+            next = ((newton >= low[k]) & (newton <= high[k])) ? newton : next;
             moved[k] = fabs(next - x[k]);
             x[k] = next;
         }
@@ -295,9 +295,7 @@ KIN_INLINE void kin_find_simple_roots_of(
         }
     }
 }
-
-KIN_BY_PROCESSOR(
-    kin_find_simple_roots,
+KIN_BY_PROCESSOR(kin_find_simple_roots,
     (const kin_harmonics *f, kin_pack low, kin_pack high, const kin_pack rises, kin_pack x,
      kin_pack slope),
     (f, low, high, rises, x, slope))

@@ -33,7 +33,7 @@ typedef struct kin_search {
 /* A target's rotation, made orthonormal by Newton's method where it nearly is. */
 static void kin_orthonormalize(double target[12])
 {
-    if (!(kin_rotation_error(target) <= 0.1)) {
+    if (!(kin_rotation_error(&kin_own_metric, target) <= 0.1)) {
         return;
     }
     for (int step = 0; step < 5; ++step) {
@@ -89,13 +89,13 @@ static void kin_begin(const double target[12], kin_search *search)
     for (int i = 0; i < 12; ++i) {
         search->target[i] = target[i] * (i % 4 == 3 ? 2.0 / KIN_ARM_SIZE : 1.0);
     }
-    if (KIN_COUNTS_AXIS) {
+    if (kin_own_metric.axis) {
         kin_complete_axis(search->target);
     } else {
         kin_orthonormalize(search->target);
     }
     kin_forget(search);
-    search->found.gap = kin_rotation_error(target);
+    search->found.gap = kin_rotation_error(&kin_own_metric, target);
 }
 
 static int kin_insert_new(kin_search *search, const kin_arrived *arrived, int lane)
@@ -233,14 +233,14 @@ static void kin_several_each(
         const int *numbers = unclear->numbers + first;
         kin_pack kept;
         kin_starts starts[2 + KIN_SHARING];
-        int any = 0;
+        unsigned any = 0;
         for (int k = 0; k < KIN_LANES; ++k) {
             kept[k] = roots->angles[numbers[k < count ? k : count - 1]];
         }
         for (int k = 0; k < count; ++k) {
-            any |= roots->several >> numbers[k] & 1;
+            any |= roots->several >> numbers[k];
         }
-        kin_recover_several(recovery, kept, any ? KIN_SHARING : 2, starts);
+        kin_recover_several(recovery, kept, any & 1 ? KIN_SHARING : 2, starts);
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < count; ++k) {
                 kin_start_unknown(search, &starts[i], k, KIN_EXTRANEOUS);

@@ -3,6 +3,7 @@
 static int kin_to_solutions(
     const double target[12], const kin_found *found, const double *given, kin_solution *solutions)
 {
+    const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given};
     int count = 0;
     for (int i = 0; i < found->regular_count + found->singular_count && i < KIN_MOST_FOUND; ++i) {
         const kin_six *six = i < found->regular_count ? &found->regular[i]
@@ -13,7 +14,7 @@ static int kin_to_solutions(
         /* Where six joints are nearly singular, a target that is off by rounding is reached with
          * the joints behind the tip this far from zero. A turn about the tip's axis, where it is
          * free, is one that need not be at zero. */
-        for (int j = KIN_SOLVED + KIN_COUNTS_AXIS; j < 6; ++j) {
+        for (int j = KIN_SOLVED + kin_own_metric.axis; j < 6; ++j) {
             is_at_zero = is_at_zero && fabs(six->q[j]) < 1e-2;
         }
         if (!is_at_zero) {
@@ -23,7 +24,7 @@ static int kin_to_solutions(
             here.q[j] = kin_slides[j] ? 0.5 * KIN_ARM_SIZE * six->q[j] : six->q[j];
         }
         /* A regular solution takes two evaluations. */
-        solution.singular = kin_correct(target, given, 24, &here);
+        solution.singular = kin_correct(&kin_own_metric, &joints, target, 24, &here);
         for (int j = 0; j < KIN_SOLVED; ++j) {
             here.q[j] = kin_slides[j] ? here.q[j] : kin_wrap(here.q[j]);
         }

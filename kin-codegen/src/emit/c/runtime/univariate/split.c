@@ -80,6 +80,5 @@ KIN_INLINE void kin_split_of(const double target[12], kin_pack q[6], kin_pack ou
         }
     }
 }
-
-KIN_BY_PROCESSOR(
-    kin_split, (const double target[12], kin_pack q[6], kin_pack out[2][6]), (target, q, out))
+KIN_BY_PROCESSOR(kin_split,
+    (const double target[12], kin_pack q[6], kin_pack out[2][6]), (target, q, out))
