@@ -1,7 +1,7 @@
 //! The same robots as C, by the C compiler of the machine with several flags, beside Rust.
 
-use kin_codegen::{Options, Source, generate_c};
-use kinematics::Kinematics;
+use kin_codegen::{Compiled, Options, Source, compile, generate_c};
+use kinematics::{Kinematics, ParallelKinematics};
 use kinematics_benches::inputs::{configurations, targets};
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -13,17 +13,44 @@ use std::time::Instant;
 kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/kr6_r900.yaml");
 kinematics::kinematics!("../robots/xarm6.yaml");
+kinematics::kinematics!("../robots/delta.yaml");
+kinematics::kinematics!("../robots/five_bar.yaml");
+kinematics::kinematics!("../robots/four_bar.yaml");
+kinematics::kinematics!("../robots/slider_crank.yaml");
+kinematics::kinematics!("../robots/stewart.yaml");
 
 const ROUNDS: usize = 41;
 
 /// For any processor, which takes AVX2 where that is, and for this one.
 const FLAGS: [&str; 3] = ["-O2", "-O3", "-O3 -march=native -ffp-contract=off"];
 
+const TIMES: &str = include_str!("../c/times.c");
+const MECHANISM_TIMES: &str = include_str!("../c/mechanism_times.c");
+
 fn main() {
     println!("| medians, ns | pose | all solutions |\n|---|---|---|");
     robot("UR5e", "ur5e.urdf", &Ur5e);
     robot("KR 6 R900", "kr6_r900.yaml", &Kr6R900);
     robot("xArm 6", "xarm6.yaml", &Xarm6);
+    println!(
+        "\n| medians, ns | postures | assemblies | nearby | Jacobian |\n|---|---|---|---|---|"
+    );
+    mechanism("delta", "delta.yaml", &Delta, |driven| {
+        Delta.fk(driven).len()
+    });
+    mechanism("five bars", "five_bar.yaml", &FiveBar, |driven| {
+        FiveBar.fk(driven).len()
+    });
+    mechanism("four bars", "four_bar.yaml", &FourBar, |driven| {
+        FourBar.fk(driven).len()
+    });
+    mechanism(
+        "slider crank",
+        "slider_crank.yaml",
+        &SliderCrank,
+        |driven| SliderCrank.fk(driven).len(),
+    );
+    mechanism("Stewart", "stewart.yaml", &Stewart, |_| 0);
 }
 
 fn robot(name: &str, file: &str, robot: &impl Kinematics<6>) {
@@ -45,11 +72,76 @@ fn robot(name: &str, file: &str, robot: &impl Kinematics<6>) {
         let _ = writeln!(input, "{x:e}");
     }
     for flags in FLAGS {
-        let [forward, inverse, in_c] = in_c(file, flags, &input);
+        let numbers = in_c(file, TIMES, flags, &input);
+        let [forward, inverse, in_c] = numbers.try_into().expect("three numbers");
         // Of a polynomial, two solutions that have nearly met may be one.
         let others = (in_c - found as f64).abs();
         assert!(others <= 1e-4 * found as f64, "other solutions");
         println!("| {name}, C, `{flags}` | {forward:.0} | {inverse:.0} |");
+    }
+}
+
+/// Closed configurations of a mechanism.
+fn closed<const N: usize>(file: &str) -> Vec<[f64; N]> {
+    let compiled = compile(&source(file), &Options::default()).expect("a mechanism");
+    let Compiled::Mechanism(mechanism) = compiled else {
+        panic!("{file} is an arm")
+    };
+    let samples = mechanism.freedom.samples.iter().take(512);
+    samples
+        .map(|q| q.as_slice().try_into().expect("all joints"))
+        .collect()
+}
+
+fn mechanism<const N: usize, const M: usize, const K: usize>(
+    name: &str,
+    file: &str,
+    robot: &impl ParallelKinematics<N, M, K>,
+    // Where there is no closed form, calling it does not compile.
+    fk: impl Fn(&[f64; M]) -> usize,
+) {
+    let all = closed::<N>(file);
+    let mut input = format!("{}\n", all.len());
+    for x in all.iter().flatten() {
+        let _ = writeln!(input, "{x:e}");
+    }
+    let poses: Vec<_> = all.iter().map(|q| robot.platform(q)).collect();
+    let driven: Vec<[f64; M]> = all.iter().map(|q| robot.actuated(q)).collect();
+    let moved = |driven: &[f64; M]| {
+        std::array::from_fn::<_, M, _>(|a| driven[a] + 0.01 * (a % 3) as f64 - 0.01)
+    };
+    let moved: Vec<[f64; M]> = driven.iter().map(moved).collect();
+    let tasks: [&dyn Fn(usize) -> usize; 4] = [
+        &|i| black_box(robot.ik(black_box(&poses[i]))).len(),
+        &|i| fk(black_box(&driven[i])),
+        &|i| usize::from(black_box(robot.fk_near(black_box(&moved[i]), &all[i])).is_some()),
+        &|i| usize::from(black_box(robot.forward_jacobian(black_box(&all[i]))).is_some()),
+    ];
+    let said = |language: &str, times: [f64; 4]| {
+        let [postures, assemblies, nearby, jacobian] = times;
+        println!(
+            "| {name}, {language} | {postures:.0} | {assemblies:.0} | {nearby:.0} | {jacobian:.0} |"
+        );
+    };
+    let found = tasks.map(|task| (0..all.len()).map(task).sum::<usize>());
+    said(
+        "Rust",
+        tasks.map(|task| {
+            median(all.len(), || {
+                (0..all.len()).for_each(|i| {
+                    black_box(task(i));
+                });
+            })
+        }),
+    );
+    for flags in FLAGS {
+        let numbers = in_c(file, MECHANISM_TIMES, flags, &input);
+        let times = std::array::from_fn(|task| numbers[2 * task]);
+        let in_c: [f64; 4] = std::array::from_fn(|task| numbers[2 * task + 1]);
+        // Next to singularities, rounding decides whether two have met.
+        let same = (found.iter().zip(in_c)).all(|(a, b)| (b - *a as f64).abs() <= 0.01 * b);
+        assert!(same, "{found:?} in Rust, {in_c:?} in C");
+        said(&format!("C, `{flags}`"), times);
     }
 }
 
@@ -65,15 +157,18 @@ fn median(count: usize, mut work: impl FnMut()) -> f64 {
     times[ROUNDS / 2]
 }
 
-/// Nanoseconds for a pose and for all solutions, and how many these are.
-fn in_c(file: &str, flags: &str, input: &str) -> [f64; 3] {
+fn source(file: &str) -> Source {
     let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
-    let source = Source::read(file, &robots).expect("a robot of this repository");
-    let c = generate_c(&source, &Options::default()).expect("a closed form");
+    Source::read(file, &robots).expect("a robot of this repository")
+}
+
+/// What a program says that times a robot.
+fn in_c(file: &str, times: &str, flags: &str, input: &str) -> Vec<f64> {
+    let c = generate_c(&source(file), &Options::default()).expect("a closed form");
     let folder = std::env::temp_dir().join(format!("kinematics-c-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     let upper = format!("{}_", c.name.to_ascii_uppercase());
-    let times = include_str!("../c/times.c")
+    let times = times
         .replace("kin_.h", &format!("{}.h", c.name))
         .replace("KIN_", &upper)
         .replace("kin_", &format!("{}_", c.name));
@@ -104,10 +199,7 @@ fn in_c(file: &str, flags: &str, input: &str) -> [f64; 3] {
     drop(stdin);
     let output = child.wait_with_output().expect("its output");
     let text = String::from_utf8(output.stdout).expect("numbers");
-    let numbers: Vec<f64> = text
-        .split_whitespace()
-        .filter_map(|x| x.parse().ok())
-        .collect();
     std::fs::remove_dir_all(&folder).expect("the folder");
-    numbers.try_into().expect("three numbers")
+    let numbers = text.split_whitespace().map(|x| x.parse());
+    numbers.collect::<Result<_, _>>().expect("numbers")
 }
