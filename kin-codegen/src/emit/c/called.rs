@@ -86,7 +86,6 @@ mod tests {
     use super::*;
 
     const CODE: &str = "\
-/* Not for kin_twice. */
 KIN_INLINE double kin_once(double x)
 {
     return x;
@@ -109,6 +108,7 @@ KIN_BY_PROCESSOR(kin_wide, (const kin_pair *x), (x))
 
 const double kin_table[2] = {KIN_OTHER, KIN_OTHER};
 
+/* Without kin_twice. */
 int kin_public(
     double x)
 {
