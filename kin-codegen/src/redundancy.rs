@@ -2,7 +2,7 @@
 //! with the target, so that the others have isolated solutions.
 
 use crate::closed_form::tip_shift;
-use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::expr;
 use crate::geometry::{
     Carried, Linkage, Moved, Swivel, conditioning, idealize, rank, size, structure,
 };
@@ -75,8 +75,8 @@ impl Redundancy {
 pub struct Weighed {
     /// Their places in the chain, ascending.
     pub joints: Vec<usize>,
-    /// What all branches of the first plan for the others cost, by
-    /// [`Operations::weight`](crate::expr::Operations::weight); none if there is none.
+    /// What all branches of the first plan for the others cost, by [`expr::inverse::weight`]; none
+    /// if there is none.
     pub weight: Option<usize>,
 }
 
@@ -441,8 +441,7 @@ fn planned(
             let ideal = ideal.clone().with_locked(joints);
             let plan = Plans::of(&ideal, target, &relations).next();
             let plan = plan.filter(|_| is_usually_regular(&idealized.model, joints, target))?;
-            let written = inverse(&ideal, &plan, DomainMargin(0.0), FreeAngles::Seeded);
-            Some(written.all_branches().weight())
+            Some(expr::inverse::weight(&ideal, &plan))
         };
         let mut rest = Vec::new();
         for joints in left {

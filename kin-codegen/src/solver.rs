@@ -3,7 +3,7 @@
 
 use crate::certificate::{Certificate, Failure, NearSingular, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Reading, Refinement, tip_shift};
-use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse};
+use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse, weight};
 use crate::geometry::{
     AxisRelation, Idealized, Linkage, Moved, axes, cross, dot, idealize, norm, rank, relate,
 };
@@ -370,20 +370,13 @@ fn solve_idealized(
     let mut plans = Plans::new(linkage, target);
     // The search estimates what a plan costs; of those that it comes by first, the
     // one that needs the fewest operations is tried first.
-    let mut first: Vec<ClosedForm> = plans
-        .by_ref()
-        .take(COMPARED)
-        .map(|plan| form(&plan, FreeAngles::Seeded))
-        .collect();
+    let mut first: Vec<Plan> = plans.by_ref().take(COMPARED).collect();
     if exact && linkage.variables() == target.coordinates() + usize::from(linkage.swivel.is_some())
     {
-        first.sort_by_cached_key(|form| {
-            let inverse = form.expressions();
-            inverse.map(|inverse| inverse.all_branches().weight())
-        });
+        first.sort_by_cached_key(|plan| weight(linkage, plan));
     }
     let mut beside = match first.first() {
-        Some(first) if !exact => eliminations_beside(trials, first),
+        Some(first) if !exact => eliminations_beside(trials, &form(first, FreeAngles::Seeded)),
         _ => None,
     };
     let mut chosen = 1;
@@ -401,13 +394,11 @@ fn solve_idealized(
     for tried in 0..most {
         let next = first.next().or_else(|| {
             let lost = if exact { trials.lost() } else { Vec::new() };
-            let plan = later.next(&lost, best.is_some())?;
-            Some(form(&plan, FreeAngles::Seeded))
+            later.next(&lost, best.is_some())
         });
-        let Some(seeded) = next else {
+        let Some(plan) = next else {
             break;
         };
-        let plan = seeded.plan.clone();
         // To turn a free angle costs operations: only where it is seen to lose
         // targets, and not for plans that cost more than one that stands.
         let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
@@ -418,7 +409,8 @@ fn solve_idealized(
         };
         let turned = turned.map(FreeAngles::TurnedAt);
         let turned = turned.filter(|free| free.may_help(&plan));
-        for mut form in std::iter::once(seeded).chain(turned.map(|free| form(&plan, free))) {
+        for free in std::iter::once(FreeAngles::Seeded).chain(turned) {
+            let mut form = form(&plan, free);
             if let Some(arm) = &beside {
                 form.refinement = Refinement::Univariate(Box::new(arm.clone()));
             }

@@ -208,7 +208,7 @@ impl Inverse {
             ),
             (_, weights) => writeln!(
                 f,
-                ". That leaves the others the cheapest plan, by operations of all branches: {}.",
+                ". That leaves the others the cheapest plan, by operations of all branches, residuals aside: {}.",
                 weights.join("; ")
             ),
         }

@@ -5,12 +5,11 @@
 //! tilt of a few digits makes a plan lose what it would lose if it were degenerate.
 
 use crate::geometry::{Line, Vec3, axes, concurrency, cross, dot, norm, size, sub};
-use crate::model::{Joint, JointKind, Model, configurations};
+use crate::model::{JointKind, Model, configurations};
 use crate::random::Random;
 use kin_runtime::subproblems::{subproblem1, subproblem2};
-use kin_runtime::{Chain, Pose, Twist};
+use kin_runtime::{Chain, Pose};
 use std::f64::consts::PI;
-use std::ops::Range;
 
 /// How far off their alignment configurations are tried too, radians or metres.
 const OFF: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
@@ -27,7 +26,7 @@ pub fn aligned(model: &Model) -> Vec<Vec<f64>> {
     let arm = Arm {
         model,
         axes: axes(model),
-        twists: model.joints.iter().map(Joint::twist).collect(),
+        chain: model.chain(),
     };
     arm.alignments(&mut random)
 }
@@ -49,7 +48,7 @@ struct Arm<'a> {
     model: &'a Model,
     /// At home, base coordinates.
     axes: Vec<Line>,
-    twists: Vec<Twist>,
+    chain: Chain,
 }
 
 /// A point of the arm.
@@ -120,12 +119,6 @@ impl Arm<'_> {
         self.model.joints[joint].kind == JointKind::Revolute
     }
 
-    /// The motion of some joints in a row.
-    fn motion(&self, q: &[f64], joints: Range<usize>) -> Pose {
-        let twists = self.twists[joints.clone()].to_vec();
-        Chain::new(twists, Pose::IDENTITY).fk(&q[joints])
-    }
-
     /// Turns one or two joints between `i` and `j` so that their axes are
     /// parallel (`sense` 1) or opposite (−1), or as near to it as they come.
     fn parallel(
@@ -141,8 +134,15 @@ impl Arm<'_> {
         let last = *last;
         let wanted = self.axes[i].direction.map(|x| sense * x);
         let direction = |k: usize| self.axes[k].direction;
-        let y = self.motion(&q, last + 1..j).rotate(direction(j));
-        let x = self.motion(&q, i + 1..last).inverse().rotate(wanted);
+        let y = self
+            .chain
+            .displacement(last + 1..j, &q)
+            .rotate(direction(j));
+        let x = self
+            .chain
+            .displacement(i + 1..last, &q)
+            .inverse()
+            .rotate(wanted);
         let alone = subproblem1(direction(last), y, x);
         let is_alone = rest.is_empty() || !alone.exact().is_empty();
         if let (true, Some(turn)) = (is_alone, alone.values().first()) {
@@ -150,8 +150,12 @@ impl Arm<'_> {
             return Some(q);
         }
         let first = *rest.get(random.below(rest.len().max(1) as u64))?;
-        let x = self.motion(&q, i + 1..first).inverse().rotate(wanted);
-        let middle = self.motion(&q, first + 1..last);
+        let x = self
+            .chain
+            .displacement(i + 1..first, &q)
+            .inverse()
+            .rotate(wanted);
+        let middle = self.chain.displacement(first + 1..last, &q);
         let axis = middle.rotate(direction(last));
         let turns = subproblem2(axis, direction(first), middle.rotate(y), x);
         let [behind, ahead] = *turns.values().first()?;
@@ -168,11 +172,14 @@ impl Arm<'_> {
         random: &mut Random,
     ) -> Option<Vec<f64>> {
         let joint = i + 1 + random.below((j - i - 1) as u64);
-        let [before, behind] = [i + 1..joint, joint + 1..j].map(|joints| self.motion(&q, joints));
+        let [before, behind] =
+            [i + 1..joint, joint + 1..j].map(|joints| self.chain.displacement(joints, &q));
         let axis = moved(&behind, &self.axes[j]);
-        let moving = Chain::new(vec![self.twists[joint]], Pose::IDENTITY);
-        let apart = |x: f64| {
-            let line = moved(&(before * moving.fk(&[x])), &axis);
+        let mut at = q.clone();
+        let mut apart = |x: f64| {
+            at[joint] = x;
+            let moving = self.chain.displacement(joint..joint + 1, &at);
+            let line = moved(&(before * moving), &axis);
             let normal = cross(self.axes[i].direction, line.direction);
             dot(sub(line.point, self.axes[i].point), normal)
         };
@@ -212,7 +219,7 @@ impl Arm<'_> {
         let first = joints.start + random.below(joints.len() as u64 - 1);
         let second = first + 1 + random.below((joints.end - first - 1) as u64);
         let offset = |q: &[f64]| {
-            let motion = self.motion(q, joints.clone());
+            let motion = self.chain.displacement(joints.clone(), q);
             let motion = if ahead { motion } else { motion.inverse() };
             line.offset_of(motion.transform_point(point.at))
         };

@@ -290,7 +290,7 @@ impl Held {
     fn new(parameters: Vec<f64>, model: Model, linkage: &Linkage, target: Target) -> Self {
         let chain = model.chain();
         let of = |q: &[f64]| match linkage.swivel {
-            Some(swivel) => vec![swivel.angle(chain.twists(), q)],
+            Some(swivel) => vec![swivel.angle(&chain, q)],
             None => parameters.clone(),
         };
         let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {

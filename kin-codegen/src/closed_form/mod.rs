@@ -18,7 +18,7 @@ use crate::single;
 use crate::univariate;
 use kin_runtime::__private::Acceptance;
 use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
-use kin_runtime::{Pose, Solution, Solutions};
+use kin_runtime::{Chain, Pose, Solution, Solutions};
 
 /// In square roots of the relative shift of the tip, how near to a singular
 /// configuration the branches of the idealized arm do not tell those of the arm
@@ -270,8 +270,10 @@ impl ClosedForm {
         let values =
             |joints: Vec<usize>| -> Vec<f64> { joints.into_iter().map(|i| q[i]).collect() };
         let mut parameters = values(locked);
-        let swivel = self.given.swivel.iter();
-        parameters.extend(swivel.map(|swivel| swivel.angle(&self.given.twists(), q)));
+        if let Some(swivel) = self.given.swivel {
+            let chain = Chain::new(self.given.twists(), Pose::IDENTITY);
+            parameters.push(swivel.angle(&chain, q));
+        }
         (parameters, values(solved))
     }
 

@@ -128,6 +128,18 @@ impl Graph {
         self.nodes().iter().enumerate().map(of).collect()
     }
 
+    /// The operations that computing `outputs` takes in all lanes: an expression behind the
+    /// k-th choice is computed in 2ᵏ of them.
+    pub fn operations_of_lanes(&self, outputs: &[Expr]) -> Operations {
+        let levels = self.levels();
+        let each = self.operations_by_node(outputs);
+        let mut all = Operations::default();
+        for (once, level) in each.into_iter().zip(levels) {
+            all += (1usize << level) * once;
+        }
+        all
+    }
+
     /// Adds the operations of a node.
     fn count(&self, node: Node, needed: &[bool], to: &mut Operations) {
         match node {

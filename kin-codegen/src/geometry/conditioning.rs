@@ -106,13 +106,13 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> 
         column[6] = entry;
     }
     let mut lengths: Vec<f64> = Vec::with_capacity(columns.len());
-    while let Some((place, length)) = longest(&columns) {
-        let next = columns.remove(place);
-        lengths.push(length);
-        for column in columns.iter_mut().filter(|_| length > 0.0) {
-            let along: f64 = column.iter().zip(&next).map(|(x, y)| x * y).sum();
+    while let Some((place, square)) = longest(&columns) {
+        let next = columns.swap_remove(place);
+        lengths.push(square.sqrt());
+        for column in columns.iter_mut().filter(|_| square > 0.0) {
+            let along = product(column, &next) / square;
             for (x, y) in column.iter_mut().zip(&next) {
-                *x -= along / (length * length) * y;
+                *x -= along * y;
             }
         }
     }
@@ -127,12 +127,12 @@ fn column([[a, b, c], [d, e, f]]: [[f64; 3]; 2]) -> Column {
     [a, b, c, d, e, f, 0.0]
 }
 
-/// The place of the longest one, of equals the last, and its length.
+/// The place of the longest one and the square of its length.
 fn longest(columns: &[Column]) -> Option<(usize, f64)> {
-    let all = columns.iter().map(norm).enumerate();
-    all.max_by(|(_, a), (_, b)| a.total_cmp(b))
+    let all = columns.iter().map(|column| product(column, column));
+    all.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b))
 }
 
-fn norm(column: &Column) -> f64 {
-    column.iter().map(|x| x * x).sum::<f64>().sqrt()
+fn product(a: &Column, b: &Column) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -70,8 +70,8 @@ impl Swivel {
     }
 
     /// The swivel angle of a configuration, by the product of exponentials of unit twists.
-    pub fn angle(&self, twists: &[Twist], q: &[f64]) -> f64 {
-        let (elbow, wrist) = self.points(twists, q);
+    pub fn angle(&self, chain: &Chain, q: &[f64]) -> f64 {
+        let (elbow, wrist) = self.points(chain, q);
         let swivel = self.seen_from_home(&Pose::IDENTITY);
         swivel.of_points(elbow, wrist)
     }
@@ -79,14 +79,15 @@ impl Swivel {
     /// How far a configuration is from singular for whole poses and the swivel angle together,
     /// and from where that angle is not defined.
     pub fn conditioning(&self, chain: &Chain, q: &[f64], size: f64) -> f64 {
-        let twists = chain.twists();
-        let (elbow, wrist) = self.points(twists, q);
+        let (elbow, wrist) = self.points(chain, q);
         let (gradient, radius) = self.seen_from_home(&Pose::IDENTITY).gradient(elbow, wrist);
         // In place of the angle the way of the elbow along its circle, which has no pole.
         let along = gradient.map(|x| x * radius);
         let way = |joint: usize| match joint {
             joint if joint <= Self::ELBOW => {
-                let twist = displacement(twists, q, joint).adjoint(&twists[joint]);
+                let twist = chain
+                    .displacement(0..joint, q)
+                    .adjoint(&chain.twists()[joint]);
                 let moved = cross(twist.angular, elbow);
                 dot(along, [0, 1, 2].map(|i| twist.linear[i] + moved[i])) / size
             }
@@ -101,9 +102,10 @@ impl Swivel {
     }
 
     /// Elbow and wrist of a configuration, base coordinates.
-    fn points(&self, twists: &[Twist], q: &[f64]) -> (Vec3, Vec3) {
-        let elbow = displacement(twists, q, Self::ELBOW + 1).transform_point(self.elbow);
-        let wrist = displacement(twists, q, q.len()).transform_point(self.wrist);
+    fn points(&self, chain: &Chain, q: &[f64]) -> (Vec3, Vec3) {
+        let behind = |joints: usize| chain.displacement(0..joints, q);
+        let elbow = behind(Self::ELBOW + 1).transform_point(self.elbow);
+        let wrist = behind(q.len()).transform_point(self.wrist);
         (elbow, wrist)
     }
 
@@ -128,10 +130,4 @@ impl Swivel {
             here
         })
     }
-}
-
-/// What the first joints do to what is behind them: e^(ξ̂₁ q₁) ⋯.
-fn displacement(twists: &[Twist], q: &[f64], joints: usize) -> Pose {
-    let first = (0..joints).map(|joint| Pose::exp(&twists[joint], q[joint]));
-    first.fold(Pose::IDENTITY, |before, motion| before * motion)
 }

@@ -1,6 +1,7 @@
 //! A serial chain whose joints are known only at run time.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::{Pose, Twist};
@@ -132,6 +133,24 @@ impl Chain {
             .zip(&self.links)
             .map(|(moved, link)| moved * *link)
             .collect()
+    }
+
+    /// What joints in a row do to what is behind them: e^(ξ̂ᵢ qᵢ) ⋯ e^(ξ̂ₖ qₖ), those in front of
+    /// them at home.
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Pose, Twist};
+    /// let z = [0.0, 0.0, 1.0];
+    /// let joint = |x| Twist::revolute(z, [x, 0.0, 0.0]);
+    /// let planar = Chain::new(vec![joint(0.0), joint(1.0), joint(2.0)], Pose::IDENTITY);
+    /// let moved = planar.displacement(1..3, &[0.9, 0.2, -0.2]).transform_point([2.0, 0.0, 0.0]);
+    /// assert!((moved[1] - 0.2_f64.sin()).abs() < 1e-15);
+    /// ```
+    pub fn displacement(&self, joints: Range<usize>, q: &[f64]) -> Pose {
+        assert_eq!(q.len(), self.twists.len(), "one value for each joint");
+        joints.fold(Pose::IDENTITY, |moved, joint| {
+            moved * exponential(&self.twists[joint], q[joint])
+        })
     }
 
     /// The columns of the spatial Jacobian (MLS section 3.4): column i is ξᵢ

@@ -230,7 +230,7 @@ fn redundancy(compiled: &CompiledArm) -> Vec<String> {
                     of those at the ends of the chain."
             .into(),
         (_, all) => format!(
-            " It makes the plan for the others cheapest, in operations of all branches ({}).",
+            " It makes the plan for the others cheapest, in operations of all branches, residuals aside ({}).",
             all.join(", ")
         ),
     };

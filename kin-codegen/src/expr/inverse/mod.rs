@@ -109,21 +109,9 @@ impl InverseGraph {
         self.graph.operations(&self.outputs())
     }
 
-    /// The operations of all branches: an expression behind the k-th choice is
-    /// computed in 2ᵏ lanes.
+    /// The operations of all branches.
     pub fn all_branches(&self) -> Operations {
-        let levels = self.graph.levels();
-        let needed = self.graph.reachable(&self.outputs());
-        let mut all = Operations::default();
-        let mut below = Operations::default();
-        for level in 0..=self.graph.choices() {
-            let within = |&i: &usize| needed[i] && levels[i] <= level;
-            let nodes = (0..levels.len()).filter(within).map(|i| self.graph.at(i));
-            let cost = self.graph.operations(&nodes.collect::<Vec<_>>());
-            all += (1 << level) * (cost - below);
-            below = cost;
-        }
-        all
+        self.graph.operations_of_lanes(&self.outputs())
     }
 
     /// The same graph with the margin in place of all else that is returned, and only the
@@ -188,30 +176,17 @@ pub fn inverse(
     margin: DomainMargin,
     free: FreeAngles,
 ) -> InverseGraph {
-    let mut writer = Writer::new(linkage, plan.target, margin);
-    writer.take_parameters();
-    writer.flags_badly_told = free == FreeAngles::Flagged;
-    let mut turned: Option<MayBeFree> = None;
-    let mut free_angle = None;
-    for (i, step) in plan.steps.iter().enumerate() {
-        let begins = writer.g.nodes().len();
-        writer.may_be_free = None;
-        writer.level = None;
-        let turns = free == FreeAngles::TurnedAt(i);
-        writer.free = match turns {
-            true => writer.g.input("free"),
-            false => writer.g.constant(writer.tolerances.free_below),
-        };
-        writer.write(step);
-        if turns {
-            turned = writer.may_be_free;
-        } else if let (Some(turned), None) = (turned, free_angle) {
-            free_angle = writer.said_of(turned, plan);
-        }
-        let relation = writer.relation.take();
-        writer.parts.steps.push(StepPart { begins, relation });
-    }
-    writer.finish(free_angle)
+    Writer::new(linkage, plan.target, margin).finish(plan, free)
+}
+
+/// What all branches of a plan cost, by [`Operations::weight`], but for their residuals: these
+/// take about as much after every plan of an arm.
+pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
+    let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
+    writer.write_all(plan, FreeAngles::Seeded);
+    let mut outputs = writer.angles();
+    outputs.extend([writer.invalid, writer.singular]);
+    writer.g.operations_of_lanes(&outputs).weight()
 }
 
 /// What is known of the loop so far.
@@ -489,7 +464,35 @@ impl<'a> Writer<'a> {
         self.sum[run]
     }
 
-    fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
+    /// All steps, and the angle that turns where it is free.
+    fn write_all(&mut self, plan: &Plan, free: FreeAngles) -> Option<FreeAngle> {
+        self.take_parameters();
+        self.flags_badly_told = free == FreeAngles::Flagged;
+        let mut turned: Option<MayBeFree> = None;
+        let mut free_angle = None;
+        for (i, step) in plan.steps.iter().enumerate() {
+            let begins = self.g.nodes().len();
+            self.may_be_free = None;
+            self.level = None;
+            let turns = free == FreeAngles::TurnedAt(i);
+            self.free = match turns {
+                true => self.g.input("free"),
+                false => self.g.constant(self.tolerances.free_below),
+            };
+            self.write(step);
+            if turns {
+                turned = self.may_be_free;
+            } else if let (Some(turned), None) = (turned, free_angle) {
+                free_angle = self.said_of(turned, plan);
+            }
+            let relation = self.relation.take();
+            self.parts.steps.push(StepPart { begins, relation });
+        }
+        free_angle
+    }
+
+    fn finish(mut self, plan: &Plan, free: FreeAngles) -> InverseGraph {
+        let free_angle = self.write_all(plan, free);
         self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
