@@ -92,6 +92,48 @@ fn arms_and_mechanisms_follow_their_target() {
     }
 }
 
+/// What stands in the page's place turns the last joint around in steps of 0.1 rad, and says the farthest
+/// that a joint of solutions with one number has moved in a step, and how many were compared.
+const TURNED: &str = "
+globalThis.matchMedia = () => ({ matches: false });
+const subject = new ArmView(robot, view);
+export default { ask() {
+    let [farthest, compared] = [0, 0];
+    for (let k = 0; k <= 63; ++k) {
+        const before = subject.solutions;
+        subject.setJoint(5, -3.15 + 0.1 * k);
+        for (const { branch, q } of subject.solutions) {
+            const same = before.find((it) => it.branch === branch);
+            if (same && k > 0) {
+                farthest = Math.max(farthest, subject.apart(q, same.q));
+                ++compared;
+            }
+        }
+    }
+    return [farthest, compared];
+} };
+";
+
+#[test]
+fn solutions_keep_their_numbers_as_the_target_moves() {
+    // The roots of the first are numbered by the last joint; the others' have postures.
+    for path in ["robots/xarm6.yaml", "tests/robots/noisy/calibrated.yaml"] {
+        let (page, _) = page(&read(path), &Options::default()).unwrap();
+        let (before, _) = script(&page).split_once(PAGE).unwrap();
+        let before = before.replace("export default robot;", "");
+        let said = JsRobot::new(&format!("{before}{TURNED}")).call("ask_of", "");
+        let numbers: Vec<f64> = said.split(' ').map(|x| x.parse().unwrap()).collect();
+        let [farthest, compared] = numbers[..] else {
+            panic!("{said}")
+        };
+        assert!(compared >= 4.0 * 63.0, "{path}: {compared} compared");
+        assert!(
+            (farthest - 0.1).abs() < 1e-6,
+            "{path}: {farthest} rad in a step"
+        );
+    }
+}
+
 /// What stands in the page's place moves the driven joints, and says the two measures and all joint
 /// values.
 const MEASURED: &str = "

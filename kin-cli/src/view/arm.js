@@ -46,16 +46,54 @@ class ArmView {
             this.solutions = [];
             return;
         }
-        this.solutions = this.solutionsAt(this.parameters).map((solution) => {
+        this.solutions = this.followed(this.solutionsAt(this.parameters)).map((solution) => {
             const inside = this.arm.within_limits(solution.q);
-            const off = this.joints.map(({ turns }, i) => this.apart(turns, solution.q[i], this.q[i]));
-            return { ...solution, inside, off: Math.max(...off) };
+            return { ...solution, inside, off: this.apart(solution.q, this.q) };
         });
     }
 
-    apart(turns, a, b) {
-        const d = a - b;
-        return turns ? Math.abs(Math.atan2(Math.sin(d), Math.cos(d))) : Math.abs(d) / this.size;
+    /** Solutions of an elimination come in the order of its roots, which change their places as the
+     * target moves: here each keeps the number of the one before that it is nearest to. */
+    followed(found) {
+        const { search, branches, lanes } = this.form;
+        if (!search) {
+            return found;
+        }
+        // Those of a plan have numbers of their own.
+        const first = lanes ? branches : 0;
+        const [own, others] = [found.filter(({ branch }) => branch < first), found.filter(({ branch }) => branch >= first)];
+        const before = (this.solutions ?? []).filter(({ branch }) => branch >= first);
+        const pairs = others.flatMap((now, i) => before.map(({ q, branch }) => ({ i, branch, off: this.apart(now.q, q) })));
+        const numbers = new Map();
+        const taken = new Set();
+        const take = (i, branch) => {
+            numbers.set(i, branch);
+            taken.add(branch);
+        };
+        for (const { i, branch } of pairs.sort((a, b) => a.off - b.off)) {
+            if (!numbers.has(i) && !taken.has(branch)) {
+                take(i, branch);
+            }
+        }
+        others.forEach((_, i) => {
+            if (!numbers.has(i)) {
+                let branch = first;
+                while (taken.has(branch)) {
+                    ++branch;
+                }
+                take(i, branch);
+            }
+        });
+        const renumbered = others.map((solution, i) => ({ ...solution, branch: numbers.get(i) }));
+        return [...own, ...renumbered.sort((a, b) => a.branch - b.branch)];
+    }
+
+    /** The farthest that a joint of two configurations is apart, slides by the arm's size. */
+    apart(a, b) {
+        return Math.max(...this.joints.map(({ turns }, i) => {
+            const d = a[i] - b[i];
+            return turns ? Math.abs(Math.atan2(Math.sin(d), Math.cos(d))) : Math.abs(d) / this.size;
+        }));
     }
 
     setJoint(i, value) {
