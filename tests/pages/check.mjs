@@ -68,7 +68,8 @@ for (const robot of robots) {
     // By its arrow along z, to where it stays in reach.
     const way = await browser.evaluate(`(() => {
         const { robot, subject } = window.kin;
-        const reached = (by) => robot.ik(subject.target.map((x, i) => (i === 11 ? x + by : x))).length > 0;
+        const moved = (by) => subject.target.map((x, i) => (i === 11 ? x + by : x));
+        const reached = (by) => robot.ik_at(moved(by), subject.parameters, subject.q).length > 0;
         return reached(-0.1) ? -1 : 1;
     })()`);
     await browser.evaluate(`document.getElementById("home-view").click()`);
