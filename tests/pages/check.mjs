@@ -31,7 +31,7 @@ const compare = async (robot, what) => {
         target: [...document.querySelectorAll("#target input")].map(({ value }) => Number(value)),
         pose: Array.from(window.kin.robot.fk(window.kin.subject.q)),
         rows: [...document.querySelectorAll(".branch:not([hidden])")].map((row) => row.innerText),
-        current: document.querySelectorAll(".branch.current").length,
+        current: document.querySelectorAll(".branch.current:not([hidden])").length,
         solutions: window.kin.subject.solutions.map(({ q }) => Array.from(q)),
     })`);
     shown.numbers.forEach((number, i) => {
