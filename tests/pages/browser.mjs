@@ -103,7 +103,7 @@ export class Browser {
     close() {
         return new Promise((closed) => {
             this.process.on("exit", () => {
-                rmSync(this.folder, { recursive: true, force: true });
+                rmSync(this.folder, { recursive: true, force: true, maxRetries: 9, retryDelay: 100 });
                 closed();
             });
             this.process.kill();
