@@ -70,7 +70,7 @@ const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
     ["b * cosine - a * sine", "b * cosine + a * sine"],
     ["const $EXTRANEOUS = 0.05", "const $EXTRANEOUS = 1e-15"],
     ["(0.3 / longest)", "(-0.3 / longest)"],
-    ["residual <= 1e-13", "residual <= 1e-3"],
+    ["residual <= 1e-13", "residual <= 1e-17"],
     ["solution.q[i]) < 1e-6", "solution.q[i]) < 1.0"],
     ["const $SINGULAR = 1e-5", "const $SINGULAR = 1e-2"],
     ["search.gap <= 1e-9", "search.gap <= 1e-1"],

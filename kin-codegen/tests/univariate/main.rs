@@ -2,6 +2,7 @@
 //! what they are good for at run time, against the generic search.
 
 mod arms;
+mod families;
 mod right_angles;
 
 use arms::{

@@ -31,6 +31,9 @@ const ASKED: usize = 3;
 /// Noise of which nothing stands out.
 const DROWNED: f64 = 1e-3;
 
+/// Noise by which double roots are off by more than tells what space belongs to them.
+const BLURRED: f64 = 1e-7;
+
 /// How far the targets beside one with a family of solutions are: by angle, radians, and
 /// in units of half the arm's size.
 const BESIDE: f64 = 1e-4;
@@ -226,8 +229,8 @@ impl<'a> Search<'a> {
         told.roots = roots.count;
         self.found.again = 0;
         let unclear = self.one_each(recovery, roots);
-        self.several_each(recovery, roots, &unclear);
-        if roots.incomplete {
+        self.several_each(recovery, roots, *noise >= NOISY, &unclear);
+        if roots.incomplete || *noise > BLURRED {
             self.ask_beside(elimination);
         }
         self.meet();
@@ -303,12 +306,20 @@ impl<'a> Search<'a> {
         unclear
     }
 
-    /// Adds the solutions that share a value of the kept joint.
-    fn several_each(&mut self, recovery: &Recovery, roots: &Roots, unclear: &Candidates) {
+    /// Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all
+    /// its values, as next to a target with a family of solutions, so is what it leaves alone, and
+    /// the space of two solutions has more dimensions.
+    fn several_each(
+        &mut self,
+        recovery: &Recovery,
+        roots: &Roots,
+        is_noisy: bool,
+        unclear: &Candidates,
+    ) {
         for chunk in unclear.chunks() {
             let at = |k: usize| roots.angles[usize::from(chunk[k.min(chunk.len() - 1)])];
             let kept = core::array::from_fn(at);
-            let shared = |k: &usize| roots.is_several(chunk[*k].into());
+            let shared = |k: &usize| is_noisy || roots.is_several(chunk[*k].into());
             if !(0..chunk.len()).any(|k| shared(&k)) {
                 for starts in recovery.pairs(&kept) {
                     (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));

@@ -223,11 +223,25 @@ static void kin_one_each(
     }
 }
 
-/* Adds the solutions that share a value of the kept joint. */
+/* What one elimination says of the target, before any solution is computed. */
+typedef struct kin_asked {
+    kin_recovery recovery;
+    /* Of the polynomial. */
+    double noise;
+    /* Whether nothing stands out of it. */
+    int is_drowned;
+    kin_roots roots;
+} kin_asked;
+
+/* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
+ * values, as next to a target with a family of solutions, so is what it leaves alone, and the space
+ * of two solutions has more dimensions. */
 static void kin_several_each(
-    kin_search *search, const kin_recovery *recovery, const kin_roots *roots,
-    const kin_candidates *unclear)
+    kin_search *search, const kin_asked *asked, const kin_candidates *unclear)
 {
+    const kin_recovery *recovery = &asked->recovery;
+    const kin_roots *roots = &asked->roots;
+    const unsigned shared = asked->noise < KIN_NOISY ? roots->several : ~0U;
     for (int first = 0; first < unclear->count; first += KIN_LANES) {
         const int rest = unclear->count - first, count = rest < KIN_LANES ? rest : KIN_LANES;
         const int *numbers = unclear->numbers + first;
@@ -238,7 +252,7 @@ static void kin_several_each(
             kept[k] = roots->angles[numbers[k < count ? k : count - 1]];
         }
         for (int k = 0; k < count; ++k) {
-            any |= roots->several >> numbers[k];
+            any |= shared >> numbers[k];
         }
         kin_recover_several(recovery, kept, any & 1 ? KIN_SHARING : 2, starts);
         for (int i = 0; i < 2; ++i) {
@@ -247,7 +261,7 @@ static void kin_several_each(
             }
         }
         for (int k = 0; k < count; ++k) {
-            if (roots->several >> numbers[k] & 1) {
+            if (shared >> numbers[k] & 1) {
                 for (int i = 0; i < KIN_SHARING; ++i) {
                     kin_start_unknown(search, &starts[2 + i], k, KIN_MIXED);
                 }
@@ -293,16 +307,6 @@ static void kin_meet(kin_search *search)
     }
     search->stuck.count = 0;
 }
-
-/* What one elimination says of the target, before any solution is computed. */
-typedef struct kin_asked {
-    kin_recovery recovery;
-    /* Of the polynomial. */
-    double noise;
-    /* Whether nothing stands out of it. */
-    int is_drowned;
-    kin_roots roots;
-} kin_asked;
 
 static void kin_ask(
     const kin_search *search, const kin_elimination *elimination, kin_asked *asked)
@@ -392,8 +396,8 @@ static int kin_answer(kin_search *search, const kin_asked *asked)
     }
     search->found.again = 0;
     kin_one_each(search, &asked->recovery, roots, &unclear);
-    kin_several_each(search, &asked->recovery, roots, &unclear);
-    if (roots->incomplete) {
+    kin_several_each(search, asked, &unclear);
+    if (roots->incomplete || asked->noise > 1e-7) {
         kin_ask_beside(search, elimination);
     }
     kin_meet(search);

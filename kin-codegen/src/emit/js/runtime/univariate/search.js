@@ -207,10 +207,12 @@ const $one_each = (search, loop, roots) => {
     return unclear;
 };
 
-/* Adds the solutions that share a value of the kept joint. */
-const $several_each = (search, loop, unclear) => {
+/* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
+ * values, as next to a target with a family of solutions, so is what it leaves alone, and the space of
+ * two solutions has more dimensions. */
+const $several_each = (search, { loop, noise }, unclear) => {
     for (const { angle, is_several } of unclear) {
-        const starts = $recover_several(loop, angle, is_several ? $SHARING : 2);
+        const starts = $recover_several(loop, angle, noise >= $NOISY || is_several ? $SHARING : 2);
         starts.forEach((start, i) => $start_unknown(search, start, i < 2 ? $EXTRANEOUS : $MIXED));
     }
 };
@@ -291,8 +293,8 @@ const $answer = (search, asked) => {
     }
     search.again = 0;
     const unclear = $one_each(search, loop, roots);
-    $several_each(search, loop, unclear);
-    if (roots.is_incomplete) {
+    $several_each(search, asked, unclear);
+    if (roots.is_incomplete || noise > 1e-7) {
         $ask_beside(search, loop.elimination);
     }
     $meet(search);
