@@ -6,7 +6,7 @@ use super::characteristic_length::characteristic_length;
 
 use crate::linear::span::Span;
 use crate::linear::vector::norm;
-use crate::parallel::newton::{Task, close};
+use crate::parallel::newton::{Limb, Task, close};
 use crate::parallel::posture::{self, Posture, Vector6};
 use crate::{Chain, Pose, Twist};
 
@@ -271,7 +271,9 @@ impl Mechanism {
         let mut best = q.to_vec();
         let mut poses = vec![Pose::IDENTITY; self.chains.len()];
         let mut twists = vec![Twist::default(); self.joints()];
-        close(task, evaluate, q, &mut best, &mut poses, &mut twists)
+        let mut limbs: Vec<Limb> = self.chains.iter().map(|_| Limb::NONE).collect();
+        let (poses, twists) = (&mut poses, &mut twists);
+        close(task, evaluate, q, &mut best, poses, twists, &mut limbs)
     }
 
     /// Up to eight closed configurations near home, always the same: none if

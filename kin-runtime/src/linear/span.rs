@@ -20,17 +20,23 @@ pub struct Span<const D: usize> {
     reflections: [[Real; D]; D],
 }
 
+/// The number of a vector, the vector in the basis, and how long it is beside those taken.
+type Rest<const D: usize> = (usize, [Real; D], Real);
+
 impl<const D: usize> Span<D> {
+    /// Of no vectors.
+    pub const EMPTY: Self = Span {
+        rank: 0,
+        taken: [0; D],
+        lower: [[0.0; D]; D],
+        reflections: [[0.0; D]; D],
+    };
+
     /// Of so many vectors. They count as dependent when what the others leave
     /// of them is below `tolerance` times the longest.
     #[inline]
     pub fn of(count: usize, vector: impl Fn(usize) -> [Real; D], tolerance: Real) -> Self {
-        let mut span = Span {
-            rank: 0,
-            taken: [0; D],
-            lower: [[0.0; D]; D],
-            reflections: [[0.0; D]; D],
-        };
+        let mut span = Self::EMPTY;
         let mut longest = 0.0;
         while span.rank < D.min(count) {
             let rest = |j: usize| {
@@ -38,8 +44,8 @@ impl<const D: usize> Span<D> {
                 let square: Real = inside[span.rank..].iter().map(|x| x * x).sum();
                 (j, inside, sqrt(square))
             };
-            let longer = |a: (usize, [Real; D], Real), b| if rest(b).2 > a.2 { rest(b) } else { a };
-            let (j, inside, length) = (1..count).fold(rest(0), longer);
+            let longer = |a: Rest<D>, b: Rest<D>| if b.2 > a.2 { b } else { a };
+            let (j, inside, length) = (1..count).map(rest).fold(rest(0), longer);
             if span.rank == 0 {
                 longest = length;
             }

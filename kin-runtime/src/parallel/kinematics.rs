@@ -1,6 +1,6 @@
 //! What every generated mechanism can do.
 
-use super::newton::{Task, close};
+use super::newton::{Limb, Task, close};
 use super::posture::Posture;
 use super::postures::Postures;
 use crate::{Jacobian, Pose, Solution, Solutions, Twist};

@@ -122,8 +122,9 @@ macro_rules! parallel_methods {
                         twists.copy_from_slice(&t);
                     };
                     let (mut poses, mut twists) = ([Pose::IDENTITY; $k], [Twist::default(); $n]);
-                    let mut best = [0.0; $n];
-                    let gap = close(task, evaluate, &mut q, &mut best, &mut poses, &mut twists);
+                    let (mut best, mut limbs) = ([0.0; $n], [Limb::NONE; $k]);
+                    let (poses, twists) = (&mut poses, &mut twists);
+                    let gap = close(task, evaluate, &mut q, &mut best, poses, twists, &mut limbs);
                     (gap <= 1e-12 * Self::LENGTH).then(|| Solution {
                         q,
                         residual: gap,

@@ -6,6 +6,7 @@ use crate::linear::singular_values::singular_values;
 use crate::linear::span::Span;
 use crate::linear::vector::{add, cross, dot, scale, sub};
 use crate::{Pose, Twist};
+use core::borrow::Borrow;
 
 /// A twist or a wrench with its angular part in metres; see [`Posture`].
 pub(crate) type Vector6 = [f64; 6];
@@ -128,35 +129,23 @@ impl Posture<'_> {
     /// locked: singular values of the wrenches that they can bear, each of
     /// length 1.
     pub(crate) fn held(&self) -> [f64; 6] {
-        let (mut r, _) = self.wrenches::<0>(|_, _| []);
-        let mut values = [0.0; 6];
-        singular_values(r.as_flattened_mut(), &mut values);
-        values
+        let (r, _) = self.wrenches::<0>(|_, _| []);
+        values(r)
     }
 
     /// All the wrenches that locked actuators bear, as a triangle, with what
     /// `tail` says of each beside them.
-    pub(crate) fn wrenches<const M: usize>(
+    fn wrenches<const M: usize>(
         &self,
         tail: impl Fn(usize, &Vector6) -> [f64; M],
     ) -> ([[f64; 6]; 6], [[f64; M]; 6]) {
-        let (mut r, mut tails) = ([[0.0; 6]; 6], [[0.0; M]; 6]);
-        for chain in 0..self.chains.len() {
-            for wrench in self.passive(chain).complement() {
-                let (mut row, mut tail) = (wrench, tail(chain, &wrench));
-                let (r, tails) = (r.as_flattened_mut(), tails.as_flattened_mut());
-                givens::absorb(r, tails, &mut row, &mut tail);
-            }
-        }
-        (r, tails)
+        let chains = 0..self.chains.len();
+        wrenches(chains.map(|chain| self.passive(chain)), tail)
     }
 
     /// The spatial twist that unit rate of each actuated joint gives the
     /// platform; none if it can move while they are locked.
     pub(crate) fn forward_jacobian<const M: usize>(&self) -> Option<[Twist; M]> {
-        if self.held()[5] < FREE {
-            return None;
-        }
         let (r, tails) = self.wrenches::<M>(|chain, wrench| {
             let [first, end] = self.chains[chain];
             core::array::from_fn(|a| {
@@ -167,9 +156,9 @@ impl Posture<'_> {
                 }
             })
         });
-        Some(core::array::from_fn(|a| {
-            self.spatial(&back_substitute(&r, |i| tails[i][a]))
-        }))
+        let is_held = values(r)[5] >= FREE;
+        let twist = |a: usize| self.spatial(&back_substitute(&r, |i| tails[i][a]));
+        is_held.then(|| core::array::from_fn(twist))
     }
 
     /// The rate of every joint while the platform moves with a spatial
@@ -214,6 +203,29 @@ impl Posture<'_> {
         let largest = values.first().copied().unwrap_or(0.0);
         values.iter().filter(|x| **x <= FREE * largest).count()
     }
+}
+
+/// The wrenches at right angles to what each of some chains can do, as [`Posture::wrenches`].
+pub(super) fn wrenches<const M: usize>(
+    passive: impl Iterator<Item = impl Borrow<Span<6>>>,
+    tail: impl Fn(usize, &Vector6) -> [f64; M],
+) -> ([[f64; 6]; 6], [[f64; M]; 6]) {
+    let (mut r, mut tails) = ([[0.0; 6]; 6], [[0.0; M]; 6]);
+    for (chain, span) in passive.enumerate() {
+        for wrench in span.borrow().complement() {
+            let (mut row, mut tail) = (wrench, tail(chain, &wrench));
+            let (r, tails) = (r.as_flattened_mut(), tails.as_flattened_mut());
+            givens::absorb(r, tails, &mut row, &mut tail);
+        }
+    }
+    (r, tails)
+}
+
+/// The singular values of a triangle.
+fn values(mut r: [[f64; 6]; 6]) -> [f64; 6] {
+    let mut values = [0.0; 6];
+    singular_values(r.as_flattened_mut(), &mut values);
+    values
 }
 
 /// Solves R x = b; an x that R does not determine is 0.
