@@ -1,4 +1,4 @@
-//! Targets with a family of solutions beside regular ones.
+//! Targets with a family of solutions beside regular ones, and several that share the kept joint.
 
 use kin_codegen::certificate::recovered;
 use kin_codegen::geometry::{Linkage, conditioning, size};
@@ -7,6 +7,7 @@ use kin_codegen::plan::Target;
 use kin_codegen::random::Random;
 use kin_codegen::solver::solve;
 use kin_codegen::spec::{ArmSpec, Source};
+use kin_codegen::univariate::Arm;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A CRX with a slide in place of its elbow: with the slide along the shoulder's axis, four regular
@@ -59,4 +60,16 @@ fn regular_solutions_are_found_beside_a_family() {
             );
         }
     }
+}
+
+/// Of a Panda whose fifth joint is at a half turn, four solutions share the first joint's value, of
+/// which two are complex: eigenvalues that hardly differ in their absolute values.
+#[test]
+fn real_solutions_part_from_complex_ones() {
+    let panda = read(include_str!("../../../robots/panda.yaml")).locked(&[4], &[PI]);
+    let q = [-FRAC_PI_2, FRAC_PI_2, 0.0, -FRAC_PI_2, FRAC_PI_2, FRAC_PI_2];
+    let target = panda.chain().fk(&q);
+    let mut arms = Arm::keeping_each(&panda, &Linkage::new(&panda)).into_iter();
+    let arm = arms.find(|arm| arm.kept[0].elimination.joints[0] == 0);
+    assert_eq!(arm.unwrap().solutions::<6>(&target).len(), 4);
 }

@@ -6,7 +6,7 @@
 //! polynomial equations", ISNM 86, 1988).
 
 use super::elimination::SIZE;
-use super::lanes::{Lanes, dot};
+use super::lanes::Lanes;
 use super::matrix::Vectors;
 
 /// How many solutions may share it.
@@ -123,9 +123,8 @@ fn of_pair<L: Lanes, const N: usize>(t: Square<L, N>) -> Square<L, N> {
     out
 }
 
-/// By the QR algorithm without shifts, on the fourth power, which has the same vectors
-/// and needs a quarter of the rounds; where two eigenvalues are complex, two of the
-/// vectors are none.
+/// Eigenvalues by the QR algorithm without shifts, on the fourth power, which has the same vectors
+/// and needs a quarter of the rounds; where two are complex, two of the vectors are none.
 #[inline(always)]
 fn eigenvectors<L: Lanes, const N: usize>(given: Square<L, N>) -> Square<L, N> {
     let square = product(&given, &given);
@@ -139,24 +138,38 @@ fn eigenvectors<L: Lanes, const N: usize>(given: Square<L, N>) -> Square<L, N> {
         t = product(&r, &q);
         basis = product(&basis, &q);
     }
-    t = product(&transposed(&basis), &product(&given, &basis));
+    let image = product(&given, &basis);
     let mut out = [[L::ZERO; N]; N];
-    for k in 0..N {
-        let mut weights = [L::ZERO; N];
-        weights[k] = L::ONE;
-        for i in (0..k).rev() {
-            let mut above = L::ZERO;
-            for j in i + 1..=k {
-                above = above.plus(t[i][j], weights[j]);
-            }
-            let apart = (t[i][i] - t[k][k]).away_from_zero(1e-12);
-            weights[i] = -above * apart.inverse();
+    for (k, out) in out.iter_mut().enumerate() {
+        let mut value = L::ZERO;
+        for i in 0..N {
+            value = value.plus(basis[i][k], image[i][k]);
         }
-        for (out, row) in out[k].iter_mut().zip(&basis) {
-            *out = dot(row, &weights);
-        }
+        *out = eigenvector(&given, value);
     }
     out
+}
+
+/// The vector that belongs to the eigenvalue nearest to a value, by inverse iteration, in which two
+/// that are complex do no harm.
+#[inline(always)]
+fn eigenvector<L: Lanes, const N: usize>(given: &Square<L, N>, value: L) -> [L; N] {
+    let mut shifted = *given;
+    for (k, row) in shifted.iter_mut().enumerate() {
+        row[k] = row[k] - value;
+    }
+    let (_, r) = orthogonal_and_triangular(&shifted);
+    // R⁻¹ takes the last column to where the shifted matrix has nearly nothing left.
+    let mut x = [L::ZERO; N];
+    x[N - 1] = L::ONE;
+    for i in (0..N - 1).rev() {
+        let mut above = L::ZERO;
+        for j in i + 1..N {
+            above = above.plus(r[i][j], x[j]);
+        }
+        x[i] = -above * r[i][i].inverse();
+    }
+    x
 }
 
 /// By Gram and Schmidt.
@@ -185,17 +198,6 @@ fn orthogonal_and_triangular<L: Lanes, const N: usize>(
         }
     }
     (q, r)
-}
-
-#[inline(always)]
-fn transposed<L: Lanes, const N: usize>(a: &Square<L, N>) -> Square<L, N> {
-    let mut out = *a;
-    for i in 0..N {
-        for j in 0..N {
-            out[i][j] = a[j][i];
-        }
-    }
-    out
 }
 
 #[inline(always)]

@@ -87,14 +87,13 @@ static void kin_eigenvectors_of_pair(kin_square t, kin_square out)
     }
 }
 
-/* a times b, or the transpose of a times b. */
-static void kin_product(kin_square a, kin_square b, int transposed, kin_square out)
+static void kin_product(kin_square a, kin_square b, kin_square out)
 {
     for (int i = 0; i < KIN_SHARING; ++i) {
         for (int j = 0; j < KIN_SHARING; ++j) {
             kin_fill(out[i][j], 0.0);
             for (int m = 0; m < KIN_SHARING; ++m) {
-                kin_plus(out[i][j], transposed ? a[m][i] : a[i][m], b[m][j]);
+                kin_plus(out[i][j], a[i][m], b[m][j]);
             }
         }
     }
@@ -129,14 +128,42 @@ static void kin_orthogonalize(kin_square t, kin_square r)
     }
 }
 
-/* By the QR algorithm without shifts, on the fourth power, which has the same vectors and needs a
- * quarter of the rounds: those eigenvalues that are real and apart part by then as far as a start
+/* The vector that belongs to the eigenvalue nearest to a value, by inverse iteration, in which two
+ * that are complex do no harm. */
+static void kin_eigenvector(kin_square given, const kin_pack value, kin_pack out[KIN_SHARING])
+{
+    kin_square shifted, r;
+    for (int i = 0; i < KIN_SHARING; ++i) {
+        for (int j = 0; j < KIN_SHARING; ++j) {
+            kin_copy(shifted[i][j], given[i][j]);
+        }
+        for (int k = 0; k < KIN_LANES; ++k) {
+            shifted[i][i][k] -= value[k];
+        }
+    }
+    kin_orthogonalize(shifted, r);
+    /* The inverse of r takes the last column to where the shifted matrix has nearly nothing left. */
+    kin_fill(out[KIN_SHARING - 1], 1.0);
+    for (int i = KIN_SHARING - 2; i >= 0; --i) {
+        kin_pack above;
+        kin_fill(above, 0.0);
+        for (int j = i + 1; j < KIN_SHARING; ++j) {
+            kin_plus(above, r[i][j], out[j]);
+        }
+        for (int k = 0; k < KIN_LANES; ++k) {
+            out[i][k] = -above[k] / r[i][i][k];
+        }
+    }
+}
+
+/* Eigenvalues by the QR algorithm without shifts, on the fourth power, which has the same vectors
+ * and needs a quarter of the rounds: those that are real and apart part by then as far as a start
  * of Newton's method needs it. Where two are complex, two of the vectors are none. */
 static void kin_eigenvectors(kin_square given, kin_square out)
 {
     kin_square t, r, basis, other;
-    kin_product(given, given, 0, r);
-    kin_product(r, r, 0, t);
+    kin_product(given, given, r);
+    kin_product(r, r, t);
     for (int i = 0; i < KIN_SHARING; ++i) {
         for (int j = 0; j < KIN_SHARING; ++j) {
             kin_fill(basis[i][j], i == j ? 1.0 : 0.0);
@@ -144,41 +171,27 @@ static void kin_eigenvectors(kin_square given, kin_square out)
     }
     for (int round = 0; round < 10; ++round) {
         kin_orthogonalize(t, r);
-        kin_product(basis, t, 0, other);
+        kin_product(basis, t, other);
         for (int i = 0; i < KIN_SHARING; ++i) {
             for (int j = 0; j < KIN_SHARING; ++j) {
                 kin_copy(basis[i][j], other[i][j]);
             }
         }
-        kin_product(r, t, 0, other);
+        kin_product(r, t, other);
         for (int i = 0; i < KIN_SHARING; ++i) {
             for (int j = 0; j < KIN_SHARING; ++j) {
                 kin_copy(t[i][j], other[i][j]);
             }
         }
     }
-    kin_product(given, basis, 0, r);
-    kin_product(basis, r, 1, t);
+    kin_product(given, basis, t);
     for (int c = 0; c < KIN_SHARING; ++c) {
-        kin_pack weights[KIN_SHARING];
+        kin_pack value;
+        kin_fill(value, 0.0);
         for (int i = 0; i < KIN_SHARING; ++i) {
-            kin_fill(weights[i], i == c ? 1.0 : 0.0);
+            kin_plus(value, basis[i][c], t[i][c]);
         }
-        for (int i = c - 1; i >= 0; --i) {
-            kin_pack above, apart, inverse;
-            kin_fill(above, 0.0);
-            for (int j = i + 1; j <= c; ++j) {
-                kin_plus(above, t[i][j], weights[j]);
-            }
-            for (int k = 0; k < KIN_LANES; ++k) {
-                apart[k] = t[i][i][k] - t[c][c][k];
-            }
-            kin_reciprocals(inverse, apart, 1e-12);
-            kin_minus(weights[i], above, inverse);
-        }
-        for (int i = 0; i < KIN_SHARING; ++i) {
-            kin_dot(out[c][i], basis[i], weights, KIN_SHARING);
-        }
+        kin_eigenvector(given, value, out[c]);
     }
 }
 

@@ -74,8 +74,6 @@ const $times = (a, b) => a.map((row) => b[0].map((_, j) => {
     return sum;
 }));
 
-const $transposed = (a) => a.map((_, j) => a.map((row) => row[j]));
-
 /* t = q r by Gram and Schmidt; q takes its place. */
 const $orthogonalize = (t) => {
     const n = t.length;
@@ -100,8 +98,26 @@ const $orthogonalize = (t) => {
     return r;
 };
 
-/* By the QR algorithm without shifts, on the fourth power, which has the same vectors and needs a
- * quarter of the rounds: those eigenvalues that are real and apart part by then as far as a start of
+/* The vector that belongs to the eigenvalue nearest to a value, by inverse iteration, in which two that are
+ * complex do no harm. */
+const $eigenvector = (given, value) => {
+    const n = given.length;
+    const r = $orthogonalize(given.map((row, i) => row.map((x, j) => (i === j ? x - value : x))));
+    /* The inverse of r takes the last column to where the shifted matrix has nearly nothing left. */
+    const x = $zeros(n);
+    x[n - 1] = 1.0;
+    for (let i = n - 2; i >= 0; --i) {
+        let above = 0.0;
+        for (let j = i + 1; j < n; ++j) {
+            above += r[i][j] * x[j];
+        }
+        x[i] = -above / r[i][i];
+    }
+    return x;
+};
+
+/* Eigenvalues by the QR algorithm without shifts, on the fourth power, which has the same vectors and
+ * needs a quarter of the rounds: those that are real and apart part by then as far as a start of
  * Newton's method needs it. Where two are complex, two of the vectors are none. */
 const $eigenvectors = (given) => {
     const n = given.length;
@@ -114,19 +130,8 @@ const $eigenvectors = (given) => {
         basis = $times(basis, t);
         t = $times(r, t);
     }
-    t = $times($transposed(basis), $times(given, basis));
-    return basis.map((_, c) => {
-        const weights = $zeros(n);
-        weights[c] = 1.0;
-        for (let i = c - 1; i >= 0; --i) {
-            let above = 0.0;
-            for (let j = i + 1; j <= c; ++j) {
-                above += t[i][j] * weights[j];
-            }
-            weights[i] -= above * $reciprocal(t[i][i] - t[c][c], 1e-12);
-        }
-        return basis.map((row) => $dot(row, weights));
-    });
+    const image = $times(given, basis);
+    return basis.map((_, c) => $eigenvector(given, basis.reduce((sum, row, i) => sum + row[c] * image[i][c], 0.0)));
 };
 
 /* The vectors of monomials in a space of two or four; where two are complex, one of a pair their real
