@@ -134,15 +134,9 @@ impl Arm<'_> {
         let last = *last;
         let wanted = self.axes[i].direction.map(|x| sense * x);
         let direction = |k: usize| self.axes[k].direction;
-        let y = self
-            .chain
-            .displacement(last + 1..j, &q)
-            .rotate(direction(j));
-        let x = self
-            .chain
-            .displacement(i + 1..last, &q)
-            .inverse()
-            .rotate(wanted);
+        let displacement = |joints| self.chain.displacement(joints, &q);
+        let y = displacement(last + 1..j).rotate(direction(j));
+        let x = displacement(i + 1..last).inverse().rotate(wanted);
         let alone = subproblem1(direction(last), y, x);
         let is_alone = rest.is_empty() || !alone.exact().is_empty();
         if let (true, Some(turn)) = (is_alone, alone.values().first()) {
@@ -150,12 +144,8 @@ impl Arm<'_> {
             return Some(q);
         }
         let first = *rest.get(random.below(rest.len().max(1) as u64))?;
-        let x = self
-            .chain
-            .displacement(i + 1..first, &q)
-            .inverse()
-            .rotate(wanted);
-        let middle = self.chain.displacement(first + 1..last, &q);
+        let x = displacement(i + 1..first).inverse().rotate(wanted);
+        let middle = displacement(first + 1..last);
         let axis = middle.rotate(direction(last));
         let turns = subproblem2(axis, direction(first), middle.rotate(y), x);
         let [behind, ahead] = *turns.values().first()?;

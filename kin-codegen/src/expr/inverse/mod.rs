@@ -176,7 +176,9 @@ pub fn inverse(
     margin: DomainMargin,
     free: FreeAngles,
 ) -> InverseGraph {
-    Writer::new(linkage, plan.target, margin).finish(plan, free)
+    let mut writer = Writer::new(linkage, plan.target, margin);
+    let free_angle = writer.write_all(plan, free);
+    writer.finish(free_angle)
 }
 
 /// What all branches of a plan cost, by [`Operations::weight`], but for their residuals: these
@@ -491,8 +493,7 @@ impl<'a> Writer<'a> {
         free_angle
     }
 
-    fn finish(mut self, plan: &Plan, free: FreeAngles) -> InverseGraph {
-        let free_angle = self.write_all(plan, free);
+    fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
         self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
