@@ -98,6 +98,7 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 pub mod __private {
     pub use crate::generated::acceptance::Acceptance;
     pub use crate::generated::arithmetic::{Arithmetic, Fused};
+    pub use crate::generated::arrays;
     pub use crate::generated::batch;
     pub use crate::generated::branches::Branches;
     pub use crate::generated::dispatch::{self, Dispatched, dispatch};
@@ -106,7 +107,7 @@ pub mod __private {
     };
     pub use crate::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use crate::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
-    pub use crate::generated::lanes::{self, widen};
+    pub use crate::generated::lanes;
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement::{self, AtSwivel};
     pub use crate::generated::reproducible;
@@ -120,7 +121,9 @@ pub mod __private {
     pub use crate::scalar::math;
     pub use crate::scalar::quartic::{self, trig_roots};
     pub use crate::scalar::tolerance;
-    pub use crate::{generated_by, implement_kinematics, inherent_parallel_methods};
+    pub use crate::{
+        aligned, generated_by, implement_kinematics, inherent_parallel_methods, widen,
+    };
 }
 
 #[cfg(doctest)]

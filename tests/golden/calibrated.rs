@@ -21,8 +21,8 @@ mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Elimination, Forward, Frames,
-        GeometricJacobian, Inverse, Lanes, SinCos, Univariate, evaluate, lanes, math,
-        widen,
+        GeometricJacobian, Inverse, Lanes, SinCos, Univariate, aligned, evaluate, lanes,
+        math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -1405,36 +1405,11 @@ mod __Calibrated {
             let t1 = seed[1] + 1.5707023922013317;
             let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = sin_cos
                 .of([seed[4], seed[5], seed[0], t1]);
-            let mut t10_ = [0.0; T];
-            let mut t11_ = [0.0; T];
-            let mut t12_ = [0.0; T];
-            let mut t13_ = [0.0; T];
-            let mut t14_ = [0.0; T];
-            let mut t15_ = [0.0; T];
-            let mut t16_ = [0.0; T];
-            let mut t17_ = [0.0; T];
-            let mut t18_ = [0.0; T];
-            let mut t19_ = [0.0; T];
-            let mut t20_ = [0.0; T];
-            let mut t21_ = [0.0; T];
-            let mut t22_ = [0.0; T];
-            let mut t23_ = [0.0; T];
-            let mut t24_ = [0.0; T];
-            let mut t25_ = [0.0; T];
-            let mut t26_ = [0.0; T];
-            let mut t27_ = [0.0; T];
-            let mut t37_ = [0.0; T];
-            let mut t38_ = [0.0; T];
-            let mut t41_ = [0.0; T];
-            let mut t42_ = [0.0; T];
-            let mut t43_ = [0.0; T];
-            let mut t44_ = [0.0; T];
-            let mut t46_ = [0.0; T];
-            let mut t47_ = [0.0; T];
-            let mut t48_ = [0.0; T];
-            let mut t49_ = [0.0; T];
-            let mut t50_ = [0.0; T];
-            let mut t58_ = [0.0; T];
+            aligned!(
+                t10_, t11_, t12_, t13_, t14_, t15_, t16_, t17_, t18_, t19_, t20_, t21_,
+                t22_, t23_, t24_, t25_, t26_, t27_, t37_, t38_, t41_, t42_, t43_, t44_,
+                t46_, t47_, t48_, t49_, t50_, t58_ = [0.0; T]
+            );
             for t in 0..T {
                 let t10 = 0.099599986933972 * r12[t];
                 let t11 = 0.099599986933972 * r22[t];
@@ -1546,29 +1521,11 @@ mod __Calibrated {
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut s1_ = [[0.0; T]; 4];
-            let mut c1_ = [[0.0; T]; 4];
-            let mut t154_ = [[0.0; T]; 4];
-            let mut t155_ = [[0.0; T]; 4];
-            let mut invalid_ = [[0.0; T]; 4];
-            let mut t228_ = [[0.0; T]; 4];
-            let mut t229_ = [[0.0; T]; 4];
-            let mut t233_ = [[0.0; T]; 4];
-            let mut t234_ = [[0.0; T]; 4];
-            let mut t235_ = [[0.0; T]; 4];
-            let mut t236_ = [[0.0; T]; 4];
-            let mut t239_ = [[0.0; T]; 4];
-            let mut singular_ = [[0.0; T]; 4];
-            let mut t266_ = [[0.0; T]; 4];
-            let mut t280_ = [[0.0; T]; 4];
-            let mut t281_ = [[0.0; T]; 4];
-            let mut t283_ = [[0.0; T]; 4];
-            let mut t284_ = [[0.0; T]; 4];
-            let mut t295_ = [[0.0; T]; 4];
-            let mut q1_ = [[0.0; T]; 4];
-            let mut t296_ = [[0.0; T]; 4];
-            let mut q5_ = [[0.0; T]; 4];
-            let mut q6_ = [[0.0; T]; 4];
+            aligned!(
+                s1_, c1_, t154_, t155_, invalid_, t228_, t229_, t233_, t234_, t235_,
+                t236_, t239_, singular_, t266_, t280_, t281_, t283_, t284_, t295_, q1_,
+                t296_, q5_, q6_ = [[0.0; T]; 4]
+            );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
@@ -2102,35 +2059,14 @@ mod __Calibrated {
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let s1_ = widen::<4, 8, T, _>(&s1_);
-            let c1_ = widen::<4, 8, T, _>(&c1_);
-            let t154_ = widen::<4, 8, T, _>(&t154_);
-            let t155_ = widen::<4, 8, T, _>(&t155_);
-            let invalid_ = widen::<4, 8, T, _>(&invalid_);
-            let t228_ = widen::<4, 8, T, _>(&t228_);
-            let t229_ = widen::<4, 8, T, _>(&t229_);
-            let t233_ = widen::<4, 8, T, _>(&t233_);
-            let t234_ = widen::<4, 8, T, _>(&t234_);
-            let t235_ = widen::<4, 8, T, _>(&t235_);
-            let t236_ = widen::<4, 8, T, _>(&t236_);
-            let t239_ = widen::<4, 8, T, _>(&t239_);
-            let singular_ = widen::<4, 8, T, _>(&singular_);
-            let t266_ = widen::<4, 8, T, _>(&t266_);
-            let t280_ = widen::<4, 8, T, _>(&t280_);
-            let t281_ = widen::<4, 8, T, _>(&t281_);
-            let t283_ = widen::<4, 8, T, _>(&t283_);
-            let t284_ = widen::<4, 8, T, _>(&t284_);
-            let t295_ = widen::<4, 8, T, _>(&t295_);
-            let q1_ = widen::<4, 8, T, _>(&q1_);
-            let t296_ = widen::<4, 8, T, _>(&t296_);
-            let q5_ = widen::<4, 8, T, _>(&q5_);
-            let q6_ = widen::<4, 8, T, _>(&q6_);
+            widen!(
+                s1_, c1_, t154_, t155_, invalid_, t228_, t229_, t233_, t234_, t235_,
+                t236_, t239_, singular_, t266_, t280_, t281_, t283_, t284_, t295_, q1_,
+                t296_, q5_, q6_ from 4 to 8 of T
+            );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-            let mut residual_ = [[0.0; T]; 8];
-            let mut q2_ = [[0.0; T]; 8];
-            let mut q3_ = [[0.0; T]; 8];
-            let mut q4_ = [[0.0; T]; 8];
+            aligned!(residual_, q2_, q3_, q4_ = [[0.0; T]; 8]);
             for k in 0..8 {
                 for t in 0..T {
                     // 5. q2 by SP1, given q1, q3 and q6
@@ -2190,8 +2126,8 @@ mod __Calibrated {
                 }
             }
             Lanes {
-                q: [q1_.all(), q2_, q3_, q4_, q5_.all(), q6_.all()],
-                residual: residual_,
+                q: [q1_.all(), q2_.0, q3_.0, q4_.0, q5_.all(), q6_.all()],
+                residual: residual_.0,
                 invalid: invalid_.all(),
                 singular: singular_.all(),
                 level: [[0.0; T]; 8],

@@ -82,7 +82,8 @@ mod __Delta {
     #[allow(dead_code, reason = "it does not ask them for all that an arm can do")]
     mod arms {
         use ::kinematics::__private::{
-            Acceptance, Arithmetic, Branches, Inverse, Lanes, SinCos, lanes, math, solve,
+            Acceptance, Arithmetic, Branches, Inverse, Lanes, SinCos, aligned, lanes,
+            math, solve,
         };
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
 
@@ -356,22 +357,10 @@ mod __Delta {
                 // The seed, for an angle that the target leaves free
                 let t1 = seed[1] - 2.0014839778199303;
                 let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
-                let mut t6_ = [0.0; T];
-                let mut t10_ = [0.0; T];
-                let mut t11_ = [0.0; T];
-                let mut t12_ = [0.0; T];
-                let mut t13_ = [0.0; T];
-                let mut t14_ = [0.0; T];
-                let mut t15_ = [0.0; T];
-                let mut t18_ = [0.0; T];
-                let mut t19_ = [0.0; T];
-                let mut t20_ = [0.0; T];
-                let mut t21_ = [0.0; T];
-                let mut t22_ = [0.0; T];
-                let mut t23_ = [0.0; T];
-                let mut s3_ = [0.0; T];
-                let mut t25_ = [0.0; T];
-                let mut t27_ = [0.0; T];
+                aligned!(
+                    t6_, t10_, t11_, t12_, t13_, t14_, t15_, t18_, t19_, t20_, t21_,
+                    t22_, t23_, s3_, t25_, t27_ = [0.0; T]
+                );
                 for t in 0..T {
                     // 1. q1 by SP3 (what all branches share)
                     let t6 = px[t] - 0.132011139050208;
@@ -435,12 +424,7 @@ mod __Delta {
                 // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
                 let e1 = [1.0, -1.0, 1.0, -1.0];
                 let e2 = [1.0, 1.0, -1.0, -1.0];
-                let mut invalid_ = [[0.0; T]; 4];
-                let mut singular_ = [[0.0; T]; 4];
-                let mut residual_ = [[0.0; T]; 4];
-                let mut q1_ = [[0.0; T]; 4];
-                let mut q2_ = [[0.0; T]; 4];
-                let mut q3_ = [[0.0; T]; 4];
+                aligned!(invalid_, singular_, residual_, q1_, q2_, q3_ = [[0.0; T]; 4]);
                 for k in 0..4 {
                     for t in 0..T {
                         // 1. q1 by SP3
@@ -514,10 +498,10 @@ mod __Delta {
                     }
                 }
                 Lanes {
-                    q: [q1_, q2_, q3_],
-                    residual: residual_,
-                    invalid: invalid_,
-                    singular: singular_,
+                    q: [q1_.0, q2_.0, q3_.0],
+                    residual: residual_.0,
+                    invalid: invalid_.0,
+                    singular: singular_.0,
                     level: [[0.0; T]; 4],
                     no_root: [[0.0; T]; 4],
                 }
@@ -689,9 +673,7 @@ mod __Delta {
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
                     targets,
                 );
-                let mut residual_ = [0.0; T];
-                let mut q1_ = [0.0; T];
-                let mut q2_ = [0.0; T];
+                aligned!(residual_, q1_, q2_ = [0.0; T]);
                 for t in 0..T {
                     // 1. q1 by SP1
                     let s1 = A::fma(
@@ -783,8 +765,8 @@ mod __Delta {
                     q2_[t] = q2;
                 }
                 Lanes {
-                    q: [[q1_; 1], [q2_; 1]],
-                    residual: [residual_; 1],
+                    q: [[q1_.0; 1], [q2_.0; 1]],
+                    residual: [residual_.0; 1],
                     invalid: [[0.0; T]; 1],
                     singular: [[0.0; T]; 1],
                     level: [[0.0; T]; 1],
@@ -1137,23 +1119,10 @@ mod __Delta {
                 // The seed, for an angle that the target leaves free
                 let t1 = seed[1] - 0.4306876510250337;
                 let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
-                let mut t8_ = [0.0; T];
-                let mut t12_ = [0.0; T];
-                let mut t13_ = [0.0; T];
-                let mut t14_ = [0.0; T];
-                let mut t15_ = [0.0; T];
-                let mut t16_ = [0.0; T];
-                let mut t17_ = [0.0; T];
-                let mut t20_ = [0.0; T];
-                let mut t21_ = [0.0; T];
-                let mut t22_ = [0.0; T];
-                let mut t24_ = [0.0; T];
-                let mut t25_ = [0.0; T];
-                let mut t26_ = [0.0; T];
-                let mut s3_ = [0.0; T];
-                let mut t28_ = [0.0; T];
-                let mut t29_ = [0.0; T];
-                let mut t30_ = [0.0; T];
+                aligned!(
+                    t8_, t12_, t13_, t14_, t15_, t16_, t17_, t20_, t21_, t22_, t24_,
+                    t25_, t26_, s3_, t28_, t29_, t30_ = [0.0; T]
+                );
                 for t in 0..T {
                     // 1. q1 by SP3 (what all branches share)
                     let t6 = px[t] + 0.066005569525104;
@@ -1222,12 +1191,7 @@ mod __Delta {
                 // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
                 let e1 = [1.0, -1.0, 1.0, -1.0];
                 let e2 = [1.0, 1.0, -1.0, -1.0];
-                let mut invalid_ = [[0.0; T]; 4];
-                let mut singular_ = [[0.0; T]; 4];
-                let mut residual_ = [[0.0; T]; 4];
-                let mut q1_ = [[0.0; T]; 4];
-                let mut q2_ = [[0.0; T]; 4];
-                let mut q3_ = [[0.0; T]; 4];
+                aligned!(invalid_, singular_, residual_, q1_, q2_, q3_ = [[0.0; T]; 4]);
                 for k in 0..4 {
                     for t in 0..T {
                         // 1. q1 by SP3
@@ -1298,10 +1262,10 @@ mod __Delta {
                     }
                 }
                 Lanes {
-                    q: [q1_, q2_, q3_],
-                    residual: residual_,
-                    invalid: invalid_,
-                    singular: singular_,
+                    q: [q1_.0, q2_.0, q3_.0],
+                    residual: residual_.0,
+                    invalid: invalid_.0,
+                    singular: singular_.0,
                     level: [[0.0; T]; 4],
                     no_root: [[0.0; T]; 4],
                 }
@@ -1492,18 +1456,10 @@ mod __Delta {
                 );
                 // The seed, for an angle that the target leaves free
                 let ([t1], [t2]) = sin_cos.of([seed[0]]);
-                let mut t3_ = [0.0; T];
-                let mut t4_ = [0.0; T];
-                let mut t8_ = [0.0; T];
-                let mut singular_ = [0.0; T];
-                let mut t9_ = [0.0; T];
-                let mut c2_ = [0.0; T];
-                let mut t10_ = [0.0; T];
-                let mut t11_ = [0.0; T];
-                let mut t12_ = [0.0; T];
-                let mut t13_ = [0.0; T];
-                let mut t14_ = [0.0; T];
-                let mut t22_ = [0.0; T];
+                aligned!(
+                    t3_, t4_, t8_, singular_, t9_, c2_, t10_, t11_, t12_, t13_, t14_,
+                    t22_ = [0.0; T]
+                );
                 for t in 0..T {
                     // 1. q1 and q2 by SP2 (what all branches share)
                     let t3 = A::fma(
@@ -1587,10 +1543,7 @@ mod __Delta {
                 }
                 // 2 lanes, by the signs of the roots: e1 of step 1
                 let e1 = [1.0, -1.0];
-                let mut invalid_ = [[0.0; T]; 2];
-                let mut residual_ = [[0.0; T]; 2];
-                let mut q1_ = [[0.0; T]; 2];
-                let mut q2_ = [[0.0; T]; 2];
+                aligned!(invalid_, residual_, q1_, q2_ = [[0.0; T]; 2]);
                 for k in 0..2 {
                     for t in 0..T {
                         // 1. q1 and q2 by SP2
@@ -1674,10 +1627,10 @@ mod __Delta {
                     }
                 }
                 Lanes {
-                    q: [q1_, q2_],
-                    residual: residual_,
-                    invalid: invalid_,
-                    singular: [singular_; 2],
+                    q: [q1_.0, q2_.0],
+                    residual: residual_.0,
+                    invalid: invalid_.0,
+                    singular: [singular_.0; 2],
                     level: [[0.0; T]; 2],
                     no_root: [[0.0; T]; 2],
                 }
@@ -2027,23 +1980,10 @@ mod __Delta {
                 // The seed, for an angle that the target leaves free
                 let t1 = seed[1] - 0.4306876510250337;
                 let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
-                let mut t8_ = [0.0; T];
-                let mut t12_ = [0.0; T];
-                let mut t13_ = [0.0; T];
-                let mut t14_ = [0.0; T];
-                let mut t15_ = [0.0; T];
-                let mut t16_ = [0.0; T];
-                let mut t17_ = [0.0; T];
-                let mut t20_ = [0.0; T];
-                let mut t21_ = [0.0; T];
-                let mut t22_ = [0.0; T];
-                let mut t24_ = [0.0; T];
-                let mut t25_ = [0.0; T];
-                let mut t26_ = [0.0; T];
-                let mut s3_ = [0.0; T];
-                let mut t28_ = [0.0; T];
-                let mut t29_ = [0.0; T];
-                let mut t30_ = [0.0; T];
+                aligned!(
+                    t8_, t12_, t13_, t14_, t15_, t16_, t17_, t20_, t21_, t22_, t24_,
+                    t25_, t26_, s3_, t28_, t29_, t30_ = [0.0; T]
+                );
                 for t in 0..T {
                     // 1. q1 by SP3 (what all branches share)
                     let t6 = px[t] + 0.066005569525104;
@@ -2112,12 +2052,7 @@ mod __Delta {
                 // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
                 let e1 = [1.0, -1.0, 1.0, -1.0];
                 let e2 = [1.0, 1.0, -1.0, -1.0];
-                let mut invalid_ = [[0.0; T]; 4];
-                let mut singular_ = [[0.0; T]; 4];
-                let mut residual_ = [[0.0; T]; 4];
-                let mut q1_ = [[0.0; T]; 4];
-                let mut q2_ = [[0.0; T]; 4];
-                let mut q3_ = [[0.0; T]; 4];
+                aligned!(invalid_, singular_, residual_, q1_, q2_, q3_ = [[0.0; T]; 4]);
                 for k in 0..4 {
                     for t in 0..T {
                         // 1. q1 by SP3
@@ -2188,10 +2123,10 @@ mod __Delta {
                     }
                 }
                 Lanes {
-                    q: [q1_, q2_, q3_],
-                    residual: residual_,
-                    invalid: invalid_,
-                    singular: singular_,
+                    q: [q1_.0, q2_.0, q3_.0],
+                    residual: residual_.0,
+                    invalid: invalid_.0,
+                    singular: singular_.0,
                     level: [[0.0; T]; 4],
                     no_root: [[0.0; T]; 4],
                 }
@@ -2382,18 +2317,10 @@ mod __Delta {
                 );
                 // The seed, for an angle that the target leaves free
                 let ([t1], [t2]) = sin_cos.of([seed[0]]);
-                let mut t3_ = [0.0; T];
-                let mut t4_ = [0.0; T];
-                let mut c2_ = [0.0; T];
-                let mut t5_ = [0.0; T];
-                let mut singular_ = [0.0; T];
-                let mut t6_ = [0.0; T];
-                let mut t7_ = [0.0; T];
-                let mut t8_ = [0.0; T];
-                let mut t9_ = [0.0; T];
-                let mut t10_ = [0.0; T];
-                let mut t11_ = [0.0; T];
-                let mut t19_ = [0.0; T];
+                aligned!(
+                    t3_, t4_, c2_, t5_, singular_, t6_, t7_, t8_, t9_, t10_, t11_, t19_ =
+                    [0.0; T]
+                );
                 for t in 0..T {
                     // 1. q1 and q2 by SP2 (what all branches share)
                     let t3 = A::fma(
@@ -2470,10 +2397,7 @@ mod __Delta {
                 }
                 // 2 lanes, by the signs of the roots: e1 of step 1
                 let e1 = [1.0, -1.0];
-                let mut invalid_ = [[0.0; T]; 2];
-                let mut residual_ = [[0.0; T]; 2];
-                let mut q1_ = [[0.0; T]; 2];
-                let mut q2_ = [[0.0; T]; 2];
+                aligned!(invalid_, residual_, q1_, q2_ = [[0.0; T]; 2]);
                 for k in 0..2 {
                     for t in 0..T {
                         // 1. q1 and q2 by SP2
@@ -2554,10 +2478,10 @@ mod __Delta {
                     }
                 }
                 Lanes {
-                    q: [q1_, q2_],
-                    residual: residual_,
-                    invalid: invalid_,
-                    singular: [singular_; 2],
+                    q: [q1_.0, q2_.0],
+                    residual: residual_.0,
+                    invalid: invalid_.0,
+                    singular: [singular_.0; 2],
                     level: [[0.0; T]; 2],
                     no_root: [[0.0; T]; 2],
                 }

@@ -21,7 +21,7 @@ mod __Kr6R900 {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
-        Inverse, Lanes, SinCos, SpatialJacobian, evaluate, lanes, math, solve,
+        Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate, lanes, math, solve,
         solve_nearest, widen,
     };
     use ::kinematics::{
@@ -860,19 +860,10 @@ mod __Kr6R900 {
             let ([t1, t2, t3], [t4, t5, t6]) = sin_cos.of([seed[0], seed[1], seed[3]]);
             // 1. q1 by SP4 (what all branches share)
             let t7 = -t1;
-            let mut t9_ = [0.0; T];
-            let mut t10_ = [0.0; T];
-            let mut t11_ = [0.0; T];
-            let mut t12_ = [0.0; T];
-            let mut t13_ = [0.0; T];
-            let mut t14_ = [0.0; T];
-            let mut t15_ = [0.0; T];
-            let mut t18_ = [0.0; T];
-            let mut t19_ = [0.0; T];
-            let mut t20_ = [0.0; T];
-            let mut t21_ = [0.0; T];
-            let mut t22_ = [0.0; T];
-            let mut t30_ = [0.0; T];
+            aligned!(
+                t9_, t10_, t11_, t12_, t13_, t14_, t15_, t18_, t19_, t20_, t21_, t22_,
+                t30_ = [0.0; T]
+            );
             for t in 0..T {
                 // 1. q1 by SP4 (what all branches share)
                 let t8 = 0.08 * r13[t];
@@ -941,18 +932,10 @@ mod __Kr6R900 {
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut t39_ = [[0.0; T]; 4];
-            let mut singular_ = [[0.0; T]; 4];
-            let mut t60_ = [[0.0; T]; 4];
-            let mut residual_ = [[0.0; T]; 4];
-            let mut q1_ = [[0.0; T]; 4];
-            let mut q2_ = [[0.0; T]; 4];
-            let mut q3_ = [[0.0; T]; 4];
-            let mut t104_ = [[0.0; T]; 4];
-            let mut t105_ = [[0.0; T]; 4];
-            let mut t106_ = [[0.0; T]; 4];
-            let mut t107_ = [[0.0; T]; 4];
-            let mut t108_ = [[0.0; T]; 4];
+            aligned!(
+                t39_, singular_, t60_, residual_, q1_, q2_, q3_, t104_, t105_, t106_,
+                t107_, t108_ = [[0.0; T]; 4]
+            );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
@@ -1131,24 +1114,13 @@ mod __Kr6R900 {
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let t39_ = widen::<4, 8, T, _>(&t39_);
-            let singular_ = widen::<4, 8, T, _>(&singular_);
-            let t60_ = widen::<4, 8, T, _>(&t60_);
-            let residual_ = widen::<4, 8, T, _>(&residual_);
-            let q1_ = widen::<4, 8, T, _>(&q1_);
-            let q2_ = widen::<4, 8, T, _>(&q2_);
-            let q3_ = widen::<4, 8, T, _>(&q3_);
-            let t104_ = widen::<4, 8, T, _>(&t104_);
-            let t105_ = widen::<4, 8, T, _>(&t105_);
-            let t106_ = widen::<4, 8, T, _>(&t106_);
-            let t107_ = widen::<4, 8, T, _>(&t107_);
-            let t108_ = widen::<4, 8, T, _>(&t108_);
+            widen!(
+                t39_, singular_, t60_, residual_, q1_, q2_, q3_, t104_, t105_, t106_,
+                t107_, t108_ from 4 to 8 of T
+            );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-            let mut invalid_ = [[0.0; T]; 8];
-            let mut q4_ = [[0.0; T]; 8];
-            let mut q5_ = [[0.0; T]; 8];
-            let mut q6_ = [[0.0; T]; 8];
+            aligned!(invalid_, q4_, q5_, q6_ = [[0.0; T]; 8]);
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q4 and q5 by SP2, given q1 and q2+q3
@@ -1181,9 +1153,9 @@ mod __Kr6R900 {
                 }
             }
             Lanes {
-                q: [q1_.all(), q2_.all(), q3_.all(), q4_, q5_, q6_],
+                q: [q1_.all(), q2_.all(), q3_.all(), q4_.0, q5_.0, q6_.0],
                 residual: residual_.all(),
-                invalid: invalid_,
+                invalid: invalid_.0,
                 singular: singular_.all(),
                 level: [[0.0; T]; 8],
                 no_root: [[0.0; T]; 8],

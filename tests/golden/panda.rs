@@ -21,7 +21,8 @@ mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, Fused,
-        GeometricJacobian, Inverse, Lanes, Locked, SinCos, evaluate, lanes, math, widen,
+        GeometricJacobian, Inverse, Lanes, Locked, SinCos, aligned, evaluate, lanes,
+        math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Parameter, Pose, Posture, RedundantKinematics,
@@ -749,21 +750,10 @@ mod __Panda {
             // 1. q4 by SP3, given q7 (what all branches share)
             let t7 = 0.088 * c7;
             let t8 = 0.088 * s7;
-            let mut t14_ = [0.0; T];
-            let mut t15_ = [0.0; T];
-            let mut t16_ = [0.0; T];
-            let mut t18_ = [0.0; T];
-            let mut t19_ = [0.0; T];
-            let mut t23_ = [0.0; T];
-            let mut t24_ = [0.0; T];
-            let mut t25_ = [0.0; T];
-            let mut t26_ = [0.0; T];
-            let mut t27_ = [0.0; T];
-            let mut t28_ = [0.0; T];
-            let mut t29_ = [0.0; T];
-            let mut t30_ = [0.0; T];
-            let mut t31_ = [0.0; T];
-            let mut t39_ = [0.0; T];
+            aligned!(
+                t14_, t15_, t16_, t18_, t19_, t23_, t24_, t25_, t26_, t27_, t28_, t29_,
+                t30_, t31_, t39_ = [0.0; T]
+            );
             for t in 0..T {
                 // 1. q4 by SP3, given q7 (what all branches share)
                 let t9 = px[t]
@@ -848,18 +838,10 @@ mod __Panda {
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut t50_ = [[0.0; T]; 4];
-            let mut singular_ = [[0.0; T]; 4];
-            let mut t65_ = [[0.0; T]; 4];
-            let mut residual_ = [[0.0; T]; 4];
-            let mut t123_ = [[0.0; T]; 4];
-            let mut t124_ = [[0.0; T]; 4];
-            let mut t125_ = [[0.0; T]; 4];
-            let mut t126_ = [[0.0; T]; 4];
-            let mut t127_ = [[0.0; T]; 4];
-            let mut q4_ = [[0.0; T]; 4];
-            let mut q5_ = [[0.0; T]; 4];
-            let mut q6_ = [[0.0; T]; 4];
+            aligned!(
+                t50_, singular_, t65_, residual_, t123_, t124_, t125_, t126_, t127_, q4_,
+                q5_, q6_ = [[0.0; T]; 4]
+            );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q4 by SP3, given q7
@@ -1042,24 +1024,13 @@ mod __Panda {
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let t50_ = widen::<4, 8, T, _>(&t50_);
-            let singular_ = widen::<4, 8, T, _>(&singular_);
-            let t65_ = widen::<4, 8, T, _>(&t65_);
-            let residual_ = widen::<4, 8, T, _>(&residual_);
-            let t123_ = widen::<4, 8, T, _>(&t123_);
-            let t124_ = widen::<4, 8, T, _>(&t124_);
-            let t125_ = widen::<4, 8, T, _>(&t125_);
-            let t126_ = widen::<4, 8, T, _>(&t126_);
-            let t127_ = widen::<4, 8, T, _>(&t127_);
-            let q4_ = widen::<4, 8, T, _>(&q4_);
-            let q5_ = widen::<4, 8, T, _>(&q5_);
-            let q6_ = widen::<4, 8, T, _>(&q6_);
+            widen!(
+                t50_, singular_, t65_, residual_, t123_, t124_, t125_, t126_, t127_, q4_,
+                q5_, q6_ from 4 to 8 of T
+            );
             // 8 lanes, by the signs of the roots: e3 of step 3
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-            let mut invalid_ = [[0.0; T]; 8];
-            let mut q1_ = [[0.0; T]; 8];
-            let mut q2_ = [[0.0; T]; 8];
-            let mut q3_ = [[0.0; T]; 8];
+            aligned!(invalid_, q1_, q2_, q3_ = [[0.0; T]; 8]);
             for k in 0..8 {
                 for t in 0..T {
                     // 3. q1 and q2 by SP2, given q4, q5, q6 and q7
@@ -1092,9 +1063,9 @@ mod __Panda {
                 }
             }
             Lanes {
-                q: [q1_, q2_, q3_, q4_.all(), q5_.all(), q6_.all()],
+                q: [q1_.0, q2_.0, q3_.0, q4_.all(), q5_.all(), q6_.all()],
                 residual: residual_.all(),
-                invalid: invalid_,
+                invalid: invalid_.0,
                 singular: singular_.all(),
                 level: [[0.0; T]; 8],
                 no_root: [[0.0; T]; 8],
@@ -1128,11 +1099,7 @@ mod __Panda {
             // 1. q4 by SP3, given q7 (what all branches share)
             let t1 = 0.088 * c7;
             let t2 = 0.088 * s7;
-            let mut argument1_ = [0.0; T];
-            let mut t9_ = [0.0; T];
-            let mut t11_ = [0.0; T];
-            let mut t12_ = [0.0; T];
-            let mut t17_ = [0.0; T];
+            aligned!(argument1_, t9_, t11_, t12_, t17_ = [0.0; T]);
             for t in 0..T {
                 // 1. q4 by SP3, given q7 (what all branches share)
                 let t3 = px[t]
@@ -1171,7 +1138,7 @@ mod __Panda {
             }
             // 2 lanes, by the signs of the roots: e1 of step 1
             let e1 = [1.0, -1.0];
-            let mut argument2_ = [[0.0; T]; 2];
+            aligned!(argument2_ = [[0.0; T]; 2]);
             for k in 0..2 {
                 for t in 0..T {
                     // 1. q4 by SP3, given q7
@@ -1188,10 +1155,10 @@ mod __Panda {
                 }
             }
             let mut arguments = [[f64::INFINITY; 16]; 4];
-            for (to, from) in arguments[0].iter_mut().zip([argument1_; 2]) {
+            for (to, from) in arguments[0].iter_mut().zip([argument1_.0; 2]) {
                 *to = from[0];
             }
-            for (to, from) in arguments[1].iter_mut().zip(argument2_) {
+            for (to, from) in arguments[1].iter_mut().zip(argument2_.0) {
                 *to = from[0];
             }
             arguments

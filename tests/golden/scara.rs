@@ -20,7 +20,7 @@ mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
-        Inverse, Lanes, SinCos, SpatialJacobian, evaluate, lanes, math, solve,
+        Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate, lanes, math, solve,
         solve_nearest,
     };
     use ::kinematics::{
@@ -492,23 +492,10 @@ mod __Scara {
             );
             // The seed, for an angle that the target leaves free
             let ([t1], [t2]) = sin_cos.of([seed[2]]);
-            let mut t3_ = [0.0; T];
-            let mut t4_ = [0.0; T];
-            let mut d4_ = [0.0; T];
-            let mut t12_ = [0.0; T];
-            let mut t13_ = [0.0; T];
-            let mut t14_ = [0.0; T];
-            let mut t16_ = [0.0; T];
-            let mut c2_ = [0.0; T];
-            let mut t18_ = [0.0; T];
-            let mut t19_ = [0.0; T];
-            let mut t20_ = [0.0; T];
-            let mut t21_ = [0.0; T];
-            let mut t22_ = [0.0; T];
-            let mut t23_ = [0.0; T];
-            let mut t33_ = [0.0; T];
-            let mut t35_ = [0.0; T];
-            let mut t40_ = [0.0; T];
+            aligned!(
+                t3_, t4_, d4_, t12_, t13_, t14_, t16_, c2_, t18_, t19_, t20_, t21_, t22_,
+                t23_, t33_, t35_, t40_ = [0.0; T]
+            );
             for t in 0..T {
                 // 1. q1+q2+q3 by SP1
                 // 2. q4 by T2
@@ -609,12 +596,7 @@ mod __Scara {
             }
             // 2 lanes, by the signs of the roots: e1 of step 3
             let e1 = [1.0, -1.0];
-            let mut invalid_ = [[0.0; T]; 2];
-            let mut singular_ = [[0.0; T]; 2];
-            let mut residual_ = [[0.0; T]; 2];
-            let mut q1_ = [[0.0; T]; 2];
-            let mut q2_ = [[0.0; T]; 2];
-            let mut q3_ = [[0.0; T]; 2];
+            aligned!(invalid_, singular_, residual_, q1_, q2_, q3_ = [[0.0; T]; 2]);
             for k in 0..2 {
                 for t in 0..T {
                     // 3. q2 by SP3, given q4
@@ -670,10 +652,10 @@ mod __Scara {
                 }
             }
             Lanes {
-                q: [q1_, q2_, q3_, [d4_; 2]],
-                residual: residual_,
-                invalid: invalid_,
-                singular: singular_,
+                q: [q1_.0, q2_.0, q3_.0, [d4_.0; 2]],
+                residual: residual_.0,
+                invalid: invalid_.0,
+                singular: singular_.0,
                 level: [[0.0; T]; 2],
                 no_root: [[0.0; T]; 2],
             }

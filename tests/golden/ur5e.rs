@@ -21,7 +21,7 @@ mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
-        Inverse, Lanes, SinCos, SpatialJacobian, evaluate, lanes, math, solve,
+        Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate, lanes, math, solve,
         solve_nearest, widen,
     };
     use ::kinematics::{
@@ -793,21 +793,10 @@ mod __Ur5e {
             // The seed, for an angle that the target leaves free
             let t1 = seed[3] + (seed[1] + seed[2]);
             let ([t2, t3, t4], [t5, t6, t7]) = sin_cos.of([seed[0], seed[1], t1]);
-            let mut t8_ = [0.0; T];
-            let mut t9_ = [0.0; T];
-            let mut t10_ = [0.0; T];
-            let mut t11_ = [0.0; T];
-            let mut t12_ = [0.0; T];
-            let mut t13_ = [0.0; T];
-            let mut t14_ = [0.0; T];
-            let mut t15_ = [0.0; T];
-            let mut t16_ = [0.0; T];
-            let mut t19_ = [0.0; T];
-            let mut t20_ = [0.0; T];
-            let mut t21_ = [0.0; T];
-            let mut t22_ = [0.0; T];
-            let mut t23_ = [0.0; T];
-            let mut t31_ = [0.0; T];
+            aligned!(
+                t8_, t9_, t10_, t11_, t12_, t13_, t14_, t15_, t16_, t19_, t20_, t21_,
+                t22_, t23_, t31_ = [0.0; T]
+            );
             for t in 0..T {
                 // 1. q1 by SP4 (what all branches share)
                 let t8 = 0.0996 * r13[t];
@@ -879,32 +868,11 @@ mod __Ur5e {
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
-            let mut s1_ = [[0.0; T]; 4];
-            let mut c1_ = [[0.0; T]; 4];
-            let mut t39_ = [[0.0; T]; 4];
-            let mut s234_ = [[0.0; T]; 4];
-            let mut c234_ = [[0.0; T]; 4];
-            let mut level_ = [[0.0; T]; 4];
-            let mut t54_ = [[0.0; T]; 4];
-            let mut t57_ = [[0.0; T]; 4];
-            let mut t58_ = [[0.0; T]; 4];
-            let mut no_root_ = [[0.0; T]; 4];
-            let mut t62_ = [[0.0; T]; 4];
-            let mut t63_ = [[0.0; T]; 4];
-            let mut t64_ = [[0.0; T]; 4];
-            let mut t65_ = [[0.0; T]; 4];
-            let mut t66_ = [[0.0; T]; 4];
-            let mut singular_ = [[0.0; T]; 4];
-            let mut t67_ = [[0.0; T]; 4];
-            let mut t79_ = [[0.0; T]; 4];
-            let mut t80_ = [[0.0; T]; 4];
-            let mut t82_ = [[0.0; T]; 4];
-            let mut t83_ = [[0.0; T]; 4];
-            let mut t94_ = [[0.0; T]; 4];
-            let mut q1_ = [[0.0; T]; 4];
-            let mut t95_ = [[0.0; T]; 4];
-            let mut q5_ = [[0.0; T]; 4];
-            let mut q6_ = [[0.0; T]; 4];
+            aligned!(
+                s1_, c1_, t39_, s234_, c234_, level_, t54_, t57_, t58_, no_root_, t62_,
+                t63_, t64_, t65_, t66_, singular_, t67_, t79_, t80_, t82_, t83_, t94_,
+                q1_, t95_, q5_, q6_ = [[0.0; T]; 4]
+            );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
@@ -1071,39 +1039,14 @@ mod __Ur5e {
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
-            let s1_ = widen::<4, 8, T, _>(&s1_);
-            let c1_ = widen::<4, 8, T, _>(&c1_);
-            let t39_ = widen::<4, 8, T, _>(&t39_);
-            let s234_ = widen::<4, 8, T, _>(&s234_);
-            let c234_ = widen::<4, 8, T, _>(&c234_);
-            let level_ = widen::<4, 8, T, _>(&level_);
-            let t54_ = widen::<4, 8, T, _>(&t54_);
-            let t57_ = widen::<4, 8, T, _>(&t57_);
-            let t58_ = widen::<4, 8, T, _>(&t58_);
-            let no_root_ = widen::<4, 8, T, _>(&no_root_);
-            let t62_ = widen::<4, 8, T, _>(&t62_);
-            let t63_ = widen::<4, 8, T, _>(&t63_);
-            let t64_ = widen::<4, 8, T, _>(&t64_);
-            let t65_ = widen::<4, 8, T, _>(&t65_);
-            let t66_ = widen::<4, 8, T, _>(&t66_);
-            let singular_ = widen::<4, 8, T, _>(&singular_);
-            let t67_ = widen::<4, 8, T, _>(&t67_);
-            let t79_ = widen::<4, 8, T, _>(&t79_);
-            let t80_ = widen::<4, 8, T, _>(&t80_);
-            let t82_ = widen::<4, 8, T, _>(&t82_);
-            let t83_ = widen::<4, 8, T, _>(&t83_);
-            let t94_ = widen::<4, 8, T, _>(&t94_);
-            let q1_ = widen::<4, 8, T, _>(&q1_);
-            let t95_ = widen::<4, 8, T, _>(&t95_);
-            let q5_ = widen::<4, 8, T, _>(&q5_);
-            let q6_ = widen::<4, 8, T, _>(&q6_);
+            widen!(
+                s1_, c1_, t39_, s234_, c234_, level_, t54_, t57_, t58_, no_root_, t62_,
+                t63_, t64_, t65_, t66_, singular_, t67_, t79_, t80_, t82_, t83_, t94_,
+                q1_, t95_, q5_, q6_ from 4 to 8 of T
+            );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
-            let mut invalid_ = [[0.0; T]; 8];
-            let mut residual_ = [[0.0; T]; 8];
-            let mut q2_ = [[0.0; T]; 8];
-            let mut q3_ = [[0.0; T]; 8];
-            let mut q4_ = [[0.0; T]; 8];
+            aligned!(invalid_, residual_, q2_, q3_, q4_ = [[0.0; T]; 8]);
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q3 by SP3, given q6
@@ -1160,9 +1103,9 @@ mod __Ur5e {
                 }
             }
             Lanes {
-                q: [q1_.all(), q2_, q3_, q4_, q5_.all(), q6_.all()],
-                residual: residual_,
-                invalid: invalid_,
+                q: [q1_.all(), q2_.0, q3_.0, q4_.0, q5_.all(), q6_.all()],
+                residual: residual_.0,
+                invalid: invalid_.0,
                 singular: singular_.all(),
                 level: level_.all(),
                 no_root: no_root_.all(),

@@ -1,8 +1,7 @@
-//! Branches as array lanes, and elementary functions for loops over them.
+//! Targets as array lanes, and elementary functions for loops over them.
 
 use super::super::scalar::Real;
 use super::super::{Pose, math};
-use core::ops::Index;
 
 pub use super::super::scalar::angle;
 
@@ -20,68 +19,6 @@ pub fn entries<const T: usize>(poses: &[Pose; T]) -> [[Real; T]; 12] {
         }
     }
     entries
-}
-
-/// The branches of a value repeated until they are `B`: when a plan takes another
-/// sign, every branch so far becomes two, and branch k descends from branch k
-/// modulo `A`. Of one target they are copied, so that a loop over branches reads
-/// neighbours; of several, whose loop is over targets, they stay where they are.
-///
-/// ```
-/// use kin_runtime::__private::widen;
-/// let one = [[1.0], [2.0]];
-/// assert_eq!(widen::<2, 4, 1, _>(&one).all(), [[1.0], [2.0], [1.0], [2.0]]);
-/// let two = [[1.0, 5.0], [2.0, 6.0]];
-/// assert_eq!(widen::<2, 4, 2, _>(&two)[3], [2.0, 6.0]);
-/// ```
-#[inline(always)]
-pub fn widen<const A: usize, const B: usize, const T: usize, X>(
-    narrow: &X,
-) -> Widened<'_, A, B, T, X>
-where
-    X: Index<usize, Output = [Real; T]>,
-{
-    let mut wide = [[0.0; T]; B];
-    if T == 1 {
-        for k in 0..B {
-            wide[k] = narrow[k % A];
-        }
-    }
-    Widened { narrow, wide }
-}
-
-/// What [`widen`] gives: an array of arrays, to be read.
-pub struct Widened<'a, const A: usize, const B: usize, const T: usize, X> {
-    narrow: &'a X,
-    /// Filled for one target alone.
-    wide: [[Real; T]; B],
-}
-
-impl<const A: usize, const B: usize, const T: usize, X> Widened<'_, A, B, T, X>
-where
-    X: Index<usize, Output = [Real; T]>,
-{
-    /// All branches.
-    #[inline(always)]
-    pub fn all(&self) -> [[Real; T]; B] {
-        core::array::from_fn(|k| self[k])
-    }
-}
-
-impl<const A: usize, const B: usize, const T: usize, X> Index<usize> for Widened<'_, A, B, T, X>
-where
-    X: Index<usize, Output = [Real; T]>,
-{
-    type Output = [Real; T];
-
-    #[inline(always)]
-    fn index(&self, k: usize) -> &[Real; T] {
-        if T == 1 {
-            &self.wide[k]
-        } else {
-            &self.narrow[k % A]
-        }
-    }
 }
 
 /// How many numbers a vector of AVX2 has.

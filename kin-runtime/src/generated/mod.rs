@@ -4,6 +4,7 @@
 
 pub mod acceptance;
 pub mod arithmetic;
+pub mod arrays;
 pub mod batch;
 pub mod branches;
 pub mod dispatch;

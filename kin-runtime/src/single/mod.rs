@@ -65,10 +65,11 @@ pub mod __private {
     };
     pub use super::generated::free_angle::{self, FREE_BELOW, FreeAngle};
     pub use super::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
-    pub use super::generated::lanes::{self, widen};
+    pub use super::generated::lanes;
     pub use super::generated::locked::Locked;
     pub use super::generated::refinement::{self, AtSwivel};
     pub use super::generated::sin_cos::{SideBySide, SinCos};
     pub use super::scalar::math;
     pub use super::scalar::tolerance;
+    pub use crate::{aligned, widen};
 }

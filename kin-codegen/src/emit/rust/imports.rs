@@ -29,7 +29,7 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 27] = [
+const PRIVATE: [&str; 28] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
@@ -49,6 +49,7 @@ const PRIVATE: [&str; 27] = [
     "SinCos",
     "SpatialJacobian",
     "Univariate",
+    "aligned",
     "evaluate",
     "lanes",
     "math",

@@ -82,7 +82,7 @@ fn written(output: &Output<TokenStream>, width: &Literal) -> TokenStream {
     match output {
         Output::OfTarget(value) => {
             let array = array(value);
-            quote!([#array; #width])
+            quote!([#array.0; #width])
         }
         Output::Earlier(value) => {
             let array = array(value);
@@ -90,7 +90,7 @@ fn written(output: &Output<TokenStream>, width: &Literal) -> TokenStream {
         }
         Output::Last(value) => {
             let array = array(value);
-            quote!(#array)
+            quote!(#array.0)
         }
         Output::ValueOfTarget(value) => quote!([::core::array::from_fn(|t| #value); #width]),
         Output::Value(value) => quote!([[#value; T]; #width]),
@@ -109,7 +109,7 @@ fn target_loop(stage: &Stage<Rust>) -> Option<TokenStream> {
     let body = &stage.body;
     (!arrays.is_empty()).then(|| {
         quote! {
-            #(let mut #arrays = [0.0; T];)*
+            aligned!(#(#arrays),* = [0.0; T]);
             for t in 0..T {
                 #(#body)*
                 #(#arrays[t] = #values;)*
@@ -135,7 +135,7 @@ fn lane_loop(stage: &Stage<Rust>) -> TokenStream {
     let body = &stage.body;
     quote! {
         #(let #names = #lanes;)*
-        #(let mut #arrays = [[0.0; T]; #width];)*
+        aligned!(#(#arrays),* = [[0.0; T]; #width]);
         for k in 0..#width {
             for t in 0..T {
                 #(#body)*
@@ -161,6 +161,5 @@ fn widened(stage: &Stage<Rust>) -> Option<TokenStream> {
     let comment = comment(&headings::widened(*from, to));
     let [from, to] = [*from, to].map(Literal::usize_unsuffixed);
     let names: Vec<Ident> = names.iter().map(|name| array(name)).collect();
-    (!names.is_empty())
-        .then(|| quote!(#comment #(let #names = widen::<#from, #to, T, _>(&#names);)*))
+    (!names.is_empty()).then(|| quote!(#comment widen!(#(#names),* from #from to #to of T);))
 }

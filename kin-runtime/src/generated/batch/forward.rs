@@ -15,6 +15,7 @@ use super::super::super::generated::sin_cos::{SideBySide, SinCos};
 use super::super::super::scalar::Real;
 use super::super::super::{Jacobian, Pose};
 use super::LANES;
+use crate::generated::arrays::Aligned;
 use core::marker::PhantomData;
 
 /// Fills `results` with what a robot computes of each configuration.
@@ -34,14 +35,10 @@ where
 /// An array for each of some numbers, with a lane for each configuration.
 type Columns<const K: usize> = [Lanes; K];
 
-/// A number of each lane, as vectors are laid out.
-#[derive(Clone, Copy)]
-#[repr(align(64))]
-pub struct Lanes([Real; LANES]);
+/// A number of each lane.
+type Lanes = Aligned<[Real; LANES]>;
 
-impl Lanes {
-    const ZERO: Self = Self([0.0; LANES]);
-}
+const ZERO: Lanes = Aligned([0.0; LANES]);
 
 struct Blocks<R, const M: usize>(PhantomData<R>);
 
@@ -57,7 +54,7 @@ where
     fn run<const FUSED: bool>((q, results): (&[[Real; N]], &mut [Output])) {
         let (blocks, rest) = q.as_chunks();
         let (filled, last) = results.as_chunks_mut();
-        let mut next = blocks.first().map_or([Lanes::ZERO; N], columns);
+        let mut next = blocks.first().map_or([ZERO; N], columns);
         for (i, results) in filled.iter_mut().enumerate() {
             let block = next;
             // One block ahead: wide loads wait for narrow stores just before them.
@@ -77,7 +74,7 @@ where
 
 #[inline(always)]
 fn columns<const N: usize>(q: &[[Real; N]; LANES]) -> Columns<N> {
-    let mut columns = [Lanes::ZERO; N];
+    let mut columns = [ZERO; N];
     for k in 0..LANES {
         for i in 0..N {
             columns[i].0[k] = q[k][i];
@@ -95,11 +92,11 @@ fn compute<R, Output, const N: usize, const M: usize, const FUSED: bool>(
     Output: Entries,
 {
     let q = |k: usize| core::array::from_fn(|i| q[i].0[k]);
-    let mut angles = [Lanes::ZERO; M];
+    let mut angles = [ZERO; M];
     for k in 0..LANES {
         R::at::<Fused<FUSED>>(&q(k), Told(&mut angles, k));
     }
-    let (mut sines, mut cosines) = ([Lanes::ZERO; M], [Lanes::ZERO; M]);
+    let (mut sines, mut cosines) = ([ZERO; M], [ZERO; M]);
     for i in 0..M {
         (sines[i].0, cosines[i].0) = lanes::side_by_side::<FUSED, LANES>(angles[i].0);
     }
@@ -175,7 +172,7 @@ fn write_poses<T>(
 
 impl Entries for Pose {
     type Columns = PoseColumns;
-    const NONE: Self::Columns = [[Lanes::ZERO; 3]; 4];
+    const NONE: Self::Columns = [[ZERO; 3]; 4];
 
     #[inline(always)]
     fn put(self, columns: &mut Self::Columns, k: usize) {
@@ -195,7 +192,7 @@ impl Entries for Pose {
 
 impl<const N: usize> Entries for (Pose, Jacobian<N>) {
     type Columns = (PoseColumns, [Columns<N>; 6]);
-    const NONE: Self::Columns = (Pose::NONE, [[Lanes::ZERO; N]; 6]);
+    const NONE: Self::Columns = (Pose::NONE, [[ZERO; N]; 6]);
 
     #[inline(always)]
     fn put(self, (poses, rows): &mut Self::Columns, k: usize) {
