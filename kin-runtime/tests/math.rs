@@ -1,12 +1,12 @@
 //! The errors that `math` states, measured against double-double references.
 
-use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8, PI, TAU};
 use kin_runtime::__private::math::{atan2, sin_cos_by, sqrt, wrap};
-use kin_runtime::__private::{Arithmetic, Fused};
+use kin_runtime::__private::{Arithmetic, Fused, lanes};
 
 /// Rounded after each operation, and with fused ones.
 const SIN_COS: [fn(f64) -> (f64, f64); 2] = [sin_cos_by::<false>, sin_cos_by::<true>];
-const ANGLE: [fn(f64, f64) -> f64; 2] = [Fused::<false>::angle, Fused::<true>::angle];
+const OF_UNIT: [fn(f64, f64) -> f64; 2] = [Fused::<false>::angle, Fused::<true>::angle];
 
 /// An unevaluated sum of two doubles: about 32 digits.
 #[derive(Clone, Copy)]
@@ -215,47 +215,83 @@ fn atan2_of_zeros_is_a_zero_with_the_sign_of_y() {
 
 #[test]
 fn the_angle_of_lanes_is_accurate_in_every_sector_and_between() {
-    for angle_of in ANGLE {
+    let mut next = stream();
+    let mut worst = 0.0_f64;
+    let mut check = |y: f64, x: f64| {
+        let angle = lanes::angle(y, x);
+        let error = reference_atan2(y, x).minus(angle) / angle;
+        worst = worst.max(error.abs());
+    };
+    for _ in 0..100_000 {
+        let scale = 10.0_f64.powf(12.0 * next() - 6.0);
+        check((2.0 * next() - 1.0) * scale, 2.0 * next() - 1.0);
+    }
+    for ratio in [2.0_f64.sqrt() - 1.0, 1.0] {
+        for steps in -1000..1000 {
+            let y = ratio * (1.0 + f64::from(steps) * f64::EPSILON * 8.0);
+            for (y, x) in [(y, 1.0), (1.0, y), (-y, 1.0), (1.0, -y), (y, -1.0)] {
+                check(y, x);
+            }
+        }
+    }
+    println!("lanes::angle: {worst:e}");
+    assert!(worst < 3.5e-16, "{worst:e}");
+}
+
+/// Of vectors that have the length 1 but for rounding, and that are off it by more.
+#[test]
+fn the_angle_of_unit_vectors_is_accurate_in_every_sector_and_between() {
+    for angle_of in OF_UNIT {
         let mut next = stream();
         let mut worst = 0.0_f64;
-        let mut check = |y: f64, x: f64| {
+        let mut check = |y: f64, x: f64, allowed: f64| {
             let angle = angle_of(y, x);
             let error = reference_atan2(y, x).minus(angle) / angle;
-            worst = worst.max(error.abs());
+            worst = worst.max(error.abs() - allowed);
         };
-        for _ in 0..100_000 {
-            let scale = 10.0_f64.powf(12.0 * next() - 6.0);
-            check((2.0 * next() - 1.0) * scale, 2.0 * next() - 1.0);
+        for k in 0..100_000 {
+            let small = 10.0_f64.powf(-f64::from(k % 8));
+            let (y, x) = (PI * (2.0 * next() - 1.0) * small).sin_cos();
+            check(y, x, 0.0);
+            for off in [1e-9, -1e-6, 1e-4] {
+                check(y * (1.0 + off), x * (1.0 + off), 1.6 * off * off);
+            }
         }
-        for ratio in [2.0_f64.sqrt() - 1.0, 1.0] {
+        for eighth in -7..8 {
             for steps in -1000..1000 {
-                let y = ratio * (1.0 + f64::from(steps) * f64::EPSILON * 8.0);
-                for (y, x) in [(y, 1.0), (1.0, y), (-y, 1.0), (1.0, -y), (y, -1.0)] {
-                    check(y, x);
+                let about = f64::from(eighth) * FRAC_PI_8 + f64::EPSILON * f64::from(steps);
+                let (y, x) = about.sin_cos();
+                if y != 0.0 {
+                    check(y, x, 0.0);
                 }
             }
         }
-        println!("lanes::angle: {worst:e}");
-        assert!(worst < 3.5e-16, "{worst:e}");
+        println!("lanes::angle_of_unit: {worst:e}");
+        assert!(worst < 4.5e-16, "{worst:e}");
     }
 }
 
 #[test]
-fn the_angle_of_lanes_is_exact_on_axes_and_diagonals_and_never_minus_pi() {
-    for angle_of in ANGLE {
-        for size in [1.0, 1e-290, 1e150] {
-            let vectors = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (0.0, -1.0)];
-            for (eighths, (y, x)) in vectors.into_iter().enumerate() {
-                let angle = eighths as f64 * FRAC_PI_4;
-                assert_eq!(angle_of(y * size, x * size), angle);
-                let below = if angle == PI { PI } else { -angle };
-                assert_eq!(angle_of(-y * size, x * size), below);
-            }
+fn the_angles_of_lanes_are_exact_on_axes_and_diagonals_and_never_minus_pi() {
+    let vectors = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (0.0, -1.0)];
+    let check = |angle_of: fn(f64, f64) -> f64, size: fn(f64, f64) -> f64| {
+        for (eighths, (y, x)) in vectors.into_iter().enumerate() {
+            let angle = eighths as f64 * FRAC_PI_4;
+            let size = size(y, x);
+            assert_eq!(angle_of(y * size, x * size), angle);
+            let below = if angle == PI { PI } else { -angle };
+            assert_eq!(angle_of(-y * size, x * size), below);
         }
         assert_eq!(angle_of(-1e-30, -1.0), PI);
         assert_eq!(angle_of(0.0, 0.0), 0.0);
         assert_eq!(angle_of(-0.0, -0.0), 0.0);
         assert!(angle_of(f64::NAN, 1.0).is_nan() && angle_of(1.0, f64::NAN).is_nan());
+    };
+    for angle_of in OF_UNIT {
+        check(angle_of, |y, x| 1.0 / f64::hypot(y, x));
+    }
+    for size in [|_, _| 1.0, |_, _| 1e-290, |_, _| 1e150] as [fn(f64, f64) -> f64; 3] {
+        check(lanes::angle, size);
     }
 }
 

@@ -68,7 +68,7 @@ impl Node {
             Node::Sqrt(a) => of(a).sqrt(),
             Node::Sin(a) => math::sin_cos(of(a)).0,
             Node::Cos(a) => math::sin_cos(of(a)).1,
-            Node::Atan2(y, x) => lanes::angle(of(y), of(x)),
+            Node::Atan2(y, x) => lanes::angle_of_unit::<false>(of(y), of(x)),
             Node::Wrap(a) => math::wrap(of(a)),
             Node::Max(a, b) => math::max(of(a), of(b)),
             Node::TrigRoot(coefficients, part) => {

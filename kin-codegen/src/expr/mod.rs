@@ -70,7 +70,7 @@ pub enum Node {
     Sin(Expr),
     /// cos a.
     Cos(Expr),
-    /// The angle of (x, y) in (−π, π]: `Atan2(y, x)`.
+    /// The angle of the unit vector (x, y) in (−π, π]: `Atan2(y, x)`.
     Atan2(Expr, Expr),
     /// a modulo 2π, into (−π, π].
     Wrap(Expr),
@@ -456,7 +456,7 @@ impl Graph {
         (self.intern(Node::Sin(a)), self.intern(Node::Cos(a)))
     }
 
-    /// The angle of the vector (x, y).
+    /// The angle of the unit vector (x, y).
     pub fn atan2(&mut self, y: Expr, x: Expr) -> Expr {
         match (self.value(y), self.value(x)) {
             (Some(y), Some(x)) => self.constant(y.atan2(x)),

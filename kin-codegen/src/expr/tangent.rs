@@ -113,7 +113,11 @@ mod tests {
         let positive = g.add(square, y);
         let root = g.sqrt(positive);
         let quotient = g.div(product, root);
-        let angle = g.atan2(quotient, cos);
+        let rest = g.square(quotient);
+        let rest = g.add(rest, square);
+        let length = g.sqrt(rest);
+        let unit = [quotient, cos].map(|component| g.div(component, length));
+        let angle = g.atan2(unit[0], unit[1]);
         let sign = g.sign();
         let turned = g.mul(sign, angle);
         let difference = g.sub(turned, product);

@@ -282,7 +282,7 @@ impl Tape {
                 if fused == Fusing::Nothing {
                     lane_by_lane!(to, [y, x], k => match SINGLE {
                         true => single::angle(y[k] as f32, x[k] as f32).into(),
-                        false => lanes::angle(y[k], x[k]),
+                        false => lanes::angle_of_unit::<false>(y[k], x[k]),
                     });
                 } else {
                     lane_by_lane!(to, [y, x], k => Fused::<FUSED>::angle(y[k], x[k]));

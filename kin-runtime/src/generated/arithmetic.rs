@@ -1,14 +1,14 @@
 //! What generated code leaves open: whether a product and a sum are rounded once.
 
 use super::super::math;
-use super::super::scalar::{Real, angle_by};
+use super::super::scalar::{Real, angle_of_unit};
 
 /// The operations that differ between instruction sets.
 pub trait Arithmetic {
     /// a b + c.
     fn fma(a: Real, b: Real, c: Real) -> Real;
-    /// The angle of the vector (x, y) in (−π, π] radians, for loops over lanes.
-    fn angle(y: Real, x: Real) -> Real;
+    /// The angle of the unit vector (cosine, sine) in (−π, π] radians, for loops over lanes.
+    fn angle(sine: Real, cosine: Real) -> Real;
 }
 
 /// That of processors with fused operations, or of those without.
@@ -21,7 +21,7 @@ impl<const IS: bool> Arithmetic for Fused<IS> {
     }
 
     #[inline(always)]
-    fn angle(y: Real, x: Real) -> Real {
-        angle_by::<IS>(y, x)
+    fn angle(sine: Real, cosine: Real) -> Real {
+        angle_of_unit::<IS>(sine, cosine)
     }
 }

@@ -3,7 +3,7 @@
 use super::super::scalar::Real;
 use super::super::{Pose, math};
 
-pub use super::super::scalar::angle;
+pub use super::super::scalar::{angle, angle_of_unit};
 
 /// The entries of T poses, row by row and the translation behind them: an array for
 /// each, with a place for each pose.

@@ -9,7 +9,7 @@ pub mod math;
 pub mod quartic;
 pub mod tolerance;
 
-pub use angle::{angle, angle_by};
+pub use angle::{angle, angle_of_unit};
 pub use core::f64::consts;
 
 /// The scalar of quantities: `f64`, and `f32` in [`single`](crate::single).

@@ -85,10 +85,10 @@ pub fn angle(y: f32, x: f32) -> f32 {
     select(angle <= -PI, PI, angle)
 }
 
-/// The same; see [`mul_add`].
+/// The same, of a unit vector or any other.
 #[inline(always)]
-pub fn angle_by<const FUSED: bool>(y: f32, x: f32) -> f32 {
-    angle(y, x)
+pub fn angle_of_unit<const FUSED: bool>(sine: f32, cosine: f32) -> f32 {
+    angle(sine, cosine)
 }
 
 /// As [`angle`], in [−π, π] with the sign of `y`.

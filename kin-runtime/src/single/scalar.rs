@@ -6,7 +6,7 @@ pub mod math;
 pub mod tolerance;
 
 pub use core::f32::consts;
-pub use math::{angle, angle_by};
+pub use math::{angle, angle_of_unit};
 
 /// The scalar of quantities: `f32`.
 pub type Real = f32;

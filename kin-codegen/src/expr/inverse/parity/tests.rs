@@ -118,12 +118,13 @@ fn angles_keep_their_values() {
     let mut random = Random(8);
     for _ in 0..200 {
         let (mut g, inputs, signs) = leaves();
-        let [y, x] = [0, 1].map(|i| {
+        let inner = product(&mut g, &signs[..3], &mut random);
+        let three = g.constant(3.0);
+        let shifted = g.add(three, inner);
+        let even = g.mul(shifted, inputs[0]);
+        let (sine, cosine) = g.sin_cos(even);
+        let [y, x] = [sine, cosine].map(|even| {
             let outer = product(&mut g, &signs, &mut random);
-            let inner = product(&mut g, &signs[..3], &mut random);
-            let three = g.constant(3.0);
-            let shifted = g.add(three, inner);
-            let even = g.mul(shifted, inputs[i]);
             g.mul(outer, even)
         });
         let angle = g.atan2(y, x);
