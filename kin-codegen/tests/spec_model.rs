@@ -419,25 +419,44 @@ fn yaml_joints_can_branch() {
     assert_eq!(camera.joints.len(), 1);
 }
 
-/// A gripper's coordinate may be a joint on another branch; its limits hold.
-#[test]
-fn a_joint_off_the_chain_can_lead() {
+/// Joints on another branch that those of the chain mimic: `left` and, if it is there, `middle`
+/// of the chain to `right`.
+fn led_from_aside(middle: &str) -> Model {
     let text = urdf(
-        "base a left right",
+        "base a left right tool",
         &[
             joint("turn", "continuous", "base", "a", ""),
-            joint("left", "prismatic", "a", "left", r#"<limit lower="0" upper="0.04"/>"#),
+            joint("left", "prismatic", "a", "left", r#"<limit lower="0" upper="0.04" velocity="0.5"/>"#),
             joint(
                 "right",
                 "prismatic",
                 "a",
                 "right",
-                r#"<limit lower="-1" upper="1"/><mimic joint="left" multiplier="-2" offset="0.01"/>"#,
+                r#"<limit lower="-1" upper="1" velocity="2"/><mimic joint="left" multiplier="-2" offset="0.01"/>"#,
             ),
+            joint("tool", "prismatic", "right", "tool", middle),
         ]
         .concat(),
     );
-    let model = model("arm.urdf", &text, None, Some("right")).unwrap();
+    model("arm.urdf", &text, None, Some("tool")).unwrap()
+}
+
+/// What alone follows a joint on another branch is a coordinate itself, and the limits of that one
+/// hold.
+#[test]
+fn a_joint_may_mimic_one_off_the_chain() {
+    let model = led_from_aside(LIMIT);
+    let names: Vec<&str> = model.variables.iter().map(|v| v.name.as_str()).collect();
+    assert_eq!(names, ["turn", "right", "tool"]);
+    let [lower, upper] = model.variables[1].limits.unwrap();
+    assert!((lower + 0.07).abs() < 1e-15 && upper == 0.01);
+    assert_eq!(model.variables[1].rating.velocity, Some(1.0));
+    assert!(!model.is_coupled());
+}
+
+#[test]
+fn a_joint_off_the_chain_can_lead_several() {
+    let model = led_from_aside(r#"<limit lower="-1" upper="1"/><mimic joint="left"/>"#);
     let names: Vec<&str> = model.variables.iter().map(|v| v.name.as_str()).collect();
     assert_eq!(names, ["turn", "left"]);
     assert_eq!(model.variables[1].limits, Some([0.0, 0.04]));
@@ -449,8 +468,6 @@ fn a_joint_off_the_chain_can_lead() {
     assert!(model.is_coupled());
 }
 
-/// Struts and pistons beside an arm, whose joints mimic those of the arm, are
-/// no second arm.
 #[test]
 fn a_strut_is_no_arm() {
     let text = urdf(

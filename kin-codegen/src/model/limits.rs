@@ -95,8 +95,7 @@ pub(super) fn variables(
     diagnostics: &mut Collector,
 ) -> Vec<Variable> {
     let mut variables = Vec::new();
-    // By coordinate: the range in which all that it moves stay. A leader that is
-    // not on the chain has limits of its own.
+    // By coordinate: the range in which all that it moves stay.
     let mut ranges: Vec<Option<[f64; 2]>> = vec![None; drives.leaders.len()];
     let mut narrow_by = |v: usize, j: usize, multiplier: f64, offset: f64| {
         if let Limits::Range { lower, upper, .. } = spec.joints[j].limits {
@@ -112,11 +111,6 @@ pub(super) fn variables(
         .iter()
         .map(|&j| spec.joints[j].rating)
         .collect();
-    for (v, &leader) in drives.leaders.iter().enumerate() {
-        if drives.of(leader).is_none() {
-            narrow_by(v, leader, 1.0, 0.0);
-        }
-    }
     for (j, drive) in drives.all() {
         narrow_by(drive.variable, j, drive.multiplier, drive.offset);
         let velocity = &mut ratings[drive.variable].velocity;

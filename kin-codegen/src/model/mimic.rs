@@ -12,10 +12,21 @@ pub(super) struct Drive {
     pub offset: f64,
 }
 
+impl Drive {
+    /// That of the joint that is a coordinate.
+    fn own(variable: usize) -> Self {
+        Self {
+            variable,
+            multiplier: 1.0,
+            offset: 0.0,
+        }
+    }
+}
+
 /// The drives of a chain.
 pub(super) struct Drives {
     /// The joint of each coordinate: those of the chain in its order, then those
-    /// off the chain that some of the chain mimic.
+    /// off the chain that several of the chain mimic.
     pub leaders: Vec<usize>,
     by_joint: BTreeMap<usize, Drive>,
 }
@@ -26,15 +37,16 @@ impl Drives {
         self.by_joint.get(&joint).copied()
     }
 
-    /// Every moving joint, the leader of a coordinate before its followers
-    /// only if the file has them in this order.
+    /// Every moving joint, and those off the chain that some of it mimic; the leader of a
+    /// coordinate before its followers only if the file has them in this order.
     pub(super) fn all(&self) -> impl Iterator<Item = (usize, Drive)> {
         self.by_joint.iter().map(|(&joint, &drive)| (joint, drive))
     }
 }
 
 /// Follows every mimic of a chain, the joints from base to tip, to the joint that
-/// leads it.
+/// leads it. The one joint of the chain that mimics one off the chain is a coordinate
+/// itself: for the chain it moves like any other.
 pub(super) fn resolve(
     spec: &ArmSpec,
     chain: &[usize],
@@ -42,30 +54,61 @@ pub(super) fn resolve(
 ) -> Option<Drives> {
     let moves = |&j: &usize| spec.joints[j].kind != JointType::Fixed;
     let moving: Vec<usize> = chain.iter().copied().filter(moves).collect();
-    let leads = |&j: &usize| spec.joints[j].mimic.is_none();
-    let mut leaders: Vec<usize> = moving.iter().copied().filter(leads).collect();
-    let numbered = leaders
-        .iter()
-        .enumerate()
-        .map(|(variable, &j)| (j, variable));
-    let mut variables: BTreeMap<usize, usize> = numbered.collect();
-    let mut by_joint = BTreeMap::new();
     let followed = followed(spec);
-    for j in moving {
+    for &j in &moving {
+        let leader = &spec.joints[followed[j].leader];
+        if leader.kind == JointType::Fixed {
+            refuse_fixed_leader(&spec.joints[j], leader, diagnostics);
+        }
+        refuse_standstill(&spec.joints[j], diagnostics);
+    }
+    if !diagnostics.is_empty() {
+        return None;
+    }
+    let led_by = |leader: usize| {
+        moving
+            .iter()
+            .filter(|&&j| followed[j].leader == leader)
+            .count()
+    };
+    let is_own = |&j: &usize| {
+        let leader = followed[j].leader;
+        leader == j || !moving.contains(&leader) && led_by(leader) == 1
+    };
+    let (mut leaders, followers): (Vec<usize>, Vec<usize>) =
+        moving.iter().partition(|&j| is_own(j));
+    let mut by_joint = BTreeMap::new();
+    for (variable, &j) in leaders.iter().enumerate() {
         let Followed {
             leader,
             multiplier,
             offset,
         } = followed[j];
-        if spec.joints[leader].kind == JointType::Fixed {
-            refuse_fixed_leader(&spec.joints[j], &spec.joints[leader], diagnostics);
+        by_joint.insert(j, Drive::own(variable));
+        if leader != j {
+            warn_of_leader(&spec.joints[j], &spec.joints[leader], diagnostics);
+            let (multiplier, offset) = (1.0 / multiplier, -offset / multiplier);
+            by_joint.insert(
+                leader,
+                Drive {
+                    variable,
+                    multiplier,
+                    offset,
+                },
+            );
         }
-        refuse_standstill(&spec.joints[j], diagnostics);
-        // Also a joint that is not on the chain may lead those that are.
-        let variable = *variables.entry(leader).or_insert_with(|| {
+    }
+    for j in followers {
+        let Followed {
+            leader,
+            multiplier,
+            offset,
+        } = followed[j];
+        let drive = by_joint.entry(leader).or_insert_with(|| {
             leaders.push(leader);
-            leaders.len() - 1
+            Drive::own(leaders.len() - 1)
         });
+        let variable = drive.variable;
         by_joint.insert(
             j,
             Drive {
@@ -75,9 +118,7 @@ pub(super) fn resolve(
             },
         );
     }
-    diagnostics
-        .is_empty()
-        .then_some(Drives { leaders, by_joint })
+    Some(Drives { leaders, by_joint })
 }
 
 /// The joint that another one follows in the end, itself if it mimics none, and
@@ -115,6 +156,20 @@ pub(super) fn followed(spec: &ArmSpec) -> Vec<Followed> {
         all.push(end);
     }
     all
+}
+
+/// Whoever drives the joint has to know which one that is.
+fn warn_of_leader(joint: &Joint, leader: &Joint, diagnostics: &mut Collector) {
+    let Some(mimic) = joint.mimic else { return };
+    let reason = format!(
+        "joint `{}` mimics `{}`, which is not on the chain",
+        joint.name, leader.name
+    );
+    let remedy = format!(
+        "the value of `{}` itself is a coordinate of this chain; let the file's mimic tell where `{}` has to be for it",
+        joint.name, leader.name
+    );
+    diagnostics.warn(mimic.at, reason, remedy);
 }
 
 fn refuse_fixed_leader(joint: &Joint, leader: &Joint, diagnostics: &mut Collector) {
