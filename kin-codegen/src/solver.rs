@@ -29,6 +29,9 @@ const REFINED: usize = 2;
 /// Plans tried from the first on that is certified but leaves singular targets
 /// unanswered.
 const CERTIFIED: usize = 8;
+/// Plans tried at one tolerance after one that is certified but loses regular targets, if none of
+/// them loses fewer.
+const STALLED: usize = 24;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 1e-2;
@@ -144,6 +147,54 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         return Err(NoClosedForm::Redundant(target));
     }
     let trials = Trials::new(model, linkage, target);
+    let mut patience = Patience::LITTLE;
+    match solve_readings(&trials, target, &mut patience) {
+        Ok(found) if !found.certificate.loses_much() => Ok(found),
+        found if !patience.has_ended() => found,
+        _ => {
+            patience = Patience::ENDLESS;
+            solve_readings(&trials, target, &mut patience)
+        }
+    }
+}
+
+/// Plans that lose much are those of axes whose relation was read wrongly; so many of them
+/// at one tolerance are borne before the next.
+struct Patience {
+    plans: Option<usize>,
+    ended: bool,
+}
+
+impl Patience {
+    const LITTLE: Self = Self {
+        plans: Some(COMPARED),
+        ended: false,
+    };
+    const ENDLESS: Self = Self {
+        plans: None,
+        ended: false,
+    };
+
+    /// Whether it is over after so many.
+    fn ends_with(&mut self, plans: usize) -> bool {
+        let ends = self.plans.is_some_and(|most| plans >= most);
+        self.ended |= ends;
+        ends
+    }
+
+    /// Whether it was over at any tolerance.
+    fn has_ended(&self) -> bool {
+        self.ended
+    }
+}
+
+/// The best plan at all tolerances.
+fn solve_readings(
+    trials: &Trials,
+    target: Target,
+    patience: &mut Patience,
+) -> Result<Certified, NoClosedForm> {
+    let (model, linkage) = (trials.model(), trials.linkage());
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
     let mut last: Option<Vec<Moved>> = None;
@@ -161,7 +212,7 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         };
         if best.is_none()
             && shift > alone * linkage.size
-            && let Ok(found) = last_resort(&trials, target, refusal.clone())
+            && let Ok(found) = last_resort(trials, target, refusal.clone())
         {
             if found.certificate.lost == 0 {
                 return Ok(found);
@@ -173,11 +224,12 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
             Some(Inverse::Univariate(_)) => INSTEAD,
             _ => PLANS,
         };
-        match solve_idealized(&trials, idealized, target, most) {
+        match solve_idealized(trials, idealized, target, most, patience) {
             Ok(found) => {
                 // The reading that answers more singular targets wins; one
                 // that is exact or answers all cannot be beaten.
-                let done = found.form.is_exact() || found.certificate.is_complete();
+                let done = found.form.is_exact() && !found.certificate.loses_much()
+                    || found.certificate.is_complete();
                 best = better(best, found);
                 if done {
                     break;
@@ -188,9 +240,9 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         }
     }
     match best {
-        Some(best) if best.certificate.lost > 0 => Ok(completed(&trials, best)),
+        Some(best) if best.certificate.lost > 0 => Ok(completed(trials, best)),
         Some(best) => Ok(best),
-        None => last_resort(&trials, target, refusal),
+        None => last_resort(trials, target, refusal),
     }
 }
 
@@ -350,6 +402,7 @@ fn solve_idealized(
     idealized: Idealized,
     target: Target,
     most: usize,
+    patience: &mut Patience,
 ) -> Result<Certified, NoClosedForm> {
     let reading = Reading::new(trials.model(), trials.linkage(), idealized, target)
         .ok_or(NoClosedForm::NoPlan(target))?;
@@ -383,6 +436,7 @@ fn solve_idealized(
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
     let mut certified = 0;
+    let mut stalled = 0;
     let mut first = first.into_iter();
     let mut later = Later {
         linkage,
@@ -399,6 +453,7 @@ fn solve_idealized(
         let Some(plan) = next else {
             break;
         };
+        let before = best.as_ref().map(|best| best.certificate.lost);
         // To turn a free angle costs operations: only where it is seen to lose
         // targets, and not for plans that cost more than one that stands.
         let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
@@ -457,7 +512,19 @@ fn solve_idealized(
         }
         let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
         certified += usize::from(stands);
-        if certified == if exact { CERTIFIED } else { REFINED } {
+        let loses = best.as_ref().map(|best| best.certificate.lost);
+        stalled = if loses == before {
+            stalled + usize::from(loses.is_some())
+        } else {
+            0
+        };
+        let loses_much = best
+            .as_ref()
+            .is_some_and(|best| best.certificate.loses_much());
+        if certified == if exact { CERTIFIED } else { REFINED }
+            || loses_much && patience.ends_with(stalled + 1)
+            || stalled == STALLED
+        {
             break;
         }
     }

@@ -351,3 +351,35 @@ home: {xyz: [0.313, -0.025, -0.022]}
     }
     assert!(tried > 1000, "{tried}");
 }
+
+/// Axes that are parallel but for the digits of a right angle are read as parallel: without that
+/// every plan degenerates, and each was tried.
+#[test]
+fn a_boom_of_rounded_right_angles_is_one_of_parallel_axes() {
+    let mut text = "\
+robot: pump
+units: {angle: rad, length: m}
+joints:
+  - {name: slew, axis: [0, 0, 1]}
+"
+    .to_string();
+    for boom in 1..5 {
+        let turn = ["-1.5707963", "1.5707963"][boom % 2];
+        let axis = ["[0, 1, 0]", "[0, 0, 1]"][boom % 2];
+        text += &format!(
+            "  - {{name: boom{boom}, xyz: [0.{}, 0, 0], rpy: [{turn}, 0, 0], axis: {axis}}}\n",
+            4 + boom
+        );
+    }
+    let source = Source {
+        path: "pump.yaml".into(),
+        text,
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let linkage = Linkage::new(&model);
+    let found = solve_redundant(&model, &linkage, Target::Pose, &Asked::default());
+    let (Certified { form, certificate }, _) = found.expect("a plan");
+    assert_eq!(certificate.lost, 0);
+    let plan = form.plan.to_string();
+    assert!(plan.contains("q2+q3+q4+q5"), "{plan}");
+}

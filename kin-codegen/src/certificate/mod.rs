@@ -93,6 +93,13 @@ pub enum Failure {
     NearSingular(f64),
 }
 
+impl Certificate {
+    /// Whether so much is lost that relations between axes have to be read otherwise.
+    pub(crate) fn loses_much(&self) -> bool {
+        4 * self.lost > self.configurations
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
