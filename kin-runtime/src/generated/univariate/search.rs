@@ -51,6 +51,10 @@ const MEETING: f64 = 3e-3;
 /// each other.
 const MEETING_BRANCHES: f64 = 4.0;
 
+/// In units of the arm's size, what a branch of an arm of fewer joints misses its target by that
+/// leads to no solution.
+const ASTRAY: f64 = 0.1;
+
 /// In units of the arm's size, how near Newton's method comes to a target that it
 /// converges to slowly, or that is out of reach by little.
 const NEARLY: f64 = 1e-3;
@@ -154,20 +158,23 @@ impl<'a> Search<'a> {
         self.meeting = math::max(MEETING, MEETING_BRANCHES * near_singular);
         self.branch = count as u32;
         // Of arms of fewer joints branches need not reach the target. Those that do for the arm as
-        // given are off by less, unless they are flagged.
+        // given are off by less, unless a root is nearly double, flagged or not.
         let missed = self.meeting * self.arm.size;
         let mut clear = true;
         let mut numbers = [0; LANES];
-        for branch in branches.filter(|it| it.singular || it.residual <= missed) {
+        let mut certain = [false; LANES];
+        for branch in branches.filter(|it| it.singular || it.residual <= ASTRAY * self.arm.size) {
             clear &= !branch.singular;
+            certain[self.starts.count] = branch.residual <= missed;
             numbers[self.starts.count] = branch.branch;
             self.starts.push(branch.q);
             if self.starts.is_full() {
-                clear &= self.refined(&numbers);
+                clear &= self.refined(&numbers, &certain);
             }
         }
         if self.starts.count > 0 {
-            clear &= self.refined(&numbers);
+            clear &= self.refined(&numbers, &certain);
+            clear &= !self.found.regular.is_empty();
         }
         for elimination in self.arm.eliminations {
             clear = clear || self.ask(elimination).certain;
@@ -175,18 +182,20 @@ impl<'a> Search<'a> {
         self.found.by_branch()
     }
 
-    /// Starts Newton's method from branches of the ideal arm; whether all lead to regular
-    /// solutions, each to one of its own.
-    fn refined(&mut self, numbers: &[u32; LANES]) -> bool {
+    /// Starts Newton's method from branches of the ideal arm; whether all that are `certain` to
+    /// reach the target lead to regular solutions, each to one of its own.
+    fn refined(&mut self, numbers: &[u32; LANES], certain: &[bool; LANES]) -> bool {
         let (starts, count) = self.starts.take();
         let arrived = self.polished(&starts, STEPS);
-        let before = self.found.regular.len();
+        let mut all = true;
         for (k, &number) in numbers[..count].iter().enumerate() {
+            let before = self.found.regular.len();
             if !self.found.insert(&arrived, k, number) {
                 self.stick(&arrived, k);
             }
+            all &= self.found.regular.len() > before || !certain[k];
         }
-        self.found.regular.len() == before + count
+        all
     }
 
     /// Takes a configuration in if it is singular, and nearly a solution.

@@ -1,18 +1,21 @@
-/* Starts Newton's method from branches of the idealized arm; whether all lead to regular solutions,
- * each to one of its own. */
-static int kin_refine_some(kin_search *search, const int *numbers)
+/* Starts Newton's method from branches of the idealized arm; whether all that are certain to reach
+ * the target lead to regular solutions, each to one of its own. */
+static int kin_refine_some(kin_search *search, const int *numbers, const int *certain)
 {
     kin_found *found = &search->found;
     kin_pack from[6];
     kin_arrived arrived;
-    const int count = kin_dequeue(&search->starts, from), before = found->regular_count;
+    const int count = kin_dequeue(&search->starts, from);
+    int all = 1;
     kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
     for (int k = 0; k < count; ++k) {
+        const int before = found->regular_count;
         if (!kin_insert_arrived(found, &arrived, k, numbers[k])) {
             kin_stick(search, &arrived, k);
         }
+        all = all && (found->regular_count > before || !certain[k]);
     }
-    return found->regular_count == before + count;
+    return all;
 }
 
 static double kin_branch_of(const kin_six *solution)
@@ -26,7 +29,7 @@ static double kin_branch_of(const kin_six *solution)
 static void kin_refine(const double target[12], const kin_lanes *lanes, kin_search *search)
 {
     kin_found *found = &search->found;
-    int numbers[KIN_LANES], clear = 1;
+    int numbers[KIN_LANES], certain[KIN_LANES], clear = 1;
     kin_begin(target, search);
     if (!(found->gap <= 1e-9)) {
         return;
@@ -40,8 +43,9 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
         if (!(lanes->invalid[k] <= 0.0)) {
             continue;
         }
-        /* Of arms of fewer joints branches need not reach the target. */
-        if (!(lanes->singular[k] > 0.0 || lanes->residual[k] <= search->meeting * KIN_ARM_SIZE)) {
+        /* Of arms of fewer joints branches need not reach the target: those that do are off by little,
+         * unless a root is nearly double. */
+        if (!(lanes->singular[k] > 0.0 || lanes->residual[k] <= 0.1 * KIN_ARM_SIZE)) {
             continue;
         }
         clear = clear && !(lanes->singular[k] > 0.0);
@@ -49,14 +53,15 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
             q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
             q[i] *= kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
         }
+        certain[search->starts.count] = lanes->residual[k] <= search->meeting * KIN_ARM_SIZE;
         numbers[search->starts.count] = k;
         kin_enqueue(&search->starts, q);
         if (search->starts.count == KIN_LANES) {
-            clear = kin_refine_some(search, numbers) && clear;
+            clear = kin_refine_some(search, numbers, certain) && clear;
         }
     }
     if (search->starts.count > 0) {
-        clear = kin_refine_some(search, numbers) && clear;
+        clear = kin_refine_some(search, numbers, certain) && clear && found->regular_count > 0;
     }
     for (int i = 0; i < KIN_ASKED && !clear; ++i) {
         kin_asked asked;
