@@ -210,6 +210,24 @@ fn explain_tells_why_there_is_no_plan() {
 }
 
 #[test]
+fn a_check_as_json_lists_what_a_file_leaves_open() {
+    let checked = kin(&["check", "--json", "tests/ui/robots/two_arms.urdf"]);
+    let json: serde_json::Value = serde_json::from_slice(&checked.stdout).unwrap();
+    let file = &json["files"][0];
+    assert_eq!(file["verdict"], "ambiguous");
+    let [choice] = &file["diagnostics"].as_array().unwrap()[..] else {
+        panic!("{file}")
+    };
+    let reason = choice["reason"].as_str().unwrap();
+    assert!(
+        reason.contains("tip `left_hand`") && reason.contains("tip `right_hand`"),
+        "{reason}"
+    );
+    assert!(choice["remedy"].as_str().unwrap().contains("(tip)"));
+    assert!(choice["line"].is_null());
+}
+
+#[test]
 fn explain_serves_programs() {
     let explained = kin(&["explain", "--json", "robots/puma560.yaml"]);
     let json: serde_json::Value = serde_json::from_slice(&explained.stdout).unwrap();

@@ -530,6 +530,65 @@ fn the_tip_has_a_name() {
     }
 }
 
+/// The fixed jaw of a gripper is often all that a wrist moves.
+#[test]
+fn a_wrist_may_carry_a_jaw() {
+    let tip = |line: &[(&str, &str)]| {
+        let links: Vec<&str> = line.iter().map(|(_, link)| *link).collect();
+        let parents = ["base"].iter().chain(&links);
+        let joints: String = line
+            .iter()
+            .zip(parents)
+            .map(|((name, child), parent)| joint(name, "continuous", parent, child, ""))
+            .collect();
+        accept(&urdf(&format!("base {}", links.join(" ")), &joints)).tip
+    };
+    let arm = [("pan", "a"), ("lift", "b"), ("elbow", "c")];
+    for (behind, expected) in [
+        (
+            &[("wrist_roll", "Fixed_Jaw"), ("gripper", "Moving_Jaw")][..],
+            "Fixed_Jaw",
+        ),
+        (&[("5", "claw_base"), ("6", "claw")], "claw_base"),
+        (&[("gripper_rotate", "d"), ("jaw", "e")], "d"),
+        (
+            &[("finger_roll", "finger_link"), ("gripper", "e")],
+            "finger_link",
+        ),
+        // A gripper that is driven in two steps.
+        (&[("wrist", "d"), ("gripper_drive", "e"), ("jaw", "f")], "d"),
+        (&[("wrist", "d"), ("last", "finger")], "d"),
+    ] {
+        assert_eq!(tip(&[&arm, behind].concat()), expected, "{behind:?}");
+    }
+    let finger = [
+        ("finger_base", "a"),
+        ("finger_middle", "b"),
+        ("finger_tip", "finger"),
+    ];
+    assert_eq!(tip(&finger), "finger");
+}
+
+#[test]
+fn of_very_many_ends_some_are_listed() {
+    let names: Vec<String> = (0..150).map(|i| format!("leg{i}")).collect();
+    let joints = names
+        .iter()
+        .map(|name| joint(&format!("to_{name}"), "continuous", "base", name, ""));
+    let text = urdf(
+        &format!("base {}", names.join(" ")),
+        &joints.collect::<String>(),
+    );
+    let said = model("arm.urdf", &text, None, None)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        said.contains("100 or more chains of joints begin at `base`"),
+        "{said}"
+    );
+    assert!(said.contains("and more"), "{said}");
+}
+
 /// A rating of 0 says that nobody knew. Of joints that move together, the
 /// slowest sets the pace.
 #[test]

@@ -3,6 +3,7 @@
 use super::verdict::{Check, Verdict};
 use crate::json::pretty;
 use crate::sweep::{Replay, Tally};
+use kin_codegen::spec::Diagnostic;
 use serde_json::{Value, json};
 
 /// What became of a robot file, and of what was tried on it.
@@ -59,15 +60,29 @@ fn file(checked: &Checked) -> Value {
         }
         _ => (None, None, None, None),
     };
+    let diagnostics: Vec<Value> = match &checked.check.verdict {
+        Verdict::Ambiguous(all) | Verdict::Broken(all) => all.iter().map(diagnostic).collect(),
+        _ => Vec::new(),
+    };
     json!({
         "file": checked.check.path,
         "verdict": word,
         "text": checked.check.verdict.to_string(),
+        "diagnostics": diagnostics,
         "structure": structure,
         "plan": plan,
         "tip_shift": tip_shift,
         "deep": deep,
         "sweep": checked.sweep,
         "replay": checked.replay,
+    })
+}
+
+fn diagnostic(of: &Diagnostic) -> Value {
+    json!({
+        "line": of.at.map(|at| at.line),
+        "column": of.at.map(|at| at.column),
+        "reason": of.reason,
+        "remedy": of.remedy,
     })
 }

@@ -6,7 +6,8 @@
 //! 2. Fingers are left out: what moves behind a link at which a longer chain
 //!    forks, joints that mimic others than those before them, short slides and joints that are named
 //!    as a gripper's at the end of the chain, and a last joint beside which a
-//!    link hangs under one of the [`NAMES`]. A warning says so.
+//!    link hangs under one of the [`NAMES`]. A warning says so. A wrist that carries a jaw may move a
+//!    link named as one; of a robot that is a finger nothing is left out.
 //! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
 //!    or on which the fingers hang.
@@ -45,6 +46,9 @@ const NAMES: [&str; 19] = [
 /// A joint of such a name, or one that moves a link of such a name other than
 /// the first (which is often all that the wrist carries), belongs to a gripper.
 const GRIPPERS: [&str; 6] = ["gripper", "finger", "jaw", "knuckle", "claw", "thumb"];
+
+/// A joint of such a name turns what a jaw hangs on, whatever that is called.
+const WRISTS: [&str; 4] = ["wrist", "roll", "rotat", "twist"];
 
 /// A slide at the end of a chain that is shorter than this is a finger's,
 /// metres.
@@ -191,8 +195,15 @@ impl Below<'_> {
     /// How many joints of a line are the arm's.
     fn without_fingers(&self, end: &[usize]) -> usize {
         let mut arm = end.len();
-        while arm > 1 && self.is_finger(&end[..arm]) {
+        while arm > 1
+            && self.is_finger(&end[..arm])
+            && !(arm < end.len() && self.is_wrist(end[arm - 1]))
+        {
             arm -= 1;
+        }
+        // A robot that is a finger.
+        if arm == 1 && end.len() > 2 {
+            return end.len();
         }
         // The only finger that nothing else tells from a joint of the arm.
         if arm == end.len() && arm > ARM_JOINTS {
@@ -325,6 +336,16 @@ impl Below<'_> {
             || GRIPPERS[1..].iter().any(|word| link.contains(word))
     }
 
+    /// Whether a joint that carries a jaw turns the wrist: it is named so, or not as a gripper's,
+    /// which the link that it moves, the other jaw, may be.
+    fn is_wrist(&self, joint: usize) -> bool {
+        let joint = &self.spec.joints[joint];
+        let name = joint.name.to_lowercase();
+        let is_named = |words: &[&str]| words.iter().any(|word| name.contains(word));
+        let turns = joint.kind != JointType::Prismatic && joint.mimic.is_none();
+        turns && (is_named(&WRISTS) || !is_named(&GRIPPERS))
+    }
+
     fn warn_of_fingers(
         &self,
         base: usize,
@@ -370,12 +391,20 @@ impl Below<'_> {
             )
         };
         let mut listed: Vec<String> = arms.iter().take(SHOWN).map(arm).collect();
+        let or_more = if ends.len() < MOST_ENDS {
+            ""
+        } else {
+            " or more"
+        };
         if arms.len() > SHOWN {
-            listed.push(format!("and {} more", arms.len() - SHOWN));
+            listed.push(match or_more {
+                "" => format!("and {} more", arms.len() - SHOWN),
+                _ => "and more".into(),
+            });
         }
         diagnostics.choice(
             format!(
-                "{} chains of joints begin at `{}`, and any could be the arm:",
+                "{}{or_more} chains of joints begin at `{}`, and any could be the arm:",
                 arms.len(),
                 name(base)
             ),

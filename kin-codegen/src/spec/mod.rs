@@ -46,7 +46,8 @@ use kin_runtime::Pose;
 /// collision links) does not count. Fingers are left out, with a warning: what
 /// forks off behind an arm of three joints or more, and at the end of a chain
 /// joints that mimic others than those before them, slides of less than 12 cm and joints named as a
-/// gripper's. Of the links that the last joint moves the tip is the first that
+/// gripper's, or move a link named so, unless they turn the wrist that carries a jaw.
+/// Of the links that the last joint moves the tip is the first that
 /// is called, perhaps behind a prefix, `tool0`, `tcp`, `tcp_link`, `tool`,
 /// `tool_link`, `tool_frame`, `flange`, `flange_link`, `ee_link`, `ee`,
 /// `ee_frame`, `eef`, `eef_link`, `end_effector`, `end_effector_link`,
