@@ -10,6 +10,10 @@ use serde::Serialize;
 /// search itself may miss solutions.
 const REGULAR: f64 = 1e-4;
 
+/// The search takes what is this close to a target, of the arm's size: of one that is out of reach
+/// by more a closed form has solutions within its tolerance, and the search none.
+const CONVERGED: f64 = 1e-12;
+
 /// A closed form held against the numerical search.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Comparison {
@@ -59,7 +63,8 @@ impl Comparison {
         let found: Vec<BranchSolution> = found.iter().map(as_solution).collect();
         for (solution, &residual) in outcome.solutions.iter().zip(&outcome.residuals) {
             let conditioning = case.conditioning(&solution.q);
-            if !case.is_sound(residual) || case.is_among(&solution.q, &found, conditioning) {
+            let is_taken = residual <= CONVERGED * case.size;
+            if !is_taken || case.is_among(&solution.q, &found, conditioning) {
                 continue;
             }
             if is_confirmed(case, outcome, solution, conditioning) {
