@@ -66,6 +66,7 @@ fn a_sweep_serves_programs() {
         keys(solved),
         [
             "deep",
+            "diagnostics",
             "file",
             "plan",
             "replay",
