@@ -19,9 +19,6 @@ use std::rc::Rc;
 /// that leave a row of joints; see [`rows`].
 const CHOICES: usize = 64;
 
-/// So many other choices are tried after one that leaves regular targets lost.
-const OTHERS: usize = 4;
-
 /// Below this conditioning a configuration is nearly singular: an elbow that turns the
 /// rest of an arm along its own self-motion is no parameter for that, even where the file
 /// is off its design.
@@ -277,7 +274,6 @@ pub fn solve_redundant(
     };
     let mut best: Option<(Certified, Vec<usize>)> = None;
     let mut refusal = None;
-    let mut tried = 0;
     for Weighed { joints, .. } in &weighed {
         match solve(model, &linkage.clone().with_locked(joints), target) {
             Ok(found) => {
@@ -293,8 +289,7 @@ pub fn solve_redundant(
                         })
                     }
                 };
-                tried += 1;
-                if done || tried > OTHERS {
+                if done {
                     break;
                 }
             }

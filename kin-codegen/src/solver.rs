@@ -29,9 +29,6 @@ const REFINED: usize = 2;
 /// Plans tried from the first on that is certified but leaves singular targets
 /// unanswered.
 const CERTIFIED: usize = 8;
-/// Plans tried at one tolerance after one that is certified but loses regular targets, if none of
-/// them loses fewer.
-const STALLED: usize = 24;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 1e-2;
@@ -436,7 +433,7 @@ fn solve_idealized(
     let mut refusal = NoClosedForm::NoPlan(target);
     let mut best: Option<Certified> = None;
     let mut certified = 0;
-    let mut stalled = 0;
+    let mut degenerate = 0;
     let mut first = first.into_iter();
     let mut later = Later {
         linkage,
@@ -453,7 +450,6 @@ fn solve_idealized(
         let Some(plan) = next else {
             break;
         };
-        let before = best.as_ref().map(|best| best.certificate.lost);
         // To turn a free angle costs operations: only where it is seen to lose
         // targets, and not for plans that cost more than one that stands.
         let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
@@ -512,19 +508,9 @@ fn solve_idealized(
         }
         let stands = best.as_ref().is_some_and(|best| best.certificate.lost == 0);
         certified += usize::from(stands);
-        let loses = best.as_ref().map(|best| best.certificate.lost);
-        stalled = if loses == before {
-            stalled + usize::from(loses.is_some())
-        } else {
-            0
-        };
-        let loses_much = best
-            .as_ref()
-            .is_some_and(|best| best.certificate.loses_much());
-        if certified == if exact { CERTIFIED } else { REFINED }
-            || loses_much && patience.ends_with(stalled + 1)
-            || stalled == STALLED
-        {
+        let loses_much = |best: &Certified| best.certificate.loses_much();
+        degenerate += usize::from(best.as_ref().is_some_and(loses_much));
+        if certified == if exact { CERTIFIED } else { REFINED } || patience.ends_with(degenerate) {
             break;
         }
     }
