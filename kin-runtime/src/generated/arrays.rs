@@ -33,7 +33,7 @@ macro_rules! aligned {
     };
 }
 
-/// Brings arrays from so many branches to more; see [`lanes::widen`](fn@crate::__private::arrays::widen).
+/// Brings arrays from so many branches to more, as the function of this name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! widen {
@@ -71,7 +71,7 @@ where
     Widened { narrow, wide }
 }
 
-/// What [`widen`] gives: an array of arrays, to be read.
+/// What the function `widen` gives: an array of arrays, to be read.
 pub struct Widened<'a, const A: usize, const B: usize, const T: usize, R, X> {
     narrow: &'a X,
     /// Filled for one target alone.
