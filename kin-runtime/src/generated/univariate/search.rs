@@ -160,10 +160,11 @@ impl<'a> Search<'a> {
         // Of arms of fewer joints branches need not reach the target. Those that do for the arm as
         // given are off by less, unless a root is nearly double, flagged or not.
         let missed = self.meeting * self.arm.size;
-        let mut clear = true;
+        let (mut clear, mut some) = (true, false);
         let mut numbers = [0; LANES];
         let mut certain = [false; LANES];
         for branch in branches.filter(|it| it.singular || it.residual <= ASTRAY * self.arm.size) {
+            some = true;
             clear &= !branch.singular;
             certain[self.starts.count] = branch.residual <= missed;
             numbers[self.starts.count] = branch.branch;
@@ -174,8 +175,8 @@ impl<'a> Search<'a> {
         }
         if self.starts.count > 0 {
             clear &= self.refined(&numbers, &certain);
-            clear &= !self.found.regular.is_empty();
         }
+        clear &= !(some && self.found.regular.is_empty());
         for elimination in self.arm.eliminations {
             clear = clear || self.ask(elimination).certain;
         }

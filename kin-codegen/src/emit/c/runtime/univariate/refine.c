@@ -29,7 +29,7 @@ static double kin_branch_of(const kin_six *solution)
 static void kin_refine(const double target[12], const kin_lanes *lanes, kin_search *search)
 {
     kin_found *found = &search->found;
-    int numbers[KIN_LANES], certain[KIN_LANES], clear = 1;
+    int numbers[KIN_LANES], certain[KIN_LANES], clear = 1, some = 0;
     kin_begin(target, search);
     if (!(found->gap <= 1e-9)) {
         return;
@@ -48,6 +48,7 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
         if (!(lanes->singular[k] > 0.0 || lanes->residual[k] <= 0.1 * KIN_ARM_SIZE)) {
             continue;
         }
+        some = 1;
         clear = clear && !(lanes->singular[k] > 0.0);
         for (int i = 0; i < 6; ++i) {
             q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
@@ -61,8 +62,9 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
         }
     }
     if (search->starts.count > 0) {
-        clear = kin_refine_some(search, numbers, certain) && clear && found->regular_count > 0;
+        clear = kin_refine_some(search, numbers, certain) && clear;
     }
+    clear = clear && !(some && found->regular_count == 0);
     for (int i = 0; i < KIN_ASKED && !clear; ++i) {
         kin_asked asked;
         kin_ask(search, &kin_eliminations[i], &asked);

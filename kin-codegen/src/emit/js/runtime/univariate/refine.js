@@ -12,7 +12,7 @@ const $refined = (form, target, lanes) => {
     search.meeting = $max($MEETING, 4.0 * near_singular);
     search.branch = form.branches;
     let is_clear = true;
-    let none_started = true;
+    let some = false;
     for (let k = 0; k < form.branches; ++k) {
         const is_singular = lanes.singular[k] > 0.0;
         /* Of arms of fewer joints branches need not reach the target: those that do are off by little,
@@ -20,7 +20,7 @@ const $refined = (form, target, lanes) => {
         if (!(lanes.invalid[k] <= 0.0 && (is_singular || lanes.residual[k] <= 0.1 * size))) {
             continue;
         }
-        none_started = false;
+        some = true;
         const is_certain = lanes.residual[k] <= search.meeting * size;
         const from = $in_units(form.search, lanes.q.map((lane) => lane[k]));
         const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
@@ -30,7 +30,7 @@ const $refined = (form, target, lanes) => {
         }
         is_clear = is_clear && !is_singular && (search.regular.length > before || !is_certain);
     }
-    is_clear = is_clear && (none_started || search.regular.length > 0);
+    is_clear = is_clear && !(some && search.regular.length === 0);
     for (const elimination of form.search.eliminations.slice(0, $ASKED)) {
         is_clear = is_clear || $answer(search, $ask(search, elimination));
     }
