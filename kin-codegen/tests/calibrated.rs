@@ -25,10 +25,13 @@ const DROWNED: f64 = 1e-4;
 
 fn design(path: &str) -> Model {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let text = std::fs::read_to_string(root.join(path)).unwrap();
+    written(std::fs::read_to_string(root.join(path)).unwrap())
+}
+
+fn written(text: impl Into<String>) -> Model {
     let source = Source {
-        path: path.into(),
-        text,
+        path: "arm".into(),
+        text: text.into(),
     };
     Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap()
 }
@@ -328,11 +331,7 @@ screws:
   - {name: push, axis: [0, 1, 0], type: prismatic}
 home: {xyz: [0.313, -0.025, -0.022]}
 ";
-    let source = Source {
-        path: "pusher.yaml".into(),
-        text: text.into(),
-    };
-    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let model = written(text);
     let form = solve(&model, &Linkage::new(&model), Target::Pose)
         .unwrap()
         .form;
@@ -357,21 +356,7 @@ home: {xyz: [0.313, -0.025, -0.022]}
 /// is regular. A humanoid's arm in frames of six digits.
 #[test]
 fn nothing_is_lost_of_five_joints() {
-    let text = "\
-robot: humanoid
-units: {angle: rad, length: m}
-joints:
-  - {name: shoulder_pitch, xyz: [-0.0025, 0.10396, 0.25928], rpy: [2.15251, -0.143247, 0.176312], axis: [0.206227, -0.312157, -0.927377]}
-  - {name: shoulder_roll, xyz: [0.0107238, -0.0162321, -0.0482236], rpy: [0.582759, 0.142793, -1.44837], axis: [0.106624, 0.9382, -0.329261]}
-  - {name: shoulder_yaw, xyz: [0.0779918, 0.0109059, 0.0670826], rpy: [1.64363, -0.462402, -1.4546], axis: [-0.237986, -0.584546, 0.775673]}
-  - {name: elbow, xyz: [0.0204476, 0.0484568, -0.0674363], rpy: [0.605131, -1.03397, -1.77796], axis: [-0.110098, -0.373, -0.921276]}
-  - {name: wrist_roll, xyz: [-0.0139033, -0.0912018, 0.0385867], rpy: [1.61589, 0.431006, -0.0891185], axis: [-0.213279, 0.367811, 0.905112]}
-";
-    let source = Source {
-        path: "humanoid.yaml".into(),
-        text: text.into(),
-    };
-    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let model = design("tests/robots/noisy/humanoid.yaml");
     let solved = solve(&model, &Linkage::new(&model), Target::Pose);
     let form = solved.expect("a plan").form;
     assert!(matches!(form.refinement, Refinement::Univariate(_)));
@@ -405,11 +390,7 @@ joints:
             4 + boom
         );
     }
-    let source = Source {
-        path: "pump.yaml".into(),
-        text,
-    };
-    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let model = written(text);
     let linkage = Linkage::new(&model);
     let found = solve_redundant(&model, &linkage, Target::Pose, &Asked::default());
     let (Certified { form, certificate }, _) = found.expect("a plan");
