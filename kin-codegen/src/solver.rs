@@ -144,44 +144,35 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         return Err(NoClosedForm::Redundant(target));
     }
     let trials = Trials::new(model, linkage, target);
-    let mut patience = Patience::LITTLE;
+    let mut patience = Patience::of(COMPARED);
     match solve_readings(&trials, target, &mut patience) {
         Ok(found) if !found.certificate.loses_much() => Ok(found),
-        found if !patience.has_ended() => found,
-        _ => {
-            patience = Patience::ENDLESS;
-            solve_readings(&trials, target, &mut patience)
-        }
+        found if !patience.ended => found,
+        _ => solve_readings(&trials, target, &mut Patience::of(usize::MAX)),
     }
 }
 
 /// Plans that lose much are those of axes whose relation was read wrongly; so many of them
 /// at one tolerance are borne before the next.
 struct Patience {
-    plans: Option<usize>,
+    plans: usize,
+    /// Whether it was over at any tolerance.
     ended: bool,
 }
 
 impl Patience {
-    const LITTLE: Self = Self {
-        plans: Some(COMPARED),
-        ended: false,
-    };
-    const ENDLESS: Self = Self {
-        plans: None,
-        ended: false,
-    };
+    fn of(plans: usize) -> Self {
+        Self {
+            plans,
+            ended: false,
+        }
+    }
 
     /// Whether it is over after so many.
     fn ends_with(&mut self, plans: usize) -> bool {
-        let ends = self.plans.is_some_and(|most| plans >= most);
+        let ends = plans >= self.plans;
         self.ended |= ends;
         ends
-    }
-
-    /// Whether it was over at any tolerance.
-    fn has_ended(&self) -> bool {
-        self.ended
     }
 }
 

@@ -93,13 +93,6 @@ pub enum Failure {
     NearSingular(f64),
 }
 
-impl Certificate {
-    /// Whether so much is lost that relations between axes have to be read otherwise.
-    pub(crate) fn loses_much(&self) -> bool {
-        4 * self.lost > self.configurations
-    }
-}
-
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -412,6 +405,11 @@ struct Run<'a> {
 }
 
 impl Certificate {
+    /// Whether so much is lost that relations between axes have to be read otherwise.
+    pub(crate) fn loses_much(&self) -> bool {
+        4 * self.lost > self.configurations
+    }
+
     /// All solutions to a target reach it.
     fn sound(
         &mut self,
