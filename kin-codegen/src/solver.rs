@@ -537,6 +537,10 @@ impl Later<'_> {
     }
 }
 
+/// Of a short arm one that is not sure of its answer at more targets of a hundred has another
+/// behind it.
+const OFTEN: f64 = 25.0;
+
 /// The eliminations to ask beside the branches of an idealized arm: near a singular
 /// configuration two solutions are apart along the motion that moves the tip least, and
 /// a joint tells them apart if it takes part in that. Of those that lose least there and of what
@@ -588,6 +592,17 @@ fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate:
             let beside = others.min_by_key(both);
             let tells = |other: &Kept| both(other) < untold(&arm.kept);
             arm.kept.extend(beside.filter(tells));
+        }
+        // With joints behind its tip a shorter arm is nearly singular where it is not itself.
+        let is_short = trials.linkage().variables() < 6;
+        let is_unsure = |kept: &Kept| is_short && kept.unsure > OFTEN;
+        while arm.kept.len() < MOST && arm.kept.iter().all(is_unsure) {
+            let others = arms.iter().map(|other| other.kept[0]);
+            let others = others.filter(|other| !arm.kept.contains(other));
+            let Some(surest) = others.min_by(|a, b| a.unsure.total_cmp(&b.unsure)) else {
+                break;
+            };
+            arm.kept.push(surest);
         }
         return Some(arm);
     }

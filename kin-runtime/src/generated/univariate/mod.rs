@@ -112,7 +112,8 @@ impl Univariate<'_> {
         near_singular: f64,
     ) -> Solutions<N> {
         let branches = branches.map(|it| with(&it, self.lengthened(&it.q), it.residual));
-        let found = Search::new(self, target).refine(branches, count, near_singular);
+        let found =
+            Search::new(self, target).refine(branches, count, near_singular, self.moving(N));
         shortened(self, target, &found)
     }
 

@@ -51,9 +51,9 @@ const MEETING: f64 = 3e-3;
 /// each other.
 const MEETING_BRANCHES: f64 = 4.0;
 
-/// In units of the arm's size, what a branch of an arm of fewer joints misses its target by that
-/// leads to no solution.
-const ASTRAY: f64 = 0.1;
+/// The joints behind the tip of an arm of fewer are this near to zero at its solutions, unless six
+/// are nearly singular: then another solution is near, and they may be farther.
+const AT_ZERO: f64 = 1e-6;
 
 /// In units of the arm's size, how near Newton's method comes to a target that it
 /// converges to slowly, or that is out of reach by little.
@@ -151,19 +151,20 @@ impl<'a> Search<'a> {
         branches: impl Iterator<Item = Solution<6>>,
         count: usize,
         near_singular: f64,
+        moving: usize,
     ) -> Solutions<6> {
         if !self.is_rotation {
             return Solutions::new();
         }
         self.meeting = math::max(MEETING, MEETING_BRANCHES * near_singular);
         self.branch = count as u32;
-        // Of arms of fewer joints branches need not reach the target. Those that do for the arm as
-        // given are off by less, unless a root is nearly double, flagged or not.
+        // Of arms of fewer joints branches need not reach the target. Those that do are off by less,
+        // unless a root is nearly double.
         let missed = self.meeting * self.arm.size;
         let (mut clear, mut some) = (true, false);
         let mut numbers = [0; LANES];
         let mut certain = [false; LANES];
-        for branch in branches.filter(|it| it.singular || it.residual <= ASTRAY * self.arm.size) {
+        for branch in branches {
             some = true;
             clear &= !branch.singular;
             certain[self.starts.count] = branch.residual <= missed;
@@ -176,7 +177,8 @@ impl<'a> Search<'a> {
         if self.starts.count > 0 {
             clear &= self.refined(&numbers, &certain);
         }
-        clear &= !(some && self.found.regular.is_empty());
+        let is_solution = |it: &Solution<6>| it.q[moving..].iter().all(|q| q.abs() < AT_ZERO);
+        clear &= !some || self.found.regular.iter().any(is_solution);
         for elimination in self.arm.eliminations {
             clear = clear || self.ask(elimination).certain;
         }

@@ -24,8 +24,7 @@ pub(super) fn shortened<const N: usize>(
     target: &Pose,
     found: &Solutions<6>,
 ) -> Solutions<N> {
-    let free_turn = usize::from(arm.counts == Target::PositionAxis);
-    let moving = N + free_turn;
+    let moving = arm.moving(N);
     if moving == 6 {
         return Solutions::build_with_prismatic(arm.frames.prismatic, |out| {
             for solution in found {
@@ -68,6 +67,12 @@ pub(super) fn shortened<const N: usize>(
 }
 
 impl Univariate<'_> {
+    /// How many of the six need not be at zero where so many are solved for: a turn about the
+    /// tip's axis, where it is free, is one more.
+    pub(super) fn moving(&self, solved: usize) -> usize {
+        solved + usize::from(self.counts == Target::PositionAxis)
+    }
+
     /// All six in the units of the arm's frames, with the joints behind the tip at zero.
     pub(super) fn lengthened<const N: usize>(&self, q: &[f64; N]) -> [f64; 6] {
         let unit = 2.0 / self.size;

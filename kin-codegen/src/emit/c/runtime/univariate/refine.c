@@ -18,6 +18,17 @@ static int kin_refine_some(kin_search *search, const int *numbers, const int *ce
     return all;
 }
 
+/* Whether one is a regular solution. Where six joints are nearly singular another is near, and those
+ * behind the tip of a shorter arm may be farther from zero. */
+static int kin_has_solution(const kin_found *found)
+{
+    int has = 0;
+    for (int i = 0; i < found->regular_count; ++i) {
+        has = has || kin_is_at_zero(found->regular[i].q, 1e-6);
+    }
+    return has;
+}
+
 static double kin_branch_of(const kin_six *solution)
 {
     return solution->branch;
@@ -43,17 +54,14 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
         if (!(lanes->invalid[k] <= 0.0)) {
             continue;
         }
-        /* Of arms of fewer joints branches need not reach the target: those that do are off by little,
-         * unless a root is nearly double. */
-        if (!(lanes->singular[k] > 0.0 || lanes->residual[k] <= 0.1 * KIN_ARM_SIZE)) {
-            continue;
-        }
         some = 1;
         clear = clear && !(lanes->singular[k] > 0.0);
         for (int i = 0; i < 6; ++i) {
             q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
             q[i] *= kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
         }
+        /* Of arms of fewer joints branches need not reach the target. Those that do are off by less,
+         * unless a root is nearly double. */
         certain[search->starts.count] = lanes->residual[k] <= search->meeting * KIN_ARM_SIZE;
         numbers[search->starts.count] = k;
         kin_enqueue(&search->starts, q);
@@ -64,7 +72,7 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
     if (search->starts.count > 0) {
         clear = kin_refine_some(search, numbers, certain) && clear;
     }
-    clear = clear && !(some && found->regular_count == 0);
+    clear = clear && (!some || kin_has_solution(found));
     for (int i = 0; i < KIN_ASKED && !clear; ++i) {
         kin_asked asked;
         kin_ask(search, &kin_eliminations[i], &asked);

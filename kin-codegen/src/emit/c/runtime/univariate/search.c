@@ -98,6 +98,17 @@ static void kin_begin(const double target[12], kin_search *search)
     search->found.gap = kin_rotation_error(&kin_own_metric, target);
 }
 
+/* Whether the joints behind the tip are at zero. A turn about the tip's axis, where it is free, is one
+ * that need not be. */
+static int kin_is_at_zero(const double q[6], double within)
+{
+    int is = 1;
+    for (int j = KIN_SOLVED + kin_own_metric.axis; j < 6; ++j) {
+        is = is && fabs(q[j]) < within;
+    }
+    return is;
+}
+
 static int kin_insert_new(kin_search *search, const kin_arrived *arrived, int lane)
 {
     kin_found *found = &search->found;

@@ -10,14 +10,9 @@ static int kin_to_solutions(
             : &found->singular[i - found->regular_count];
         kin_linearization here;
         kin_solution solution;
-        int is_at_zero = 1;
         /* Where six joints are nearly singular, a target that is off by rounding is reached with
-         * the joints behind the tip this far from zero. A turn about the tip's axis, where it is
-         * free, is one that need not be at zero. */
-        for (int j = KIN_SOLVED + kin_own_metric.axis; j < 6; ++j) {
-            is_at_zero = is_at_zero && fabs(six->q[j]) < 1e-2;
-        }
-        if (!is_at_zero) {
+         * the joints behind the tip this far from zero. */
+        if (!kin_is_at_zero(six->q, 1e-2)) {
             continue;
         }
         for (int j = 0; j < KIN_SOLVED; ++j) {

@@ -15,12 +15,12 @@ const $refined = (form, target, lanes) => {
     let some = false;
     for (let k = 0; k < form.branches; ++k) {
         const is_singular = lanes.singular[k] > 0.0;
-        /* Of arms of fewer joints branches need not reach the target: those that do are off by little,
-         * unless a root is nearly double. */
-        if (!(lanes.invalid[k] <= 0.0 && (is_singular || lanes.residual[k] <= 0.1 * size))) {
+        if (!(lanes.invalid[k] <= 0.0)) {
             continue;
         }
         some = true;
+        /* Of arms of fewer joints branches need not reach the target. Those that do are off by less,
+         * unless a root is nearly double. */
         const is_certain = lanes.residual[k] <= search.meeting * size;
         const from = $in_units(form.search, lanes.q.map((lane) => lane[k]));
         const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
@@ -30,7 +30,10 @@ const $refined = (form, target, lanes) => {
         }
         is_clear = is_clear && !is_singular && (search.regular.length > before || !is_certain);
     }
-    is_clear = is_clear && !(some && search.regular.length === 0);
+    /* Where six joints are nearly singular another solution is near, and those behind the tip of a
+     * shorter arm may be farther from zero. */
+    const is_solution = (it) => $is_at_zero(form, it.q, 1e-6);
+    is_clear = is_clear && (!some || search.regular.some(is_solution));
     for (const elimination of form.search.eliminations.slice(0, $ASKED)) {
         is_clear = is_clear || $answer(search, $ask(search, elimination));
     }

@@ -345,6 +345,13 @@ const $search_target = (form, target, seed) => {
     return [...search.regular.sort(by_kept), ...search.singular.sort(by_kept)];
 };
 
+/* Whether the joints behind the tip are at zero. A turn about the tip's axis, where it is free, is one
+ * that need not be. */
+const $is_at_zero = (form, q, within) => {
+    const moving = form.solved.length + (form.counts_axis ? 1 : 0);
+    return q.slice(moving).every((x) => Math.abs(x) < within);
+};
+
 /* The solutions among those that were found, with what is given: of an arm of fewer than six joints
  * those that have the ones behind its tip at zero. */
 const $to_solutions = (arm, target, given, found) => {
@@ -359,9 +366,8 @@ const $to_solutions = (arm, target, given, found) => {
             continue;
         }
         /* Where six joints are nearly singular, a target that is off by rounding is reached with the
-         * joints behind the tip this far from zero. A turn about the tip's axis, where it is free, is
-         * one that need not be at zero. */
-        if (!q.slice(n + (form.counts_axis ? 1 : 0)).every((x) => Math.abs(x) < 1e-2)) {
+         * joints behind the tip this far from zero. */
+        if (!$is_at_zero(form, q, 1e-2)) {
             continue;
         }
         /* A regular solution takes two evaluations. */
