@@ -61,7 +61,8 @@ impl Config {
         self
     }
 
-    /// The link that the chain ends at; by default the only leaf.
+    /// The link that the chain ends at; by default `tool0`, `tcp` or the like at
+    /// its end, or the only leaf; see [`Options::tip`].
     pub fn tip(mut self, link: impl Into<String>) -> Self {
         self.options.tip = Some(link.into());
         self
@@ -73,7 +74,8 @@ impl Config {
         self
     }
 
-    /// What of a target counts; by default what the arm can choose.
+    /// What of a target counts; by default its position for arms of up to three joints
+    /// that it fixes, such as a planar 2R arm, and the whole pose for all others.
     pub fn target(mut self, target: Target) -> Self {
         self.options.target = Some(target);
         self

@@ -119,7 +119,7 @@ impl Joint {
         self.variable == variable && self.multiplier == 1.0 && self.offset == 0.0
     }
 
-    /// The unit twist of the joint at home (MLS section 3.2.1).
+    /// The unit twist of the joint at home (MLS section 3.2.2).
     pub fn twist(&self) -> Twist {
         match self.kind {
             JointKind::Revolute => Twist::revolute(self.axis, self.point),

@@ -27,7 +27,8 @@ pub struct Options {
     pub tip: Option<String>,
     /// Inverse kinematics.
     pub ik: Ik,
-    /// What of a target counts; by default what the arm can choose.
+    /// What of a target counts; by default its position for arms of up to three joints
+    /// that it fixes, such as a planar 2R arm, and the whole pose for all others.
     pub target: Option<Target>,
     /// The joints, by name, whose values `ik_at` takes beside a target, where an arm has
     /// more joints than its targets have coordinates, or `swivel` for the swivel angle of an arm
@@ -49,7 +50,7 @@ pub struct Options {
 /// Which inverse kinematics to generate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ik {
-    /// A closed form; an arm that has none is an error.
+    /// A closed form, or the roots of a polynomial in one joint; an arm that has neither is an error.
     #[default]
     ClosedForm,
     /// None: forward kinematics and Jacobians alone.

@@ -8,9 +8,7 @@ use crate::geometry::{
 };
 use crate::model::{JointKind, Model, configurations};
 use crate::plan::{Plans, Relations, Target};
-use crate::solver::{
-    Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, alike, better, solve,
-};
+use crate::solver::{Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 use std::rc::Rc;
@@ -272,23 +270,13 @@ pub fn solve_redundant(
         }],
         _ => weigh(model, linkage, target, choices),
     };
-    let mut best: Option<(Certified, Vec<usize>)> = None;
+    let mut found = Vec::new();
     let mut refusal = None;
     for Weighed { joints, .. } in &weighed {
         match solve(model, &linkage.clone().with_locked(joints), target) {
-            Ok(found) => {
-                let done = found.certificate.lost == 0;
-                best = match best {
-                    None => Some((found, joints.clone())),
-                    Some((before, by)) => {
-                        let lost = before.certificate.lost;
-                        let found = better(Some(before), found);
-                        found.map(|found| match found.certificate.lost < lost {
-                            true => (found, joints.clone()),
-                            false => (found, by),
-                        })
-                    }
-                };
+            Ok(certified) => {
+                let done = certified.certificate.lost == 0;
+                found.push((certified, joints.clone()));
                 if done {
                     break;
                 }
@@ -305,6 +293,7 @@ pub fn solve_redundant(
             }
         }
     }
+    let best = found.into_iter().min_by_key(|(it, _)| it.missing());
     match best {
         Some((found, joints)) => {
             let weighed = if asked.len() == count {

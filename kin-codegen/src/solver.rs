@@ -54,6 +54,13 @@ pub struct Certified {
     pub certificate: Certificate,
 }
 
+impl Certified {
+    /// How many regular targets it loses, then how many singular ones.
+    pub(crate) fn missing(&self) -> (usize, usize) {
+        (self.certificate.lost, self.certificate.unanswered)
+    }
+}
+
 /// What single precision lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lack {
@@ -376,11 +383,10 @@ pub(crate) fn alike(model: &Model) -> impl Iterator<Item = usize> {
     (0..model.joints.len().saturating_sub(1)).filter(is_alike)
 }
 
-/// The one that loses fewer regular targets, then fewer singular ones.
-pub(crate) fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
-    let missing = |found: &Certified| (found.certificate.lost, found.certificate.unanswered);
+/// The one that misses less.
+fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
     match best {
-        Some(best) if missing(&best) <= missing(&other) => Some(best),
+        Some(best) if best.missing() <= other.missing() => Some(best),
         _ => Some(other),
     }
 }

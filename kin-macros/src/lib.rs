@@ -36,8 +36,8 @@ use proc_macro::TokenStream;
 ///   link there that is called `tool0`, `tcp`, `flange`, `ee_link` or the like,
 ///   or the only leaf. If several chains could be meant, the error lists them.
 /// - **`ik = none`**: forward kinematics and Jacobians alone. By default
-///   (`ik = closed_form`) an arm without a closed form is an error that says
-///   why there is none.
+///   (`ik = closed_form`) an arm that has neither a closed form nor a polynomial
+///   in one of its joints is an error that says why.
 /// - **`target = position`**: what of a target inverse kinematics reaches; the
 ///   rest is whatever comes of it. `pose` is all of it, `position` the tip's
 ///   origin, `position_axis` that with the direction of the tip's z axis,

@@ -87,8 +87,9 @@ impl Robot {
     ///
     /// # Errors
     ///
-    /// Out of reach, no rotation, outside limits, or beyond a step. The reason takes some
-    /// microseconds.
+    /// Out of reach, no rotation, outside limits, or beyond a step, for which the reason takes some
+    /// microseconds; or the robot has [parameters](Robot::parameters), or was loaded without inverse
+    /// kinematics.
     ///
     /// # Panics
     ///
@@ -99,10 +100,15 @@ impl Robot {
         nearest: &Nearest<N>,
     ) -> Result<Solution<N>, NoSolution<N>> {
         self.check(&nearest.seed);
-        OfJoints::new(self).try_ik_nearest(pose, nearest)
+        match self.parameters() {
+            0 if self.arm.form().is_none() => Err(NoSolution::WithoutInverse),
+            0 => OfJoints::new(self).try_ik_nearest(pose, nearest),
+            count => Err(NoSolution::NeedsParameters { count }),
+        }
     }
 
-    /// Whether [`Robot::ik`] has a solution.
+    /// Whether [`Robot::ik`] has a solution, which it never has of a robot with
+    /// [parameters](Robot::parameters): [`Robot::along`] tells intervals of them.
     pub fn is_reachable_pose(&self, pose: &Pose) -> bool {
         !self.ik(pose).is_empty()
     }

@@ -5,7 +5,7 @@ use crate::several::{GantryIiwa, PandaTool};
 use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
-    Answers, Criterion, Follow, HighlyRedundantKinematics, Nearest, Parameter, Pose,
+    Answers, Criterion, Follow, HighlyRedundantKinematics, Ik, Nearest, Parameter, Pose,
     RedundantKinematics, Robot, RobotOptions, Solutions,
 };
 use std::mem::discriminant;
@@ -33,6 +33,30 @@ fn loaded<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) -> R
         ..RobotOptions::default()
     };
     cached(robot.path, &options)
+}
+
+/// Why there is no solution is not that a target is out of reach.
+#[test]
+fn a_robot_with_parameters_has_no_solution_without_them() {
+    let load = |options: &RobotOptions| cached("../robots/panda.yaml", options);
+    let (panda, bare) = (
+        load(&RobotOptions::default()),
+        load(&RobotOptions {
+            ik: Ik::None,
+            ..RobotOptions::default()
+        }),
+    );
+    let q = [0.3, -0.5, 0.2, -1.9, 0.4, 1.8, 0.6];
+    let nearest = Nearest::new(q, panda.limits().try_into().unwrap());
+    let reason = |robot: &Robot| robot.try_ik_nearest(&panda.fk(&q), &nearest).unwrap_err();
+    assert_eq!(
+        reason(&panda).to_string(),
+        "a target leaves so many parameters of the robot open: 1; `ik_nearest_at` takes them"
+    );
+    assert_eq!(
+        reason(&bare).to_string(),
+        "the robot was loaded without inverse kinematics: leave out `ik = none`"
+    );
 }
 
 /// Arms off their design are refined by other operations of forward kinematics.

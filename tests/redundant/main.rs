@@ -49,6 +49,7 @@ mod feasible;
 mod follow;
 mod interfaces;
 mod nearest;
+mod placed;
 mod rotated;
 mod self_motions;
 mod several;

@@ -8,7 +8,7 @@ use crate::table::Fault;
 use kin_codegen::model::Model;
 use kin_codegen::spec::one_line;
 use kin_runtime::__private::math;
-use kinematics::Robot;
+use kinematics::{Parameter, Robot};
 
 /// A shorter line is rounding: the way is a turn alone; metres.
 const SHORTEST: f64 = 1e-9;
@@ -51,6 +51,14 @@ fn measured(robot: &Robot, q: Option<&Vec<f64>>) -> Option<f64> {
     q.map(|q| robot.manipulability(q).sigma_min)
 }
 
+/// The way of a parameter, of a turn the short one.
+fn way(robot: &Robot, place: usize, way: f64) -> f64 {
+    match robot.parameter(place) {
+        Some(Parameter::Joint(joint)) if !robot.limits()[joint].is_revolute() => way,
+        _ => math::wrap(way),
+    }
+}
+
 /// From one configuration's pose to another's, the origin along a line and the rotation about
 /// one axis; parameters go from the one's to the other's. The arm starts from `from`.
 pub fn along_line(robot: &Robot, from: &[f64], to: &[f64], steps: usize) -> Path {
@@ -66,8 +74,11 @@ pub fn along_line(robot: &Robot, from: &[f64], to: &[f64], steps: usize) -> Path
     for k in 0..=steps {
         let share = k as f64 / steps as f64;
         let target = line.at(share);
-        let mix = |(a, b): (&f64, &f64)| a + share * math::wrap(b - a);
-        let given: Vec<f64> = parameters[0].iter().zip(&parameters[1]).map(mix).collect();
+        let given = |place: usize| {
+            let [from, to] = [0, 1].map(|end| parameters[end][place]);
+            from + share * way(robot, place, to - from)
+        };
+        let given: Vec<f64> = (0..robot.parameters()).map(given).collect();
         path.way.push(share * length);
         for answer in robot.ik_at(&target, &given).iter() {
             path.curves.push(k, answer.branch as usize, answer.q);
@@ -201,6 +212,25 @@ mod tests {
         let sevenths = path.taken.iter().flatten().map(|q| q[6]);
         let expected = (0..=40).map(|k| 0.6 + 0.3 * f64::from(k) / 40.0);
         assert!(sevenths.zip(expected).all(|(q, x)| (q - x).abs() < 1e-12));
+    }
+
+    #[test]
+    fn a_slide_goes_the_whole_way() {
+        let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let mut rail = RobotSource::read("tests/robots/redundant/rail.yaml", root).unwrap();
+        rail.text = rail.text.replace("[-1500, 1500]", "[-3000, 3000]");
+        let options = RobotOptions {
+            free: vec!["rail".into()],
+            ..RobotOptions::default()
+        };
+        let arm = Robot::load(&rail, &options).unwrap();
+        let from = [-2.0, 0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+        let to = [2.0, 0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+        let path = along_line(&arm, &from, &to, 40);
+        is_straight(&arm, &path);
+        let slides = path.taken.iter().flatten().map(|q| q[0]);
+        let expected = (0..=40).map(|k| -2.0 + f64::from(k) / 10.0);
+        assert!(slides.zip(expected).all(|(q, x)| (q - x).abs() < 1e-12));
     }
 
     #[test]

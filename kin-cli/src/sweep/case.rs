@@ -24,7 +24,7 @@ pub(super) struct Case<'a> {
     ranges: Ranges,
 }
 
-/// A configuration, its target and what the closed form solutions.
+/// A configuration, its target and what the closed form finds.
 pub(super) struct Outcome {
     pub(super) q: Vec<f64>,
     pub(super) target: Pose,

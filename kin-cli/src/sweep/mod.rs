@@ -1,6 +1,6 @@
 //! Sweeps: a closed form on many random targets.
 //!
-//! The certificate runs every plan on a hundred configurations, each time that
+//! The certificate runs every plan on some hundred configurations, each time that
 //! a robot is compiled. A [`sweep`] asks the same of as many as one has patience
 //! for, counts what went wrong instead of stopping at the first, and holds some
 //! of the targets against the numerical search, which shares no code with the

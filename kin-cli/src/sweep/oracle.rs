@@ -32,8 +32,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Whether solutions and solutions are the same, away from singular
-    /// configurations.
+    /// Whether closed form and search find the same, away from singular configurations.
     pub fn is_clean(&self) -> bool {
         self.missing.regular == 0 && self.extra.regular == 0
     }

@@ -7,8 +7,7 @@ use kin_codegen::closed_form::{BranchSolution, ClosedForm};
 use kin_codegen::model::Model;
 use serde::Serialize;
 
-/// One configuration, its target, what the closed form solutions and what the
-/// numerical search finds.
+/// One configuration, its target, what the closed form and what the numerical search finds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Replay {
     /// The configuration.
@@ -21,7 +20,7 @@ pub struct Replay {
     pub conditioning: f64,
     /// Whether that is near singular, see [`Tally::near_singular_below`].
     pub near_singular: bool,
-    /// What the closed form solutions.
+    /// What the closed form finds.
     pub solutions: Vec<FormSolution>,
     /// What the numerical search finds.
     pub found: Vec<Found>,

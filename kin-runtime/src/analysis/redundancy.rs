@@ -33,7 +33,7 @@ pub fn null_space<const R: usize, const N: usize>(rows: &[[Real; N]; R]) -> Basi
 }
 
 impl<const N: usize> Jacobian<N> {
-    /// The internal motions J q̇ = 0 (MLS section 3.4.5): an orthonormal basis
+    /// The internal motions J q̇ = 0 (MLS section 3.5.1): an orthonormal basis
     /// of the joint rates that leave the tip at rest, rad/s and m/s. See
     /// [`null_space`], also for the sign of the one of a seven-joint arm.
     pub fn internal_motions(&self) -> Basis<[Real; N], N> {

@@ -89,8 +89,9 @@ macro_rules! kinematics_methods {
                 /// a representative, flagged singular, of each family, and none
                 /// if the target is out of reach.
                 ///
-                /// For an arm without closed form ([`Kinematics::BRANCHES`] is
-                /// 0), a call does not compile:
+                /// For an arm that is compiled without inverse kinematics, or has a
+                /// parameter beside the target ([`Kinematics::BRANCHES`] is 0), a call
+                /// does not compile:
                 ///
                 /// ```compile_fail
                 /// # use kin_runtime::*;

@@ -23,11 +23,19 @@ pub enum NoSolution<const N: usize> {
         /// [`Kinematics::ik_approximate`]. None of an arm with a parameter.
         approximate: Option<Solution<N>>,
     },
+    /// A target alone leaves isolated configurations of no robot with joints to spare: there is a
+    /// method that takes its parameters. Of robots that are loaded when the program runs.
+    NeedsParameters {
+        /// How many.
+        count: usize,
+    },
+    /// The robot was loaded without inverse kinematics, by `ik = none`.
+    WithoutInverse,
     /// The target is reached outside the limits alone.
     OutsideLimits {
         /// The solution that is least outside.
         solution: Solution<N>,
-        /// The joint that is furthest beyond a stop there.
+        /// The joint that is furthest beyond a stop there, from 0.
         joint: usize,
         /// How far, radians or metres.
         by: Real,
@@ -36,7 +44,7 @@ pub enum NoSolution<const N: usize> {
     BeyondStep {
         /// The solution that takes the least too much.
         solution: Solution<N>,
-        /// The joint that would have to move the most too far.
+        /// The joint that would have to move the most too far, from 0.
         joint: usize,
         /// How much further than allowed, radians or metres.
         by: Real,
@@ -138,11 +146,21 @@ impl<const N: usize> fmt::Display for NoSolution<N> {
                     None => Ok(()),
                 }
             }
-            Self::OutsideLimits { joint, by, .. } => {
-                write!(f, "joint {} is beyond its limits by {by:.1e}", joint + 1)
-            }
+            Self::NeedsParameters { count } => write!(
+                f,
+                "a target leaves so many parameters of the robot open: {count}; `ik_nearest_at` takes \
+                 them"
+            ),
+            Self::WithoutInverse => f.write_str(
+                "the robot was loaded without inverse kinematics: leave out `ik = none`",
+            ),
+            Self::OutsideLimits { joint, by, .. } => write!(
+                f,
+                "joint {} is beyond its limits by {by:.1e} rad or m",
+                joint + 1
+            ),
             Self::BeyondStep { joint, by, .. } => {
-                write!(f, "joint {} moves by {by:.1e} too much", joint + 1)
+                write!(f, "joint {} moves by {by:.1e} rad or m too much", joint + 1)
             }
         }
     }

@@ -1,14 +1,23 @@
 //! Robots with a tool or a base that is known only at run time.
 
+use crate::__private::Eliminant;
 use crate::{
-    Frame, Hessian, Jacobian, JointLimit, Kinematics, Nearest, Pose, Posture, Singularities,
-    Solution, Solutions, Target,
+    Frame, Hessian, Jacobian, JointLimit, Kinematics, Nearest, Parameter, Pose, Posture,
+    RedundantKinematics, Singularities, Solution, Solutions, Target,
 };
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
 /// at `tool` in the robot's own tip frame.
 ///
-/// The residuals of [`Kinematics::ik`] stay those measured at the robot's tip.
+/// The residuals of [`Kinematics::ik`] stay those measured at the robot's tip. Of an arm whose
+/// targets do not fix the height or the tilt ([`Target::PositionYaw`], [`Target::Planar`]), they
+/// have to be poses that the tool reaches as a whole.
+///
+/// # Panics
+///
+/// Inverse kinematics of an arm whose targets are no whole poses panics with a tool that they do not
+/// [allow](Target::allows_tool): the turn that such a target leaves free would move the robot's tip.
+/// The robot's file, or the option `target`, is the place for such a tool.
 ///
 /// ```no_run
 /// use kin_runtime::{Kinematics, Pose, WithTool};
@@ -27,8 +36,45 @@ pub struct WithTool<K> {
 
 impl<K> WithTool<K> {
     /// Where the robot's tip has to be for the tool to be at `target`.
-    fn at_tip(&self, target: &Pose) -> Pose {
+    fn at_tip<const N: usize>(&self, target: &Pose) -> Pose
+    where
+        K: Kinematics<N>,
+    {
+        assert!(
+            K::TARGET.allows_tool(&self.tool),
+            "targets that are {} leave open where this tool puts the tip: add the tool to the \
+             robot's file, or solve for whole poses",
+            K::TARGET.phrase()
+        );
         *target * self.tool.inverse()
+    }
+}
+
+impl<const N: usize, K: RedundantKinematics<N>> RedundantKinematics<N> for WithTool<K> {
+    const PARAMETER: Parameter = K::PARAMETER;
+    const BRANCHES_AT: usize = K::BRANCHES_AT;
+    const ROOTS: usize = K::ROOTS;
+    const HELD: u64 = K::HELD;
+
+    fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
+        self.robot.ik_at(&self.at_tip(target), parameter)
+    }
+
+    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
+        self.robot.margins_at(&self.at_tip(target), parameter)
+    }
+
+    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
+        self.robot
+            .eliminant_at(&self.at_tip(target), parameter, which)
+    }
+
+    fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+        self.robot.root_arguments(&self.at_tip(target), parameter)
+    }
+
+    fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
+        self.robot.parameter_of(&self.at_tip(target), q)
     }
 }
 
@@ -180,6 +226,36 @@ impl<K> WithBase<K> {
     /// `target` as the robot's own base sees it.
     fn seen_from_base(&self, target: &Pose) -> Pose {
         self.base.inverse() * *target
+    }
+}
+
+impl<const N: usize, K: RedundantKinematics<N>> RedundantKinematics<N> for WithBase<K> {
+    const PARAMETER: Parameter = K::PARAMETER;
+    const BRANCHES_AT: usize = K::BRANCHES_AT;
+    const ROOTS: usize = K::ROOTS;
+    const HELD: u64 = K::HELD;
+
+    fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
+        self.robot.ik_at(&self.seen_from_base(target), parameter)
+    }
+
+    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
+        self.robot
+            .margins_at(&self.seen_from_base(target), parameter)
+    }
+
+    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
+        self.robot
+            .eliminant_at(&self.seen_from_base(target), parameter, which)
+    }
+
+    fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+        self.robot
+            .root_arguments(&self.seen_from_base(target), parameter)
+    }
+
+    fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
+        self.robot.parameter_of(&self.seen_from_base(target), q)
     }
 }
 

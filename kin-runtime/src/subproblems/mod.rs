@@ -19,7 +19,7 @@
 //! and [`paden_kahan3`].
 //!
 //! Sources: B. Paden, "Kinematics and Control of Robot Manipulators", 1986, and
-//! MLS section 3.2 for 1 to 3; A. J. Elias and J. T. Wen, "Canonical
+//! MLS section 3.3.2 for 1 to 3; A. J. Elias and J. T. Wen, "Canonical
 //! Subproblems for Robot Inverse Kinematics", arXiv 2211.05737, for 2 extended,
 //! 4, 5, 6 and for the least-squares answers.
 //!

@@ -5,7 +5,7 @@ use super::{DOUBLE, ON_AXIS, SOLVED, SolutionSet};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
 use crate::math;
 
-/// Rotation of a vector onto another (Paden-Kahan 1, MLS section 3.2): t,
+/// Rotation of a vector onto another (Paden-Kahan 1, MLS section 3.3.2): t,
 /// radians in (−π, π], with R(k, t) p₁ = p₂ for the unit vector `k` and vectors
 /// `p1`, `p2` in metres.
 ///
@@ -30,7 +30,7 @@ pub fn subproblem1(k: [f64; 3], p1: [f64; 3], p2: [f64; 3]) -> SolutionSet<f64> 
     SolutionSet::one_or_closest(from.angle_to(&to, k), residual, tolerance)
 }
 
-/// Rotation about two axes (Paden-Kahan 2, MLS section 3.2): [t₁, t₂], radians
+/// Rotation about two axes (Paden-Kahan 2, MLS section 3.3.2): [t₁, t₂], radians
 /// in (−π, π], with R(k₁, t₁) p₁ = R(k₂, t₂) p₂ for unit vectors `k1`, `k2` and
 /// vectors `p1`, `p2` in metres.
 ///
@@ -130,7 +130,7 @@ fn nearest_points(k1: [f64; 3], k2: [f64; 3], h1: f64, h2: f64) -> [[f64; 3]; 2]
     pairs.into_iter().fold(pairs[0], closer)
 }
 
-/// Rotation to a given distance (Paden-Kahan 3, MLS section 3.2): t, radians
+/// Rotation to a given distance (Paden-Kahan 3, MLS section 3.3.2): t, radians
 /// in (−π, π], with ‖R(k, t) p₁ − p₂‖ = d for the unit vector `k`, vectors
 /// `p1`, `p2` and the distance d ≥ 0 in metres.
 ///

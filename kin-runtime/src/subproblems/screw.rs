@@ -1,4 +1,4 @@
-//! The Paden-Kahan subproblems in the form of MLS section 3.2: with unit twists
+//! The Paden-Kahan subproblems in the form of MLS section 3.3.2: with unit twists
 //! for the axes and points of space for the vectors.
 
 use super::{SOLVED, SolutionSet, subproblem1, subproblem2, subproblem3};

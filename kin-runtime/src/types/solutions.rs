@@ -17,8 +17,9 @@ pub struct Solution<const N: usize> {
     /// How far the forward kinematics of `q` is from the target, metres, as far
     /// as the target counts: the root of the squares of the translation error
     /// and of the rotation error (radians) times the arm's size; see
-    /// [`Target::distance`](crate::Target::distance). For solutions it is
-    /// rounding, some 1e-15 of the arm's size.
+    /// [`Target::distance`](crate::Target::distance). Solutions are accepted
+    /// up to 1e-9 of the arm's size (2e-5 in single precision); away from singular
+    /// configurations it is rounding, some 1e-15.
     pub residual: Real,
     /// Which combination of the plan's choices this is; the rustdoc of the
     /// robot names them. Stable along a path that crosses no singularity. An

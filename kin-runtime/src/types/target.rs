@@ -125,6 +125,21 @@ impl Target {
         matches!(self, Target::PositionAxis | Target::Direction)
     }
 
+    /// Whether a target of a tool, which lies at `tool` in the tip's frame, is one of the tip as
+    /// well: what does not count must not move the tip. Of a position, the tool is where the tip is;
+    /// of a position with the tip's z axis, on that axis, to 1e-9 of metres and radians.
+    pub fn allows_tool(self, tool: &Pose) -> bool {
+        let [x, y, z] = tool.translation;
+        let is_small = |values: &[Real]| values.iter().all(|x| x.abs() <= 1e-9);
+        let turns_about_z = || is_small(&[tool.rotation[0][2], tool.rotation[1][2]]);
+        match self {
+            Target::Position => is_small(&[x, y, z]),
+            Target::PositionAxis => is_small(&[x, y]) && turns_about_z(),
+            Target::Direction => turns_about_z(),
+            Target::Pose | Target::Orientation | Target::PositionYaw | Target::Planar => true,
+        }
+    }
+
     /// Whether a target first has to be replaced by the pose that it
     /// [stands for](Target::stands_for).
     pub const fn is_projected(self) -> bool {

@@ -20,7 +20,7 @@ use planar::Planar;
 use wrist::Shoulder;
 
 /// The workspace of a chain: which positions its tip can reach (in MLS section
-/// 3.4 the *reachable* workspace), and which with every orientation (the
+/// 3.2.4 the *reachable* workspace), and which with every orientation (the
 /// *dextrous* one). The *complete* workspace, the poses, is asked by
 /// [`Kinematics::is_reachable_pose`]. Joint limits are not applied. Points are
 /// in base coordinates, metres.

@@ -1,0 +1,99 @@
+//! Arms with a parameter that carry a tool, or stand somewhere.
+
+use crate::random::Random;
+use crate::{Iiwa14, Panda, Rail, Ur5e};
+use kinematics::{
+    Criterion, JointLimit, Kinematics, Pose, RedundantKinematics, Target, WithBase, WithTool,
+};
+
+/// A configuration comes back at its parameter, intervals are those of the tip's target, and the
+/// best configuration reaches the tool's.
+fn is_the_arm<const N: usize>(robot: impl RedundantKinematics<N> + Copy, tool: Pose) {
+    let base = Pose::from_rpy([0.3, -2.0, 1.1], [0.5, -0.2, 1.0]);
+    let placed = WithBase {
+        robot: WithTool { robot, tool },
+        base,
+    };
+    let mut random = Random::new(0x70a1);
+    let within = |limit: &JointLimit, random: &mut Random| {
+        random.between(limit.lower().max(-3.0), limit.upper().min(3.0))
+    };
+    for _ in 0..20 {
+        let q = robot.own_limits().map(|limit| within(&limit, &mut random));
+        let target = base * robot.fk(&q) * tool;
+        assert!(placed.fk(&q).rotation_distance(&target) < 1e-13);
+        let parameter = placed.parameter_of(&target, &q);
+        let solutions = placed.ik_at(&target, parameter);
+        let is_same = |a: &[f64; N]| a.iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-6);
+        assert!(
+            solutions.iter().any(|solution| is_same(&solution.q)),
+            "{q:?}: {solutions:?}"
+        );
+        for solution in &solutions {
+            let reached = placed.fk(&solution.q);
+            assert!(robot.counting().distance(&reached, &target, 1.0) < 1e-8);
+        }
+        let (all, of_tip) = (placed.feasible(&target), robot.feasible(&robot.fk(&q)));
+        assert_eq!(all.len(), of_tip.len());
+        let best = placed.ik_best(&target, &Criterion::Nearest(q)).unwrap();
+        assert!(
+            best.iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-5),
+            "{best:?} {q:?}"
+        );
+    }
+}
+
+#[test]
+fn any_tool_of_an_arm_for_whole_poses() {
+    let tool = Pose::from_rpy([0.4, 1.2, -0.7], [0.05, -0.1, 0.2]);
+    is_the_arm(Iiwa14, tool);
+    is_the_arm(Panda, tool);
+    is_the_arm(Rail, tool);
+}
+
+#[test]
+fn a_tool_on_the_axis_that_turns() {
+    is_the_arm(Ur5e, Pose::from_rpy([0.0, 0.0, 0.6], [0.0, 0.0, 0.15]));
+}
+
+#[test]
+#[should_panic(
+    expected = "targets that are positions of the tip with the direction of its z axis leave open \
+                where this tool puts the tip: add the tool to the robot's file, or solve for whole \
+                poses"
+)]
+fn a_tool_beside_that_axis_is_refused() {
+    let tool = Pose::from_translation([0.1, 0.0, 0.15]);
+    WithTool { robot: Ur5e, tool }.ik_at(&Ur5e.fk(&[0.3; 6]), 0.0);
+}
+
+/// Turned about what is left open, tools that are allowed stay where the target has them.
+#[test]
+fn what_does_not_count_moves_no_tip() {
+    let targets = [Target::Position, Target::PositionAxis, Target::Direction];
+    let tools = [
+        Pose::from_rpy([0.0, 0.0, 0.6], [0.0; 3]),
+        Pose::from_rpy([0.0, 0.0, 0.6], [0.0, 0.0, 0.3]),
+        Pose::from_rpy([0.0, 0.0, 0.6], [0.2, 0.0, 0.3]),
+        Pose::from_rpy([0.1, 0.0, 0.6], [0.0; 3]),
+    ];
+    let allowed = [
+        [true, false, false, true],
+        [true, true, false, false],
+        [true, true, true, false],
+    ];
+    for (target, allowed) in targets.into_iter().zip(allowed) {
+        for (tool, allowed) in tools.iter().zip(allowed) {
+            assert_eq!(target.allows_tool(tool), allowed, "{target:?} {tool:?}");
+            let here = Pose::from_rpy([0.5, -0.3, 0.2], [1.0, 2.0, 3.0]);
+            let turn = match target {
+                Target::Position => Pose::from_rpy([1.0, 0.7, -0.4], [0.0; 3]),
+                Target::PositionAxis => Pose::from_rpy([0.0, 0.0, 1.0], [0.0; 3]),
+                _ => Pose::from_rpy([0.0, 0.0, 1.0], [0.3, 0.1, -0.8]),
+            };
+            let at_tip = [here, here * turn].map(|at| at * tool.inverse());
+            let moved = target.distance(&at_tip[0], &at_tip[1], 1.0);
+            assert_eq!(moved < 1e-9, allowed, "{target:?} {tool:?}: {moved}");
+        }
+    }
+}
