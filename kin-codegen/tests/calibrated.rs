@@ -356,7 +356,7 @@ home: {xyz: [0.313, -0.025, -0.022]}
 /// is regular. A humanoid's arm in frames of six digits.
 #[test]
 fn nothing_is_lost_of_five_joints() {
-    nothing_is_lost_of_short(&design("tests/robots/noisy/humanoid.yaml"), 3000);
+    nothing_is_lost_of_short(&design("tests/languages/humanoid.yaml"), 3000);
 }
 
 /// With short offsets a nearly double root is off by a tenth of a radian, and with a joint behind the

@@ -74,7 +74,7 @@ const ELIMINATED: &[(&str, Option<Target>)] = &[
 /// refined, and a polynomial beside it.
 const REFINED: &[&str] = &[
     "tests/robots/noisy/calibrated.yaml",
-    "tests/robots/noisy/humanoid.yaml",
+    "tests/languages/humanoid.yaml",
     "tests/robots/noisy/stray_offset.yaml",
     "tests/robots/noisy/truncated_pi.yaml",
     "tests/robots/targets/welder.yaml",
