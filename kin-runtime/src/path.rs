@@ -5,7 +5,6 @@
 //! sequence is found by dynamic programming (R. Bellman, *Dynamic Programming*,
 //! 1957) over all branches and all full turns inside the limits.
 
-use crate::types::travel::wound;
 use crate::{JointLimit, Kinematics, Nearest, NoSolution, Pose, Solution, math};
 use alloc::vec::Vec;
 
@@ -100,7 +99,6 @@ pub fn least_motion<const N: usize>(
     layers: &[Vec<Solution<N>>],
     nearest: &Nearest<N>,
 ) -> Result<(Vec<Solution<N>>, f64), (usize, [f64; N])> {
-    let turns = nearest.endless_turns();
     // By target the way to every solution: what it took, and from where.
     let mut ways: Vec<Vec<Way>> = Vec::with_capacity(layers.len());
     for (target, layer) in layers.iter().enumerate() {
@@ -112,7 +110,7 @@ pub fn least_motion<const N: usize>(
         if target == 0 {
             nearest.step = [f64::INFINITY; N];
         }
-        let way = |solution: &Solution<N>| shortest(&before, &solution.q, &nearest, &turns);
+        let way = |solution: &Solution<N>| shortest(&before, &solution.q, &nearest);
         let here: Vec<Way> = layer.iter().map(way).collect();
         if here.iter().all(|way| way.motion == f64::INFINITY) {
             return Err((target, before[0].2));
@@ -134,7 +132,7 @@ pub fn least_motion<const N: usize>(
     let mut from = nearest.seed;
     for solution in &mut solutions {
         for i in 0..N {
-            solution.q[i] = wound(solution.q[i], from[i], turns[i]);
+            solution.q[i] = nearest.endless(i, solution.q[i], from[i]);
         }
         from = solution.q;
     }
@@ -166,7 +164,6 @@ fn shortest<const N: usize>(
     before: &[(f64, usize, [f64; N])],
     q: &[f64; N],
     nearest: &Nearest<N>,
-    turns: &[f64; N],
 ) -> Way {
     let mut best = Way {
         motion: f64::INFINITY,
@@ -177,7 +174,7 @@ fn shortest<const N: usize>(
         if *motion >= best.motion {
             break;
         }
-        let total = motion + distance(from, q, nearest, turns);
+        let total = motion + distance(from, q, nearest);
         if total < best.motion {
             best = Way {
                 motion: total,
@@ -189,15 +186,10 @@ fn shortest<const N: usize>(
 }
 
 /// The weighted norm of a motion; infinite where a step is too long.
-fn distance<const N: usize>(
-    from: &[f64; N],
-    q: &[f64; N],
-    nearest: &Nearest<N>,
-    turns: &[f64; N],
-) -> f64 {
+fn distance<const N: usize>(from: &[f64; N], q: &[f64; N], nearest: &Nearest<N>) -> f64 {
     let mut square = 0.0;
     for i in 0..N {
-        let by = wound(q[i], from[i], turns[i]) - from[i];
+        let by = nearest.endless(i, q[i], from[i]) - from[i];
         if by.abs() > nearest.step[i] + JointLimit::TOLERANCE {
             return f64::INFINITY;
         }

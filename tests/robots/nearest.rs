@@ -178,3 +178,20 @@ fn widened(limit: JointLimit, by: f64, turns: bool) -> JointLimit {
         false => JointLimit::prismatic(lower, upper),
     }
 }
+
+/// A joint without a seed takes no part, and what a singular target leaves free of it is at 0.
+#[test]
+fn a_seed_that_is_no_number_loses_no_solution() {
+    let arm = crate::zoo::Kr6R900;
+    let q = [0.3, -1.0, 1.2, 0.4, 0.0, -0.3];
+    let target = arm.fk(&q);
+    for (joint, nothing) in (0..6).flat_map(|i| [f64::NAN, f64::INFINITY].map(|x| (i, x))) {
+        let mut seed = q;
+        seed[joint] = nothing;
+        assert_eq!(arm.ik_seeded(&target, &seed).len(), arm.ik(&target).len());
+        let nearest =
+            arm.try_ik_nearest(&target, &Nearest::new(seed, &crate::zoo::Kr6R900::LIMITS));
+        let found = nearest.unwrap().q;
+        assert!((0..3).all(|i| (found[i] - q[i]).abs() < 1e-9), "{found:?}");
+    }
+}

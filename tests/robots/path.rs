@@ -128,6 +128,29 @@ fn a_path_out_of_reach_tells_where_and_why() {
 }
 
 /// The nearest first target leads to a stop; to begin a full turn away does not.
+/// A joint with one stop turns without end to the other side alone.
+#[test]
+fn a_path_keeps_to_a_single_stop() {
+    let arm = crate::zoo::Ur5e;
+    for [lower, upper] in [[0.0, f64::INFINITY], [f64::NEG_INFINITY, 0.0]] {
+        let mut limits = crate::zoo::Ur5e::LIMITS;
+        limits[5] = JointLimit::revolute(lower, upper);
+        let at = |turn: f64| [0.3, -1.2, 1.5, -0.7, 1.1, turn];
+        let targets = [0.4, 0.1, -0.2, -0.55].map(|turn| arm.fk(&at(turn)));
+        let path = ik_path(&arm, &targets, &Nearest::new(at(0.5), &limits)).unwrap();
+        let mut before = at(0.5);
+        for solution in &path.solutions {
+            assert!(
+                (lower - 1e-9..=upper + 1e-9).contains(&solution.q[5]),
+                "{path:?}"
+            );
+            let other = before[5] - solution.q[5];
+            assert!(other.abs() < 2.0 * std::f64::consts::PI + 0.6, "{path:?}");
+            before = solution.q;
+        }
+    }
+}
+
 #[test]
 fn a_path_begins_where_it_can_end() {
     let arm = crate::zoo::Ur5e;

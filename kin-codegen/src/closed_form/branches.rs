@@ -147,7 +147,7 @@ pub(super) fn inputs(target: &Pose, seed: &[f64], parameters: &[f64], free_below
     let mut inputs: Vec<f64> = Vec::with_capacity(24);
     inputs.extend(target.rotation.iter().flatten());
     inputs.extend(target.translation);
-    inputs.extend(seed);
+    inputs.extend(seed.iter().map(|x| if x.is_finite() { *x } else { 0.0 }));
     inputs.extend(parameters);
     inputs.push(free_below);
     inputs

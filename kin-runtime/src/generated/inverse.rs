@@ -173,11 +173,13 @@ where
 {
     #[inline(always)]
     fn new(pose: &'a Pose, seed: &'a [Real; N], locked: &'a [Real; P]) -> Self {
+        // A joint without a seed takes no part in a choice, and an angle of it that is free is at 0.
+        let known = seed.map(|x| math::select(x.is_finite(), x, 0.0));
         Given {
             pose,
             seed,
             locked,
-            sin_cos: Known::new(R::angles(seed, locked)),
+            sin_cos: Known::new(R::angles(&known, locked)),
             free: FREE_BELOW,
             seeded: true,
             solver: PhantomData,
