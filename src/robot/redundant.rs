@@ -124,6 +124,8 @@ pub struct Interval {
     pub from: f64,
     /// Its upper end, which may be beyond π.
     pub to: f64,
+    /// Whether the parameter is an angle, and no way in metres.
+    pub is_angle: bool,
     /// Whether the branch goes on from the upper end at the lower.
     pub is_closed: bool,
     /// The configuration of the branch in the middle of the interval, by which it is told from
@@ -136,6 +138,7 @@ impl Interval {
         Self {
             from: interval.from,
             to: interval.to,
+            is_angle: interval.is_angle,
             is_closed: interval.is_closed,
             middle: interval.middle.to_vec(),
         }
@@ -146,6 +149,7 @@ impl Interval {
         let own = FeasibleInterval {
             from: self.from,
             to: self.to,
+            is_angle: self.is_angle,
             is_closed: self.is_closed,
             middle: [],
         };

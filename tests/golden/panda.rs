@@ -1155,10 +1155,13 @@ mod __Panda {
                 }
             }
             let mut arguments = [[f64::INFINITY; 16]; 4];
-            for (to, from) in arguments[0].iter_mut().zip([argument1_.0; 2]) {
+            for (to, from) in arguments[0]
+                .iter_mut()
+                .zip([argument1_.0; 2].iter().cycle())
+            {
                 *to = from[0];
             }
-            for (to, from) in arguments[1].iter_mut().zip(argument2_.0) {
+            for (to, from) in arguments[1].iter_mut().zip(argument2_.0.iter().cycle()) {
                 *to = from[0];
             }
             arguments

@@ -21,6 +21,15 @@ pub fn sawyer_whose_tool_turns() -> Robot {
     cached("../robots/sawyer.yaml", &options)
 }
 
+/// Of three parameters.
+pub fn ur10e_for_positions() -> Robot {
+    let options = RobotOptions {
+        target: Some(Target::Position),
+        ..RobotOptions::default()
+    };
+    cached("../robots/ur10e.yaml", &options)
+}
+
 fn loaded<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) -> Robot {
     let free = match K::PARAMETER {
         Parameter::Joint(joint) => vec![K::JOINT_NAMES[joint].to_owned()],

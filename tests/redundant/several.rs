@@ -22,6 +22,17 @@ kinematics!(
     target = position_axis
 );
 
+kinematics!(
+    "../robots/ur10e.yaml",
+    name = Ur10ePosition,
+    target = position
+);
+kinematics!(
+    "../robots/ur5e.urdf",
+    name = Ur5eOrientation,
+    target = orientation
+);
+
 fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let each = a.iter().zip(b).map(|(a, b)| {
         let d = (a - b).abs() % (2.0 * PI);
@@ -97,6 +108,22 @@ fn along_one<K: RedundantKinematics<N>, const N: usize>(arm: &K, q: &[f64; N], t
             .any(|solution| close(&solution.q))
     );
     let intervals = arm.feasible(target);
+    intervals_hold(arm, q, target);
+    let best = arm.ik_best(target, &Criterion::Nearest(*q)).unwrap();
+    let ways = (0..N).map(|i| (best[i] - q[i]).powi(2)).sum::<f64>();
+    assert!(ways.sqrt() < 1e-6, "{best:?} is not {q:?}");
+    let step = arm
+        .ik_follow(target, q, &Follow::new(&K::LIMITS, 1e-3))
+        .unwrap();
+    assert!(!step.jumps && apart(&step.solution.q, q) < 0.1);
+    assert_eq!(arm.ik_sweep(target, 5).count(), 5);
+    let nearest = arm.ik_nearest_at(target, own, q).unwrap();
+    assert!(close(&nearest.q));
+}
+
+/// Where there is a solution, there is the interval of its branch, and nowhere else.
+fn intervals_hold<K: RedundantKinematics<N>, const N: usize>(arm: &K, q: &[f64; N], target: &Pose) {
+    let intervals = arm.feasible(target);
     let [lower, upper] = match K::PARAMETER {
         Parameter::Joint(joint) if !K::LIMITS[joint].is_revolute() => {
             [K::LIMITS[joint].lower(), K::LIMITS[joint].upper()]
@@ -118,16 +145,70 @@ fn along_one<K: RedundantKinematics<N>, const N: usize>(arm: &K, q: &[f64; N], t
         let solutions = arm.ik_at(target, value).len();
         assert_eq!(held.count(), solutions, "{value} of {q:?}: {intervals:#?}");
     }
-    let best = arm.ik_best(target, &Criterion::Nearest(*q)).unwrap();
-    let ways = (0..N).map(|i| (best[i] - q[i]).powi(2)).sum::<f64>();
-    assert!(ways.sqrt() < 1e-6, "{best:?} is not {q:?}");
-    let step = arm
-        .ik_follow(target, q, &Follow::new(&K::LIMITS, 1e-3))
-        .unwrap();
-    assert!(!step.jumps && apart(&step.solution.q, q) < 0.1);
-    assert_eq!(arm.ik_sweep(target, 5).count(), 5);
-    let nearest = arm.ik_nearest_at(target, own, q).unwrap();
-    assert!(close(&nearest.q));
+}
+
+/// Of a position the second root does not depend on the sign of the first: its zeros end intervals
+/// of all branches.
+#[test]
+fn roots_that_do_not_depend_on_others_end_all_branches() {
+    let mut random = Random::new(0x10e);
+    for _ in 0..20 {
+        let q: [f64; 6] = std::array::from_fn(|_| random.angle());
+        let target = Ur10ePosition.fk(&q);
+        let given = Ur10ePosition.redundancy(&q);
+        intervals_hold(&Ur10ePosition.along::<0>(given), &q, &target);
+        intervals_hold(&Ur10ePosition.along::<1>(given), &q, &target);
+        intervals_hold(&Ur10ePosition.along::<2>(given), &q, &target);
+        let loaded = crate::at_run_time::ur10e_for_positions();
+        let read = loaded.along(0, &given).feasible(&target);
+        let ends: Vec<[f64; 2]> = read.iter().map(|it| [it.from, it.to]).collect();
+        let own = Ur10ePosition.along::<0>(given).feasible(&target);
+        assert_eq!(
+            ends,
+            own.iter().map(|it| [it.from, it.to]).collect::<Vec<_>>()
+        );
+    }
+}
+
+/// With the wrist straight two axes are one, whatever the others do: the branch has no end.
+#[test]
+fn an_angle_that_is_free_throughout_leaves_an_interval() {
+    for bend in [0.0, 1e-12, 1e-9, 1e-7, PI] {
+        let q = [0.4, -1.1, 0.8, 0.3, bend, -0.6];
+        let target = Ur5eOrientation.fk(&q);
+        let given = Ur5eOrientation.redundancy(&q);
+        intervals_hold(&Ur5eOrientation.along::<1>(given), &q, &target);
+        let best = Ur5eOrientation
+            .along::<1>(given)
+            .ik_best(&target, &Criterion::Nearest(q));
+        assert!(best.is_some(), "{bend:e}");
+    }
+}
+
+#[test]
+fn what_is_no_pose_has_no_intervals() {
+    let there = crate::Panda.fk(&[0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6]);
+    for bad in [f64::NAN, f64::INFINITY, 1e300] {
+        let mut target = there;
+        target.translation[0] = bad;
+        assert!(crate::Panda.feasible(&target).is_empty());
+        let limits = &crate::Panda::LIMITS;
+        assert!(crate::Panda.feasible_within(&target, limits).is_empty());
+        let best = crate::Panda.ik_best(&target, &Criterion::Manipulability);
+        assert!(best.is_none());
+    }
+}
+
+/// Metres do not come round.
+#[test]
+fn an_interval_of_a_slide_holds_what_is_between_its_ends() {
+    let q = [0.2, 0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    for interval in crate::Rail.feasible(&crate::Rail.fk(&q)) {
+        assert!(!interval.is_angle && interval.contains(0.5 * (interval.from + interval.to)));
+        assert!(!interval.contains(interval.from + 2.0 * PI + 1e-9));
+    }
+    let turn = crate::Panda.feasible(&crate::Panda.fk(&[0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6]));
+    assert!(turn[0].is_angle && turn[0].contains(turn[0].from + 2.0 * PI + 1e-9));
 }
 
 #[test]

@@ -14,7 +14,7 @@ pub struct Domain {
     /// What the roots of an exact arm's plan are the roots of.
     arguments: Option<Arguments>,
     /// Of other plans, how far they are from having no root.
-    margin: Option<Margin>,
+    margin: Option<Tape>,
 }
 
 #[derive(Clone, Debug)]
@@ -22,14 +22,6 @@ struct Arguments {
     tape: Tape,
     /// By root, whether it can be out of domain; outputs of the tape are those of these.
     roots: Vec<bool>,
-    /// Branches that differ in the choices that count.
-    branches: usize,
-}
-
-#[derive(Clone, Debug)]
-struct Margin {
-    tape: Tape,
-    branches: usize,
 }
 
 /// All lanes of a tape: no plan of an arm with a parameter has more branches.
@@ -43,16 +35,12 @@ impl Domain {
         let arguments = arguments.map(|(inverse, roots)| Arguments {
             tape: Tape::new(&inverse.graph, &inverse.q),
             roots: roots.iter().map(Option::is_some).collect(),
-            branches: 1 << inverse.graph.choices(),
         });
         let margin = match arguments {
             Some(_) => None,
             None => form.expressions().and_then(InverseGraph::of_margin),
         };
-        let margin = margin.map(|inverse| Margin {
-            tape: Tape::new(&inverse.graph, &[inverse.residual]),
-            branches: 1 << inverse.graph.choices(),
-        });
+        let margin = margin.map(|inverse| Tape::new(&inverse.graph, &[inverse.residual]));
         Self { arguments, margin }
     }
 
@@ -74,8 +62,7 @@ impl Domain {
             let values = arguments.tape.run::<LANES>(&inputs, 0);
             let own = all.iter_mut().zip(&arguments.roots);
             for (number, (to, _)) in own.filter(|(_, is_own)| **is_own).enumerate() {
-                let lanes = ..arguments.branches;
-                to[lanes].copy_from_slice(&values.output(number)[lanes]);
+                *to = *values.output(number);
             }
         }
         all
@@ -88,12 +75,10 @@ impl Domain {
         target: &Pose,
         parameters: &[f64],
     ) -> Option<[f64; 16]> {
-        let Margin { tape, branches } = self.margin.as_ref()?;
+        let tape = self.margin.as_ref()?;
         let values = tape.run::<LANES>(&form.inputs(target, parameters), 0);
-        let mut margins = [0.0; 16];
-        for (k, margin) in margins[..form.plan.branches()].iter_mut().enumerate() {
-            *margin = values.output(0)[k % branches];
-        }
+        let mut margins = *values.output(0);
+        margins[form.plan.branches()..].fill(0.0);
         Some(margins)
     }
 }

@@ -12,6 +12,8 @@ const DENSITY: f64 = 24.0;
 const FEWEST: usize = 24;
 /// Golden-section steps: the variable to the square root of rounding.
 const STEPS: usize = 40;
+/// Costs that differ by less, relative to the largest, are the same.
+const SAME: f64 = 1e-12;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// What makes a configuration better than another.
@@ -103,9 +105,12 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     let count = FEWEST.max((curve.length(&part) * DENSITY) as usize);
     let variable = |i: usize| part.from + (part.to - part.from) * i as f64 / count as f64;
     let costs: Vec<f64> = (0..=count).map(|i| cost(variable(i))).collect();
+    let finite = costs.iter().filter(|cost| cost.is_finite());
+    let same = SAME * finite.fold(0.0, |most: f64, cost| most.max(cost.abs()));
+    // Where all that is seen is the same, the first.
     let is_least = |&i: &usize| {
-        let before = i == 0 || costs[i] <= costs[i - 1];
-        before && (i == count || costs[i] <= costs[i + 1]) && costs[i].is_finite()
+        let before = i == 0 || costs[i] < costs[i - 1] - same;
+        before && (i == count || costs[i] <= costs[i + 1] + same) && costs[i].is_finite()
     };
     let refined = |i: usize| {
         let beside = [i.saturating_sub(1), (i + 1).min(count)];

@@ -120,6 +120,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         Some(self.wound(FeasibleInterval {
             from,
             to,
+            is_angle: self.turns(self.parameter),
             is_closed: part.is_closed,
             middle: self.q_wrapped(&middle),
         }))
@@ -127,7 +128,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The solution of a branch, or of one that differs from it by signs of zero.
     fn of_branch(&self, branch: usize, value: f64) -> Option<Point> {
-        let solutions = self.robot.ik_at(self.target, value);
+        let solutions = self.solutions(value);
         let own = solutions.iter().find(|it| it.branch as usize == branch);
         let found = own.or_else(|| {
             let arguments = self.robot.root_arguments(self.target, value);

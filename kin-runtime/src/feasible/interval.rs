@@ -14,6 +14,8 @@ pub struct FeasibleInterval<const N: usize> {
     /// Its upper end, which may be beyond π. A branch that exists throughout has a whole
     /// turn, or several if it comes round to another one.
     pub to: f64,
+    /// Whether the parameter is an angle, and no way in metres.
+    pub is_angle: bool,
     /// Whether the branch goes on from the upper end at the lower: it has no end.
     pub is_closed: bool,
     /// The configuration of the branch in the middle of the interval, by which it is told
@@ -26,8 +28,7 @@ impl<const N: usize> FeasibleInterval<N> {
     pub fn contains(&self, parameter: f64) -> bool {
         let turns = libm::floor((parameter - self.from) / TAU);
         let wound = parameter - turns * TAU;
-        self.is_closed
-            || (self.from..=self.to).contains(&parameter)
-            || (self.from..=self.to).contains(&wound)
+        let is_inside = |value| (self.from..=self.to).contains(&value);
+        self.is_closed || is_inside(parameter) || self.is_angle && is_inside(wound)
     }
 }

@@ -20,7 +20,7 @@ pub(super) const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
 
 /// A place at which branches may begin or end.
 #[derive(Clone, Copy)]
-struct Cut {
+pub(super) struct Cut {
     value: f64,
     /// Whether roots meet there without ceasing to be real, or nearly: branches may exist there
     /// alone.
@@ -46,12 +46,13 @@ fn branches<const N: usize>(solutions: &Solutions<N>) -> u32 {
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The intervals of all branches, with their branches; none where no plan tells them.
     pub fn intervals_of_lanes(&self) -> Option<Vec<(usize, FeasibleInterval<N>)>> {
-        if self.roots == 0 {
-            return None;
-        }
+        (self.roots > 0).then(|| self.intervals_between(&self.cuts()))
+    }
+
+    /// The same where branches begin and end at these places alone.
+    pub fn intervals_between(&self, cuts: &[Cut]) -> Vec<(usize, FeasibleInterval<N>)> {
         let turns = self.turns(self.parameter);
-        let cuts = self.cuts();
-        let cells = self.cells(&cuts, turns);
+        let cells = self.cells(cuts, turns);
         let mut all: Vec<(Run, usize)> = Vec::new();
         for lane in 0..self.branches {
             let own = runs(&cells, lane, turns).into_iter();
@@ -66,8 +67,20 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             Some((lane, interval))
         });
         let mut found: Vec<(usize, FeasibleInterval<N>)> = each.collect();
-        self.isolated(&cuts, &cells, turns, &mut found);
-        Some(found)
+        self.isolated(cuts, &cells, turns, &mut found);
+        found
+    }
+
+    /// The ends of a travel.
+    pub fn stops(&self) -> Vec<Cut> {
+        let ends = self.range().into_iter();
+        let stop = |value| Cut {
+            value,
+            touches: false,
+        };
+        ends.filter(|_| !self.turns(self.parameter))
+            .map(stop)
+            .collect()
     }
 
     /// All places at which branches may begin or end, ascending; of a travel its ends too.
@@ -83,9 +96,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         };
         let crossing = meetings.crossing.iter().map(|value| cut(value, false));
         let touching = meetings.touching.iter().map(|value| cut(value, true));
-        let stops = self.range().map(|value| cut(&value, false));
-        let stops = stops.into_iter().filter(|_| !turns);
-        let mut cuts: Vec<Cut> = crossing.chain(touching).chain(stops).collect();
+        let mut cuts: Vec<Cut> = crossing.chain(touching).chain(self.stops()).collect();
         cuts.sort_by(|a, b| a.value.total_cmp(&b.value));
         cuts.dedup_by(|next, kept| {
             let apart = next.value - kept.value;
@@ -146,6 +157,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         Some(self.wound(FeasibleInterval {
             from,
             to,
+            is_angle: self.turns(self.parameter),
             is_closed: run.is_closed,
             middle: q?,
         }))
@@ -178,6 +190,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
                 let interval = self.wound(FeasibleInterval {
                     from: cut.value,
                     to: cut.value,
+                    is_angle: turns,
                     is_closed: false,
                     middle: solution.q,
                 });

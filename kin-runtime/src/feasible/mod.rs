@@ -44,15 +44,13 @@ pub(crate) fn feasible<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     target: &Pose,
 ) -> Vec<FeasibleInterval<N>> {
     let task = Task::new(robot, target);
-    if let Some(intervals) = task.intervals_of_lanes() {
-        return intervals
-            .into_iter()
-            .map(|(_, interval)| interval)
-            .collect();
+    match task.branches() {
+        Branches::OfLanes(intervals) => intervals.into_iter().map(|(_, it)| it).collect(),
+        Branches::Followed(curves) => {
+            let whole = |curve: &Curve| task.interval(curve, &curve.whole());
+            curves.iter().filter_map(whole).collect()
+        }
     }
-    let curves = task.followed();
-    let whole = |curve: &Curve| task.interval(curve, &curve.whole());
-    curves.iter().filter_map(whole).collect()
 }
 
 /// The same as far as all joints are within their limits.
@@ -96,21 +94,40 @@ fn parts<'a, K: RedundantKinematics<N> + ?Sized, const N: usize>(
 }
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// All branches.
+    /// All branches, of what is a target.
+    fn branches(&self) -> Branches<N> {
+        if !self.is_target() {
+            return Branches::Followed(Vec::new());
+        }
+        if let Some(intervals) = self.intervals_of_lanes() {
+            return Branches::OfLanes(intervals);
+        }
+        let arcs = arcs::arcs(self).into_iter();
+        let curves = arcs.filter_map(|arc| Curve::of_points(self.parameter, arc));
+        let curves: Vec<Curve> = curves.collect();
+        match curves.is_empty() {
+            // Nothing is followed where an angle is free, whatever the parameter.
+            true => Branches::OfLanes(self.intervals_between(&self.stops())),
+            false => Branches::Followed(curves),
+        }
+    }
+
     fn curves(&self) -> Vec<Curve> {
-        match self.intervals_of_lanes() {
-            Some(intervals) => {
+        match self.branches() {
+            Branches::OfLanes(intervals) => {
                 let each = intervals.iter();
                 each.map(|(lane, interval)| self.curve(*lane, interval))
                     .collect()
             }
-            None => self.followed(),
+            Branches::Followed(curves) => curves,
         }
     }
+}
 
-    fn followed(&self) -> Vec<Curve> {
-        let arcs = arcs::arcs(self).into_iter();
-        arcs.filter_map(|arc| Curve::of_points(self.parameter, arc))
-            .collect()
-    }
+/// What is known of branches.
+enum Branches<const N: usize> {
+    /// Their numbers and intervals.
+    OfLanes(Vec<(usize, FeasibleInterval<N>)>),
+    /// Their curves.
+    Followed(Vec<Curve>),
 }

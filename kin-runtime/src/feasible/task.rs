@@ -2,7 +2,12 @@
 
 use crate::linear::span::Span;
 use crate::linear::vector::{dot, norm};
-use crate::{JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Target, math};
+use crate::scalar::tolerance::ROTATION;
+use crate::{
+    JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Solutions, Target, math,
+};
+use alloc::collections::BTreeMap;
+use core::cell::RefCell;
 
 /// Coordinates of a point: the values of up to eight joints, and behind them the parameter where
 /// it is none of these; the rest is zero.
@@ -15,6 +20,8 @@ const EQUATIONS: usize = 7;
 const NEWTON_STEPS: usize = 10;
 /// How exactly the target is met, relative to its distance from the base or to a metre.
 const MET: f64 = 1e-12;
+/// Values of the parameter whose solutions are kept, a kilobyte each.
+const KNOWN: usize = 4096;
 
 /// What a robot has to reach.
 pub(super) struct Task<'a, K: ?Sized, const N: usize> {
@@ -34,6 +41,8 @@ pub(super) struct Task<'a, K: ?Sized, const N: usize> {
     of: Parameter,
     /// What counts: with a turn of the tool, a target is a whole pose.
     counts: Target,
+    /// Solutions by the parameter: branches over the same interval ask for the same.
+    solved: RefCell<BTreeMap<u64, Solutions<N>>>,
 }
 
 /// A point of a curve, and the unit vector along it, to where the parameter grows.
@@ -74,7 +83,29 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
             resting: (resting, count),
             of,
             counts,
+            solved: RefCell::default(),
         }
+    }
+
+    /// Whether the target is one: all that counts a finite number, and a rotation.
+    pub fn is_target(&self) -> bool {
+        let counts = self.robot.counting();
+        counts.is_finite(self.target)
+            && counts.rotation_error(self.target) <= ROTATION
+            && norm(self.target.translation).is_finite()
+    }
+
+    /// All solutions at a value of the parameter.
+    pub fn solutions(&self, value: f64) -> Solutions<N> {
+        let mut solved = self.solved.borrow_mut();
+        if let Some(known) = solved.get(&value.to_bits()) {
+            return *known;
+        }
+        let solutions = self.robot.ik_at(self.target, value);
+        if solved.len() < KNOWN {
+            solved.insert(value.to_bits(), solutions);
+        }
+        solutions
     }
 
     /// Whether a coordinate is an angle.

@@ -13,12 +13,18 @@ use core::f64::consts::PI;
 
 /// The last three coefficients of a polynomial that is the function, relative to its values.
 const RESOLVED: f64 = 1e-9;
+/// The same at its ends, which are no points of its own.
+const AT_ENDS: f64 = 1e-7;
 /// What rounding may leave of them.
 const NOISE: f64 = 1e-12;
+/// Last coefficients below this, relative to values, are noise where those of a piece twice as
+/// long were not larger by more than this factor.
+const NOISY: f64 = 1e-6;
+const STAYS: f64 = 0.7;
 /// Halvings of a piece at most: at a kink.
 const HALVINGS: u32 = 18;
 /// Pieces that are halved at most: where the function is rounding.
-const HALVED: u32 = 256;
+const HALVED: u32 = 48;
 /// Halvings of a part between two points at most; two zeros in what is left are looked for by
 /// the function itself.
 const PARTS: u32 = 8;
@@ -66,7 +72,7 @@ pub(super) fn zeros(
     let mut before = (from, f(from));
     for i in 1..=pieces {
         let next = (end(i), f(end(i)));
-        search.piece(before, next, HALVINGS);
+        search.piece(before, next, HALVINGS, f64::INFINITY);
         before = next;
     }
     search.found
@@ -81,7 +87,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn piece(&mut self, from: Sample, to: Sample, halvings: u32) {
+    /// `before` is what was left in the last coefficients of the piece that this is a half of.
+    fn piece(&mut self, from: Sample, to: Sample, halvings: u32, before: f64) {
         let (middle, half) = (0.5 * (from.0 + to.0), 0.5 * (to.0 - from.0));
         // From `from` to `to`: θ falls from π to 0.
         let place = |theta: f64| middle + half * math::sin_cos(theta).1;
@@ -94,21 +101,33 @@ impl Search<'_> {
         }
         let polynomial = Polynomial::through(self.cosines, &values);
         let tail = &polynomial.coefficients[POINTS - 3..];
-        let is_resolved = tail.iter().all(|c| c.abs() <= RESOLVED * largest + NOISE);
+        let off_ends = [(PI, from.1), (0.0, to.1)];
+        let off_ends = off_ends.map(|(theta, value)| (polynomial.at(theta) - value).abs());
+        let left = tail.iter().fold(0.0, |most, c| math::max(most, c.abs()));
+        // What halving does not lessen is noise, next to singular configurations.
+        let is_noise = left <= NOISY * largest && left > STAYS * before;
+        let is_resolved = (left <= RESOLVED * largest + NOISE || is_noise)
+            && off_ends
+                .iter()
+                .all(|off| *off <= AT_ENDS * largest + NOISE + 10.0 * left);
         if !is_resolved && halvings > 0 && self.halved < HALVED {
             self.halved += 1;
             let middle = (middle, (self.f)(middle));
-            self.piece(from, middle, halvings - 1);
-            self.piece(middle, to, halvings - 1);
+            self.piece(from, middle, halvings - 1, left);
+            self.piece(middle, to, halvings - 1, left);
             return;
         }
         let mut before = (PI, from.1);
-        for j in (0..POINTS).rev() {
-            let next = (theta(j), values[j]);
-            self.part(&polynomial, &place, before, next, PARTS);
+        let inner = (0..POINTS).rev().map(|j| (theta(j), values[j]));
+        for next in inner.chain([(0.0, to.1)]) {
+            // What is no polynomial has a zero where its values change their sign.
+            if is_resolved {
+                self.part(&polynomial, &place, before, next, PARTS);
+            } else if (before.1 < 0.0) != (next.1 < 0.0) {
+                self.look(place(before.0), place(next.0));
+            }
             before = next;
         }
-        self.part(&polynomial, &place, before, (0.0, to.1), PARTS);
     }
 
     /// The part of a piece between two values of θ, with the values there.
@@ -261,6 +280,15 @@ mod tests {
         let near = |t: f64| 1.0 / (1e-4 + (t - 0.3) * (t - 0.3)) - 5000.0;
         assert_are(&of(&near), &[0.29, 0.31]);
         assert_are(&of(&|t: f64| 0.01 - (t - 0.3).abs()), &[0.29, 0.31]);
+    }
+
+    /// Between the end of a piece and the first point of its polynomial.
+    #[test]
+    fn a_kink_at_an_end_is_seen() {
+        for bend in [1e-3, 1e-5, 1e-6] {
+            let f = |t: f64| (t - 0.5).abs() - bend;
+            assert_are(&of(&f), &[0.5 - bend, 0.5 + bend]);
+        }
     }
 
     #[test]

@@ -376,7 +376,7 @@ fn root_arguments(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenS
         argument.as_ref()?;
         let (root, lanes) = (usize_literal(root), written.next()?);
         Some(quote! {
-            for (to, from) in arguments[#root].iter_mut().zip(#lanes) {
+            for (to, from) in arguments[#root].iter_mut().zip(#lanes.iter().cycle()) {
                 *to = from[0];
             }
         })
