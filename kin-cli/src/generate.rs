@@ -93,12 +93,6 @@ fn check(output: &Path, code: &str) -> Done {
 fn write(output: &Path, code: &str) -> Done {
     match fs::write(output, code) {
         Ok(()) => Done::printing(""),
-        Err(error) => Done::failing(
-            Exit::Broken,
-            format!(
-                "cannot write {}: {error}",
-                one_line(&output.to_string_lossy())
-            ),
-        ),
+        Err(error) => Done::unwritten(output, &error),
     }
 }

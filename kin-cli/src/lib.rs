@@ -24,7 +24,10 @@ pub use exit::Exit;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
+use kin_codegen::spec::one_line;
 use std::ffi::OsString;
+use std::io;
+use std::path::Path;
 
 /// What a command has to say.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,6 +55,19 @@ impl Done {
             stderr: format!("{stderr}\n"),
             exit,
         }
+    }
+
+    fn unwritten(path: &Path, error: &io::Error) -> Self {
+        let help = match error.kind() {
+            io::ErrorKind::NotFound => "make its folder first",
+            io::ErrorKind::IsADirectory => "name a file in it",
+            _ => "choose another place by `-o`",
+        };
+        let path = one_line(&path.to_string_lossy());
+        Self::failing(
+            Exit::Broken,
+            format!("cannot write {path}: {error}\nhelp: {help}"),
+        )
     }
 }
 

@@ -292,3 +292,21 @@ fn a_comment_about_loops_changes_nothing() {
     assert!(stdout(&checked).contains("solved: SP4(q1)"));
     std::fs::remove_dir_all(folder).unwrap();
 }
+
+#[test]
+fn a_folder_that_is_missing_is_to_be_made() {
+    let done = kin_cli::run([
+        "kin",
+        "generate",
+        "../robots/scara.yaml",
+        "-o",
+        "missing/scara.rs",
+    ]);
+    assert_eq!(done.exit, kin_cli::Exit::Broken);
+    assert!(done.stderr.starts_with("cannot write missing/scara.rs: "));
+    assert!(
+        done.stderr.ends_with("\nhelp: make its folder first\n"),
+        "{}",
+        done.stderr
+    );
+}

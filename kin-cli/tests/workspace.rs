@@ -382,3 +382,14 @@ fn arms_without_closed_form_are_refused() {
     let turned = run("elbow", Path::new("nowhere"), &["--target", "orientation"]);
     assert_ne!(turned.exit, Exit::Success);
 }
+
+#[test]
+fn a_map_needs_poses_that_leave_no_joint_open() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let done = run("panda", folder, &[]);
+    assert_eq!(
+        done.stderr.split_once(": ").unwrap().1,
+        "a point of a map is asked for by its pose alone, which leaves joints of this arm open\n\
+         help: make as many `fixed` in the file, for a map at their values\n"
+    );
+}

@@ -107,7 +107,6 @@ fn along_one<K: RedundantKinematics<N>, const N: usize>(arm: &K, q: &[f64; N], t
             .iter()
             .any(|solution| close(&solution.q))
     );
-    let intervals = arm.feasible(target);
     intervals_hold(arm, q, target);
     let best = arm.ik_best(target, &Criterion::Nearest(*q)).unwrap();
     let ways = (0..N).map(|i| (best[i] - q[i]).powi(2)).sum::<f64>();

@@ -140,10 +140,7 @@ fn write(
     let written = picture.and_then(|picture| fs::write(&arguments.output, picture));
     match written {
         Ok(()) => Ok(report(subject, path)),
-        Err(error) => {
-            let reason = format!("cannot write {shown}: {error}");
-            Err(Done::failing(Exit::Broken, reason))
-        }
+        Err(error) => Err(Done::unwritten(&arguments.output, &error)),
     }
 }
 

@@ -44,8 +44,7 @@ pub(crate) fn run(arguments: &arguments::View) -> Done {
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
     if let Err(error) = fs::write(&arguments.output, page) {
-        let file = one_line(&arguments.output.to_string_lossy());
-        return Done::failing(Exit::Broken, format!("cannot write {file}: {error}"));
+        return Done::unwritten(&arguments.output, &error);
     }
     let mut done = Done::printing("");
     if let Some(warnings) = warnings {

@@ -71,8 +71,14 @@ fn drawn(robot: &Compiled) -> (&str, Figure) {
 /// Why a robot's targets make no map.
 fn placeless(robot: &Compiled) -> String {
     match robot {
+        Compiled::Arm(arm) if arm.redundancy.is_some() => {
+            "a point of a map is asked for by its pose alone, which leaves joints of this arm open\n\
+             help: make as many `fixed` in the file, for a map at their values"
+                .into()
+        }
         Compiled::Arm(arm) => format!(
-            "targets are {}, which have no place in a workspace",
+            "targets are {}, which have no place in a workspace\n\
+             help: choose `--target pose` or `--target position`",
             arm.target().phrase()
         ),
         Compiled::Mechanism(_) => {
@@ -92,10 +98,7 @@ fn draw(
     drop(bar);
     match write(arguments, name, robot, sampling, &map) {
         Ok(files) => Done::printing(report(sampling, &map, &files)),
-        Err((path, error)) => Done::failing(
-            Exit::Broken,
-            format!("cannot write {}: {error}", shown(&path)),
-        ),
+        Err((path, error)) => Done::unwritten(&path, &error),
     }
 }
 
