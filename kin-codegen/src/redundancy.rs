@@ -1,6 +1,7 @@
 //! Arms with more joints than their targets have coordinates: which joints are given
 //! with the target, so that the others have isolated solutions.
 
+use crate::certificate::SOMEWHERE;
 use crate::closed_form::tip_shift;
 use crate::expr;
 use crate::geometry::{
@@ -8,7 +9,7 @@ use crate::geometry::{
 };
 use crate::model::{JointKind, Model, configurations};
 use crate::plan::{Plans, Relations, Target};
-use crate::solver::{Certified, DESIGNED, NoClosedForm, SOMEWHERE, TOLERANCES, alike, solve};
+use crate::solver::{Certified, DESIGNED, NoClosedForm, TOLERANCES, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 use std::rc::Rc;

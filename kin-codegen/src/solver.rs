@@ -1,7 +1,7 @@
 //! The search for a closed form: relations are read into the axes with growing
 //! tolerance, and the plans for them certified, until one stands.
 
-use crate::certificate::{Certificate, Failure, NearSingular, Trials, certify};
+use crate::certificate::{Certificate, Failure, NearSingular, SOMEWHERE, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Reading, Refinement, tip_shift};
 use crate::expr::inverse::{DomainMargin, FreeAngles, InverseGraph, inverse, weight};
 use crate::geometry::{
@@ -41,9 +41,6 @@ const NOISY: f64 = 1e-4;
 
 /// So many choices of eliminations are tried of an arm that is solved by them alone.
 const CHOICES: usize = 6;
-
-/// Values of locked joints at which nothing is aligned.
-pub(crate) const SOMEWHERE: f64 = 0.83;
 
 /// A closed form that was seen to work.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use kinematics::{
-    Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, Parameter, Pose,
+    Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, JointLimit, Parameter, Pose,
     RedundantKinematics, kinematics,
 };
 use std::f64::consts::PI;
@@ -32,6 +32,7 @@ kinematics!(
     name = Ur5eOrientation,
     target = orientation
 );
+kinematics!("../robots/planar_3r.yaml", target = position);
 
 fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let each = a.iter().zip(b).map(|(a, b)| {
@@ -195,6 +196,39 @@ fn what_is_no_pose_has_no_intervals() {
         assert!(crate::Panda.feasible_within(&target, limits).is_empty());
         let best = crate::Panda.ik_best(&target, &Criterion::Manipulability);
         assert!(best.is_none());
+    }
+}
+
+/// Of a target that the arm reaches nearly folded, an elbow turns back within a thousandth of the
+/// parameter's turn: beside the end of what is replaced by a polynomial.
+#[test]
+fn a_limit_is_crossed_where_an_arm_is_nearly_folded() {
+    let mut random = Random::new(0xf01d);
+    let mut limits = [JointLimit::Continuous; 3];
+    limits[1] = JointLimit::revolute(0.0, 2.0);
+    for off in [1e-3, 1e-4, 1e-5].into_iter().cycle().take(90) {
+        let mut near = |x: f64| x + random.between(-off, off);
+        let q = [near(0.0), near(0.0), near(PI)];
+        let q = [q[0] + random.between(-3.0, 3.0), q[1], q[2]];
+        let target = Planar3r.fk(&q);
+        let intervals = Planar3r.feasible_within(&target, &limits);
+        for k in 0..100 {
+            let value = PI * ((f64::from(k) + 0.37) / 50.0 - 1.0);
+            let solutions = Planar3r.ik_at(&target, value);
+            let inside = |by: f64| {
+                let elbows = solutions.iter().map(|solution| solution.q[1]);
+                elbows.filter(|q| (-by..2.0 + by).contains(q)).count()
+            };
+            let [least, most] = [-1e-3, 1e-3].map(inside);
+            let held = intervals
+                .iter()
+                .filter(|it| it.from < it.to && it.contains(value));
+            let held = held.count();
+            assert!(
+                (least..=most).contains(&held),
+                "{value} of {q:?}: {intervals:#?}"
+            );
+        }
     }
 }
 

@@ -10,6 +10,8 @@
 mod alignment;
 mod parameters;
 
+pub(crate) use parameters::SOMEWHERE;
+
 use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::{self, Linkage, SINGULAR};
 use crate::model::{Model, anywhere, configurations};
@@ -312,7 +314,7 @@ impl Held {
             .collect();
         Self {
             parameters: match linkage.swivel {
-                Some(_) => vec![parameters::SOMEWHERE],
+                Some(_) => vec![SOMEWHERE],
                 None => parameters,
             },
             model,

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// How many places, the first, are anywhere.
 pub(super) const ANYWHERE: usize = 2;
 /// The first of them, at which nothing is aligned.
-pub(super) const SOMEWHERE: f64 = 0.83;
+pub(crate) const SOMEWHERE: f64 = 0.83;
 /// The places of a joint, as angles.
 const PLACES: [f64; 7] = [
     SOMEWHERE,

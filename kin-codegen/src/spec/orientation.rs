@@ -26,25 +26,7 @@ pub(super) fn from_rpy([roll, pitch, yaw]: [f64; 3]) -> Rotation {
 
 /// The rotation of a quaternion of any length but 0, scalar last.
 pub(super) fn from_quaternion(q: [f64; 4]) -> Rotation {
-    let s = 2.0 / q.iter().map(|x| x * x).sum::<f64>();
-    let [x, y, z, w] = q;
-    exact([
-        [
-            1.0 - s * (y * y + z * z),
-            s * (x * y - z * w),
-            s * (x * z + y * w),
-        ],
-        [
-            s * (x * y + z * w),
-            1.0 - s * (x * x + z * z),
-            s * (y * z - x * w),
-        ],
-        [
-            s * (x * z - y * w),
-            s * (y * z + x * w),
-            1.0 - s * (x * x + y * y),
-        ],
-    ])
+    exact(Pose::from_quaternion(q, [0.0; 3]).rotation)
 }
 
 /// A quaternion's length, if it is not the 1 of a rounded unit quaternion.

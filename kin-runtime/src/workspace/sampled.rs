@@ -50,31 +50,6 @@ pub fn scattered_rotations(count: usize) -> impl Iterator<Item = Pose> {
         let t = s / count as f64;
         let (r, rest) = (libm::sqrt(t), libm::sqrt(1.0 - t));
         let ((sa, ca), (sb, cb)) = (libm::sincos(TAU * s / PHI), libm::sincos(TAU * s / PSI));
-        from_quaternion([r * sa, r * ca, rest * sb, rest * cb])
+        Pose::from_quaternion([r * sa, r * ca, rest * sb, rest * cb], [0.0; 3])
     })
-}
-
-/// The rotation of a unit quaternion (x, y, z, w).
-fn from_quaternion([x, y, z, w]: [f64; 4]) -> Pose {
-    let rotation = [
-        [
-            1.0 - 2.0 * (y * y + z * z),
-            2.0 * (x * y - w * z),
-            2.0 * (x * z + w * y),
-        ],
-        [
-            2.0 * (x * y + w * z),
-            1.0 - 2.0 * (x * x + z * z),
-            2.0 * (y * z - w * x),
-        ],
-        [
-            2.0 * (x * z - w * y),
-            2.0 * (y * z + w * x),
-            1.0 - 2.0 * (x * x + y * y),
-        ],
-    ];
-    Pose {
-        rotation,
-        translation: [0.0; 3],
-    }
 }
