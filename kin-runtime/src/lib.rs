@@ -11,7 +11,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `alloc` | `Chain`, the generic product of exponentials, its numerical search, self-motions, and `Mechanism` |
+//! | `alloc` | `Chain`, the generic product of exponentials, its numerical search, self-motions, `Mechanism`, `ik_path`, and the intervals of a parameter (`feasible`, `ik_best`) |
 //! | `std` (default) | the processor's square root instead of `libm`'s; implies `alloc` |
 //! | `nalgebra` (default), `glam`, `mint` | conversions |
 //! | `rayon` | batches on all cores; implies `std` |
