@@ -80,8 +80,8 @@ const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
 /// The same of what moves branches to the arm as given.
 const OF_REFINEMENT_IN_JS: [[&str; 2]; 3] = [
     [
-        "if (!(lanes.invalid[k] <= 0.0))",
-        "if (lanes.invalid[k] <= 0.0)",
+        "(!(lanes.invalid[k] <= 0.0)) {\n            continue;\n        }\n        some",
+        "(lanes.invalid[k] <= 0.0) {\n            continue;\n        }\n        some",
     ],
     [
         "is_clear = is_clear || $answer",
