@@ -12,7 +12,7 @@ mod tip;
 use crate::scalar::Scalar;
 use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Rating};
 use crate::vector::norm;
-use kin_runtime::{Chain, Pose, Twist};
+use kin_runtime::{Chain, JointLimit, Pose, Twist};
 
 pub(crate) use configurations::{anywhere, configurations};
 
@@ -178,6 +178,23 @@ impl Model {
     pub fn turns(&self, variable: usize) -> bool {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.variable == variable && joint.kind == JointKind::Revolute)
+    }
+
+    /// The stops of every coordinate of q. One that moves a slide beside others is a length.
+    pub fn limits(&self) -> Vec<JointLimit> {
+        let slides = |i: usize| {
+            let mut joints = self.joints.iter();
+            joints.any(|joint| joint.variable == i && joint.kind == JointKind::Prismatic)
+        };
+        let limit = |i: usize| match (slides(i), self.variables[i].limits) {
+            (false, None) => JointLimit::Continuous,
+            (false, Some([lower, upper])) => JointLimit::revolute(lower, upper),
+            (true, limits) => {
+                let [lower, upper] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+                JointLimit::prismatic(lower, upper)
+            }
+        };
+        (0..self.variables.len()).map(limit).collect()
     }
 
     /// The chain from `base` to `tip`, by the names of links. Without a base

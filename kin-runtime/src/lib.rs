@@ -118,6 +118,8 @@ pub mod __private {
     pub use crate::linear::singular_values::SingularValues;
     pub use crate::linear::span::Span;
     pub use crate::parallel::three_spheres;
+    #[cfg(feature = "alloc")]
+    pub use crate::path::Joints;
     pub use crate::scalar::math;
     pub use crate::scalar::quartic::{self, trig_roots};
     pub use crate::scalar::tolerance;

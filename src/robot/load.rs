@@ -167,17 +167,9 @@ impl Robot {
     fn new(arm: CompiledArm) -> Self {
         let poses = arm.poses();
         let model = &arm.model;
-        let limit = |i: usize| match (model.turns(i), model.variables[i].limits) {
-            (true, None) => JointLimit::Continuous,
-            (true, Some([lower, upper])) => JointLimit::revolute(lower, upper),
-            (false, limits) => {
-                let [lower, upper] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-                JointLimit::prismatic(lower, upper)
-            }
-        };
         Self {
             chain: model.chain(),
-            limits: (0..model.variables.len()).map(limit).collect(),
+            limits: model.limits(),
             tip: Tape::new(&poses.graph, &poses.tip.expressions()).fusing(Fusing::All),
             links: OnceLock::new(),
             jacobians: OnceLock::new(),

@@ -69,20 +69,22 @@ fn no_other_sequence_moves_less<K: Kinematics<N>, const N: usize>(robot: &Subjec
             false => K::LIMITS[i],
         });
         let nearest = Nearest::new([0.1; N], &limits);
-        let layer = |target: &Pose| -> Vec<Solution<N>> {
-            let solutions = robot.arm.ik_seeded(target, &nearest.seed);
-            solutions.with_full_turns(&limits).take(40).collect()
-        };
-        let layers: Vec<_> = targets.iter().map(layer).collect();
-        let mut least = f64::INFINITY;
-        for a in &layers[0] {
-            for b in &layers[1] {
-                for c in &layers[2] {
-                    let first = moved(&nearest.seed, &a.q) + moved(&a.q, &b.q);
-                    least = least.min(first + moved(&b.q, &c.q));
-                }
-            }
+        let solutions = |target: &Pose| robot.arm.ik_seeded(target, &nearest.seed).to_vec();
+        let layers: Vec<Vec<Solution<N>>> = targets.iter().map(solutions).collect();
+        // Of all solutions with full turns, the way to each.
+        let mut ways = vec![(0.0, nearest.seed)];
+        for target in &targets {
+            let all = robot.arm.ik_seeded(target, &nearest.seed);
+            let least = |q: &[f64; N]| {
+                let sums = ways.iter().map(|(way, from)| way + moved(from, q));
+                sums.fold(f64::INFINITY, f64::min)
+            };
+            let here = all.with_full_turns(&limits).map(|it| (least(&it.q), it.q));
+            ways = here.collect();
         }
+        let least = ways
+            .iter()
+            .fold(f64::INFINITY, |least, way| way.0.min(least));
         match least_motion(&layers, &nearest) {
             Ok((solutions, motion)) => {
                 assert!((motion - least).abs() < 1e-12 * least, "{motion}, {least}");
@@ -175,4 +177,61 @@ fn a_path_begins_where_it_can_end() {
         panic!("{lost:?}");
     };
     assert_eq!(joint, 0);
+}
+
+/// Stops of thousands of turns are as good as none, and no turn is listed that is of no use.
+#[test]
+fn a_path_inside_wide_limits_is_that_without() {
+    let arm = crate::zoo::Ur5e;
+    let at = |k: u32| {
+        let s = f64::from(k) / 40.0;
+        [
+            0.3 + 9.0 * s,
+            -1.2,
+            1.5,
+            -0.7 - 8.0 * s,
+            1.1,
+            0.4 + 30.0 * s,
+        ]
+    };
+    let targets: Vec<Pose> = (0..=200).map(|k| arm.fk(&at(k))).collect();
+    let motion = |stop: f64| {
+        let limits = [JointLimit::revolute(-stop, stop); 6];
+        let path = ik_path(&arm, &targets, &Nearest::new(at(0), &limits)).unwrap();
+        let last = path.solutions[200].q;
+        assert!(
+            (0..6).all(|i| (last[i] - at(200)[i]).abs() < 1e-9),
+            "{last:?}"
+        );
+        path.motion
+    };
+    let endless = motion(f64::INFINITY);
+    assert!((motion(1e4) - endless).abs() < 1e-9 * endless);
+    assert!((motion(151.0) - endless).abs() < 1e-9 * endless);
+}
+
+#[test]
+fn a_joint_without_a_seed_begins_anywhere() {
+    let arm = crate::zoo::Ur5e;
+    let at = |turn: f64| [0.3, -1.2, 1.5, -0.7, 1.1, turn];
+    let targets = [0.4, 0.3, 0.2].map(|turn| arm.fk(&at(turn)));
+    for missing in [f64::NAN, f64::INFINITY] {
+        let nearest = Nearest::new(at(missing), &crate::zoo::Ur5e::LIMITS);
+        let path = ik_path(&arm, &targets, &nearest).unwrap();
+        assert!((path.motion - 0.2).abs() < 1e-9, "{path:?}");
+    }
+}
+
+/// A full turn away from a single stop, the motion is that of the values that are told.
+#[test]
+fn a_path_beyond_a_single_stop_is_as_long_as_it_is() {
+    let arm = crate::zoo::Ur5e;
+    let mut limits = crate::zoo::Ur5e::LIMITS;
+    limits[5] = JointLimit::revolute(0.0, f64::INFINITY);
+    let at = |turn: f64| [0.3, -1.2, 1.5, -0.7, 1.1, turn];
+    let targets = [0.4, 0.1, -0.2, -0.55].map(|turn| arm.fk(&at(turn)));
+    let mut nearest = Nearest::new(at(0.5 + std::f64::consts::TAU), &limits);
+    nearest.step = [0.5; 6];
+    let path = ik_path(&arm, &targets, &nearest).unwrap();
+    assert!((path.motion - 1.05).abs() < 1e-9, "{path:?}");
 }

@@ -116,14 +116,11 @@ pub fn of_table(robot: &Robot, table: Table) -> Result<Path, Fault> {
             path.way.push(last + 1.0);
             layers.push(Vec::new());
         }
-        let mut within = Vec::new();
-        for (branch, q) in answers {
-            path.curves.push(path.way.len(), branch, &q);
-            let inside = q.iter().zip(limits).map(|(&x, limit)| limit.nearest(x, x));
-            within.extend(inside.collect::<Option<Vec<f64>>>());
+        for (branch, q) in &answers {
+            path.curves.push(path.way.len(), *branch, q);
         }
         path.way.push(target as f64);
-        layers.push(within);
+        layers.push(answers.into_iter().map(|(_, q)| q).collect());
     }
     path.taken = least_motion(&layers, limits);
     let measures = path.taken.iter().map(|q| measured(robot, q.as_ref()));

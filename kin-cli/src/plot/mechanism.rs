@@ -6,10 +6,9 @@ use super::table::{self, Table, configurations, or_joints};
 use crate::batch::PoseColumns;
 use crate::table::{Fault, Header};
 use kin_codegen::mechanism::{Aim, CompiledMechanism, Placed};
-use kin_codegen::model::JointKind;
 use kin_codegen::spec::one_line;
 use kin_runtime::__private::math;
-use kin_runtime::{JointLimit, Mechanism, Pose, Target};
+use kin_runtime::{Mechanism, Pose, Target};
 
 /// Steps from home to where a path begins.
 const APPROACH: usize = 100;
@@ -26,17 +25,10 @@ impl<'a> Platform<'a> {
         let mechanism = &compiled.mechanism;
         let legs = mechanism.legs.iter();
         let joints = legs.flat_map(|leg| {
-            let joints = leg.model.joints.iter().zip(&leg.model.variables);
-            joints.enumerate().map(|(j, (joint, variable))| Joint {
+            let joints = leg.model.joints.iter().zip(leg.model.limits());
+            joints.enumerate().map(|(j, (joint, limit))| Joint {
                 name: one_line(&joint.name),
-                limit: match (joint.kind, variable.limits) {
-                    (JointKind::Revolute, None) => JointLimit::Continuous,
-                    (JointKind::Revolute, Some([low, high])) => JointLimit::revolute(low, high),
-                    (JointKind::Prismatic, limits) => {
-                        let [low, high] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-                        JointLimit::prismatic(low, high)
-                    }
-                },
+                limit,
                 is_shown: leg.actuated.contains(&j),
             })
         });

@@ -1,6 +1,6 @@
 //! What is plotted: all solutions along a path, and the ones taken.
 
-use kin_runtime::__private::math;
+use kin_runtime::__private::Joints;
 use kin_runtime::JointLimit;
 
 /// Solutions of one branch at neighbouring points this far apart, radians, are not one curve: one
@@ -151,52 +151,34 @@ impl Path {
     }
 }
 
-/// One solution of each point, so that their sequence moves least in total (R. Bellman, *Dynamic
-/// Programming*, 1957): the sum of all motions, radians and metres as they stand, angles by
-/// their shorter way. None where a point has none.
+/// One solution of each point, full turns inside the limits away, so that their sequence moves least
+/// in total: radians and metres as they stand. None where a point has none.
 pub fn least_motion(layers: &[Vec<Vec<f64>>], limits: &[JointLimit]) -> Vec<Option<Vec<f64>>> {
-    let distance = |a: &[f64], b: &[f64]| {
-        let joints = a.iter().zip(b).zip(limits);
-        let square = joints.map(|((a, b), limit)| match limit.is_revolute() {
-            true => math::wrap(a - b).powi(2),
-            false => (a - b).powi(2),
-        });
-        square.sum::<f64>().sqrt()
+    let is_inside = |q: &&Vec<f64>| {
+        let mut joints = q.iter().zip(limits);
+        joints.all(|(&x, limit)| limit.nearest(x, x).is_some())
     };
-    // By point and solution: the motion so far, and which solution of the point before.
-    let mut ways: Vec<(usize, Vec<(f64, usize)>)> = Vec::new();
-    for (k, layer) in layers.iter().enumerate().filter(|(_, it)| !it.is_empty()) {
-        let way = |q: &Vec<f64>| match ways.last() {
-            None => (0.0, 0),
-            Some((before, reached)) => {
-                let all = reached.iter().zip(&layers[*before]).enumerate();
-                let all = all.map(|(i, (way, from))| (way.0 + distance(from, q), i));
-                let least = all.min_by(|a, b| a.0.total_cmp(&b.0));
-                least.unwrap_or((0.0, 0))
-            }
-        };
-        let here = layer.iter().map(way).collect();
-        ways.push((k, here));
-    }
-    let mut taken = vec![None; layers.len()];
-    let ends = ways.last().map(|(_, ways)| ways.iter().enumerate());
-    let end = ends.and_then(|mut ends| ends.by_ref().min_by(|a, b| a.1.0.total_cmp(&b.1.0)));
-    let mut place = end.map_or(0, |(i, _)| i);
-    for (k, ways) in ways.iter().rev() {
-        taken[*k] = Some(layers[*k][place].clone());
-        place = ways[place].1;
-    }
-    // Full turns within limits, where these lead nearer.
-    let mut before: Option<Vec<f64>> = None;
-    for q in taken.iter_mut().flatten() {
-        if let Some(before) = &before {
-            for ((x, limit), seed) in q.iter_mut().zip(limits).zip(before) {
-                *x = limit.nearest(*x, *seed).unwrap_or(*x);
-            }
-        }
-        before = Some(q.clone());
-    }
-    taken
+    let layers: Vec<Vec<&Vec<f64>>> = (layers.iter())
+        .map(|layer| layer.iter().filter(is_inside).collect())
+        .collect();
+    let joints = Joints {
+        limits,
+        weights: &vec![1.0; limits.len()],
+        steps: &vec![f64::INFINITY; limits.len()],
+    };
+    let reached: Vec<_> = layers
+        .iter()
+        .filter(|layer| !layer.is_empty())
+        .cloned()
+        .collect();
+    // They may begin anywhere.
+    let sequence = joints.least_motion(&reached, &vec![f64::NAN; limits.len()]);
+    let mut taken = sequence.into_iter().flat_map(|sequence| sequence.taken);
+    let mut next = |layer: &Vec<_>| match layer.is_empty() {
+        true => None,
+        false => taken.next().map(|(_, q)| q),
+    };
+    layers.iter().map(&mut next).collect()
 }
 
 #[cfg(test)]

@@ -9,14 +9,14 @@ use kin_codegen::expr::Graph;
 use kin_codegen::geometry::{Line, axes, size};
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::singularity::Singular;
-use kin_runtime::{Pose, scattered_rotations};
+use kin_runtime::{JointLimit, Pose, scattered_rotations};
 use std::f64::consts::TAU;
 
 /// An arm with its closed form.
 struct Arm<'a> {
     form: &'a ClosedForm,
     singular: Option<&'a Singular>,
-    model: &'a Model,
+    limits: Vec<JointLimit>,
     limited: bool,
 }
 
@@ -41,7 +41,7 @@ pub fn sampling<'a>(
         robot: Box::new(Arm {
             form,
             singular: compiled.singular(),
-            model,
+            limits: model.limits(),
             limited: arguments.limits,
         }),
         slices: slices(centre),
@@ -56,7 +56,7 @@ impl Robot for Arm<'_> {
     fn try_pose(&self, target: &Pose, values: &mut Vec<f64>) -> Option<f64> {
         let solutions = self.form.solutions(target);
         let within = (solutions.iter())
-            .filter(|solution| !self.limited || is_within(self.model, &solution.q));
+            .filter(|solution| !self.limited || is_within(&self.limits, &solution.q));
         within
             .map(|solution| self.determinant(&solution.q, values))
             .reduce(f64::max)
@@ -83,17 +83,9 @@ impl Arm<'_> {
 }
 
 /// Whether joint values are within limits, full turns apart or not.
-pub fn is_within(model: &Model, q: &[f64]) -> bool {
-    (q.iter().enumerate()).all(|(i, &value)| {
-        let ways = if model.turns(i) {
-            &[-TAU, 0.0, TAU][..]
-        } else {
-            &[0.0]
-        };
-        let inside =
-            |[low, high]: [f64; 2]| ways.iter().any(|way| (low..=high).contains(&(value + way)));
-        model.variables[i].limits.is_none_or(inside)
-    })
+pub fn is_within(limits: &[JointLimit], q: &[f64]) -> bool {
+    let mut joints = limits.iter().zip(q);
+    joints.all(|(limit, &value)| limit.nearest(value, value).is_some())
 }
 
 /// All turning joints about parallel axes.

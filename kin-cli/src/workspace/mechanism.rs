@@ -106,7 +106,7 @@ impl Platform<'_> {
     /// The solution of a chain nearest home, by the Euclidean norm, of those that count.
     fn nearest(&self, chain: usize, solutions: &[Vec<f64>]) -> Option<Vec<f64>> {
         let model = &self.compiled.mechanism.legs[chain].model;
-        let length = self.generic.length();
+        let (limits, length) = (model.limits(), self.generic.length());
         let from_home = |q: &Vec<f64>| -> f64 {
             let joints = q.iter().enumerate();
             let moved = joints.map(|(j, value)| match model.turns(j) {
@@ -116,7 +116,7 @@ impl Platform<'_> {
             moved.map(|x| x * x).sum()
         };
         (solutions.iter())
-            .filter(|q| !self.limited || is_within(model, q))
+            .filter(|q| !self.limited || is_within(&limits, q))
             .min_by(|a, b| from_home(a).total_cmp(&from_home(b)))
             .cloned()
     }

@@ -79,17 +79,6 @@ impl<const N: usize> Nearest<N> {
         })
     }
 
-    /// The value of joint i that full turns lead to, nearest to another, where a stop is
-    /// missing; where both are there, the value itself.
-    #[cfg(feature = "alloc")]
-    pub(crate) fn endless(&self, i: usize, q: Real, from: Real) -> Real {
-        let ends = [self.travel.lower[i], self.travel.upper[i]];
-        match ends.iter().any(|stop| stop.is_infinite()) {
-            true => wound(q, self.travel.toward(i, from), self.travel.turn[i]),
-            false => q,
-        }
-    }
-
     /// What the joints' motions from a seed cost, of which i is prismatic where bit i
     /// of the mask is set.
     #[inline(always)]

@@ -94,10 +94,7 @@ fn constants(compiled: &CompiledMechanism, Sizes { n, m, k }: &Sizes) -> TokenSt
     let variables = || legs.iter().flat_map(|leg| &leg.model.variables);
     let velocities = rated(variables(), n, |rating| rating.velocity);
     let efforts = rated(variables(), n, |rating| rating.effort);
-    let limits = legs.iter().flat_map(|leg| {
-        let variables = leg.model.variables.iter().enumerate();
-        variables.map(|(i, variable)| limit(&leg.model, i, variable))
-    });
+    let limits = legs.iter().flat_map(|leg| leg.model.limits()).map(limit);
     let ranges = mechanism.ranges().into_iter().map(|[first, end]| {
         let [first, end] = [first, end].map(Literal::usize_unsuffixed);
         quote!([#first, #end])

@@ -9,9 +9,10 @@ use crate::emit::postures::Postures;
 use crate::emit::text;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
-use crate::model::{JointKind, Model, Variable};
+use crate::model::Variable;
 use crate::scalar::Scalar;
 use crate::spec::Rating;
+use kin_runtime::JointLimit;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -122,7 +123,7 @@ fn constants(compiled: &CompiledArm, n: &Literal, postures: Option<&Postures>) -
         .variables
         .iter()
         .map(|variable| text::literal(&variable.name));
-    let limits = (0..model.variables.len()).map(|i| limit(model, i, &model.variables[i]));
+    let limits = model.limits().into_iter().map(limit);
     let velocities = rated(&model.variables, n, |rating| rating.velocity);
     let efforts = rated(&model.variables, n, |rating| rating.effort);
     let links =
@@ -175,19 +176,12 @@ fn named(postures: &Postures, branches: usize) -> TokenStream {
     quote!(#(#named),*)
 }
 
-pub(super) fn limit(model: &Model, i: usize, variable: &Variable) -> TokenStream {
-    let prismatic = model
-        .joints
-        .iter()
-        .any(|joint| joint.variable == i && joint.kind == JointKind::Prismatic);
-    let [lower, upper] = variable
-        .limits
-        .unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-    let (lower, upper) = (bound(lower), bound(upper));
-    match (prismatic, variable.limits) {
-        (true, _) => quote!(JointLimit::prismatic(#lower, #upper)),
-        (false, Some(_)) => quote!(JointLimit::revolute(#lower, #upper)),
-        (false, None) => quote!(JointLimit::Continuous),
+pub(super) fn limit(limit: JointLimit) -> TokenStream {
+    let (lower, upper) = (bound(limit.lower()), bound(limit.upper()));
+    match limit {
+        JointLimit::Prismatic { .. } => quote!(JointLimit::prismatic(#lower, #upper)),
+        JointLimit::Revolute { .. } => quote!(JointLimit::revolute(#lower, #upper)),
+        JointLimit::Continuous => quote!(JointLimit::Continuous),
     }
 }
 
