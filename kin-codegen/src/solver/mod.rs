@@ -1,0 +1,269 @@
+//! The search for a closed form: relations are read into the axes with growing
+//! tolerance, and the plans for them certified, until one stands.
+
+mod beside;
+mod last_resort;
+mod search;
+
+use crate::certificate::{Certificate, Failure, SOMEWHERE, Trials};
+use crate::closed_form::{ClosedForm, Inverse, tip_shift};
+use crate::geometry::{
+    AxisRelation, Linkage, Moved, axes, cross, dot, idealize, norm, rank, relate,
+};
+use crate::model::{Joint, JointKind, Model};
+use crate::plan::Target;
+use beside::completed;
+use last_resort::last_resort;
+use search::{Patience, solve_idealized};
+
+/// Tolerances to read relations with, the strictest first: rounding of the
+/// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
+pub(crate) const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, NOISIEST];
+/// The largest of them.
+const NOISIEST: f64 = 8e-3;
+/// Plans tried at one tolerance before the next: the cheap ones of an arm with
+/// aligned or meeting axes may degenerate where the arm does not.
+const PLANS: usize = 200;
+/// The same of an arm that a polynomial solves already, but for a few targets.
+const INSTEAD: usize = 8;
+/// So many choices of eliminations are tried of an arm that is solved by them.
+const CHOICES: usize = 6;
+/// An arm whose tip is this far from that of one with exact relations, relative to
+/// its size, was designed so: it is no noise, and solved without them if it can be.
+pub(crate) const DESIGNED: f64 = 1e-2;
+
+/// A closed form that was seen to work.
+#[derive(Clone, Debug)]
+pub struct Certified {
+    /// The closed form.
+    pub form: ClosedForm,
+    /// What was seen when it was run.
+    pub certificate: Certificate,
+}
+
+impl Certified {
+    /// How many regular targets it loses, then how many singular ones.
+    pub(crate) fn missing(&self) -> (usize, usize) {
+        (self.certificate.lost, self.certificate.unanswered)
+    }
+}
+
+/// What single precision lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lack {
+    /// Refinement onto an arm that is off the one that is solved.
+    Refinement,
+    /// The elimination of all joints but one.
+    Polynomial,
+    /// The roots of quartics.
+    Quartic,
+    /// Numbers that are given beside a target.
+    Parameter,
+}
+
+/// Why an arm has none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoClosedForm {
+    /// What it is solved by is there in double precision alone.
+    OnlyInDouble(Lack),
+    /// Joints that mimic others couple the chain.
+    Mimic,
+    /// The joints are never independent: the chain is singular in every
+    /// configuration.
+    Singular {
+        /// In how many independent ways they change targets at most.
+        rank: usize,
+        /// What of targets counts.
+        target: Target,
+        /// Two neighbours that turn about one line, or slide along one direction, by name.
+        alike: Option<([String; 2], JointKind)>,
+    },
+    /// More joints than the target has coordinates.
+    Redundant(Target),
+    /// The others are not solved when these joints stay free, the first choice if none was
+    /// asked for.
+    Free {
+        /// Their names.
+        joints: Vec<String>,
+        /// Why.
+        reason: Box<NoClosedForm>,
+    },
+    /// The search found no sequence of subproblems for targets of this kind.
+    NoPlan(Target),
+    /// The axes are off exact relations, and a target of this kind is projected
+    /// to what the exact arm can choose.
+    Noisy,
+    /// A target of this kind is projected to what arms can choose whose axes are all parallel.
+    Tilted {
+        /// What of targets counts.
+        target: Target,
+        /// The first joint that turns, and one that turns about another direction, by name.
+        joints: [String; 2],
+        /// The angle between them, radians.
+        angle: f64,
+    },
+    /// The best plan failed its certificate.
+    Uncertified {
+        /// The plan, in short.
+        plan: String,
+        /// What it got wrong.
+        failure: Failure,
+    },
+}
+
+/// Finds and verifies a closed form; the joints that the linkage has locked are given
+/// with the target.
+///
+/// # Errors
+///
+/// Why there is none.
+pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certified, NoClosedForm> {
+    if model.is_coupled() {
+        return Err(NoClosedForm::Mimic);
+    }
+    let joints = model.joints.len() - linkage.parameters();
+    let rank = rank_without(model, &linkage.locked, target);
+    if rank < joints.min(target.coordinates()) {
+        let alike = alike(model).next().map(|i| {
+            let names = [i, i + 1].map(|j| model.joints[j].name.clone());
+            (names, model.joints[i].kind)
+        });
+        return Err(NoClosedForm::Singular {
+            rank,
+            target,
+            alike,
+        });
+    }
+    if joints > target.coordinates() {
+        return Err(NoClosedForm::Redundant(target));
+    }
+    let trials = Trials::new(model, linkage, target);
+    let mut patience = Patience::of(search::COMPARED);
+    match solve_readings(&trials, target, &mut patience) {
+        Ok(found) if !found.certificate.loses_much() => Ok(found),
+        found if !patience.ended => found,
+        _ => solve_readings(&trials, target, &mut Patience::of(usize::MAX)),
+    }
+}
+
+/// The best plan at all tolerances.
+fn solve_readings(
+    trials: &Trials,
+    target: Target,
+    patience: &mut Patience,
+) -> Result<Certified, NoClosedForm> {
+    let (model, linkage) = (trials.model(), trials.linkage());
+    let mut refusal = NoClosedForm::NoPlan(target);
+    let mut best: Option<Certified> = None;
+    let mut last: Option<Vec<Moved>> = None;
+    for tolerance in TOLERANCES {
+        let idealized = idealize(model, tolerance);
+        if last.as_ref() == Some(&idealized.moved) {
+            continue;
+        }
+        last = Some(idealized.moved.clone());
+        let shift = tip_shift(model, &idealized.model);
+        // Beside the branches of an idealized arm an elimination is asked of whole poses alone.
+        let alone = match target {
+            Target::Pose => DESIGNED,
+            _ => linkage.scalar.tolerances().unmoved,
+        };
+        if best.is_none()
+            && shift > alone * linkage.size
+            && let Ok(found) = last_resort(trials, target, refusal.clone())
+        {
+            if found.certificate.lost == 0 {
+                return Ok(found);
+            }
+            best = Some(found);
+        }
+        let stands = best.as_ref().map(|best| &best.form.inverse);
+        let most = match stands {
+            Some(Inverse::Univariate(_)) => INSTEAD,
+            _ => PLANS,
+        };
+        match solve_idealized(trials, idealized, target, most, patience) {
+            Ok(found) => {
+                // The reading that answers more singular targets wins; one
+                // that is exact or answers all cannot be beaten.
+                let done = found.form.is_exact() && !found.certificate.loses_much()
+                    || found.certificate.is_complete();
+                best = better(best, found);
+                if done {
+                    break;
+                }
+            }
+            Err(NoClosedForm::NoPlan(_)) => {}
+            Err(other) => refusal = other,
+        }
+    }
+    match best {
+        Some(best) if best.certificate.lost > 0 => Ok(completed(trials, best)),
+        Some(best) => Ok(best),
+        None => last_resort(trials, target, refusal),
+    }
+}
+
+/// An arm admits targets that are not projected, and these if its joints turn about axes that are
+/// parallel but for noise.
+///
+/// # Errors
+///
+/// Which joints do not.
+pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> {
+    let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
+    let mut turning = model.joints.iter().filter(turns);
+    let Some(first) = turning.next().filter(|_| target.is_projected()) else {
+        return Ok(());
+    };
+    let angle = |joint: &Joint| {
+        let [cosine, sine] = [
+            dot(first.axis, joint.axis).abs(),
+            norm(cross(first.axis, joint.axis)),
+        ];
+        sine.atan2(cosine)
+    };
+    match turning.find(|joint| angle(joint) > NOISIEST) {
+        None => Ok(()),
+        Some(tilted) => Err(NoClosedForm::Tilted {
+            target,
+            joints: [first, tilted].map(|joint| joint.name.clone()),
+            angle: angle(tilted),
+        }),
+    }
+}
+
+/// The largest number of independent ways in which the joints change targets that are not
+/// locked.
+fn rank_without(model: &Model, locked: &[usize], target: Target) -> usize {
+    match locked.is_empty() {
+        true => rank(model, target),
+        false => rank(
+            &model.locked(locked, &vec![SOMEWHERE; locked.len()]),
+            target,
+        ),
+    }
+}
+
+/// Joints that do the same as their successor, by their places in the chain: both turn about one
+/// line, or slide along one direction.
+pub(crate) fn alike(model: &Model) -> impl Iterator<Item = usize> {
+    let axes = axes(model);
+    let is_alike = move |&i: &usize| {
+        let slides = [i, i + 1].map(|i| model.joints[i].kind == JointKind::Prismatic);
+        match (slides, relate(&axes[i], &axes[i + 1], 1e-6, 1e-9)) {
+            ([true, true], AxisRelation::Parallel { .. }) => true,
+            ([a, b], AxisRelation::Coincident) => a == b,
+            _ => false,
+        }
+    };
+    (0..model.joints.len().saturating_sub(1)).filter(is_alike)
+}
+
+/// The one that misses less.
+fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
+    match best {
+        Some(best) if best.missing() <= other.missing() => Some(best),
+        _ => Some(other),
+    }
+}

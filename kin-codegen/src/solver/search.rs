@@ -1,0 +1,255 @@
+//! The search among the plans for one reading of the axes.
+
+use super::beside::eliminations_beside;
+use super::{CHOICES, Certified, Lack, NoClosedForm, better, rank_without};
+use crate::certificate::{Failure, Trials, certify};
+use crate::closed_form::{ClosedForm, Reading, Refinement};
+use crate::expr::inverse::{FreeAngles, InverseGraph, weight};
+use crate::geometry::{Idealized, Linkage};
+use crate::plan::{Plan, Plans, Target};
+use crate::scalar::Scalar;
+use crate::univariate;
+
+/// Plans of which the one with the fewest operations is tried first.
+pub(super) const COMPARED: usize = 4;
+/// As [`CERTIFIED`], on an idealized arm: refinement makes a certificate dear.
+const REFINED: usize = 2;
+/// Plans tried from the first on that is certified but leaves singular targets
+/// unanswered.
+const CERTIFIED: usize = 8;
+
+/// Plans that lose much are those of axes whose relation was read wrongly; so many of them
+/// at one tolerance are borne before the next.
+pub(super) struct Patience {
+    plans: usize,
+    /// Whether it was over at any tolerance.
+    pub ended: bool,
+}
+
+impl Patience {
+    pub fn of(plans: usize) -> Self {
+        Self {
+            plans,
+            ended: false,
+        }
+    }
+
+    /// Whether it is over after so many.
+    fn ends_with(&mut self, plans: usize) -> bool {
+        let ends = plans >= self.plans;
+        self.ended |= ends;
+        ends
+    }
+}
+
+/// The best plan for one reading.
+///
+/// # Errors
+///
+/// Why there is none.
+pub(super) fn solve_idealized(
+    trials: &Trials,
+    idealized: Idealized,
+    target: Target,
+    most: usize,
+    patience: &mut Patience,
+) -> Result<Certified, NoClosedForm> {
+    let reading = Reading::new(trials.model(), trials.linkage(), idealized, target)
+        .ok_or(NoClosedForm::NoPlan(target))?;
+    check(&reading, target)?;
+    let (linkage, exact) = (&reading.linkage, reading.is_exact());
+    let mut plans = Plans::new(linkage, target);
+    // The search estimates what a plan costs; of those that it comes by first, the
+    // one that needs the fewest operations is tried first.
+    let mut first: Vec<Plan> = plans.by_ref().take(COMPARED).collect();
+    if exact && linkage.variables() == target.coordinates() + usize::from(linkage.swivel.is_some())
+    {
+        first.sort_by_cached_key(|plan| weight(linkage, plan));
+    }
+    let mut search = Search::new(trials, &reading, target, first.first());
+    let mut first = first.into_iter();
+    let mut later = Later {
+        linkage,
+        target,
+        all: plans,
+        told: 0,
+        telling: None,
+    };
+    let enough = if exact { CERTIFIED } else { REFINED };
+    let (mut certified, mut degenerate) = (0, 0);
+    for tried in 0..most {
+        let next = first.next().or_else(|| {
+            let lost = if exact { trials.lost() } else { Vec::new() };
+            later.next(&lost, search.best.is_some())
+        });
+        let Some(plan) = next else {
+            break;
+        };
+        // To turn a free angle costs operations: only where it is seen to lose
+        // targets, and not for plans that cost more than one that stands.
+        let may_turn = !search.stands() || tried < COMPARED;
+        if search.is_complete_with(&plan, may_turn) {
+            break;
+        }
+        certified += usize::from(search.stands());
+        degenerate += usize::from(search.loses_much());
+        if certified == enough || patience.ends_with(degenerate) {
+            break;
+        }
+    }
+    search.best.ok_or(search.refusal)
+}
+
+/// Whether an arm that is read so can be solved for a target at all.
+fn check(reading: &Reading, target: Target) -> Result<(), NoClosedForm> {
+    let linkage = &reading.linkage;
+    if reading.is_exact() {
+        return Ok(());
+    }
+    let solved = linkage.variables().min(target.coordinates());
+    if rank_without(reading.model(), &linkage.locked, target) < solved {
+        // Of the ideal arm, the others are singular throughout.
+        return Err(NoClosedForm::NoPlan(target));
+    }
+    if target.is_projected() {
+        return Err(NoClosedForm::Noisy);
+    }
+    match linkage.scalar {
+        Scalar::F32 => Err(NoClosedForm::OnlyInDouble(Lack::Refinement)),
+        Scalar::F64 => Ok(()),
+    }
+}
+
+/// What the plans of one reading have come to.
+struct Search<'a> {
+    trials: &'a Trials<'a>,
+    reading: &'a Reading,
+    /// Asked beside the branches of an arm that is off this reading.
+    beside: Option<univariate::Arm>,
+    /// How many choices of those were tried.
+    chosen: usize,
+    best: Option<Certified>,
+    /// Why there is none yet.
+    refusal: NoClosedForm,
+}
+
+impl<'a> Search<'a> {
+    fn new(
+        trials: &'a Trials<'a>,
+        reading: &'a Reading,
+        target: Target,
+        first: Option<&Plan>,
+    ) -> Self {
+        let beside = first.filter(|_| !reading.is_exact());
+        let form = |plan| reading.form(plan, FreeAngles::Seeded);
+        Self {
+            trials,
+            reading,
+            beside: beside.and_then(|plan| eliminations_beside(trials, &form(plan))),
+            chosen: 1,
+            best: None,
+            refusal: NoClosedForm::NoPlan(target),
+        }
+    }
+
+    /// Whether a plan was found that loses no regular target.
+    fn stands(&self) -> bool {
+        let best = self.best.as_ref();
+        best.is_some_and(|best| best.certificate.lost == 0)
+    }
+
+    fn loses_much(&self) -> bool {
+        let best = self.best.as_ref();
+        best.is_some_and(|best| best.certificate.loses_much())
+    }
+
+    /// Tries a plan, with free angles as they are and turned; tells whether nothing is left to be
+    /// improved.
+    fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
+        let steps = if may_turn { plan.steps.len() } else { 0 };
+        let turned = (0..steps).map(FreeAngles::TurnedAt);
+        let turned = turned.filter(|free| free.may_help(plan));
+        for free in std::iter::once(FreeAngles::Seeded).chain(turned) {
+            let form = self.reading.form(plan, free);
+            let has = |what: fn(&InverseGraph) -> bool| form.expressions().is_some_and(what);
+            if form.single.is_some() && has(InverseGraph::has_quartic) {
+                self.refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
+                break;
+            }
+            if self.beside.is_some() && has(InverseGraph::tells_nothing) {
+                // The elimination would be asked at every target, and does as well alone.
+                break;
+            }
+            match self.certified(form) {
+                Ok(found) => {
+                    let done = found.certificate.is_complete();
+                    self.best = better(self.best.take(), found);
+                    if done {
+                        return true;
+                    }
+                }
+                Err(failure) => {
+                    let plan = plan.to_string();
+                    self.refusal = NoClosedForm::Uncertified { plan, failure };
+                    break;
+                }
+            }
+        }
+        false
+    }
+
+    /// Runs a closed form. What one elimination loses another may find.
+    fn certified(&mut self, mut form: ClosedForm) -> Result<Certified, Failure> {
+        let best = self.best.as_ref();
+        let losses = best.map_or(usize::MAX, |best| best.certificate.lost);
+        self.ask(&mut form);
+        let mut outcome = certify(self.trials, &form, losses);
+        while outcome.is_err() && self.beside.is_some() && self.chosen < CHOICES {
+            self.chosen += 1;
+            let another = eliminations_beside(self.trials, &form);
+            if another == self.beside {
+                break;
+            }
+            self.beside = another;
+            self.ask(&mut form);
+            outcome = certify(self.trials, &form, losses);
+        }
+        outcome.map(|certificate| Certified { form, certificate })
+    }
+
+    /// Sets the eliminations that a closed form asks.
+    fn ask(&self, form: &mut ClosedForm) {
+        if let Some(arm) = &self.beside {
+            form.refinement = Refinement::Univariate(Box::new(arm.clone()));
+        }
+    }
+}
+
+/// The plans that are tried after the first ones.
+struct Later<'a> {
+    linkage: &'a Linkage,
+    target: Target,
+    all: Plans<'a>,
+    /// How many configurations were lost when `telling` was asked for.
+    told: usize,
+    /// Those that tell the configurations that others have lost.
+    telling: Option<Plans<'a>>,
+}
+
+impl Later<'_> {
+    /// The next one. Where no plan tells the lost configurations and one stands that does
+    /// not, another will not be better.
+    fn next(&mut self, lost: &[Vec<f64>], stands: bool) -> Option<Plan> {
+        if lost.len() > self.told {
+            self.told = lost.len();
+            let moved: Vec<Vec<f64>> = lost.iter().map(|q| self.linkage.by_joint(q)).collect();
+            self.telling = Some(Plans::telling(self.linkage, self.target, &moved));
+        }
+        let telling = self.telling.as_mut().and_then(Iterator::next);
+        match telling {
+            None if stands && self.told > 0 => None,
+            None => self.all.next(),
+            telling => telling,
+        }
+    }
+}
