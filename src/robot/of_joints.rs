@@ -8,7 +8,7 @@ use kin_codegen::expr::{Lanes, Tape};
 use kin_runtime::__private::Eliminant;
 use kin_runtime::{
     Hessian, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solution,
-    Solutions, Target,
+    Solutions, Swivel, Target,
 };
 
 /// Evaluates an expression with a number that is known at run time, 1 to 8, as a constant; none
@@ -122,10 +122,7 @@ impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
     }
 
     fn counting(&self) -> Target {
-        match (self.robot.parameter(self.moving), self.robot.has_turn()) {
-            (Some(Parameter::Turn), _) | (_, false) => self.robot.target(),
-            _ => Target::Pose,
-        }
+        self.robot.target()
     }
 
     fn fk(&self, q: &[f64; N]) -> Pose {
@@ -216,6 +213,19 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
         others.fold(0, |held, i| match self.robot.parameter(i) {
             Some(Parameter::Joint(joint)) => held | 1 << joint,
             _ => held,
+        })
+    }
+
+    fn held_turn(&self) -> Option<f64> {
+        let last = self.held.len().checked_sub(1)?;
+        (self.robot.has_turn() && self.moving != last).then(|| self.held[last])
+    }
+
+    fn held_swivel(&self) -> Option<(Swivel, f64)> {
+        let mut held = self.held.iter().enumerate();
+        held.find_map(|(i, &angle)| match self.robot.parameter(i) {
+            Some(Parameter::Swivel(swivel)) if i != self.moving => Some((swivel, angle)),
+            _ => None,
         })
     }
 

@@ -158,20 +158,13 @@ impl Interval {
 }
 
 impl AlongParameter<'_> {
-    /// The robot of N joints, with what is held in order, and the target as that leaves it: a tool
-    /// that is held turned is a target that is.
+    /// The robot of N joints, with what is held.
     fn of_joints<const N: usize, T>(
         &self,
         pose: &Pose,
         run: impl FnOnce(OfJoints<N>, &Pose) -> T,
     ) -> T {
-        let mut held = self.held.clone();
-        let last = held.len() - 1;
-        let mut pose = *pose;
-        if self.robot.has_turn() && self.place != last {
-            pose = pose.turned(std::mem::take(&mut held[last]));
-        }
-        run(OfJoints::along(self.robot, self.place, &held), &pose)
+        run(OfJoints::along(self.robot, self.place, &self.held), pose)
     }
 
     /// All solutions at a value of the parameter, radians or metres.

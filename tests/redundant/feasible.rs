@@ -461,3 +461,31 @@ fn a_limit_that_is_hardly_passed_cuts_an_interval() {
     }
     assert!(cuts > 5, "{cuts}");
 }
+
+/// A joint that is clamped leaves points of the curves: where it has its value.
+#[test]
+fn limits_that_leave_a_single_value_leave_points() {
+    let q = [0.3, 0.5, -0.4, -1.8, 0.6, 1.9, 0.7];
+    let target = crate::Panda.fk(&q);
+    for joint in 0..7 {
+        let mut limits = crate::Panda::LIMITS;
+        let value = kinematics::JointLimit::revolute(q[joint], q[joint]);
+        limits[joint] = value;
+        let within = crate::Panda.feasible_within(&target, &limits);
+        let is_own = |it: &FeasibleInterval<7>| (0..7).all(|i| (it.middle[i] - q[i]).abs() < 1e-6);
+        assert_eq!(
+            within.iter().filter(|it| is_own(it)).count(),
+            1,
+            "{joint}: {within:?}"
+        );
+        for interval in &within {
+            assert_eq!(interval.from, interval.to);
+            assert!(
+                value.nearest(interval.middle[joint], 0.0).is_some(),
+                "{interval:?}"
+            );
+            let all = crate::Panda.ik_at(&target, interval.from);
+            assert!(!all.within_limits(&limits).is_empty(), "{interval:?}");
+        }
+    }
+}

@@ -114,3 +114,17 @@ fn a_step_too_long_is_a_jump() {
     let far = Pose::from_translation([3.0, 0.0, 0.0]);
     assert_eq!(crate::Panda.ik_follow(&far, &start, &how), None);
 }
+
+/// 1.02 is how much room there is: Σ 1 / 0.02 at the stops.
+#[test]
+fn joints_are_most_crowded_at_their_stops() {
+    for stop in [2.8973, 1.7628, 3.0718, 6.0] {
+        let limits = [JointLimit::revolute(-stop, stop), JointLimit::Continuous];
+        let how = Follow::new(&limits, RATE);
+        for q in [stop, -stop, stop + 1e-9, 2.0 * stop] {
+            let crowding = how.crowding(&[q, 0.4]);
+            assert!((crowding - 50.0).abs() < 1e-6, "{crowding} at {q}");
+        }
+        assert_eq!(how.crowding(&[0.0, 9.0]), 0.0);
+    }
+}

@@ -53,6 +53,7 @@ mod placed;
 mod rotated;
 mod self_motions;
 mod several;
+mod slides;
 mod swivel;
 
 use kinematics::kinematics;

@@ -1,9 +1,11 @@
 //! Arms with a parameter that carry a tool, or stand somewhere.
 
 use crate::random::Random;
-use crate::{Iiwa14, Panda, Rail, Ur5e};
+use crate::several::PandaTool;
+use crate::{Iiwa14, Panda, Rail, StrayIiwa, Ur5e};
 use kinematics::{
-    Criterion, JointLimit, Kinematics, Pose, RedundantKinematics, Target, WithBase, WithTool,
+    Criterion, HighlyRedundantKinematics, JointLimit, Kinematics, Pose, RedundantKinematics,
+    Target, WithBase, WithTool,
 };
 
 /// A configuration comes back at its parameter, intervals are those of the tip's target, and the
@@ -95,5 +97,66 @@ fn what_does_not_count_moves_no_tip() {
             let moved = target.distance(&at_tip[0], &at_tip[1], 1.0);
             assert_eq!(moved < 1e-9, allowed, "{target:?} {tool:?}: {moved}");
         }
+    }
+}
+
+/// Off its design, intervals are followed by the equations of the placed arm.
+#[test]
+fn an_arm_off_its_design_whose_swivel_is_given() {
+    let tool = Pose::from_rpy([0.4, 1.2, -0.7], [0.05, -0.1, 0.2]);
+    let base = Pose::from_rpy([0.3, -2.0, 1.1], [0.5, -0.2, 1.0]);
+    let robot = WithTool {
+        robot: StrayIiwa,
+        tool,
+    };
+    let placed = WithBase { robot, base };
+    let q = [0.3, 0.6, -0.4, -1.3, 0.5, 0.9, 0.2];
+    let (own, target) = (StrayIiwa.fk(&q), placed.fk(&q));
+    let [intervals, expected] = [placed.feasible(&target), StrayIiwa.feasible(&own)];
+    assert_eq!(intervals.len(), expected.len());
+    for (interval, expected) in intervals.iter().zip(&expected) {
+        let ends = [interval.from - expected.from, interval.to - expected.to];
+        assert!(
+            ends.iter().all(|end| end.abs() < 1e-8),
+            "{interval:?} {expected:?}"
+        );
+        let reached = placed.fk(&interval.middle);
+        assert!(
+            Target::Pose.distance(&reached, &target, 1.0) < 1e-8,
+            "{interval:?}"
+        );
+    }
+}
+
+/// A tool that is held turned is as much beside the axis.
+#[test]
+#[should_panic(expected = "leave open where this tool puts the tip")]
+fn a_tool_beside_the_axis_is_refused_where_the_turn_is_held() {
+    let tool = Pose::from_translation([0.1, 0.0, 0.15]);
+    let arm = PandaTool.along::<0>([0.0, 0.3]);
+    WithTool { robot: arm, tool }.ik_at(&Pose::IDENTITY, 0.6);
+}
+
+#[test]
+fn a_tool_on_the_axis_of_an_arm_whose_turn_is_held() {
+    let tool = Pose::from_rpy([0.0, 0.0, 0.6], [0.0, 0.0, 0.15]);
+    let q = [0.3, 0.5, -0.2, -1.8, 0.4, 1.9, 0.6];
+    let target = PandaTool.fk(&q) * tool;
+    let turn = 0.3;
+    let arm = WithTool {
+        robot: PandaTool.along::<0>([0.0, turn]),
+        tool,
+    };
+    let intervals = arm.feasible(&target.turned(-turn));
+    assert!(
+        intervals.iter().any(|interval| interval.contains(q[6])),
+        "{intervals:?}"
+    );
+    for interval in &intervals {
+        let reached = arm.fk(&interval.middle);
+        assert!(
+            Target::Pose.distance(&reached, &target, 1.0) < 1e-8,
+            "{interval:?}"
+        );
     }
 }

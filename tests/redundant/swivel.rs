@@ -2,8 +2,12 @@
 //! runtime's.
 
 use crate::random::Random;
-use kinematics::{Chain, Kinematics, Parameter, Pose, RedundantKinematics, Swivel};
-use std::f64::consts::FRAC_PI_2;
+use kin_codegen::Target;
+use kinematics::__private::math::wrap;
+use kinematics::{
+    Chain, Interval, Kinematics, Parameter, Pose, RedundantKinematics, RobotOptions, Swivel,
+};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Shoulder, elbow and wrist as points of the generic chain at home.
 pub struct Shoulder {
@@ -138,6 +142,47 @@ fn where_it_is_not_defined_answers_are_flagged() {
                 "{solutions:#?}"
             );
             assert!(!answered || !solutions.is_empty(), "{angle} of {q:?}");
+        }
+    }
+}
+
+/// Off its design and with a tool that may turn: what is held beside that is the swivel angle.
+#[test]
+fn a_swivel_that_is_held_stays() {
+    let options = RobotOptions {
+        free: vec!["swivel".into()],
+        target: Some(Target::PositionAxis),
+        ..RobotOptions::default()
+    };
+    let robot = crate::cached::cached("robots/redundant/stray_iiwa.yaml", &options);
+    let q = [0.3, 0.6, -0.4, -1.3, 0.5, 0.9, 0.2];
+    let target = robot.fk(&q);
+    let given = robot.redundancy(&target, &q);
+    for (place, parameter) in given.iter().enumerate() {
+        let along = robot.along(place, &given);
+        let intervals = along.feasible(&target);
+        let ends = || intervals.iter().flat_map(|it| [it.from, it.to]);
+        let own = |it: &&Interval| it.contains(*parameter);
+        assert!(
+            intervals.iter().any(|it| own(&it)),
+            "{place}: {intervals:?}"
+        );
+        for k in 0..60 {
+            let value = PI * (f64::from(k) + 0.37 - 30.0) / 30.0;
+            if ends().any(|end| wrap(end - value).abs() < 1e-3) {
+                continue;
+            }
+            let held = intervals.iter().filter(|it| it.contains(value)).count();
+            let solutions = along.ik_at(&target, value).len();
+            assert_eq!(held, solutions, "{place} at {value}: {intervals:#?}");
+        }
+        for interval in &intervals {
+            let told = robot.redundancy(&target, &interval.middle);
+            let others = (0..2).filter(|&other| other != place);
+            for other in others {
+                let off = wrap(told[other] - given[other]);
+                assert!(off.abs() < 1e-8, "{place}: {interval:?}");
+            }
         }
     }
 }

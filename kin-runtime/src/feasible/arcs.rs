@@ -19,8 +19,10 @@ const HALVINGS: u32 = 24;
 const BETWEEN: usize = 256;
 /// Two places end in one fold if they find it this near to each other.
 const SAME: f64 = 1e-5;
-/// A slide without limits is looked at so far both ways, metres.
+/// A slide without a stop is looked at so far beyond its target or its other stop, metres.
 const FARTHEST: f64 = 10.0;
+/// A stop that is farther away is none, metres: files have numbers like 1e9 for that.
+const NO_STOP: f64 = 1e4;
 
 /// A piece of a curve on which the parameter grows.
 #[derive(Clone, Debug)]
@@ -100,7 +102,17 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             true => [-PI, PI],
             false => {
                 let limit = self.limits[self.parameter];
-                [limit.lower().max(-FARTHEST), limit.upper().min(FARTHEST)]
+                let distance = norm(self.target.translation);
+                // Where the position counts it is a number.
+                let far = FARTHEST + if distance.is_finite() { distance } else { 0.0 };
+                let (lower, upper) = (limit.lower(), limit.upper());
+                let is_stop = |end: f64| end.abs() <= NO_STOP;
+                let end = |own: f64, other: f64, side: f64| match is_stop(other) {
+                    _ if is_stop(own) => own,
+                    true => other + 2.0 * side * far,
+                    false => side * far,
+                };
+                [end(lower, upper, -1.0), end(upper, lower, 1.0)]
             }
         }
     }

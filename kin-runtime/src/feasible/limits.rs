@@ -16,6 +16,8 @@ const PIECES: usize = 4;
 /// How far beyond a bound a joint crosses it, less than what still counts as resting on it: one
 /// that rests there crosses nothing.
 const BEYOND: f64 = 0.1 * JointLimit::TOLERANCE;
+/// How near two stops are that leave a single value between them, radians or metres.
+const NARROW: f64 = 1e-6;
 /// Parts that are nearer to each other are one: at a single value, an angle that is free may be
 /// told beyond a limit.
 const SAME: f64 = 1e-9;
@@ -36,17 +38,20 @@ pub(super) fn within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     ends.push(whole.to);
     ends.sort_by(f64::total_cmp);
     let mut parts: Vec<Part> = Vec::new();
+    let mut add = |from: f64, to: f64| match parts.last_mut() {
+        Some(part) if from - part.to < SAME => part.to = to,
+        _ => parts.push(Part {
+            from,
+            to,
+            is_closed: false,
+        }),
+    };
+    let is_narrow = stops.iter().any(|&stop| is_narrow(stop));
     for pair in ends.windows(2).filter(|pair| pair[0] < pair[1]) {
-        if !inside(pair[0] + AMID * (pair[1] - pair[0])) {
-            continue;
-        }
-        match parts.last_mut().filter(|part| pair[0] - part.to < SAME) {
-            Some(part) => part.to = pair[1],
-            None => parts.push(Part {
-                from: pair[0],
-                to: pair[1],
-                is_closed: false,
-            }),
+        if inside(pair[0] + AMID * (pair[1] - pair[0])) {
+            add(pair[0], pair[1]);
+        } else if is_narrow && inside(pair[1]) {
+            add(pair[1], pair[1]);
         }
     }
     if curve.is_closed {
@@ -78,7 +83,12 @@ pub(super) fn is_within<const N: usize>(q: &[f64; N], stops: &[JointLimit; N]) -
     (0..N).all(|i| stops[i].nearest(q[i], q[i]).is_some())
 }
 
-/// Where joints cross their bounds.
+/// Whether limits leave a joint a single value, to what can be told apart.
+fn is_narrow(stop: JointLimit) -> bool {
+    stop.upper() - stop.lower() < NARROW
+}
+
+/// Where joints cross their bounds, or the value that is all they may have.
 fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
     curve: &Curve,
@@ -104,6 +114,8 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         }
         let least = math::sin_cos(half).1;
         let inside = |q: f64| match turns {
+            true if is_narrow(*stop) => math::sin_cos(q - middle).0,
+            false if is_narrow(*stop) => q - middle,
             // Steady where the angle wraps.
             true => math::sin_cos(q - middle).1 - least,
             false if half.is_finite() => half * half - (q - middle) * (q - middle),

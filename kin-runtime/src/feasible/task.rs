@@ -4,7 +4,8 @@ use crate::linear::span::Span;
 use crate::linear::vector::{dot, norm};
 use crate::scalar::tolerance::ROTATION;
 use crate::{
-    JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Solutions, Target, math,
+    JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Solutions, Swivel, Target,
+    math,
 };
 use alloc::collections::BTreeMap;
 use core::cell::RefCell;
@@ -39,6 +40,8 @@ pub(super) struct Task<'a, K: ?Sized, const N: usize> {
     resting: ([usize; WIDTH], usize),
     /// What the parameter is.
     of: Parameter,
+    /// The swivel whose angle is the parameter, or is held at a value.
+    swivel: Option<(Swivel, Option<f64>)>,
     /// What counts: with a turn of the tool, a target is a whole pose.
     counts: Target,
     /// Solutions by the parameter: branches over the same interval ask for the same.
@@ -61,10 +64,9 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     pub fn new(robot: &'a K, target: &'a Pose) -> Self {
         let () = Self::FITS;
         let of = robot.parameter();
-        let (parameter, counts) = match of {
-            Parameter::Joint(joint) => (joint, robot.counting()),
-            Parameter::Swivel(_) => (N, robot.counting()),
-            Parameter::Turn => (N, Target::Pose),
+        let parameter = match of {
+            Parameter::Joint(joint) => joint,
+            Parameter::Swivel(_) | Parameter::Turn => N,
         };
         let coordinates = N.max(parameter + 1);
         let (mut resting, mut count) = ([0; WIDTH], 0);
@@ -82,17 +84,24 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
             coordinates,
             resting: (resting, count),
             of,
-            counts,
+            swivel: match of {
+                Parameter::Swivel(swivel) => Some((swivel, None)),
+                _ => robot
+                    .held_swivel()
+                    .map(|(swivel, angle)| (swivel, Some(angle))),
+            },
+            counts: robot.counting_at(),
             solved: RefCell::default(),
         }
     }
 
     /// Whether the target is one: all that counts a finite number, and a rotation.
     pub fn is_target(&self) -> bool {
-        let counts = self.robot.counting();
+        let counts = self.counts;
+        let distance = norm(self.target.translation);
         counts.is_finite(self.target)
             && counts.rotation_error(self.target) <= ROTATION
-            && norm(self.target.translation).is_finite()
+            && (distance.is_finite() || !counts.has_translation())
     }
 
     /// All solutions at a value of the parameter.
@@ -141,10 +150,11 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     fn equations(&self, x: &Point) -> ([Point; EQUATIONS], [f64; EQUATIONS]) {
         let (pose, spatial) = self.robot.fk_jacobian(&self.q(x));
         let geometric = spatial.spatial_to_geometric(&pose);
-        let target = match self.of {
-            Parameter::Joint(_) | Parameter::Swivel(_) => *self.target,
-            Parameter::Turn => self.target.turned(x[N]),
+        let turn = match self.of {
+            Parameter::Joint(_) | Parameter::Swivel(_) => self.robot.held_turn(),
+            Parameter::Turn => Some(x[N]),
         };
+        let target = turn.map_or(*self.target, |turn| self.target.turned(turn));
         let own = self.counts.counting_rows(&pose, &geometric).rows;
         let mut rows = [[0.0; WIDTH]; EQUATIONS];
         for (row, own) in rows.iter_mut().zip(own) {
@@ -152,11 +162,13 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         }
         let mut missing = [0.0; EQUATIONS];
         missing[..6].copy_from_slice(&self.counts.missing(&pose, &target).to_array());
-        if let Parameter::Swivel(swivel) = self.of {
+        if let Some((swivel, held)) = self.swivel {
             let (row, angle) = swivel.row(&self.robot.fk_links(&self.q(x)), &pose, &spatial);
             rows[6][..N].copy_from_slice(&row);
-            rows[6][N] = -1.0;
-            missing[6] = math::wrap(x[N] - angle);
+            if held.is_none() {
+                rows[6][N] = -1.0;
+            }
+            missing[6] = math::wrap(held.unwrap_or(x[N]) - angle);
         }
         if let Parameter::Turn = self.of {
             // The target turns about its z axis.

@@ -79,7 +79,8 @@ macro_rules! define_kinematics {
             /// have no names.
             const POSTURES: &'static [Posture] = &[];
             /// How many branches inverse kinematics looks at, which bounds the number
-            /// of isolated solutions; 0 for an arm generated with `ik = none`.
+            /// of isolated solutions of an arm that is as its design; 0 for an arm
+            /// generated with `ik = none`.
             const BRANCHES: usize;
 
             /// [`Kinematics::LIMITS`], or those of a robot that is known when the program runs.

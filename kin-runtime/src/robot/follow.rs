@@ -47,14 +47,14 @@ impl<const N: usize> Follow<N> {
     }
 
     /// How near joint values are to their limits: Σ u² / (1.02 − u²), where u is ±1 at the
-    /// stops and 0 between them. A joint without two stops adds nothing.
+    /// stops, or beyond them, and 0 midway. A joint without two stops adds nothing.
     pub fn crowding(&self, q: &[f64; N]) -> f64 {
         let mut sum = 0.0;
         for (value, limit) in q.iter().zip(&self.limits) {
             let (lower, upper) = (limit.lower(), limit.upper());
-            let u = (2.0 * value - lower - upper) / (upper - lower);
-            // Also without stops, where it is no number or nothing.
-            if u.abs() <= 1.0 && (upper - lower).is_finite() {
+            let travel = upper - lower;
+            if travel.is_finite() && travel > 0.0 {
+                let u = ((2.0 * value - lower - upper) / travel).clamp(-1.0, 1.0);
                 sum += u * u / (ROOM - u * u);
             }
         }

@@ -3,7 +3,7 @@
 use crate::__private::Eliminant;
 use crate::{
     Frame, Hessian, Jacobian, JointLimit, Kinematics, Nearest, Parameter, Pose, Posture,
-    RedundantKinematics, Singularities, Solution, Solutions, Target,
+    RedundantKinematics, Singularities, Solution, Solutions, Swivel, Target,
 };
 
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
@@ -50,33 +50,99 @@ impl<K> WithTool<K> {
     }
 }
 
-impl<const N: usize, K: RedundantKinematics<N>> RedundantKinematics<N> for WithTool<K> {
-    const PARAMETER: Parameter = K::PARAMETER;
-    const BRANCHES_AT: usize = K::BRANCHES_AT;
-    const ROOTS: usize = K::ROOTS;
-    const HELD: u64 = K::HELD;
+/// What [`RedundantKinematics`] of a robot is where it is placed: that of its own target, and its
+/// swivel as it is seen from there.
+macro_rules! placed {
+    ($placed:ident, $own_target:ident) => {
+        impl<const N: usize, K: RedundantKinematics<N>> RedundantKinematics<N> for $placed<K> {
+            /// As of the robot itself, in its own frames.
+            const PARAMETER: Parameter = K::PARAMETER;
+            const BRANCHES_AT: usize = K::BRANCHES_AT;
+            const ROOTS: usize = K::ROOTS;
+            const HELD: u64 = K::HELD;
 
-    fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
-        self.robot.ik_at(&self.at_tip(target), parameter)
-    }
+            fn parameter(&self) -> Parameter {
+                match self.robot.parameter() {
+                    Parameter::Swivel(swivel) => Parameter::Swivel(self.placed(swivel)),
+                    other => other,
+                }
+            }
 
-    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
-        self.robot.margins_at(&self.at_tip(target), parameter)
-    }
+            fn branches_at(&self) -> usize {
+                self.robot.branches_at()
+            }
 
-    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
-        self.robot
-            .eliminant_at(&self.at_tip(target), parameter, which)
-    }
+            fn roots(&self) -> usize {
+                self.robot.roots()
+            }
 
-    fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
-        self.robot.root_arguments(&self.at_tip(target), parameter)
-    }
+            fn held(&self) -> u64 {
+                self.robot.held()
+            }
 
-    fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
-        self.robot.parameter_of(&self.at_tip(target), q)
+            fn held_turn(&self) -> Option<f64> {
+                self.robot.held_turn()
+            }
+
+            fn held_swivel(&self) -> Option<(Swivel, f64)> {
+                let held = self.robot.held_swivel();
+                held.map(|(swivel, angle)| (self.placed(swivel), angle))
+            }
+
+            fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
+                self.robot.ik_at(&self.$own_target(target), parameter)
+            }
+
+            fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
+                self.robot.margins_at(&self.$own_target(target), parameter)
+            }
+
+            fn eliminant_at(
+                &self,
+                target: &Pose,
+                parameter: f64,
+                which: usize,
+            ) -> Option<Eliminant> {
+                let target = self.$own_target(target);
+                self.robot.eliminant_at(&target, parameter, which)
+            }
+
+            fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
+                let target = self.$own_target(target);
+                self.robot.root_arguments(&target, parameter)
+            }
+
+            fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
+                self.robot.parameter_of(&self.$own_target(target), q)
+            }
+        }
+    };
+}
+
+impl<K> WithTool<K> {
+    /// With the wrist in the tool's frame.
+    fn placed(&self, swivel: Swivel) -> Swivel {
+        Swivel {
+            wrist: self.tool.inverse().transform_point(swivel.wrist),
+            ..swivel
+        }
     }
 }
+
+placed!(WithTool, at_tip);
+
+impl<K> WithBase<K> {
+    /// With the shoulder and the reference as they are seen from the new base.
+    fn placed(&self, swivel: Swivel) -> Swivel {
+        Swivel {
+            shoulder: self.base.transform_point(swivel.shoulder),
+            reference: self.base.rotate(swivel.reference),
+            ..swivel
+        }
+    }
+}
+
+placed!(WithBase, seen_from_base);
 
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
     const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
@@ -226,36 +292,6 @@ impl<K> WithBase<K> {
     /// `target` as the robot's own base sees it.
     fn seen_from_base(&self, target: &Pose) -> Pose {
         self.base.inverse() * *target
-    }
-}
-
-impl<const N: usize, K: RedundantKinematics<N>> RedundantKinematics<N> for WithBase<K> {
-    const PARAMETER: Parameter = K::PARAMETER;
-    const BRANCHES_AT: usize = K::BRANCHES_AT;
-    const ROOTS: usize = K::ROOTS;
-    const HELD: u64 = K::HELD;
-
-    fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
-        self.robot.ik_at(&self.seen_from_base(target), parameter)
-    }
-
-    fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
-        self.robot
-            .margins_at(&self.seen_from_base(target), parameter)
-    }
-
-    fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
-        self.robot
-            .eliminant_at(&self.seen_from_base(target), parameter, which)
-    }
-
-    fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
-        self.robot
-            .root_arguments(&self.seen_from_base(target), parameter)
-    }
-
-    fn parameter_of(&self, target: &Pose, q: &[f64; N]) -> f64 {
-        self.robot.parameter_of(&self.seen_from_base(target), q)
     }
 }
 

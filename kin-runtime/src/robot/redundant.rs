@@ -7,7 +7,7 @@ use crate::{
     Criterion, FeasibleInterval, JointLimit,
     feasible::{best, feasible, feasible_within},
 };
-use crate::{Kinematics, Nearest, NoSolution, Pose, Solution, Solutions, Swivel};
+use crate::{Kinematics, Nearest, NoSolution, Pose, Solution, Solutions, Swivel, Target};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -84,6 +84,28 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         Self::HELD
     }
 
+    /// How far the tool is turned, of an arm with several parameters whose turn of the tool is
+    /// held.
+    #[doc(hidden)]
+    fn held_turn(&self) -> Option<f64> {
+        None
+    }
+
+    /// What counts of what is left to be solved: turned tools have whole poses.
+    #[doc(hidden)]
+    fn counting_at(&self) -> Target {
+        match self.parameter() == Parameter::Turn || self.held_turn().is_some() {
+            true => Target::Pose,
+            false => self.counting(),
+        }
+    }
+
+    /// The swivel whose angle is held, of an arm with several parameters, and that angle.
+    #[doc(hidden)]
+    fn held_swivel(&self) -> Option<(Swivel, f64)> {
+        None
+    }
+
     /// All configurations with this parameter that put the tip at the target, as far as
     /// the target counts: every isolated one once, and none if the target is out of
     /// reach.
@@ -108,7 +130,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         let solutions = self.ik_at(target, parameter);
         solutions.nearest_by(nearest).ok_or_else(|| {
             NoSolution::among(&solutions, nearest)
-                .unwrap_or_else(|| NoSolution::of_target(self.counting(), target, || None))
+                .unwrap_or_else(|| NoSolution::of_target(self.counting_at(), target, || None))
         })
     }
 
@@ -155,23 +177,18 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     }
 
     /// The solutions at so many values of the parameter, evenly spaced over a turn, or
-    /// over the travel of a prismatic joint; nothing is allocated.
+    /// over the travel of a prismatic joint, both ends included; none where a slide lacks a stop.
+    /// Nothing is allocated.
     fn ik_sweep(&self, target: &Pose, count: usize) -> impl Iterator<Item = Solutions<N>> {
         let limits = self.own_limits();
-        let [from, to] = match self.parameter() {
+        let (from, step) = match self.parameter() {
             Parameter::Joint(joint) if !limits[joint].is_revolute() => {
-                [limits[joint].lower(), limits[joint].upper()]
+                let (from, to) = (limits[joint].lower(), limits[joint].upper());
+                (from, (to - from) / (count.max(2) - 1) as f64)
             }
-            _ => [-PI, PI],
+            _ => (-PI, TAU / count as f64),
         };
-        let step = (to - from) / count as f64;
-        let is_turn = (to - from - TAU).abs() < f64::EPSILON;
-        // Both ends of a travel, and of a turn one.
-        let step = if is_turn {
-            step
-        } else {
-            (to - from) / (count.max(2) - 1) as f64
-        };
+        let count = if step.is_finite() { count } else { 0 };
         let target = *target;
         (0..count).map(move |i| self.ik_at(&target, from + step * i as f64))
     }
@@ -210,6 +227,9 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// samples of an arm that is read as an ideal one, whose branches are moved on to it, they
     /// are looked for where those of the ideal arm nearly begin or end
     /// ([`RedundantKinematics::margins_at`]), which is no proof.
+    ///
+    /// A slide that lacks a stop is looked at up to 10 m beyond the target's distance from the
+    /// base, both ways, or twice as far from its other stop.
     ///
     /// Arms of up to eight joints have it; of more it does not compile.
     #[cfg(feature = "alloc")]

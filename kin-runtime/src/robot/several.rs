@@ -1,17 +1,10 @@
 //! Arms with several joints more than their targets have coordinates.
 
 use crate::__private::Eliminant;
-#[cfg(feature = "alloc")]
-use crate::{
-    Criterion, FeasibleInterval,
-    feasible::{best, feasible, feasible_within},
-};
 use crate::{
     Frame, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solutions,
-    Target,
+    Swivel, Target,
 };
-#[cfg(feature = "alloc")]
-use alloc::vec::Vec;
 
 /// The inverse kinematics of an arm with several joints more than its targets have coordinates:
 /// eight for whole poses, or seven where the tool may turn. P numbers beside the target, the
@@ -83,18 +76,6 @@ pub struct Along<'a, K: ?Sized, const P: usize, const I: usize> {
     pub held: [f64; P],
 }
 
-/// Which of some parameters is the turn of the tool, if it is not number `moving`.
-const fn held_turn<const P: usize>(parameters: &[Parameter; P], moving: usize) -> Option<usize> {
-    let mut i = 0;
-    while i < P {
-        if i != moving && matches!(parameters[i], Parameter::Turn) {
-            return Some(i);
-        }
-        i += 1;
-    }
-    None
-}
-
 /// The joints among some parameters but number `moving`, as bits.
 const fn held_joints<const P: usize>(parameters: &[Parameter; P], moving: usize) -> u64 {
     let (mut held, mut i) = (0, 0);
@@ -113,20 +94,6 @@ impl<K: ?Sized, const P: usize, const I: usize> Along<'_, K, P, I> {
         parameters[I] = parameter;
         parameters
     }
-
-    /// The target, turned as far as the tool is held, and the robot whose tool is not.
-    #[cfg(feature = "alloc")]
-    fn turned<const N: usize>(&self, target: &Pose) -> (Pose, Self)
-    where
-        K: HighlyRedundantKinematics<N, P>,
-    {
-        let mut held = self.held;
-        let target = match held_turn(&K::PARAMETERS, I) {
-            Some(turn) => target.turned(core::mem::take(&mut held[turn])),
-            None => *target,
-        };
-        (target, Along { held, ..*self })
-    }
 }
 
 impl<K, const N: usize, const P: usize, const I: usize> Kinematics<N> for Along<'_, K, P, I>
@@ -141,11 +108,7 @@ where
     const FRAMES: &'static [Frame] = K::FRAMES;
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
-    /// Whole poses where the turn of the tool is held.
-    const TARGET: Target = match held_turn(&K::PARAMETERS, I) {
-        Some(_) => Target::Pose,
-        None => K::TARGET,
-    };
+    const TARGET: Target = K::TARGET;
     const BRANCHES: usize = K::BRANCHES;
 
     fn fk(&self, q: &[f64; N]) -> Pose {
@@ -171,6 +134,20 @@ where
     const ROOTS: usize = K::ROOTS;
     const HELD: u64 = held_joints(&K::PARAMETERS, I);
 
+    fn held_turn(&self) -> Option<f64> {
+        let mut all = K::PARAMETERS.iter().zip(self.held).enumerate();
+        let turn = all.find(|(i, (parameter, _))| *i != I && **parameter == Parameter::Turn);
+        turn.map(|(_, (_, angle))| angle)
+    }
+
+    fn held_swivel(&self) -> Option<(Swivel, f64)> {
+        let mut all = K::PARAMETERS.iter().zip(self.held).enumerate();
+        all.find_map(|(i, (parameter, angle))| match parameter {
+            Parameter::Swivel(swivel) if i != I => Some((*swivel, angle)),
+            _ => None,
+        })
+    }
+
     fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
         self.robot.ik_at(target, &self.with(parameter))
     }
@@ -186,23 +163,5 @@ where
     fn eliminant_at(&self, target: &Pose, parameter: f64, which: usize) -> Option<Eliminant> {
         let parameters = self.with(parameter);
         self.robot.eliminant_at(target, &parameters, which)
-    }
-
-    #[cfg(feature = "alloc")]
-    fn feasible(&self, target: &Pose) -> Vec<FeasibleInterval<N>> {
-        let (target, arm) = self.turned(target);
-        feasible(&arm, &target)
-    }
-
-    #[cfg(feature = "alloc")]
-    fn feasible_within(&self, target: &Pose, limits: &[JointLimit; N]) -> Vec<FeasibleInterval<N>> {
-        let (target, arm) = self.turned(target);
-        feasible_within(&arm, &target, limits)
-    }
-
-    #[cfg(feature = "alloc")]
-    fn ik_best(&self, target: &Pose, criterion: &Criterion<N>) -> Option<[f64; N]> {
-        let (target, arm) = self.turned(target);
-        best(&arm, &target, &Self::LIMITS, criterion)
     }
 }
