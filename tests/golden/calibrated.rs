@@ -554,8 +554,8 @@ mod __Calibrated {
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
-        /// continuous. The solutions of other targets do not depend on it; a
-        /// seed that is not finite loses those of singular targets.
+        /// continuous; that of a joint whose seed is not finite is 0. The
+        /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             let branches = self.branches(pose, seed);

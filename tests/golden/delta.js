@@ -458,7 +458,7 @@ const $rotation_error = (form, target) => {
         const b = (i + 2) % 3;
         missing.push(z[i] - (x[a] * y[b] - x[b] * y[a]));
     }
-    return form.counts_rotation && !form.projected ? $norm(missing) : 0.0;
+    return form.counts_rotation ? $norm(missing) : 0.0;
 };
 
 /* Why a target has no solutions. */
@@ -478,20 +478,16 @@ const $roomiest_turn = (here, quarter, half) => {
     const cosine = 0.5 * (here - half);
     const sine = quarter - mean;
     const amplitude = Math.sqrt(cosine * cosine + sine * sine);
-    const phase = $wrap($atan2(sine, cosine));
-    const near = amplitude + mean;
-    const far = amplitude - mean;
-    if (amplitude <= 0.0) {
-        return 0.0;
-    }
-    if ((near < far ? near : far) <= 1e-13 * (amplitude + Math.abs(mean))) {
-        return near < far ? phase : $wrap(phase + Math.PI);
-    }
-    return $wrap(phase - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
+    /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
+    const near = Math.max(amplitude + mean, 0.0);
+    const far = Math.max(amplitude - mean, 0.0);
+    return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
 /* The lanes, with an angle that is free turned where its own value leaves the next root none. */
-const $branches = (form, target, seed, given) => {
+const $branches = (form, target, from, given) => {
+    /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
+    const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
     const lanes = form.lanes(target, seed, given, 1e-24);
     if (form.free_angle === null || !lanes.no_root.some((x) => x > 0.0)) {
         return lanes;
@@ -702,8 +698,11 @@ const $gaps = (mechanism, q, free) => {
     const jacobians = mechanism.chains.map(({ arm }, i) => arm.geometric_jacobian(parts[i]));
     const error = [];
     const rows = [];
+    let square = 0.0;
     for (let chain = 1; chain < poses.length; ++chain) {
         const [a, b] = [poses[0], poses[chain]];
+        let trace = 0.0;
+        let sine = 0.0;
         for (let row = 0; row < 6; ++row) {
             const scale = row < 3 ? 1.0 / mechanism.length : 1.0;
             let off = 0.0;
@@ -712,10 +711,16 @@ const $gaps = (mechanism, q, free) => {
             } else {
                 const [i, j] = [(row - 2) % 3, (row - 1) % 3];
                 for (let k = 0; k < 3; ++k) {
+                    trace += a[4 * (row - 3) + k] * b[4 * (row - 3) + k];
                     off += 0.5 * (b[4 * i + k] * a[4 * j + k] - b[4 * j + k] * a[4 * i + k]);
                 }
             }
             error.push(scale * off);
+            if (row < 3) {
+                square += scale * off * scale * off;
+            } else {
+                sine = Math.hypot(sine, off);
+            }
             rows.push(Float64Array.from(free, (place) => {
                 const [of, joint] = places[place];
                 const n = mechanism.chains[of].arm.joints.length;
@@ -723,8 +728,11 @@ const $gaps = (mechanism, q, free) => {
                 return of === chain ? entry : of === 0 ? -entry : 0.0;
             }));
         }
+        /* Half a turn has no sine. */
+        const angle = $atan2(sine, 0.5 * (trace - 1.0));
+        square += angle * angle;
     }
-    return { error, rows, residual: mechanism.length * $norm(error) };
+    return { error, rows, residual: mechanism.length * Math.sqrt(square) };
 };
 
 /* A mechanism with the functions that its chains make. */

@@ -294,8 +294,8 @@ mod __Delta {
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
-            /// continuous. The solutions of other targets do not depend on it; a
-            /// seed that is not finite loses those of singular targets.
+            /// continuous; that of a joint whose seed is not finite is 0. The
+            /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
@@ -610,8 +610,8 @@ mod __Delta {
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
-            /// continuous. The solutions of other targets do not depend on it; a
-            /// seed that is not finite loses those of singular targets.
+            /// continuous; that of a joint whose seed is not finite is 0. The
+            /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
@@ -1056,8 +1056,8 @@ mod __Delta {
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
-            /// continuous. The solutions of other targets do not depend on it; a
-            /// seed that is not finite loses those of singular targets.
+            /// continuous; that of a joint whose seed is not finite is 0. The
+            /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
@@ -1393,8 +1393,8 @@ mod __Delta {
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
-            /// continuous. The solutions of other targets do not depend on it; a
-            /// seed that is not finite loses those of singular targets.
+            /// continuous; that of a joint whose seed is not finite is 0. The
+            /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
@@ -1917,8 +1917,8 @@ mod __Delta {
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
-            /// continuous. The solutions of other targets do not depend on it; a
-            /// seed that is not finite loses those of singular targets.
+            /// continuous; that of a joint whose seed is not finite is 0. The
+            /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
                 solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
@@ -2254,8 +2254,8 @@ mod __Delta {
 
             /// As [`Self::ik`]; an angle that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
-            /// continuous. The solutions of other targets do not depend on it; a
-            /// seed that is not finite loses those of singular targets.
+            /// continuous; that of a joint whose seed is not finite is 0. The
+            /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
                 solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))

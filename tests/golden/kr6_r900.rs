@@ -277,8 +277,8 @@ mod __Kr6R900 {
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
-        /// continuous. The solutions of other targets do not depend on it; a
-        /// seed that is not finite loses those of singular targets.
+        /// continuous; that of a joint whose seed is not finite is 0. The
+        /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
             solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))

@@ -458,7 +458,7 @@ const $rotation_error = (form, target) => {
         const b = (i + 2) % 3;
         missing.push(z[i] - (x[a] * y[b] - x[b] * y[a]));
     }
-    return form.counts_rotation && !form.projected ? $norm(missing) : 0.0;
+    return form.counts_rotation ? $norm(missing) : 0.0;
 };
 
 /* Why a target has no solutions. */
@@ -478,20 +478,16 @@ const $roomiest_turn = (here, quarter, half) => {
     const cosine = 0.5 * (here - half);
     const sine = quarter - mean;
     const amplitude = Math.sqrt(cosine * cosine + sine * sine);
-    const phase = $wrap($atan2(sine, cosine));
-    const near = amplitude + mean;
-    const far = amplitude - mean;
-    if (amplitude <= 0.0) {
-        return 0.0;
-    }
-    if ((near < far ? near : far) <= 1e-13 * (amplitude + Math.abs(mean))) {
-        return near < far ? phase : $wrap(phase + Math.PI);
-    }
-    return $wrap(phase - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
+    /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
+    const near = Math.max(amplitude + mean, 0.0);
+    const far = Math.max(amplitude - mean, 0.0);
+    return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
 /* The lanes, with an angle that is free turned where its own value leaves the next root none. */
-const $branches = (form, target, seed, given) => {
+const $branches = (form, target, from, given) => {
+    /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
+    const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
     const lanes = form.lanes(target, seed, given, 1e-24);
     if (form.free_angle === null || !lanes.no_root.some((x) => x > 0.0)) {
         return lanes;

@@ -278,11 +278,10 @@ typedef struct slider_crank_metric {
     /* The distance at which angles count as lengths, and by how much solutions may miss, metres. */
     double size;
     double tolerance;
-    /* What of a target counts: of the rotation the direction of the axis, or its projection. */
+    /* What of a target counts: of the rotation the direction of the axis. */
     int translation;
     int rotation;
     int axis;
-    int projected;
 } slider_crank_metric;
 
 /* How far the rotation of a target is from one, as far as it counts. */
@@ -307,7 +306,7 @@ static double slider_crank_rotation_error(const slider_crank_metric *by, const d
     for (int i = 0; i < 6; ++i) {
         square += missing[i] * missing[i];
     }
-    return by->rotation && !by->projected ? sqrt(square) : 0.0;
+    return by->rotation ? sqrt(square) : 0.0;
 }
 
 /* Why a target has no solutions, by the codes of the header. */
@@ -755,7 +754,7 @@ int slider_crank_chain0_within_limits(const double q[SLIDER_CRANK_CHAIN0_JOINTS]
 #define SLIDER_CRANK_CHAIN0_NEAR_SINGULAR 0.0
 
 static const slider_crank_metric slider_crank_chain0_own_metric = {
-    SLIDER_CRANK_CHAIN0_SIZE, SLIDER_CRANK_CHAIN0_TOLERANCE, 1, 1, 0, 0};
+    SLIDER_CRANK_CHAIN0_SIZE, SLIDER_CRANK_CHAIN0_TOLERANCE, 1, 1, 0};
 
 /* The joints that are solved for. */
 static const int slider_crank_chain0_solved[SLIDER_CRANK_CHAIN0_SOLVED] = {0, 1, 2};
@@ -914,8 +913,12 @@ static void slider_crank_chain0_compute_lanes(
 }
 
 static void slider_crank_chain0_compute_branches(
-    const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given, slider_crank_chain0_lanes *lanes)
+    const double target[12], const double from[SLIDER_CRANK_CHAIN0_SOLVED], const double *given, slider_crank_chain0_lanes *lanes)
 {
+    double seed[SLIDER_CRANK_CHAIN0_SOLVED];
+    for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
+        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
+    }
     slider_crank_chain0_compute_lanes(target, seed, given, 1e-24, lanes);
 }
 
@@ -1211,7 +1214,7 @@ int slider_crank_chain1_within_limits(const double q[SLIDER_CRANK_CHAIN1_JOINTS]
 #define SLIDER_CRANK_CHAIN1_NEAR_SINGULAR 0.0
 
 static const slider_crank_metric slider_crank_chain1_own_metric = {
-    SLIDER_CRANK_CHAIN1_SIZE, SLIDER_CRANK_CHAIN1_TOLERANCE, 1, 1, 0, 0};
+    SLIDER_CRANK_CHAIN1_SIZE, SLIDER_CRANK_CHAIN1_TOLERANCE, 1, 1, 0};
 
 /* The joints that are solved for. */
 static const int slider_crank_chain1_solved[SLIDER_CRANK_CHAIN1_SOLVED] = {0};
@@ -1311,8 +1314,12 @@ static void slider_crank_chain1_compute_lanes(
 }
 
 static void slider_crank_chain1_compute_branches(
-    const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given, slider_crank_chain1_lanes *lanes)
+    const double target[12], const double from[SLIDER_CRANK_CHAIN1_SOLVED], const double *given, slider_crank_chain1_lanes *lanes)
 {
+    double seed[SLIDER_CRANK_CHAIN1_SOLVED];
+    for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
+        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
+    }
     slider_crank_chain1_compute_lanes(target, seed, given, 1e-24, lanes);
 }
 
@@ -1577,7 +1584,7 @@ static void slider_crank_passive_fk_jacobian(const double q[SLIDER_CRANK_PASSIVE
 #define SLIDER_CRANK_PASSIVE_NEAR_SINGULAR 0.0
 
 static const slider_crank_metric slider_crank_passive_own_metric = {
-    SLIDER_CRANK_PASSIVE_SIZE, SLIDER_CRANK_PASSIVE_TOLERANCE, 1, 1, 0, 0};
+    SLIDER_CRANK_PASSIVE_SIZE, SLIDER_CRANK_PASSIVE_TOLERANCE, 1, 1, 0};
 
 /* The joints that are solved for. */
 static const int slider_crank_passive_solved[SLIDER_CRANK_PASSIVE_SOLVED] = {0, 1, 2};
@@ -1734,8 +1741,12 @@ static void slider_crank_passive_compute_lanes(
 }
 
 static void slider_crank_passive_compute_branches(
-    const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given, slider_crank_passive_lanes *lanes)
+    const double target[12], const double from[SLIDER_CRANK_PASSIVE_SOLVED], const double *given, slider_crank_passive_lanes *lanes)
 {
+    double seed[SLIDER_CRANK_PASSIVE_SOLVED];
+    for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
+        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
+    }
     slider_crank_passive_compute_lanes(target, seed, given, 1e-24, lanes);
 }
 
@@ -2209,10 +2220,11 @@ static double slider_crank_apart(const double *poses)
 }
 
 /* All the wrenches that locked actuators bear, as a triangle, and beside it their products with
- * some vectors of each chain. */
-static void slider_crank_wrenches(
+ * some vectors of each chain. Tells by how much more than six of them contradict each other. */
+static double slider_crank_wrenches(
     const slider_crank_seen *seen, const double *beside, int count, double r[36], double *tails)
 {
+    double left = 0.0;
     for (int i = 0; i < 36; ++i) {
         r[i] = 0.0;
     }
@@ -2234,8 +2246,12 @@ static void slider_crank_wrenches(
                 }
             }
             slider_crank_take_row(r, tails, row, tail, 6, count);
+            for (int t = 0; t < count; ++t) {
+                left = slider_crank_max(left, fabs(tail[t]));
+            }
         }
     }
+    return left;
 }
 
 /* Solves R x = b, of some b side by side; an x that R does not determine is 0. */
@@ -2275,7 +2291,10 @@ static int slider_crank_moved(const slider_crank_seen *seen, double motions[6 * 
             }
         }
     }
-    slider_crank_wrenches(seen, beside, SLIDER_CRANK_ACTUATED, r, tails);
+    /* Where rates cannot be chosen freely, wrenches contradict each other. */
+    if (!(slider_crank_wrenches(seen, beside, SLIDER_CRANK_ACTUATED, r, tails) <= 1e-4 * SLIDER_CRANK_LENGTH)) {
+        return 0;
+    }
     for (int a = 0; a < SLIDER_CRANK_ACTUATED; ++a) {
         slider_crank_back_substitute(r, tails, SLIDER_CRANK_ACTUATED, a, motions + 6 * a);
     }
@@ -2564,15 +2583,26 @@ static int slider_crank_in_place(const slider_crank_postures *postures, int chai
     return count;
 }
 
+/* How many postures are for a place; at most 2^31 - 1. */
+static int slider_crank_all_in_place(const slider_crank_postures *postures, int place)
+{
+    int here = 1;
+    for (int chain = 0; chain < SLIDER_CRANK_CHAINS; ++chain) {
+        const int count = slider_crank_in_place(postures, chain, place);
+        if (count == 0) {
+            return 0;
+        }
+        here = here > 2147483647 / count ? 2147483647 : here * count;
+    }
+    return here;
+}
+
 int slider_crank_count(const slider_crank_postures *postures)
 {
     int count = 0;
     for (int place = 0; place < SLIDER_CRANK_MOST; ++place) {
-        int here = 1;
-        for (int chain = 0; here > 0 && chain < SLIDER_CRANK_CHAINS; ++chain) {
-            here *= slider_crank_in_place(postures, chain, place);
-        }
-        count += here;
+        const int here = slider_crank_all_in_place(postures, place);
+        count = count > 2147483647 - here ? 2147483647 : count + here;
     }
     return count;
 }
@@ -2580,11 +2610,8 @@ int slider_crank_count(const slider_crank_postures *postures)
 int slider_crank_posture(const slider_crank_postures *postures, int number, double q[SLIDER_CRANK_JOINTS])
 {
     for (int place = 0; place < SLIDER_CRANK_MOST && number >= 0; ++place) {
-        int here = 1, rest = number;
-        for (int chain = 0; here > 0 && chain < SLIDER_CRANK_CHAINS; ++chain) {
-            here *= slider_crank_in_place(postures, chain, place);
-        }
-        number -= here;
+        int rest = number;
+        number -= slider_crank_all_in_place(postures, place);
         if (number >= 0) {
             continue;
         }

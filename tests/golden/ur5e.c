@@ -205,19 +205,12 @@ UR5E_INLINE double ur5e_angle(double y, double x)
  * d of its equation a cos x + b sin x = d at turns of 0, pi/2 and pi. */
 static double ur5e_roomiest_turn(double here, double quarter, double half)
 {
-    const double pi = 3.141592653589793;
     const double mean = 0.5 * (here + half);
     const double cosine = 0.5 * (here - half), sine = quarter - mean;
     const double amplitude = sqrt(cosine * cosine + sine * sine);
-    const double phase = ur5e_wrap(ur5e_atan2(sine, cosine));
-    const double near_ = amplitude + mean, far_ = amplitude - mean;
-    if (amplitude <= 0.0) {
-        return 0.0;
-    }
-    if ((near_ < far_ ? near_ : far_) <= 1e-13 * (amplitude + fabs(mean))) {
-        return near_ < far_ ? phase : ur5e_wrap(phase + pi);
-    }
-    return ur5e_wrap(phase - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
+    /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
+    const double near_ = ur5e_max(amplitude + mean, 0.0), far_ = ur5e_max(amplitude - mean, 0.0);
+    return ur5e_wrap(ur5e_atan2(sine, cosine) - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
 }
 
 /* Of the values of a joint that are q but for full turns, if it turns, the one inside its limits
@@ -250,11 +243,10 @@ typedef struct ur5e_metric {
     /* The distance at which angles count as lengths, and by how much solutions may miss, metres. */
     double size;
     double tolerance;
-    /* What of a target counts: of the rotation the direction of the axis, or its projection. */
+    /* What of a target counts: of the rotation the direction of the axis. */
     int translation;
     int rotation;
     int axis;
-    int projected;
 } ur5e_metric;
 
 /* How far the rotation of a target is from one, as far as it counts. */
@@ -279,7 +271,7 @@ static double ur5e_rotation_error(const ur5e_metric *by, const double target[12]
     for (int i = 0; i < 6; ++i) {
         square += missing[i] * missing[i];
     }
-    return by->rotation && !by->projected ? sqrt(square) : 0.0;
+    return by->rotation ? sqrt(square) : 0.0;
 }
 
 /* Why a target has no solutions, by the codes of the header. */
@@ -984,7 +976,7 @@ int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
 #define UR5E_NEAR_SINGULAR 0.0
 
 static const ur5e_metric ur5e_own_metric = {
-    UR5E_SIZE, UR5E_TOLERANCE, 1, 1, 0, 0};
+    UR5E_SIZE, UR5E_TOLERANCE, 1, 1, 0};
 
 /* The joints that are solved for. */
 static const int ur5e_solved[UR5E_SOLVED] = {0, 1, 2, 3, 4, 5};
@@ -1349,8 +1341,12 @@ static void ur5e_turn_free_angles(
 }
 
 static void ur5e_compute_branches(
-    const double target[12], const double seed[UR5E_SOLVED], const double *given, ur5e_lanes *lanes)
+    const double target[12], const double from[UR5E_SOLVED], const double *given, ur5e_lanes *lanes)
 {
+    double seed[UR5E_SOLVED];
+    for (int i = 0; i < UR5E_SOLVED; ++i) {
+        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
+    }
     ur5e_compute_lanes(target, seed, given, 1e-24, lanes);
     for (int k = 0; k < 8; ++k) {
         if (lanes->no_root[k] > 0.0) {

@@ -195,3 +195,18 @@ fn a_seed_that_is_no_number_loses_no_solution() {
         assert!((0..3).all(|i| (found[i] - q[i]).abs() < 1e-9), "{found:?}");
     }
 }
+
+/// Nor one that turns where a free angle at its seed leaves a later step no root.
+#[test]
+fn a_free_angle_without_a_seed_turns_too() {
+    let arm = crate::zoo::Ur5e;
+    let q = [-2.581468, 2.695962, 0.155972, -2.483665, 0.0, 0.979362];
+    let target = arm.fk(&q);
+    let all = arm.ik(&target).len();
+    assert!(all > 0);
+    for joint in 0..6 {
+        let mut seed = q;
+        seed[joint] = f64::NAN;
+        assert!(arm.ik_seeded(&target, &seed).len() >= all, "{joint}");
+    }
+}

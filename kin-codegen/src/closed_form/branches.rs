@@ -33,14 +33,15 @@ impl ClosedForm {
         at.existing(&at.evaluate(self.tolerances().free_below))
     }
 
-    /// All branches of the plan, also those that do not exist.
-    pub(super) fn all_branches<const N: usize>(&self, target: &Pose) -> Vec<Solution<N>> {
+    /// All branches of the plan, also those that do not exist or repeat another, and whether they
+    /// do.
+    pub(super) fn all_branches<const N: usize>(&self, target: &Pose) -> Vec<(bool, Solution<N>)> {
         let seed = [0.0; N];
         let Some(at) = self.question(target, &[], &seed) else {
             return Vec::new();
         };
         let values = at.evaluate(self.tolerances().free_below);
-        (0..at.branches).map(|it| at.told(&values, it).1).collect()
+        (0..at.branches).map(|it| at.told(&values, it)).collect()
     }
 
     /// The solutions for each of many targets, as [`ClosedForm::solved`] has them.
@@ -142,7 +143,10 @@ impl Values<'_> {
     }
 }
 
-/// What expressions are computed from.
+/// Where the seed begins in what expressions are computed from.
+const SEED: usize = 12;
+
+/// What expressions are computed from; joints without a seed are at 0.
 pub(super) fn inputs(target: &Pose, seed: &[f64], parameters: &[f64], free_below: f64) -> Vec<f64> {
     let mut inputs: Vec<f64> = Vec::with_capacity(24);
     inputs.extend(target.rotation.iter().flatten());
@@ -211,11 +215,10 @@ impl<'a> Question<'a> {
     /// The same with one coordinate of the seed turned.
     fn evaluate_with(&self, free_below: f64, turned: Option<(usize, f64)>) -> Values<'a> {
         let inverse = self.inverse;
-        let mut seed = self.seed.to_vec();
+        let mut inputs = inputs(self.target, self.seed, self.parameters, free_below);
         if let Some((coordinate, turn)) = turned {
-            seed[coordinate] += turn;
+            inputs[SEED + coordinate] += turn;
         }
-        let inputs = inputs(self.target, &seed, self.parameters, free_below);
         let blocks = (0..self.branches).step_by(LANES);
         Values {
             joints: inverse.q.len(),

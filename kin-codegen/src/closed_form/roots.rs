@@ -120,10 +120,15 @@ impl ClosedForm {
             };
             let mut nearest = None;
             let mut least = f64::INFINITY;
-            for solution in self.all_branches(target) {
+            for (exists, solution) in self.all_branches(target) {
                 let residual = distance(&solution);
-                if residual < least {
-                    least = residual;
+                // One that repeats another is no solution, however near it comes.
+                let counted = match exists {
+                    true => residual,
+                    false => residual.max(self.acceptance().tolerance),
+                };
+                if counted < least {
+                    least = counted;
                     nearest = Some(Solution {
                         residual,
                         ..solution

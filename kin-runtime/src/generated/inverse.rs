@@ -155,7 +155,8 @@ enum Asked<'a, const N: usize> {
 /// A target with what is given beside it; see [`Inverse::lanes`].
 struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usize> {
     pose: &'a Pose,
-    seed: &'a [Real; N],
+    /// Of joints without one zero.
+    seed: [Real; N],
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
@@ -172,14 +173,14 @@ where
     R: Inverse<N, L, P, M>,
 {
     #[inline(always)]
-    fn new(pose: &'a Pose, seed: &'a [Real; N], locked: &'a [Real; P]) -> Self {
-        // A joint without a seed takes no part in a choice, and an angle of it that is free is at 0.
-        let known = seed.map(|x| math::select(x.is_finite(), x, 0.0));
+    fn new(pose: &'a Pose, seed: &[Real; N], locked: &'a [Real; P]) -> Self {
+        // A joint without a seed takes no part in a choice, and what of it is free is at 0.
+        let seed = seed.map(|x| math::select(x.is_finite(), x, 0.0));
         Given {
             pose,
             seed,
             locked,
-            sin_cos: Known::new(R::angles(&known, locked)),
+            sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
             seeded: true,
             solver: PhantomData,
@@ -208,7 +209,7 @@ where
                     let turned = Given::<R, N, L, P, M>::new(self.pose, seed, self.locked);
                     Given { free, ..turned }.branches()
                 };
-                branches.with_free_angle(&free_angle, self.seed, coordinate, seeded)
+                branches.with_free_angle(&free_angle, &self.seed, coordinate, seeded)
             }
             _ => branches,
         }
@@ -225,12 +226,13 @@ where
     fn nearest(
         &self,
         nearest: &Nearest<N>,
+        seed: &[Real; N],
         motion: &Motion<'_, N>,
         otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
     ) -> Option<Solution<N>> {
         let mut solution = None;
         if let Some(found) = self.ask(Asked::Nearest(motion, &mut solution)) {
-            let nearest = nearest.from_seed(*self.seed);
+            let nearest = nearest.from_seed(*seed);
             solution = otherwise(self.with_root(found)).nearest_by(&nearest);
         }
         solution
@@ -322,7 +324,7 @@ where
     let mut solution = None;
     if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
         let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
-        solution = given.nearest(nearest, &motion, otherwise);
+        solution = given.nearest(nearest, seed, &motion, otherwise);
     }
     solution
 }

@@ -24,7 +24,8 @@ pub struct Solution<const N: usize> {
     /// Which combination of the plan's choices this is; the rustdoc of the
     /// robot names them. Stable along a path that crosses no singularity. An
     /// arm off its design can have more solutions near a singularity than
-    /// branches; those have the number of a neighbour.
+    /// branches; those have the number of a neighbour, or where an elimination
+    /// finds them, one from [`Kinematics::BRANCHES`](crate::Kinematics::BRANCHES) on.
     pub branch: u32,
     /// The Jacobian loses rank here: `q` stands for a family of solutions, or
     /// for two that have met.

@@ -200,13 +200,12 @@ impl Target {
     }
 
     /// How far the rotation of a target is from one, as far as it counts: the
-    /// length of the z axis from 1 where only that does, 0 where none does or a
-    /// rotation is made of what there is.
+    /// length of the z axis from 1 where only that does, 0 where none does.
     pub(crate) fn rotation_error(self, target: &Pose) -> Real {
         let z = [0, 1, 2].map(|i| target.rotation[i][2]);
         if self.fixes_axis() {
             (math::sqrt(dot(z, z)) - 1.0).abs()
-        } else if self.has_rotation() && !self.is_projected() {
+        } else if self.has_rotation() {
             target.rotation_error()
         } else {
             0.0

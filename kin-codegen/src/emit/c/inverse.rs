@@ -76,12 +76,7 @@ fn constants(solver: &ClosedForm) -> String {
         ("TOLERANCE", signed(tolerance)),
         ("NEAR_SINGULAR", signed(solver.acceptance().near_singular)),
     ];
-    let counts = [
-        translation,
-        target != Target::Position,
-        target.fixes_axis(),
-        target.is_projected(),
-    ];
+    let counts = [translation, target != Target::Position, target.fixes_axis()];
     let mut out = String::from(
         "/* The joints that are solved for; the arm's size, at whose distance angles count as \
          lengths,\n * and by how much solutions may miss the target, metres; below which conditioning of \
@@ -157,8 +152,11 @@ fn whole(model: &Model, solver: &ClosedForm) -> String {
 
 /// The lanes, with an angle that is free turned where its own value leaves the next root none.
 fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> String {
+    // A joint without a seed takes no part in a choice.
     let heading = "static void kin_compute_branches(\n    const double target[12], \
-                   const double seed[KIN_SOLVED], const double *given, kin_lanes *lanes)\n{\n    \
+                   const double from[KIN_SOLVED], const double *given, kin_lanes *lanes)\n{\n    \
+                   double seed[KIN_SOLVED];\n    for (int i = 0; i < KIN_SOLVED; ++i) {\n        \
+                   seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;\n    }\n    \
                    kin_compute_lanes(target, seed, given, 1e-24, lanes);\n";
     let Some(free) = inverse.free_angle else {
         return format!("{heading}}}\n");

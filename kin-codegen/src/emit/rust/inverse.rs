@@ -52,8 +52,8 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
 
         /// As [`Self::ik`]; an angle that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
-        /// continuous. The solutions of other targets do not depend on it; a
-        /// seed that is not finite loses those of singular targets.
+        /// continuous; that of a joint whose seed is not finite is 0. The
+        /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; #n]) -> Solutions<#n> {
             #seeded
@@ -387,13 +387,19 @@ pub fn assumes(solver: &ClosedForm) -> String {
         Target::Position => {
             format!(" Solutions reach the position to {tolerance:.1e} m.")
         }
-        _ => format!(
-            " The rotation of `pose` is taken as it is: a solution's pose differs from it by at \
-             most {tolerance:.1e} m, radians counted at the distance of the arm's size. A matrix \
-             that is no rotation to that accuracy has no solutions, in reach or not: \
-             [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and \
-             [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones."
-        ),
+        target => {
+            let differs = match target {
+                Target::Pose | Target::Orientation => "a solution's pose differs from it",
+                _ => "what counts of a solution's pose differs from it",
+            };
+            format!(
+                " The rotation of `pose` is taken as it is: {differs} by at most \
+                 {tolerance:.1e} m, radians counted at the distance of the arm's size. A matrix \
+                 that is no rotation to that accuracy has no solutions, in reach or not: \
+                 [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and \
+                 [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones."
+            )
+        }
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) struct Harmonics {
     pub degree: usize,
     pub cosines: [f64; DEGREE + 1],
     pub sines: [f64; DEGREE + 1],
-    /// The largest one, of which all are shares.
+    /// What all are shares of: the largest, or half of it.
     pub size: f64,
     /// How far values are off by rounding: as large as the harmonics are that
     /// have to vanish, or more.
@@ -84,7 +84,7 @@ impl<const HALF: usize> Transform<HALF> {
 }
 
 impl Harmonics {
-    /// From values at 2πj/n; the largest harmonic becomes 1.
+    /// From values at 2πj/n; the largest harmonic becomes one or two, the mean being one at most.
     #[inline(always)]
     pub fn new(degree: usize, values: &[f64]) -> Self {
         let mut out = Self {

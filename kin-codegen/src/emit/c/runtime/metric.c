@@ -3,11 +3,10 @@ typedef struct kin_metric {
     /* The distance at which angles count as lengths, and by how much solutions may miss, metres. */
     double size;
     double tolerance;
-    /* What of a target counts: of the rotation the direction of the axis, or its projection. */
+    /* What of a target counts: of the rotation the direction of the axis. */
     int translation;
     int rotation;
     int axis;
-    int projected;
 } kin_metric;
 
 /* How far the rotation of a target is from one, as far as it counts. */
@@ -32,7 +31,7 @@ static double kin_rotation_error(const kin_metric *by, const double target[12])
     for (int i = 0; i < 6; ++i) {
         square += missing[i] * missing[i];
     }
-    return by->rotation && !by->projected ? sqrt(square) : 0.0;
+    return by->rotation ? sqrt(square) : 0.0;
 }
 
 /* Why a target has no solutions, by the codes of the header. */

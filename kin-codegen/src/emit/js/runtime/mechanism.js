@@ -25,8 +25,11 @@ const $gaps = (mechanism, q, free) => {
     const jacobians = mechanism.chains.map(({ arm }, i) => arm.geometric_jacobian(parts[i]));
     const error = [];
     const rows = [];
+    let square = 0.0;
     for (let chain = 1; chain < poses.length; ++chain) {
         const [a, b] = [poses[0], poses[chain]];
+        let trace = 0.0;
+        let sine = 0.0;
         for (let row = 0; row < 6; ++row) {
             const scale = row < 3 ? 1.0 / mechanism.length : 1.0;
             let off = 0.0;
@@ -35,10 +38,16 @@ const $gaps = (mechanism, q, free) => {
             } else {
                 const [i, j] = [(row - 2) % 3, (row - 1) % 3];
                 for (let k = 0; k < 3; ++k) {
+                    trace += a[4 * (row - 3) + k] * b[4 * (row - 3) + k];
                     off += 0.5 * (b[4 * i + k] * a[4 * j + k] - b[4 * j + k] * a[4 * i + k]);
                 }
             }
             error.push(scale * off);
+            if (row < 3) {
+                square += scale * off * scale * off;
+            } else {
+                sine = Math.hypot(sine, off);
+            }
             rows.push(Float64Array.from(free, (place) => {
                 const [of, joint] = places[place];
                 const n = mechanism.chains[of].arm.joints.length;
@@ -46,8 +55,11 @@ const $gaps = (mechanism, q, free) => {
                 return of === chain ? entry : of === 0 ? -entry : 0.0;
             }));
         }
+        /* Half a turn has no sine. */
+        const angle = $atan2(sine, 0.5 * (trace - 1.0));
+        square += angle * angle;
     }
-    return { error, rows, residual: mechanism.length * $norm(error) };
+    return { error, rows, residual: mechanism.length * Math.sqrt(square) };
 };
 
 /* A mechanism with the functions that its chains make. */

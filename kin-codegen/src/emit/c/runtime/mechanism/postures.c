@@ -22,15 +22,26 @@ static int kin_in_place(const kin_postures *postures, int chain, int place)
     return count;
 }
 
+/* How many postures are for a place; at most 2^31 - 1. */
+static int kin_all_in_place(const kin_postures *postures, int place)
+{
+    int here = 1;
+    for (int chain = 0; chain < KIN_CHAINS; ++chain) {
+        const int count = kin_in_place(postures, chain, place);
+        if (count == 0) {
+            return 0;
+        }
+        here = here > 2147483647 / count ? 2147483647 : here * count;
+    }
+    return here;
+}
+
 int kin_count(const kin_postures *postures)
 {
     int count = 0;
     for (int place = 0; place < KIN_MOST; ++place) {
-        int here = 1;
-        for (int chain = 0; here > 0 && chain < KIN_CHAINS; ++chain) {
-            here *= kin_in_place(postures, chain, place);
-        }
-        count += here;
+        const int here = kin_all_in_place(postures, place);
+        count = count > 2147483647 - here ? 2147483647 : count + here;
     }
     return count;
 }
@@ -38,11 +49,8 @@ int kin_count(const kin_postures *postures)
 int kin_posture(const kin_postures *postures, int number, double q[KIN_JOINTS])
 {
     for (int place = 0; place < KIN_MOST && number >= 0; ++place) {
-        int here = 1, rest = number;
-        for (int chain = 0; here > 0 && chain < KIN_CHAINS; ++chain) {
-            here *= kin_in_place(postures, chain, place);
-        }
-        number -= here;
+        int rest = number;
+        number -= kin_all_in_place(postures, place);
         if (number >= 0) {
             continue;
         }

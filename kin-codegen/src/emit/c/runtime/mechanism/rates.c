@@ -75,10 +75,11 @@ static double kin_apart(const double *poses)
 }
 
 /* All the wrenches that locked actuators bear, as a triangle, and beside it their products with
- * some vectors of each chain. */
-static void kin_wrenches(
+ * some vectors of each chain. Tells by how much more than six of them contradict each other. */
+static double kin_wrenches(
     const kin_seen *seen, const double *beside, int count, double r[36], double *tails)
 {
+    double left = 0.0;
     for (int i = 0; i < 36; ++i) {
         r[i] = 0.0;
     }
@@ -100,8 +101,12 @@ static void kin_wrenches(
                 }
             }
             kin_take_row(r, tails, row, tail, 6, count);
+            for (int t = 0; t < count; ++t) {
+                left = kin_max(left, fabs(tail[t]));
+            }
         }
     }
+    return left;
 }
 
 /* Solves R x = b, of some b side by side; an x that R does not determine is 0. */
@@ -141,7 +146,10 @@ static int kin_moved(const kin_seen *seen, double motions[6 * KIN_ACTUATED])
             }
         }
     }
-    kin_wrenches(seen, beside, KIN_ACTUATED, r, tails);
+    /* Where rates cannot be chosen freely, wrenches contradict each other. */
+    if (!(kin_wrenches(seen, beside, KIN_ACTUATED, r, tails) <= 1e-4 * KIN_LENGTH)) {
+        return 0;
+    }
     for (int a = 0; a < KIN_ACTUATED; ++a) {
         kin_back_substitute(r, tails, KIN_ACTUATED, a, motions + 6 * a);
     }
