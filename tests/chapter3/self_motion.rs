@@ -4,8 +4,8 @@ use super::arms::*;
 use super::differences::assert_close;
 use super::random::Random;
 use kinematics::{
-    JointLimit, Kinematics, Pose, SelfMotion, SelfMotionError, SelfMotionOptions, Stop, Target,
-    WithTool, self_motion, self_motions,
+    Jacobian, JointLimit, Kinematics, Pose, SelfMotion, SelfMotionError, SelfMotionOptions, Stop,
+    Target, WithTool, self_motion, self_motions,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -301,4 +301,73 @@ fn what_cannot_be_followed_is_refused() {
     let motion = self_motion(&Seven, &q, &few).unwrap();
     assert_eq!(motion.stops, Some([Stop::Unfinished; 2]));
     assert_eq!(motion.path.len(), 7);
+}
+
+/// The planar arm in another size.
+struct Small(f64);
+
+impl Small {
+    fn sized(&self, pose: Pose) -> Pose {
+        let translation = pose.translation.map(|x| self.0 * x);
+        Pose {
+            translation,
+            ..pose
+        }
+    }
+}
+
+impl Kinematics<3> for Small {
+    const JOINT_NAMES: [&'static str; 3] = Planar3r::JOINT_NAMES;
+    const LIMITS: [JointLimit; 3] = Planar3r::LIMITS;
+    const BASE: &'static str = Planar3r::BASE;
+    const TIP: &'static str = Planar3r::TIP;
+    const BRANCHES: usize = 0;
+
+    fn fk(&self, q: &[f64; 3]) -> Pose {
+        self.sized(Planar3r.fk(q))
+    }
+
+    fn fk_links(&self, q: &[f64; 3]) -> [Pose; 3] {
+        Planar3r.fk_links(q).map(|link| self.sized(link))
+    }
+
+    fn fk_jacobian(&self, q: &[f64; 3]) -> (Pose, Jacobian<3>) {
+        let (pose, mut spatial) = Planar3r.fk_jacobian(q);
+        let linear = spatial.rows[..3].as_flattened_mut();
+        linear.iter_mut().for_each(|x| *x *= self.0);
+        (self.sized(pose), spatial)
+    }
+}
+
+/// An arm of a millimetre is as exact for its size: the same four-bars.
+#[test]
+fn components_of_a_small_arm_are_those_of_a_four_bar() {
+    let options = SelfMotionOptions {
+        target: Target::Position,
+        ..Default::default()
+    };
+    for (distance, components) in [(0.2, 1), (0.3 - 1e-5, 1), (0.3 + 1e-5, 2), (0.5, 2)] {
+        let target = |k: u32| Pose {
+            translation: [0.6 * distance, 0.8 * distance, 0.0],
+            ..Pose::from_axis_angle([0.0, 0.0, 1.0], 0.1 + f64::from(k), [0.0; 3])
+        };
+        let answers = (0..60).flat_map(|k| Planar3r.ik(&target(k)).to_vec());
+        let postures: Vec<[f64; 3]> = answers.map(|solution| solution.q).collect();
+        for size in [1.0, 1e-3, 1e-6] {
+            let found = self_motions(&Small(size), &postures, &options).unwrap();
+            assert_eq!(found.components.len(), components, "{distance} {size}");
+            let reached = size * distance;
+            for q in found
+                .components
+                .iter()
+                .flat_map(|component| &component.path)
+            {
+                let [x, y, _] = Small(size).fk(q).translation;
+                assert!(
+                    (x.hypot(y) - reached).abs() < 1e-11 * size,
+                    "{distance} {size}"
+                );
+            }
+        }
+    }
 }

@@ -210,3 +210,37 @@ fn other_arms_are_sampled() {
     assert_eq!(slides.method(), WorkspaceMethod::Sampled);
     assert!(slides.is_reachable([0.4, 0.3, 0.9]));
 }
+
+/// The wrist of an arm without an offset may be on the first axis, and not anywhere on it.
+#[test]
+fn points_on_the_first_axis_are_as_far_as_others() {
+    let random = &mut Random::new(0xa815);
+    for tool in [0.0, 0.1] {
+        for _ in 0..50 {
+            let [x, y, z, roll, pitch, yaw] = random.unit_cube::<6>();
+            let base = Pose::from_rpy([roll, pitch, yaw], [x, y, z]);
+            let arm = Chain::new(
+                [
+                    ([0.0, 0.0, 1.0], [0.0; 3]),
+                    ([0.0, 1.0, 0.0], [0.0, 0.0, 0.3]),
+                    ([0.0, 1.0, 0.0], [0.5, 0.0, 0.3]),
+                    ([1.0, 0.0, 0.0], [0.9, 0.0, 0.3]),
+                    ([0.0, 1.0, 0.0], [0.9, 0.0, 0.3]),
+                    ([1.0, 0.0, 0.0], [0.9, 0.0, 0.3]),
+                ]
+                .map(|(axis, point)| {
+                    Twist::revolute(base.rotate(axis), base.transform_point(point))
+                })
+                .to_vec(),
+                base * Pose::from_translation([0.9 + tool, 0.0, 0.3]),
+            );
+            let arm = Workspace::new(arm);
+            assert_eq!(arm.method(), WorkspaceMethod::WristCentre);
+            for (height, reached) in [(50.0, false), (-20.0, false), (1.1, true), (0.0, true)] {
+                let point = base.transform_point([0.0, 0.0, height]);
+                assert_eq!(arm.is_reachable(point), reached, "{height} {tool}");
+                assert!(reached || !arm.is_dextrous(point), "{height} {tool}");
+            }
+        }
+    }
+}

@@ -114,8 +114,7 @@ pub(crate) fn compile(
     }
     if options.scalar != Scalar::default() {
         let reason = "a parallel mechanism is computed in f64 alone";
-        let remedy =
-            "leave out `scalar = f32`, or generate its chains as arms, by `base` and `tip`";
+        let remedy = "leave out `scalar = f32`, or write its chains as arms in files of their own";
         return Err(Diagnostics::one(
             &spec.source.path,
             Diagnostic::whole(reason, remedy),

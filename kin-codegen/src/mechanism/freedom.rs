@@ -54,7 +54,7 @@ impl Freedom {
     ///
     /// # Errors
     ///
-    /// The mechanism is immobile, under-actuated or over-actuated.
+    /// The mechanism is immobile, redundant, under-actuated or over-actuated.
     pub fn check(&self, mechanism: &Mechanism, source: &Source) -> Result<(), Diagnostics> {
         let generic = mechanism.generic();
         let actuated = mechanism.actuated().len();
@@ -89,6 +89,24 @@ impl Freedom {
                     if actuated == 1 { "is" } else { "are" }
                 ),
                 format!("mark {} with `actuated: true`", joints(self.platform)),
+            )
+        } else if actuated > self.platform && actuated <= self.mobility {
+            (
+                format!(
+                    "the mechanism is redundant: it moves in {}, of which {} the platform at rest, \
+                     and such mechanisms are not solved",
+                    moves(self.mobility),
+                    match self.mobility - self.platform {
+                        1 => "1 leaves".into(),
+                        n => format!("{n} leave"),
+                    }
+                ),
+                format!(
+                    "leave out {} that can move while the platform rests, and mark {} with \
+                     `actuated: true`",
+                    joints(self.mobility - self.platform),
+                    joints(self.platform)
+                ),
             )
         } else if actuated > self.platform {
             (

@@ -164,7 +164,8 @@ macro_rules! parallel_methods {
                 }
 
                 /// From actuated rates to the platform's spatial velocity; none if the
-                /// platform can move while the actuated joints are locked.
+                /// platform can move while the actuated joints are locked, or where these
+                /// cannot be chosen freely, since the others of a chain lose a motion.
                 fn forward_jacobian(&self, q: &[f64; $n])
                     -> ::core::option::Option<$crate::Jacobian<$m>>
                 {
@@ -175,8 +176,8 @@ macro_rules! parallel_methods {
 
                 /// From the platform's spatial velocity to actuated rates: row a times
                 /// (v, ω) is the rate of the a-th actuated joint, for all velocities that
-                /// the mechanism allows. None if a chain is singular, so that some of these
-                /// velocities need infinite rates.
+                /// the mechanism allows. None if an actuated joint's motion is one that the
+                /// others of its chain can do without it.
                 fn inverse_jacobian(&self, q: &[f64; $n])
                     -> ::core::option::Option<[[f64; 6]; $m]>
                 {

@@ -1,6 +1,6 @@
 //! Newton's method on the structure equation, from a seed.
 
-use super::posture::{Posture, Vector6, back_substitute, wrenches};
+use super::posture::{Posture, Vector6, Wrenches, back_substitute, wrenches};
 use crate::linear::givens;
 use crate::linear::span::Span;
 use crate::linear::vector::dot;
@@ -100,7 +100,9 @@ fn step(posture: &Posture, platform: Pose, gap: f64, limbs: &mut [Limb], q: &mut
         };
     }
     let passive = limbs.iter().map(|limb| &limb.passive);
-    let (mut r, mut tails) = wrenches(passive, |chain, wrench| {
+    let Wrenches {
+        mut r, mut tails, ..
+    } = wrenches(passive, |chain, wrench| {
         [-dot(*wrench, limbs[chain].missing)]
     });
     let damping = (gap / posture.length).min(0.1);

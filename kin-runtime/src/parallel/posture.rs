@@ -30,6 +30,10 @@ pub(crate) struct Posture<'a> {
     pub length: f64,
 }
 
+/// Wrenches contradict each other by more, relative to the length, where rates cannot be: less is
+/// what loops are open by.
+const CONTRADICTION: f64 = 1e-4;
+
 /// A direction in which the platform is held no better than this counts as
 /// free; relative to wrenches of length 1.
 pub(crate) const FREE: f64 = 1e-9;
@@ -129,24 +133,20 @@ impl Posture<'_> {
     /// locked: singular values of the wrenches that they can bear, each of
     /// length 1.
     pub(crate) fn held(&self) -> [f64; 6] {
-        let (r, _) = self.wrenches::<0>(|_, _| []);
-        values(r)
+        values(self.wrenches::<0>(|_, _| []).r)
     }
 
     /// All the wrenches that locked actuators bear, as a triangle, with what
     /// `tail` says of each beside them.
-    fn wrenches<const M: usize>(
-        &self,
-        tail: impl Fn(usize, &Vector6) -> [f64; M],
-    ) -> ([[f64; 6]; 6], [[f64; M]; 6]) {
+    fn wrenches<const M: usize>(&self, tail: impl Fn(usize, &Vector6) -> [f64; M]) -> Wrenches<M> {
         let chains = 0..self.chains.len();
         wrenches(chains.map(|chain| self.passive(chain)), tail)
     }
 
     /// The spatial twist that unit rate of each actuated joint gives the
-    /// platform; none if it can move while they are locked.
+    /// platform; none if it can move while they are locked, or they cannot be chosen freely.
     pub(crate) fn forward_jacobian<const M: usize>(&self) -> Option<[Twist; M]> {
-        let (r, tails) = self.wrenches::<M>(|chain, wrench| {
+        let Wrenches { r, tails, left } = self.wrenches::<M>(|chain, wrench| {
             let [first, end] = self.chains[chain];
             core::array::from_fn(|a| {
                 let joint = self.actuated[a];
@@ -157,8 +157,9 @@ impl Posture<'_> {
             })
         });
         let is_held = values(r)[5] >= FREE;
+        let is_free = left <= CONTRADICTION * self.length;
         let twist = |a: usize| self.spatial(&back_substitute(&r, |i| tails[i][a]));
-        is_held.then(|| core::array::from_fn(twist))
+        (is_held && is_free).then(|| core::array::from_fn(twist))
     }
 
     /// The rate of every joint while the platform moves with a spatial
@@ -205,20 +206,32 @@ impl Posture<'_> {
     }
 }
 
+/// Wrenches as equations of the platform's motion.
+pub(super) struct Wrenches<const M: usize> {
+    /// Their triangle.
+    pub r: [[f64; 6]; 6],
+    /// What is said of its rows.
+    pub tails: [[f64; M]; 6],
+    /// What is said that no motion fulfils: more than six of them may contradict each other.
+    left: f64,
+}
+
 /// The wrenches at right angles to what each of some chains can do, as [`Posture::wrenches`].
 pub(super) fn wrenches<const M: usize>(
     passive: impl Iterator<Item = impl Borrow<Span<6>>>,
     tail: impl Fn(usize, &Vector6) -> [f64; M],
-) -> ([[f64; 6]; 6], [[f64; M]; 6]) {
+) -> Wrenches<M> {
     let (mut r, mut tails) = ([[0.0; 6]; 6], [[0.0; M]; 6]);
+    let mut left = 0.0;
     for (chain, span) in passive.enumerate() {
         for wrench in span.borrow().complement() {
             let (mut row, mut tail) = (wrench, tail(chain, &wrench));
             let (r, tails) = (r.as_flattened_mut(), tails.as_flattened_mut());
             givens::absorb(r, tails, &mut row, &mut tail);
+            left = tail.iter().fold(left, |most: f64, x| most.max(x.abs()));
         }
     }
-    (r, tails)
+    Wrenches { r, tails, left }
 }
 
 /// The singular values of a triangle.

@@ -68,13 +68,20 @@ impl<const N: usize, const K: usize> Postures<N, K> {
             .map(move |row| &row[first..end])
     }
 
-    /// How many configurations there are.
+    /// How many configurations there are; the largest number of its type if there are more.
     pub fn len(&self) -> usize {
-        let in_place = |place: u8| {
-            let count = |k: usize| self.at(k, place).count();
-            (0..K).map(count).product::<usize>()
-        };
-        self.all_places().map(in_place).sum()
+        let all = self.all_places().map(|place| self.in_place(place));
+        all.fold(0, usize::saturating_add)
+    }
+
+    /// How many there are with the platform in one place.
+    fn in_place(&self, place: u8) -> usize {
+        let counts = (0..K).map(|k| self.at(k, place).count());
+        // Of the others, if one has none.
+        counts.clone().min().map_or(0, |least| match least {
+            0 => 0,
+            _ => counts.fold(1, usize::saturating_mul),
+        })
     }
 
     /// Whether the platform cannot be held there.
@@ -82,11 +89,11 @@ impl<const N: usize, const K: usize> Postures<N, K> {
         self.len() == 0
     }
 
-    /// All configurations, one by one.
+    /// All configurations, one by one, as many as [`Postures::len`] counts.
     pub fn iter(&self) -> impl Iterator<Item = [f64; N]> {
         self.all_places().flat_map(move |place| {
             let counts: [usize; K] = core::array::from_fn(|k| self.at(k, place).count());
-            (0..counts.iter().product()).map(move |number: usize| {
+            (0..self.in_place(place)).map(move |number: usize| {
                 let mut rest = number;
                 let mut q = [0.0; N];
                 for (k, &[first, end]) in self.chains.iter().enumerate() {
@@ -204,6 +211,20 @@ mod tests {
         let postures = postures();
         assert_eq!(postures.len(), 2);
         assert!(postures.iter().eq([[3.0, 4.0, 7.0], [5.0, 6.0, 7.0]]));
+    }
+
+    /// 8²⁴ = 2⁷².
+    #[test]
+    fn more_than_can_be_counted_are_not_none() {
+        let mut postures = Postures::<24, 24>::new(core::array::from_fn(|k| [k, k + 1]));
+        for (chain, value) in (0..24).flat_map(|k| (0..8).map(move |b| (k, f64::from(b)))) {
+            postures.push(chain, 0, &[value]);
+        }
+        assert_eq!(postures.len(), usize::MAX);
+        assert!(!postures.is_empty());
+        assert_eq!(postures.iter().nth(9).unwrap()[..3], [1.0, 1.0, 0.0]);
+        postures.retain(|chain, _| chain != 23);
+        assert!(postures.is_empty() && postures.iter().next().is_none());
     }
 
     #[test]

@@ -7,8 +7,8 @@ use crate::{JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
 
 /// Newton's method from a good prediction takes 3 or 4 steps.
 const NEWTON_STEPS: usize = 10;
-/// How exactly the target is met, relative to its distance from the base or to
-/// a metre. Rounding in forward kinematics is a hundredth of this.
+/// How exactly the target is met, relative to its distance from the base or the arm's; angles
+/// to that in metres, or to one. Rounding in forward kinematics is a hundredth of this.
 const MET: f64 = 1e-12;
 
 pub(super) struct Held<'a, K, const N: usize> {
@@ -80,15 +80,23 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
     /// Where the curve meets a hyperplane, by Newton's method; none if it does
     /// not get there.
     pub fn meet(&self, cut: &Cut<N>, guess: [f64; N]) -> Option<[f64; N]> {
-        let size = norm(self.target.translation).max(1.0);
         let mut q = guess;
         for _ in 0..NEWTON_STEPS {
             let (task, rest) = self.task(&q);
             let beyond = core::array::from_fn(|i| q[i] - cut.point[i]);
             let off = -dot(cut.normal, beyond);
             let error = [rest[0], rest[1], rest[2], rest[3], rest[4], rest[5], off];
-            let largest = error.iter().fold(0.0, |a: f64, x| math::max(a, x.abs()));
-            if largest <= MET * size {
+            // A small arm is as exact for its size.
+            let links = self.robot.fk_links(&q).map(|link| norm(link.translation));
+            let size = links
+                .iter()
+                .fold(norm(self.target.translation), |a, x| math::max(a, *x));
+            let met = [size, size.max(1.0)].map(|size| MET * size);
+            if error
+                .iter()
+                .enumerate()
+                .all(|(i, x)| x.abs() <= met[usize::from(i >= 3)])
+            {
                 return Some(q);
             }
             let rows: [[f64; N]; 7] =

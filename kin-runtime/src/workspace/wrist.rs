@@ -96,13 +96,17 @@ impl Shoulder {
 
     /// The arm in front of the first axis, or reaching over behind it.
     fn margin_of(&self, side: f64, [r, z]: Place) -> f64 {
-        if r < self.offset {
-            return r - self.offset;
-        }
-        let along = side * math::sqrt(r * r - self.offset * self.offset);
+        let along = side * math::sqrt((r * r - self.offset * self.offset).max(0.0));
         let [a, h] = self.second;
         let distance = libm::hypot(along - a, z - h);
-        (distance - self.span[0]).min(self.span[1] - distance)
+        // Nearer to the first axis than the offset lets it there is nothing, and at the offset
+        // rounding does not tell.
+        let room = (r - self.offset).min(0.0);
+        let inside = (distance - self.span[0]).min(self.span[1] - distance);
+        match room < 0.0 {
+            true => inside.min(room),
+            false => inside,
+        }
     }
 
     /// A place on the circle of some radius about the second axis.

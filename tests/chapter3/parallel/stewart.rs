@@ -174,3 +174,26 @@ fn every_combination_of_legs_closes() {
         assert!(Stewart.gap(&q) < CLOSED * Stewart::LENGTH);
     }
 }
+
+/// Where the ball of a leg is in gimbal lock, the platform cannot follow all actuated rates.
+#[test]
+fn no_rates_are_told_that_a_leg_cannot_follow() {
+    let mut leg = [0.0; 36];
+    leg[..6].copy_from_slice(&[0.1, -0.05, 0.05, 0.2, FRAC_PI_2, -0.3]);
+    let target = Stewart.platform(&leg);
+    let rates = [0.1, 0.05, -0.03, 0.02, 0.07, -0.04];
+    let seeded = Stewart.ik_seeded(&target, &leg);
+    let is_locked = |q: &[f64; 36]| (0..6).all(|i| (q[i] - leg[i]).abs() < 1e-6);
+    let locked = seeded.iter().find(is_locked).unwrap();
+    assert!(Stewart.gap(&locked) < CLOSED);
+    assert!(Stewart.joint_rates(&locked, &rates).is_none());
+
+    let near = Stewart.ik(&Pose::from_rpy([0.02, 0.01, 0.03], [0.01, 0.0, HEIGHT]));
+    let q = near.iter().next().unwrap();
+    let found = Stewart.joint_rates(&q, &rates).unwrap();
+    let found = Stewart.actuated(&found);
+    assert!(
+        (0..6).all(|i| (found[i] - rates[i]).abs() < 1e-9),
+        "{found:?}"
+    );
+}
