@@ -61,7 +61,7 @@ impl Done {
         let help = match error.kind() {
             io::ErrorKind::NotFound => "make its folder first",
             io::ErrorKind::IsADirectory => "name a file in it",
-            _ => "choose another place by `-o`",
+            _ => "choose another place",
         };
         let path = one_line(&path.to_string_lossy());
         Self::failing(

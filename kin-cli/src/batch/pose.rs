@@ -132,7 +132,7 @@ impl PoseColumns {
             let forms = quaternions.chain(MATRICES.as_flattened().chunks(9));
             return Err(missing(path, "rotation", names, forms));
         }
-        let last_row = find(names, &LAST_ROW).unwrap_or_default();
+        let last_row = find(path, names, &LAST_ROW)?.unwrap_or_default();
         Ok(Self::new(target, position, rotation, last_row))
     }
 
@@ -211,13 +211,24 @@ impl PoseColumns {
 
 const ONE_OF_THEM: &str = "leave one of them out, or give it other names";
 
-/// The places of these names.
-fn find(names: &[String], wanted: &[&str]) -> Option<Vec<usize>> {
-    let place = |wanted: &&str| {
-        let is = |name: &String| name.strip_prefix("pose.").unwrap_or(name) == *wanted;
-        names.iter().position(is)
+/// The places of these names; none if not all of them are there.
+fn find(path: &Path, names: &[String], wanted: &[&str]) -> Result<Option<Vec<usize>>, Fault> {
+    let own = |name: &&String, wanted: &str| name.strip_prefix("pose.").unwrap_or(name) == wanted;
+    let place = |wanted: &&str| names.iter().position(|name| own(&name, wanted));
+    let Some(places) = wanted.iter().map(place).collect::<Option<Vec<usize>>>() else {
+        return Ok(None);
     };
-    wanted.iter().map(place).collect()
+    for wanted in wanted {
+        let mut called = names.iter().filter(|name| own(name, wanted));
+        if let (Some(one), Some(other)) = (called.next(), called.next()) {
+            let reason = match one == other {
+                true => format!("two columns are called `{one}`"),
+                false => format!("the columns `{one}` and `{other}` are the same"),
+            };
+            return Err(Fault::whole(path, reason, "leave one of them out"));
+        }
+    }
+    Ok(Some(places))
 }
 
 /// The places of the only form that is there; none if none is.
@@ -227,9 +238,11 @@ fn only<const N: usize>(
     names: &[String],
     forms: &[[&str; N]],
 ) -> Result<Option<Vec<usize>>, Fault> {
-    let mut found = forms
-        .iter()
-        .filter_map(|form| Some((form, find(names, form)?)));
+    let mut found = Vec::new();
+    for form in forms {
+        found.extend(find(path, names, form)?.map(|places| (form, places)));
+    }
+    let mut found = found.into_iter();
     let first = found.next();
     match (&first, found.next()) {
         (Some((one, _)), Some((other, _))) => {

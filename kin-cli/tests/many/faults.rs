@@ -73,6 +73,11 @@ fn columns_that_make_no_poses_are_told() {
             "x,y,z",
             "no columns for the rotation; there are `x`, `y`, `z`",
         ),
+        ("x,x,y,z,qx,qy,qz,qw", "two columns are called `x`"),
+        (
+            "pose.x,x,y,z,qx,qy,qz,qw",
+            "the columns `pose.x` and `x` are the same",
+        ),
         (
             "x,y,z,tx,ty,tz",
             "a row has its position twice, as `x` and `tx`",
