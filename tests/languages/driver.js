@@ -114,6 +114,12 @@ export function closed_of(mechanism, input) {
     return out.join("\n");
 }
 
+// Of a mechanism: how far the ends of its chains are apart.
+export function gap_of(mechanism, input) {
+    const joints = mechanism.chains.reduce((sum, { arm }) => sum + arm.joints.length, 0);
+    return String(mechanism.gap(reader(input).numbers(joints)));
+}
+
 // What stands in place of a robot is asked.
 export function ask_of(asked) {
     return asked.ask().join(" ");

@@ -7,6 +7,7 @@ use kin_codegen::mechanism::CompiledMechanism;
 use kin_codegen::{Compiled, GeneratedJs, Options, compile};
 use kinematics::__private::math;
 use kinematics::Twist;
+use std::f64::consts::PI;
 
 const MECHANISMS: [&str; 6] = [
     "robots/delta.yaml",
@@ -117,6 +118,20 @@ fn loops_are_closed() {
             "{path}: {closed} of {}",
             samples.len()
         );
+    }
+}
+
+/// The sine of half a turn is that of none.
+#[test]
+fn ends_half_a_turn_apart_are_not_closed() {
+    let (mechanism, js) = both("robots/five_bar.yaml");
+    for turn in [PI, PI - 1e-9, 1.0, 0.0] {
+        let q = [0.0, 0.0, 0.0, 0.0, turn];
+        let mut input = String::new();
+        write(&mut input, &q);
+        let said: f64 = js.call("gap_of", &input).trim().parse().unwrap();
+        let gap = mechanism.mechanism.generic().gap(&q);
+        assert!((said - gap).abs() < 1e-9, "{turn}: {said}, {gap}");
     }
 }
 

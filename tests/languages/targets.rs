@@ -49,6 +49,9 @@ pub fn at_limits(limits: &[JointLimit]) -> Vec<Vec<f64>> {
     ]
 }
 
+/// So many configurations have a joint of which nothing is known.
+const UNKNOWN: usize = 12;
+
 /// Targets, with configurations to seed from: poses of these configurations, and what is no
 /// pose or out of reach.
 pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64>)> {
@@ -56,7 +59,7 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         .iter()
         .map(|q| (robot.fk(q), q.clone()))
         .collect();
-    let (pose, seed) = all[0].clone();
+    let (pose, _) = all[0].clone();
     let off = configurations[1].clone();
     let mut add = |pose: Pose| all.push((pose, off.clone()));
     // Out of reach, and at 1e-7 of a metre from where it is reached.
@@ -94,10 +97,14 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         shifted.translation[1] = x;
         add(shifted);
     }
-    let mut unknown = seed;
-    unknown[0] = f64::NAN;
     if robot.parameters() == 0 {
-        all.push((pose, unknown));
+        // Joints without a seed, at singular targets too.
+        let known = configurations.iter().take(UNKNOWN).enumerate();
+        all.extend(known.map(|(i, q)| {
+            let mut unknown = q.clone();
+            unknown[i % q.len()] = f64::NAN;
+            (robot.fk(q), unknown)
+        }));
     }
     all
 }

@@ -123,9 +123,9 @@ impl ClosedForm {
             for (exists, solution) in self.all_branches(target) {
                 let residual = distance(&solution);
                 // One that repeats another is no solution, however near it comes.
-                let counted = match exists {
-                    true => residual,
-                    false => residual.max(self.acceptance().tolerance),
+                let counted = match !exists && residual < self.acceptance().tolerance {
+                    true => self.acceptance().tolerance,
+                    false => residual,
                 };
                 if counted < least {
                     least = counted;
