@@ -219,99 +219,127 @@ pub fn solve_redundant(
     if model.is_coupled() {
         return Err(NoClosedForm::Mimic);
     }
-    let excess = model.joints.len() - coordinates(model, target);
-    // Of a target that leaves the turn of the tool free, that is a parameter before any
-    // joint is, if the joints turn it, and what is left to be solved are whole poses.
-    let turn = target == Target::PositionAxis
-        && asked.count() < excess
-        && coordinates(model, Target::Pose) > coordinates(model, target);
-    let (aim, counts) = (target, if turn { Target::Pose } else { target });
-    let (count, target) = (excess - usize::from(turn), counts);
-    let swivel = match (&asked.joints[..], asked.swivel) {
-        // Off its design an arm is solved faster, and loses less, with a joint at an end given.
-        ([], None) if count == 1 && target == Target::Pose => {
-            Swivel::of(model, linkage.scalar.tolerances().unmoved)
-        }
-        (_, swivel) => swivel,
-    };
-    if let Some(swivel) = swivel {
-        match solve(model, &linkage.clone().with_swivel(Some(swivel)), target) {
-            Ok(found)
-                if asked.swivel.is_some()
-                    || found.certificate.is_complete() && found.form.is_exact() =>
-            {
-                let redundancy = Redundancy {
-                    joints: Vec::new(),
-                    swivel: Some(swivel),
-                    turn,
-                    target: aim,
-                    weighed: Vec::new(),
-                };
-                return Ok((found, redundancy));
-            }
-            Err(reason) if asked.swivel.is_some() => {
-                return Err(NoClosedForm::Free {
-                    joints: vec![SWIVEL.into()],
-                    reason: Box::new(reason),
-                });
-            }
-            _ => {}
+    let wanted = Wanted::new(model, target, asked);
+    match wanted.by_swivel(model, linkage, asked) {
+        Some(found) => found,
+        None => wanted.by_joints(model, linkage, &asked.joints),
+    }
+}
+
+/// What is given beside a target, and what is left to be solved.
+struct Wanted {
+    /// What of targets counts.
+    aim: Target,
+    /// Whether the turn of the tool is given.
+    turn: bool,
+    /// What counts of what is left.
+    target: Target,
+    /// How many joints are given, or the swivel.
+    count: usize,
+}
+
+impl Wanted {
+    fn new(model: &Model, aim: Target, asked: &Asked) -> Self {
+        let excess = model.joints.len() - coordinates(model, aim);
+        // Of a target that leaves the turn of the tool free, that is a parameter before any
+        // joint is, if the joints turn it, and what is left to be solved are whole poses.
+        let turn = aim == Target::PositionAxis
+            && asked.count() < excess
+            && coordinates(model, Target::Pose) > coordinates(model, aim);
+        Self {
+            aim,
+            turn,
+            target: if turn { Target::Pose } else { aim },
+            count: excess - usize::from(turn),
         }
     }
-    let asked = &asked.joints[..];
-    let choices = choices(
-        model.joints.len(),
-        count,
-        &with_repeated(model, asked, count),
-    );
-    let weighed = match choices.iter().flatten().collect::<Vec<_>>()[..] {
-        [only] => vec![Weighed {
-            joints: only.clone(),
-            weight: None,
-        }],
-        _ => weigh(model, linkage, target, choices),
-    };
-    let mut found = Vec::new();
-    let mut refusal = None;
-    for Weighed { joints, .. } in &weighed {
-        match solve(model, &linkage.clone().with_locked(joints), target) {
-            Ok(certified) => {
-                let done = certified.certificate.lost == 0;
-                found.push((certified, joints.clone()));
-                if done {
-                    break;
+
+    fn redundancy(&self, joints: Vec<usize>, swivel: Option<Swivel>) -> Redundancy {
+        Redundancy {
+            joints,
+            swivel,
+            turn: self.turn,
+            target: self.aim,
+            weighed: Vec::new(),
+        }
+    }
+
+    /// With the swivel given, if it is asked for, or none is and it solves the arm at best; none
+    /// otherwise.
+    fn by_swivel(
+        &self,
+        model: &Model,
+        linkage: &Linkage,
+        asked: &Asked,
+    ) -> Option<Result<(Certified, Redundancy), NoClosedForm>> {
+        let may_be = asked.joints.is_empty() && self.count == 1 && self.target == Target::Pose;
+        let swivel = asked.swivel.or_else(|| {
+            // Off its design an arm is solved faster, and loses less, with a joint at an end given.
+            let unmoved = linkage.scalar.tolerances().unmoved;
+            may_be.then(|| Swivel::of(model, unmoved)).flatten()
+        })?;
+        let linkage = linkage.clone().with_swivel(Some(swivel));
+        let is_asked = asked.swivel.is_some();
+        match solve(model, &linkage, self.target) {
+            Ok(found) if is_asked || found.certificate.is_complete() && found.form.is_exact() => {
+                Some(Ok((found, self.redundancy(Vec::new(), Some(swivel)))))
+            }
+            Err(reason) if is_asked => Some(Err(NoClosedForm::Free {
+                joints: vec![SWIVEL.into()],
+                reason: Box::new(reason),
+            })),
+            _ => None,
+        }
+    }
+
+    /// With the joints given that are asked for, and the best of those that may be beside them.
+    fn by_joints(
+        &self,
+        model: &Model,
+        linkage: &Linkage,
+        asked: &[usize],
+    ) -> Result<(Certified, Redundancy), NoClosedForm> {
+        let given = with_repeated(model, asked, self.count);
+        let choices = choices(model.joints.len(), self.count, &given);
+        let weighed = match choices.iter().flatten().collect::<Vec<_>>()[..] {
+            [only] => vec![Weighed {
+                joints: only.clone(),
+                weight: None,
+            }],
+            _ => weigh(model, linkage, self.target, choices),
+        };
+        let mut found = Vec::new();
+        let mut refusal = None;
+        for Weighed { joints, .. } in &weighed {
+            match solve(model, &linkage.clone().with_locked(joints), self.target) {
+                Ok(certified) => {
+                    let done = certified.certificate.lost == 0;
+                    found.push((certified, joints.clone()));
+                    if done {
+                        break;
+                    }
+                }
+                Err(reason) => {
+                    let name = |&joint: &usize| model.joints[joint].name.clone();
+                    refusal.get_or_insert(match joints[..] {
+                        [] => reason,
+                        _ => NoClosedForm::Free {
+                            joints: joints.iter().map(name).collect(),
+                            reason: Box::new(reason),
+                        },
+                    });
                 }
             }
-            Err(reason) => {
-                let name = |&joint: &usize| model.joints[joint].name.clone();
-                refusal.get_or_insert(match joints[..] {
-                    [] => reason,
-                    _ => NoClosedForm::Free {
-                        joints: joints.iter().map(name).collect(),
-                        reason: Box::new(reason),
-                    },
-                });
-            }
         }
-    }
-    let best = found.into_iter().min_by_key(|(it, _)| it.missing());
-    match best {
-        Some((found, joints)) => {
-            let weighed = if asked.len() == count {
-                Vec::new()
-            } else {
-                weighed
-            };
-            let redundancy = Redundancy {
-                joints,
-                swivel: None,
-                turn,
-                target: aim,
-                weighed,
-            };
-            Ok((found, redundancy))
+        let best = found.into_iter().min_by_key(|(it, _)| it.missing());
+        let Some((found, joints)) = best else {
+            return Err(refusal.unwrap_or(NoClosedForm::Redundant(self.target)));
+        };
+        let mut redundancy = self.redundancy(joints, None);
+        if asked.len() != self.count {
+            redundancy.weighed = weighed;
         }
-        None => Err(refusal.unwrap_or(NoClosedForm::Redundant(target))),
+        Ok((found, redundancy))
     }
 }
 

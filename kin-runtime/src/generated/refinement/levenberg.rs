@@ -1,11 +1,11 @@
 //! Arriving where the Jacobian has lost more than one rank.
 
+use super::super::super::linear::normal_equations::Factor;
 use super::super::super::linear::vector::norm;
 use super::super::super::scalar::Real;
 use super::super::super::{Jacobian, Pose};
 use super::linearization::{Linearization, Problem};
 use super::newton::{ROUNDING, Refined};
-use super::normal_equations::Factor;
 
 /// Levenberg's method from a configuration that nearly reaches the target, for
 /// at most `steps` evaluations.

@@ -9,7 +9,6 @@ mod curve;
 mod levenberg;
 mod linearization;
 mod newton;
-mod normal_equations;
 mod swivel;
 
 pub use branches::refine_branches;

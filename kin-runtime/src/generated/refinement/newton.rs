@@ -1,10 +1,10 @@
 //! Newton's method from a configuration that nearly reaches the target.
 
+use super::super::super::linear::normal_equations::Factor;
 use super::super::super::linear::vector::norm;
 use super::super::super::scalar::{Real, tolerance};
 use super::super::super::{Jacobian, Pose};
 use super::linearization::{Linearization, Problem};
-use super::normal_equations::Factor;
 
 /// Relative to the arm's size, a residual below this is rounding.
 pub(super) const ROUNDING: Real = tolerance::ROUNDING;

@@ -3,7 +3,7 @@
 use super::frames::{Frames, wrapped};
 use super::search::{Search, whole};
 use super::{LANES, Univariate};
-use crate::linear::cholesky;
+use crate::linear::normal_equations::Factor;
 use crate::linear::vector::{norm, sub};
 use crate::{Jacobian, Pose, Solution, Target, Twist, math};
 
@@ -102,7 +102,7 @@ impl<'a> Task<'a> {
         let (mut missing, mut rows) = self.missing(&q);
         let mut damping = 1e-3;
         for _ in 0..STEPS {
-            let step = damped(&rows, &missing, damping);
+            let step = Factor::new(&rows, damping).solve(&missing);
             let next = core::array::from_fn(|i| q[i] + step[i]);
             let (left, next_rows) = self.missing(&next);
             let gained = norm(missing) - norm(left);
@@ -119,24 +119,4 @@ impl<'a> Task<'a> {
         }
         (q, norm(missing))
     }
-}
-
-/// (JᵀJ + μ)⁻¹ Jᵀ e.
-fn damped(rows: &[[f64; 6]; 6], missing: &[f64; 6], damping: f64) -> [f64; 6] {
-    let mut gram = [[0.0; 6]; 6];
-    let mut slope = [0.0; 6];
-    for (row, e) in rows.iter().zip(missing) {
-        for i in 0..6 {
-            slope[i] += row[i] * e;
-            for j in 0..6 {
-                gram[i][j] += row[i] * row[j];
-            }
-        }
-    }
-    for i in 0..6 {
-        gram[i][i] += damping;
-    }
-    cholesky::factor(gram.as_flattened_mut(), 6, 1e-20);
-    cholesky::solve(gram.as_flattened(), &mut slope);
-    slope
 }

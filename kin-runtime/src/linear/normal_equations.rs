@@ -1,11 +1,11 @@
 //! The normal equations of Newton's and Levenberg's steps.
 
-use super::super::super::linear::cholesky;
-use super::super::super::linear::vector::norm;
-use super::super::super::scalar::{Real, tolerance::PIVOT};
+use super::super::scalar::{Real, tolerance::PIVOT};
+use super::cholesky;
+use super::vector::norm;
 
 /// The normal equations (JᵀJ + μ) x = Jᵀe, factored.
-pub(super) struct Factor<const N: usize> {
+pub(crate) struct Factor<const N: usize> {
     rows: [[Real; N]; 6],
     /// As [`cholesky::factor`] leaves it.
     lower: [[Real; N]; N],
