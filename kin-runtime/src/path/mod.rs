@@ -49,7 +49,8 @@ pub struct NoPath<const N: usize> {
 /// the first target it may: a path can have to begin a full turn away.
 ///
 /// Angles that singular targets leave free have the values of the seed; a joint
-/// whose seed is not finite begins anywhere. The time grows with the square of the
+/// whose seed is not finite begins anywhere, and one whose stops are a thousand
+/// radians apart does not look ahead for them. The time grows with the square of the
 /// number of solutions, and hardly with that of full turns.
 ///
 /// # Errors

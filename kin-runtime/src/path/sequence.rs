@@ -21,6 +21,10 @@ const ROUNDING: f64 = 1e-6;
 /// How far a bound is raised beyond the least that it dropped, at first; radians and metres.
 const RAISED: f64 = 0.5;
 
+/// Stops that are farther apart, radians, are not met on the way: files have numbers like 1e4 for
+/// joints that turn without end.
+const ENDLESS: f64 = 1e3;
+
 /// What moves, and at what cost.
 #[derive(Clone, Copy)]
 pub struct Joints<'a> {
@@ -42,8 +46,8 @@ pub struct Sequence {
 
 impl Joints<'_> {
     /// One solution of each layer, by full turns inside the limits, so that their sequence moves
-    /// least from a seed. Joints whose seed is not finite begin anywhere. A joint that lacks a stop
-    /// takes the turn that is nearest.
+    /// least from a seed. Joints whose seed is not finite begin anywhere. A joint that lacks a stop,
+    /// or has stops a thousand radians apart, takes the turn that is nearest.
     pub fn least_motion<Q: AsRef<[f64]>>(
         self,
         layers: &[Vec<Q>],
@@ -127,12 +131,12 @@ impl Joints<'_> {
         (turn, self.limits[i].turned(q, turn) - from)
     }
 
-    /// Whether it can pay to be in another turn than the nearest: not where no stop or none on one
-    /// side ends the way, nor where any turn is reached from any other at no cost.
+    /// Whether it can pay to be in another turn than the nearest: not where the stops are no ends of
+    /// a way, nor where any turn is reached from any other at no cost.
     fn may_need_another_turn(self, i: usize) -> bool {
-        let limit = self.limits[i];
+        let travel = self.limits[i].upper() - self.limits[i].lower();
         let is_free = self.weights[i] == 0.0 && self.steps[i].is_infinite();
-        limit.lower().is_finite() && limit.upper().is_finite() && !is_free
+        travel < ENDLESS && !is_free
     }
 
     /// The weighted norm of motions of all joints; infinite where one cannot be.

@@ -241,7 +241,8 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// may be wound by full turns to be.
     ///
     /// Ends are where a joint goes beyond a limit by a tenth of [`JointLimit::TOLERANCE`]: joint
-    /// values along a branch are polynomials to nine digits, of which all crossings are found. An
+    /// values along a branch are polynomials to nine digits, of which all crossings are found. Where
+    /// limits leave a joint a single value, to a millionth, intervals have no length. An
     /// angle that a singular target leaves free has the value that solutions have.
     #[cfg(feature = "alloc")]
     fn feasible_within(&self, target: &Pose, limits: &[JointLimit; N]) -> Vec<FeasibleInterval<N>> {
