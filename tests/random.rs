@@ -27,8 +27,15 @@ impl Random {
     }
 
     /// 0, ±π/2 or π.
+    #[allow(dead_code, reason = "not every program of tests draws right angles")]
     pub fn right_angle(&mut self) -> f64 {
         [0.0, FRAC_PI_2, -FRAC_PI_2, PI][(self.next() >> 62) as usize]
+    }
+
+    /// A number below `end`.
+    #[allow(dead_code, reason = "not every program of tests draws numbers")]
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.next() % end as u64) as usize
     }
 
     /// Uniform in the cube from −1 to 1.
