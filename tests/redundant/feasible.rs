@@ -489,3 +489,28 @@ fn limits_that_leave_a_single_value_leave_points() {
         }
     }
 }
+
+/// An arm may be singular whatever the turn of the tool, where solutions come and go by rounding.
+#[test]
+fn targets_that_are_singular_throughout_have_few_intervals() {
+    let xarm6 = Subject::new(crate::Xarm6, "../robots/xarm6.yaml", Target::Pose);
+    assert_few_intervals(&xarm6, 200);
+    let torch = Subject::new(crate::Torch, "robots/redundant/torch.yaml", Target::Pose);
+    assert_few_intervals(&torch, 20);
+}
+
+fn assert_few_intervals<K: RedundantKinematics<6>>(robot: &Subject<K, 6>, targets: usize) {
+    let mut seen = 0;
+    for q in robot.structured().take(targets) {
+        let target = robot.chain.fk(&q);
+        let intervals = robot.arm.feasible(&target);
+        assert!(intervals.len() <= 32, "{} of {q:?}", intervals.len());
+        for interval in &intervals {
+            let turn = robot.arm.parameter_of(&target, &interval.middle);
+            let miss = robot.miss(&interval.middle, &target, turn);
+            assert!(miss < 1e-9, "{miss} of {interval:?} of {q:?}");
+        }
+        seen += intervals.len();
+    }
+    assert!(seen > targets, "{seen}");
+}

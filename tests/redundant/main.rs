@@ -23,6 +23,7 @@ macro_rules! for_every_robot {
                 ur5e Ur5e "../robots/ur5e.urdf" Pose,
                 kr6_r900 Kr6R900 "../robots/kr6_r900.yaml" Pose,
                 xarm6 Xarm6 "../robots/xarm6.yaml" Pose,
+                torch Torch "robots/redundant/torch.yaml" Pose,
                 ur5e_by_wrist Ur5eByWrist "../robots/ur5e.urdf" PositionAxis,
             }
         }
@@ -106,6 +107,7 @@ kinematics!(
 kinematics!("../robots/ur5e.urdf", target = position_axis);
 kinematics!("../robots/kr6_r900.yaml", target = position_axis);
 kinematics!("../robots/xarm6.yaml", target = position_axis);
+kinematics!("robots/redundant/torch.yaml", target = position_axis);
 kinematics!(
     "../robots/ur5e.urdf",
     name = Ur5eByWrist,

@@ -17,6 +17,8 @@ const HALVINGS: u32 = 24;
 /// Samples that are taken between two of the first ones at most: where the arm is singular
 /// throughout, nothing tells how curves go on.
 const BETWEEN: usize = 256;
+/// And so many between all of them.
+const ALL_BETWEEN: usize = 1024;
 /// Two places end in one fold if they find it this near to each other.
 const SAME: f64 = 1e-5;
 /// A slide without a stop is looked at so far beyond its target or its other stop, metres.
@@ -125,6 +127,8 @@ struct Tracker<'a, K: ?Sized, const N: usize> {
     open: Vec<usize>,
     /// How many samples have been taken between two of the first ones.
     between: usize,
+    /// And how many between all of them so far.
+    all_between: usize,
 }
 
 impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
@@ -139,6 +143,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
             arcs: arcs.collect(),
             open: (0..first.places.len()).collect(),
             between: 0,
+            all_between: 0,
         }
     }
 
@@ -155,8 +160,9 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         let beginning = self.folds(to, &matched.beginning, -1.0, ends);
         let (ending, beginning) = match (ending, beginning) {
             (Some(ending), Some(beginning)) => (ending, beginning),
-            _ if halvings > 0 && self.between < BETWEEN => {
+            _ if halvings > 0 && self.between < BETWEEN && self.all_between < ALL_BETWEEN => {
                 self.between += 1;
+                self.all_between += 1;
                 let middle = self.task.sample(0.5 * (from.parameter + to.parameter));
                 self.cell(from, &middle, halvings - 1);
                 self.cell(&middle, to, halvings - 1);

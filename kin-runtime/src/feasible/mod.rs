@@ -4,7 +4,8 @@
 //! The configurations that reach a target are curves. Over the parameter they fall into
 //! arcs, which end where they turn back: where the other joints are singular. Where branches
 //! come from square roots, those are the zeros of the roots' arguments, and all of them are found
-//! (`unfold`, `zeros`). Otherwise the arcs are followed from sample to sample of the parameter,
+//! (`unfold`, `zeros`). Where the parameter is a turn that the last joint makes alone, all go round
+//! (`tool_axis`). Otherwise the arcs are followed from sample to sample of the parameter,
 //! each sample with all of its solutions, and one between any two places where a polynomial has
 //! double roots (`eliminant`, `patch` with `signs` and `halves`) or a plan nearly ceases to have
 //! solutions (`suspects`); what is not carried over by tangents has to end in a fold with another
@@ -27,6 +28,7 @@ mod sample;
 mod signs;
 mod suspects;
 mod task;
+mod tool_axis;
 mod unfold;
 mod zeros;
 
@@ -102,8 +104,10 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         if let Some(intervals) = self.intervals_of_lanes() {
             return Branches::OfLanes(intervals);
         }
-        let arcs = arcs::arcs(self).into_iter();
-        let curves = arcs.filter_map(|arc| Curve::of_points(self.parameter, arc));
+        let arcs = self.turned_arcs().unwrap_or_else(|| arcs::arcs(self));
+        let curves = arcs
+            .into_iter()
+            .filter_map(|arc| Curve::of_points(self.parameter, arc));
         let curves: Vec<Curve> = curves.collect();
         match curves.is_empty() {
             // Nothing is followed where an angle is free, whatever the parameter.

@@ -13,6 +13,10 @@ const TRUST: f64 = 0.15;
 /// Ways shorter than this are not judged.
 const SHORT: f64 = 1e-9;
 
+/// Equations count as dependent below this share of the longest: solutions that have met are known
+/// to the root of what numbers are, and nothing tells how they go on.
+const MET: f64 = 1e-6;
+
 /// All solutions at one value of the parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Sample {
@@ -28,7 +32,7 @@ pub(super) struct Matched {
 }
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
-    /// The solutions at a value of the parameter.
+    /// The solutions at a value of the parameter that go on in one way.
     pub fn sample(&self, parameter: f64) -> Sample {
         let solutions = self.robot.ik_at(self.target, parameter);
         let points = solutions
@@ -36,7 +40,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             .map(|found| self.point(&found.q, parameter));
         Sample {
             parameter,
-            places: points.filter_map(|x| self.place(x)).collect(),
+            places: points.filter_map(|x| self.place_where(x, MET)).collect(),
         }
     }
 

@@ -39,9 +39,9 @@ pub(super) struct Task<'a, K: ?Sized, const N: usize> {
     /// Those that rest, in front: those that there are not, and joints that are held.
     resting: ([usize; WIDTH], usize),
     /// What the parameter is.
-    of: Parameter,
+    pub of: Parameter,
     /// The swivel whose angle is the parameter, or is held at a value.
-    swivel: Option<(Swivel, Option<f64>)>,
+    pub swivel: Option<(Swivel, Option<f64>)>,
     /// What counts: with a turn of the tool, a target is a whole pose.
     counts: Target,
     /// Solutions by the parameter: branches over the same interval ask for the same.
@@ -180,7 +180,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     }
 
     /// Of the equations and one more, which are independent, and what rests.
-    fn span(&self, rows: &[Point; EQUATIONS], more: Option<&Point>) -> Span<WIDTH> {
+    fn span(&self, rows: &[Point; EQUATIONS], more: Option<&Point>, dependent: f64) -> Span<WIDTH> {
         let (resting, rest) = self.resting;
         let row = |i: usize| match i {
             0..EQUATIONS => rows[i],
@@ -188,13 +188,18 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
             _ => *more.unwrap_or(&[0.0; WIDTH]),
         };
         let count = EQUATIONS + rest + usize::from(more.is_some());
-        Span::of(count, row, RANK_TOLERANCE)
+        Span::of(count, row, dependent)
     }
 
     /// The place of a point, if there is one way to go on.
     pub fn place(&self, x: Point) -> Option<Place> {
+        self.place_where(x, RANK_TOLERANCE)
+    }
+
+    /// The same where equations count as dependent below a share of the longest.
+    pub fn place_where(&self, x: Point, dependent: f64) -> Option<Place> {
         let (rows, _) = self.equations(&x);
-        let span = self.span(&rows, None);
+        let span = self.span(&rows, None, dependent);
         let mut ways = span.complement();
         let tangent = ways.next()?;
         if ways.next().is_some() {
@@ -219,7 +224,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
             if largest <= MET * size {
                 return Some(x);
             }
-            let span = self.span(&rows, Some(normal));
+            let span = self.span(&rows, Some(normal), RANK_TOLERANCE);
             let change = span.least_norm(|i| match i {
                 0..EQUATIONS => missing[i],
                 _ if i < EQUATIONS + rest => 0.0,
