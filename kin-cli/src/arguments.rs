@@ -199,7 +199,13 @@ pub struct Workspace {
     #[arg(long)]
     pub limits: bool,
     /// The folder that the files are written to
-    #[arg(long, value_name = "DIR", default_value = ".")]
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        default_value = ".",
+        visible_alias = "output"
+    )]
     pub out: PathBuf,
 }
 

@@ -38,7 +38,7 @@ pub fn run(arguments: &Generate) -> Done {
         done = match file {
             None => Done::printing(code),
             Some(file) if arguments.check => check(&file, &code),
-            Some(file) => write(&file, &code),
+            Some(file) => Done::writing(&arguments.file, &file, &code),
         };
         if done.exit != Exit::Success {
             break;
@@ -86,13 +86,9 @@ fn check(output: &Path, code: &str) -> Done {
             Exit::Stale,
             format!("{shown} is stale\nhelp: run the same command without --check"),
         ),
-        Err(error) => Done::failing(Exit::Broken, format!("cannot read {shown}: {error}")),
-    }
-}
-
-fn write(output: &Path, code: &str) -> Done {
-    match fs::write(output, code) {
-        Ok(()) => Done::printing(""),
-        Err(error) => Done::unwritten(output, &error),
+        Err(error) => Done::failing(
+            Exit::Broken,
+            format!("cannot read {shown}: {error}\nhelp: run the same command without --check"),
+        ),
     }
 }

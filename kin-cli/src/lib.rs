@@ -26,8 +26,8 @@ use arguments::{Arguments, Command};
 use clap::Parser;
 use kin_codegen::spec::one_line;
 use std::ffi::OsString;
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
 /// What a command has to say.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,8 +57,31 @@ impl Done {
         }
     }
 
+    /// After writing a file, but not over the one that the robot was read from.
+    fn writing(robot: &str, path: &Path, content: impl AsRef<[u8]>) -> Self {
+        if let Some(refused) = Self::over_robot(robot, path) {
+            return refused;
+        }
+        match fs::write(path, content) {
+            Ok(()) => Self::printing(""),
+            Err(error) => Self::unwritten(path, &error),
+        }
+    }
+
+    /// Why an output is not written over the robot file.
+    fn over_robot(robot: &str, path: &Path) -> Option<Self> {
+        is_same(Path::new(robot), path).then(|| {
+            let path = one_line(&path.to_string_lossy());
+            let reason = format!("{path} is the robot file\nhelp: name another file");
+            Self::failing(Exit::Broken, reason)
+        })
+    }
+
     fn unwritten(path: &Path, error: &io::Error) -> Self {
         let help = match error.kind() {
+            io::ErrorKind::NotFound if path.parent().is_some_and(Path::is_dir) => {
+                "choose another folder"
+            }
             io::ErrorKind::NotFound => "make its folder first",
             io::ErrorKind::IsADirectory => "name a file in it",
             _ => "choose another place",
@@ -69,6 +92,12 @@ impl Done {
             format!("cannot write {path}: {error}\nhelp: {help}"),
         )
     }
+}
+
+/// Whether two paths are one file or folder.
+fn is_same(one: &Path, other: &Path) -> bool {
+    let [one, other] = [one, other].map(fs::canonicalize);
+    matches!((one, other), (Ok(one), Ok(other)) if one == other)
 }
 
 /// Runs a command line, the program's name first.

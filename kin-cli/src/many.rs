@@ -30,6 +30,7 @@ pub fn forward(arguments: &Fk) -> Done {
     let all = All {
         identity: format!("fk {written:?} {identity}"),
         answers: "poses",
+        robot: &arguments.file,
         input: &arguments.input,
         options: &arguments.options,
         many: &arguments.many,
@@ -66,6 +67,7 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
     let all = All {
         identity: format!("ik {at:?} {kept:?} {identity}"),
         answers: "solutions",
+        robot: &arguments.file,
         input: &arguments.input,
         options: &arguments.options,
         many: &arguments.many,
@@ -78,6 +80,13 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
 
 /// The robot of a file, and what else than its name makes it this one.
 fn load(file: &str, options: &Options) -> Result<(Robot, String), Done> {
+    if Format::of(Path::new(file)).is_ok() {
+        let reason = format!(
+            "{} is a table\nhelp: the robot file comes first, and the table behind it",
+            one_line(file)
+        );
+        return Err(Done::failing(Exit::Usage, reason));
+    }
     let source = read(file).map_err(|error| Done::failing(Exit::Broken, error))?;
     let robot =
         Robot::load(&source, options).map_err(|error| Done::failing(Exit::from(&error), error))?;
@@ -91,6 +100,7 @@ struct All<'a> {
     /// What the answers depend on beside a table.
     identity: String,
     answers: &'static str,
+    robot: &'a str,
     input: &'a Path,
     options: &'a RobotOptions,
     many: &'a Many,
@@ -107,6 +117,12 @@ impl All<'_> {
             Ok(pairs) => pairs,
             Err(fault) => return Done::failing(Exit::Broken, fault),
         };
+        if let Some(refused) = pairs
+            .iter()
+            .find_map(|pair| Done::over_robot(self.robot, &pair.output))
+        {
+            return refused;
+        }
         let clock = Instant::now();
         let mut done = Done::printing("");
         let (mut total, mut answers) = (Tally::default(), 0);

@@ -24,6 +24,49 @@ fn temporary(name: &str) -> PathBuf {
 const SINGULAR: &str = "tests/ui/robots/singular.yaml";
 const BROKEN: &str = "tests/ui/robots/broken.urdf";
 
+/// What is read is data of the user's: no command writes over it.
+#[test]
+fn a_robot_file_is_not_written_over() {
+    let file = temporary("kept.svg");
+    let text = std::fs::read_to_string(Path::new("..").join("robots/ur5e.urdf")).unwrap();
+    std::fs::write(&file, &text).unwrap();
+    let table = temporary("kept.csv");
+    let joints = "shoulder_pan_joint,shoulder_lift_joint,elbow_joint,wrist_1_joint,wrist_2_joint,\
+                  wrist_3_joint\n0,0.1,0.2,0.3,0.4,0.5\n";
+    std::fs::write(&table, joints).unwrap();
+    let [file, table] = [&file, &table].map(|path| path.to_str().unwrap());
+    let commands: [&[&str]; 4] = [
+        &["generate", file, "-o", file],
+        &["generate", file, "--lang", "js", "-o", file],
+        &["plot", file, table, "-o", file],
+        &["fk", file, table, "--format", "csv", "-o", file],
+    ];
+    for command in commands {
+        let output = kin(command);
+        assert_eq!(output.status.code(), Some(1), "{command:?}");
+        let said = stderr(&output);
+        assert!(
+            said.contains("kept.svg is the robot file\nhelp: name another file"),
+            "{said}"
+        );
+        assert_eq!(std::fs::read_to_string(file).unwrap(), text, "{command:?}");
+    }
+}
+
+#[test]
+fn what_takes_another_place_is_told_from_it() {
+    let swapped = kin(&["fk", "data.csv", "robots/ur5e.urdf", "-o", "out.csv"]);
+    assert_eq!(swapped.status.code(), Some(2));
+    let said = stderr(&swapped);
+    assert!(
+        said.contains("data.csv is a table\nhelp: the robot file comes first"),
+        "{said}"
+    );
+    let page = kin(&["view", "robots/ur5e.urdf", "-o", "page.pdf"]);
+    assert_eq!(page.status.code(), Some(2));
+    assert!(stderr(&page).contains("page.pdf: pages are written as .html"));
+}
+
 #[test]
 fn checked_in_code_is_stale_once_it_differs() {
     let file = temporary("stale.rs");

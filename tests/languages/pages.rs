@@ -134,6 +134,67 @@ fn solutions_keep_their_numbers_as_the_target_moves() {
     }
 }
 
+/// What stands in the page's place moves the target off the plane of an arm with two joints, and
+/// says how far the tip is from the target, how far it is off the plane, and how far it has moved.
+const OFF_THE_PLANE: &str = "
+globalThis.matchMedia = () => ({ matches: false });
+const subject = new ArmView(robot, view);
+export default { ask() {
+    const before = origin(subject.target);
+    const moved = subject.target.slice();
+    moved[3] -= 0.1;
+    moved[11] += 0.05;
+    subject.setTarget(moved);
+    subject.released();
+    const [tip, target] = [origin(robot.fk(subject.q)), origin(subject.target)];
+    const apart = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+    return [apart(tip, target), Math.abs(target[2] - before[2]), apart(target, before), subject.reached ? 1 : 0];
+} };
+";
+
+#[test]
+fn a_short_arm_takes_its_target_along() {
+    let (page, _) = page(&read("robots/planar_3r.yaml"), &Options::default()).unwrap();
+    let (before, _) = script(&page).split_once(PAGE).unwrap();
+    let before = before.replace("export default robot;", "");
+    let said = JsRobot::new(&format!("{before}{OFF_THE_PLANE}")).call("ask_of", "");
+    let numbers: Vec<f64> = said.split(' ').map(|x| x.parse().unwrap()).collect();
+    let [off, height, moved, reached] = numbers[..] else {
+        panic!("{said}")
+    };
+    assert!(off < 1e-9 && height < 1e-9 && reached == 1.0, "{said}");
+    assert!(moved > 0.02, "{said}");
+}
+
+/// What stands in the page's place turns the first joint by more than half a turn, and says how far
+/// it turns when the target moves a little.
+const WOUND: &str = "
+globalThis.matchMedia = () => ({ matches: false });
+const subject = new ArmView(robot, view);
+export default { ask() {
+    subject.setJoint(0, 3.5);
+    const moved = subject.target.slice();
+    moved[11] += 1e-4;
+    subject.setTarget(moved);
+    return [subject.q[0] - 3.5];
+} };
+";
+
+#[test]
+fn joints_keep_their_full_turns_as_the_target_moves() {
+    let (page, _) = page(&read("robots/ur5e.urdf"), &Options::default()).unwrap();
+    let (before, _) = script(&page).split_once(PAGE).unwrap();
+    let before = before.replace("export default robot;", "");
+    let said = JsRobot::new(&format!("{before}{WOUND}")).call("ask_of", "");
+    assert!(said.parse::<f64>().unwrap().abs() < 0.01, "{said}");
+}
+
+#[test]
+fn a_refusal_has_its_lines() {
+    let (page, _) = page(&read("tests/ui/robots/singular.yaml"), &Options::default()).unwrap();
+    assert!(page.contains("\\nhelp: "), "no help in the page");
+}
+
 /// What stands in the page's place moves the driven joints, and says the two measures and all joint
 /// values.
 const MEASURED: &str = "

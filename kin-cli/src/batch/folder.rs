@@ -1,9 +1,10 @@
 //! A file, or all tables of a folder.
 
+use crate::is_same;
 use crate::table::{Fault, Format};
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Component, Path, PathBuf};
+use std::{env, fs, io};
 
 /// A table to be read and one to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,12 +61,17 @@ pub fn pairs(
             format,
         }]);
     }
-    if output.starts_with(input) || is_same(input, output) {
+    if Format::of(output).is_ok() && !output.is_dir() {
+        let reason = "is named as a table, where the input is a folder";
+        return Err(Fault::whole(output, reason, "name a folder"));
+    }
+    let within = |input: io::Result<PathBuf>| Ok(resolved(output)?.starts_with(input?));
+    if within(fs::canonicalize(input)).map_err(|error| Fault::unwritable(output, &error))? {
         let reason = "is the folder of the input, or in it";
         return Err(Fault::whole(output, reason, "name another folder"));
     }
     let mut tables = Vec::new();
-    walk(input, Path::new(""), &mut tables)?;
+    walk(input, Path::new(""), &mut BTreeSet::new(), &mut tables)?;
     tables.sort();
     if tables.is_empty() {
         let endings = Format::ALL.map(Format::extension).join(", ");
@@ -97,15 +103,32 @@ pub fn pairs(
     Ok(pairs)
 }
 
-fn is_same(one: &Path, other: &Path) -> bool {
-    let [one, other] = [one, other].map(fs::canonicalize);
-    matches!((one, other), (Ok(one), Ok(other)) if one == other)
+/// A path without links and `..`, of which the end need not be there yet.
+fn resolved(path: &Path) -> io::Result<PathBuf> {
+    let mut found = env::current_dir()?;
+    for part in path.components() {
+        match part {
+            Component::ParentDir => drop(found.pop()),
+            part => found.push(part),
+        }
+        found = fs::canonicalize(&found).unwrap_or(found);
+    }
+    Ok(found)
 }
 
-/// The tables below a folder, by their paths in it.
-fn walk(root: &Path, below: &Path, tables: &mut Vec<(PathBuf, Format)>) -> Result<(), Fault> {
+/// The tables below a folder, by their paths in it; each folder once, however many links lead
+/// to it.
+fn walk(
+    root: &Path,
+    below: &Path,
+    seen: &mut BTreeSet<PathBuf>,
+    tables: &mut Vec<(PathBuf, Format)>,
+) -> Result<(), Fault> {
     let folder = root.join(below);
     let unreadable = |error| Fault::unreadable(&folder, &error);
+    if !seen.insert(fs::canonicalize(&folder).map_err(unreadable)?) {
+        return Ok(());
+    }
     for entry in fs::read_dir(&folder).map_err(unreadable)? {
         let entry = entry.map_err(unreadable)?;
         let name = entry.file_name();
@@ -114,7 +137,7 @@ fn walk(root: &Path, below: &Path, tables: &mut Vec<(PathBuf, Format)>) -> Resul
         }
         let path = below.join(&name);
         if entry.path().is_dir() {
-            walk(root, &path, tables)?;
+            walk(root, &path, seen, tables)?;
         } else if let Ok(format) = Format::of(&path) {
             tables.push((path, format));
         }

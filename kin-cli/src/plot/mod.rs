@@ -17,7 +17,6 @@ use kin_codegen::spec::{Spec, one_line};
 use kin_codegen::{Ik, Options, Source, compile};
 use kinematics::Robot;
 use path::{Path, Subject};
-use std::fs;
 use table::Table;
 use trajectory::Trajectory;
 
@@ -137,10 +136,11 @@ fn write(
             return Err(Done::failing(Exit::Usage, reason));
         }
     };
-    let written = picture.and_then(|picture| fs::write(&arguments.output, picture));
-    match written {
-        Ok(()) => Ok(report(subject, path)),
-        Err(error) => Err(Done::unwritten(&arguments.output, &error)),
+    let picture = picture.map_err(|error| Done::unwritten(&arguments.output, &error))?;
+    let done = Done::writing(&arguments.file, &arguments.output, picture);
+    match done.exit {
+        Exit::Success => Ok(report(subject, path)),
+        _ => Err(done),
     }
 }
 

@@ -5,6 +5,7 @@ use super::canvas::{Area, Drawn, LINK, Picture, font, font_behind, hue, label, l
 use super::figure::{Figure, GHOST, Weight};
 use super::path::{Path, Piece, Subject};
 use kin_runtime::JointLimit;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use std::ops::Range;
 
@@ -210,12 +211,12 @@ impl Trajectory<'_> {
                 let points = piece.points.iter();
                 let points = points.map(|(k, q)| (way[*k], to * q[joint - piece.first]));
                 let style = line(piece.branch.map_or(OTHERS, hue), 2);
-                chart.draw_series(LineSeries::new(points, style))?;
+                curve(&mut chart, &points.collect::<Vec<_>>(), style)?;
             }
         }
         for piece in pieces(&panel.taken, &self.path.jumps()) {
             let points = piece.iter().map(|&(k, y)| (way[k], y));
-            chart.draw_series(LineSeries::new(points, line(LINK, 3)))?;
+            curve(&mut chart, &points.collect::<Vec<_>>(), line(LINK, 3))?;
         }
         Ok(())
     }
@@ -325,6 +326,43 @@ fn bounds(limit: JointLimit) -> Option<[f64; 2]> {
     ends.iter().all(|x| x.is_finite()).then_some(ends)
 }
 
+/// Draws a curve; one of a single point is a dot. Where it turns back a wide line of pixels would
+/// have a spike as long as the turn is sharp, and so it is drawn between such corners.
+fn curve<B: DrawingBackend>(
+    chart: &mut ChartContext<B, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
+    points: &[(f64, f64)],
+    style: ShapeStyle,
+) -> Drawn<B> {
+    if let [point] = points {
+        let dot = Circle::new(*point, style.stroke_width, style.filled());
+        return chart.draw_series([dot]).map(drop);
+    }
+    let pixels = points.iter().map(|point| chart.backend_coord(point));
+    for part in between_corners(&pixels.collect::<Vec<_>>()) {
+        chart.draw_series([PathElement::new(&points[part], style)])?;
+    }
+    Ok(())
+}
+
+/// The parts of a curve between its corners of a right angle and sharper ones.
+fn between_corners(pixels: &[(i32, i32)]) -> Vec<Range<usize>> {
+    let mut parts = Vec::new();
+    let (mut first, mut way) = (0, (0, 0));
+    for k in 1..pixels.len() {
+        let next = (pixels[k].0 - pixels[k - 1].0, pixels[k].1 - pixels[k - 1].1);
+        if next == (0, 0) {
+            continue;
+        }
+        if way != (0, 0) && way.0 * next.0 + way.1 * next.1 <= 0 {
+            parts.push(first..k);
+            first = k - 1;
+        }
+        way = next;
+    }
+    parts.push(first..pixels.len());
+    parts
+}
+
 /// Values without gaps, and without the jumps.
 fn pieces(values: &[Option<f64>], jumps: &[usize]) -> Vec<Vec<(usize, f64)>> {
     let mut pieces: Vec<Vec<(usize, f64)>> = vec![Vec::new()];
@@ -338,4 +376,17 @@ fn pieces(values: &[Option<f64>], jumps: &[usize]) -> Vec<Vec<(usize, f64)>> {
     }
     pieces.retain(|piece| !piece.is_empty());
     pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::between_corners;
+
+    #[test]
+    fn a_curve_is_parted_where_it_turns_back() {
+        let pixels = [(0, 0), (5, 1), (5, 1), (9, 2), (4, 2), (4, 9), (6, 20)];
+        assert_eq!(between_corners(&pixels), [0..4, 3..5, 4..7]);
+        assert_eq!(between_corners(&pixels[..4]), [0..4]);
+        assert_eq!(between_corners(&[]), [0..0]);
+    }
 }

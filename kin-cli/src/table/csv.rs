@@ -61,6 +61,9 @@ const NAMES: &str = "let the first line have the names of the columns, \
 /// What separates fields, and the names of the columns.
 fn names(path: &Path, line: &[u8]) -> Result<(u8, Vec<String>), Fault> {
     const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+    if line.starts_with(b"\xff\xfe") || line.starts_with(b"\xfe\xff") {
+        return Err(Fault::whole(path, "is in UTF-16", "save it in UTF-8"));
+    }
     let line = line.strip_prefix(BYTE_ORDER_MARK).unwrap_or(line);
     let is_there = |separator: &u8| line.contains(separator);
     let separator = SEPARATORS

@@ -1,5 +1,7 @@
 //! Literals of Python, as the heads of NPY files are written in.
 
+use std::str::Chars;
+
 /// A value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Literal {
@@ -39,10 +41,8 @@ fn value(rest: &mut &str, deep: usize) -> Option<Literal> {
     let first = rest.chars().next()?;
     match first {
         '\'' | '"' => {
-            let (text, behind) = rest[1..].split_once(first)?;
-            *rest = behind;
-            // No name of a column needs one, and NumPy writes none for letters.
-            (!text.contains('\\')).then(|| Literal::Text(text.into()))
+            *rest = &rest[1..];
+            text(rest, first).map(Literal::Text)
         }
         '(' => sequence(rest, ')', deep),
         '[' => sequence(rest, ']', deep),
@@ -67,6 +67,38 @@ fn value(rest: &mut &str, deep: usize) -> Option<Literal> {
             }
         }
     }
+}
+
+/// What stands before a quotation mark.
+fn text(rest: &mut &str, mark: char) -> Option<String> {
+    let mut text = String::new();
+    let mut chars = rest.chars();
+    loop {
+        text.push(match chars.next()? {
+            '\\' => escaped(&mut chars)?,
+            c if c == mark => break,
+            c => c,
+        });
+    }
+    *rest = chars.as_str();
+    Some(text)
+}
+
+/// The character that an escape behind its backslash stands for.
+fn escaped(chars: &mut Chars) -> Option<char> {
+    let digits = match chars.next()? {
+        c @ ('\'' | '"' | '\\') => return Some(c),
+        'n' => return Some('\n'),
+        'r' => return Some('\r'),
+        't' => return Some('\t'),
+        'x' => 2,
+        'u' => 4,
+        'U' => 8,
+        _ => return None,
+    };
+    let digit = |value: u32, c: char| Some(16 * value + c.to_digit(16)?);
+    let value = chars.take(digits).try_fold(0_u32, digit)?;
+    char::from_u32(value)
 }
 
 fn sequence(rest: &mut &str, close: char, deep: usize) -> Option<Literal> {

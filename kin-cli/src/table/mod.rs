@@ -56,7 +56,7 @@ impl Format {
             Fault::whole(
                 path,
                 "the name does not tell the format of the table",
-                format!("let it end with {}", endings.join(" or ")),
+                format!("let it end with {}, or convert it", endings.join(" or ")),
             )
         })
     }

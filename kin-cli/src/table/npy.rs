@@ -21,14 +21,19 @@ const LONGEST_HEAD: usize = 1 << 20;
 /// bytes.
 pub fn head(descr: &str, shape: &str, width: usize) -> Vec<u8> {
     let mut text = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
-    // Magic, version and length; the length has two bytes more where the names are that long.
-    let is_short = text.len() + BLOCK < usize::from(u16::MAX);
-    let before = if is_short { 10 } else { 12 };
+    // Magic, version and length; the length has two bytes more where the names are that long, or
+    // have letters that the first two versions have not.
+    let is_short = text.is_ascii() && text.len() + BLOCK < usize::from(u16::MAX);
+    let (version, before) = match (is_short, text.is_ascii()) {
+        (true, _) => (1, 10),
+        (_, true) => (2, 12),
+        _ => (3, 12),
+    };
     let whole = (before + text.len() + 1).max(width).next_multiple_of(BLOCK);
     text += &" ".repeat(whole - before - 1 - text.len());
     text.push('\n');
     let mut bytes = b"\x93NUMPY".to_vec();
-    bytes.extend(if is_short { [1, 0] } else { [2, 0] });
+    bytes.extend([version, 0]);
     bytes.extend(&(text.len() as u32).to_le_bytes()[..before - 8]);
     bytes.extend(text.as_bytes());
     bytes
@@ -160,13 +165,16 @@ fn read_head(input: &mut impl Read) -> io::Result<String> {
     String::from_utf8(head).map_err(|_| ErrorKind::InvalidData.into())
 }
 
+/// What is read of the kinds that NumPy has.
+const READ: &str = "integers, truth values and little-endian reals of 4 or 8 bytes";
+
 /// A kind of number by the letters of NumPy.
 fn little_endian(path: &Path, letters: &str) -> Result<Number, Fault> {
     let (order, kind) = letters.split_at_checked(1).unwrap_or_default();
     let known = number(kind).filter(|number| order == "<" || number.size == 1);
     known.ok_or_else(|| {
         let shown = kin_codegen::spec::one_line(letters);
-        let reason = format!("has the type `{shown}`, where little-endian numbers are read");
+        let reason = format!("has the type `{shown}`, where {READ} are read");
         Fault::whole(path, reason, CONVERT)
     })
 }
@@ -288,14 +296,17 @@ impl NpyEncoder {
     }
 }
 
-/// A name between quotation marks: without what would end it, or has another encoding.
+/// A name between quotation marks, as Python writes it.
 fn quoted(name: &str) -> String {
-    let stays = |c: char| matches!(c, ' '..='~') && !matches!(c, '\'' | '\\');
-    let name: String = name
-        .chars()
-        .map(|c| if stays(c) { c } else { '_' })
-        .collect();
-    format!("'{name}'")
+    let mut quoted = String::from("'");
+    for c in name.chars() {
+        match c {
+            '\'' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => quoted += &format!("\\u{:04x}", c as u32),
+            c => quoted.push(c),
+        }
+    }
+    quoted + "'"
 }
 
 impl Encoder for NpyEncoder {

@@ -18,6 +18,7 @@ pub(super) struct ParquetReader {
     selected: Vec<usize>,
     /// Of those that are selected, the deepest level of definition.
     depths: Vec<i16>,
+    unsigned: Vec<bool>,
     rows: u64,
     /// Rows before the next portion.
     before: u64,
@@ -57,6 +58,7 @@ impl ParquetReader {
             names,
             selected: Vec::new(),
             depths: Vec::new(),
+            unsigned: Vec::new(),
             rows: counts
                 .iter()
                 .fold(0, |sum: u64, &count| sum.saturating_add(count)),
@@ -119,6 +121,8 @@ impl Reader for ParquetReader {
         self.selected = columns.to_vec();
         let depth = |&column: &usize| schema.column(column).max_def_level();
         self.depths = columns.iter().map(depth).collect();
+        let unsigned = |&column: &usize| is_unsigned(&schema.column(column));
+        self.unsigned = columns.iter().map(unsigned).collect();
         Ok(())
     }
 
@@ -130,8 +134,8 @@ impl Reader for ParquetReader {
         let mut values = Vec::with_capacity(self.selected.len());
         for (place, &column) in self.selected.iter().enumerate() {
             let reader = &mut self.open.columns[place];
-            let deepest = self.depths[place];
-            let read = guarded(|| numbers(reader, deepest, count));
+            let (deepest, unsigned) = (self.depths[place], self.unsigned[place]);
+            let read = guarded(|| numbers(reader, deepest, count, unsigned));
             let read = read.map_err(|reason| self.fault(Some(column), reason))?;
             if read.len() != count {
                 let reason = format!("the column ends {} rows too early", count - read.len());
@@ -187,12 +191,25 @@ fn is_more_than_number(meaning: ConvertedType) -> bool {
         )
 }
 
+/// Whether integers have no sign.
+fn is_unsigned(column: &ColumnDescriptor) -> bool {
+    use ConvertedType::*;
+    match column.logical_type_ref() {
+        Some(LogicalType::Integer(own)) => !own.is_signed,
+        _ => matches!(
+            column.converted_type(),
+            UINT_8 | UINT_16 | UINT_32 | UINT_64
+        ),
+    }
+}
+
 /// The next numbers of a column, NaN where there is none; fewer at its end. A value that is there
 /// has the deepest level of definition.
 fn numbers(
     column: &mut ColumnReader,
     deepest: i16,
     count: usize,
+    is_unsigned: bool,
 ) -> Result<Vec<f64>, ParquetError> {
     match column {
         ColumnReader::DoubleColumnReader(column) => read(column, deepest, count, |&value| value),
@@ -200,10 +217,16 @@ fn numbers(
             read(column, deepest, count, |&value| value.into())
         }
         ColumnReader::Int32ColumnReader(column) => {
-            read(column, deepest, count, |&value| value.into())
+            read(column, deepest, count, |&value| match is_unsigned {
+                true => value.cast_unsigned().into(),
+                false => value.into(),
+            })
         }
         ColumnReader::Int64ColumnReader(column) => {
-            read(column, deepest, count, |&value| value as f64)
+            read(column, deepest, count, |&value| match is_unsigned {
+                true => value.cast_unsigned() as f64,
+                false => value as f64,
+            })
         }
         _ => Err(ParquetError::General("has no numbers".into())),
     }

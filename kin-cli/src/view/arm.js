@@ -12,11 +12,19 @@ class ArmView {
         this.joints = arm.joints;
         this.counts = arm.form ?? arm.aim;
         this.canTurn = this.counts.counts_rotation || !arm.form;
+        this.isShort = arm.form !== null && arm.form !== undefined && arm.joints.length < this.coordinates();
         this.canMove = true;
         this.q = arm.joints.map((joint, i) => this.pleasant(joint, i));
         this.parameters = [];
         this.reached = true;
         this.settle();
+    }
+
+    /** How many coordinates of a target count. */
+    coordinates() {
+        const { projected, counts_translation, counts_rotation, counts_axis } = this.counts;
+        const ofRotation = counts_axis ? 2 : 3;
+        return projected ? 3 : (counts_translation ? 3 : 0) + (counts_rotation ? ofRotation : 0);
     }
 
     /** A value to begin with: away from home, where many arms are singular, and within limits. */
@@ -47,7 +55,7 @@ class ArmView {
             return;
         }
         this.solutions = this.followed(this.solutionsAt(this.parameters)).map((solution) => {
-            const inside = this.arm.within_limits(solution.q);
+            const inside = this.arm.within_limits(solution.q, this.q);
             return { ...solution, inside, off: this.apart(solution.q, this.q) };
         });
     }
@@ -114,27 +122,42 @@ class ArmView {
         }
         this.isNewTarget = true;
         this.goToNearest();
-        if (!this.reached && this.parameters.length > 0) {
-            this.giveWay();
+        for (let i = 0; i < this.parameters.length && !this.reached; ++i) {
+            this.giveWay(i);
+        }
+        if (!this.reached && this.isShort) {
+            this.comeNear();
         }
     }
 
-    /** Where a target is out of reach at the parameter, that moves to the next value at which it
+    /** Where a target is out of reach at the parameters, one moves to the next value at which it
      * is not. */
-    giveWay() {
-        const held = this.parameters[0];
-        const step = this.form.parameters[0].turns ? 0.02 : 0.005 * this.size;
+    giveWay(i) {
+        const held = this.parameters[i];
+        const step = this.form.parameters[i].turns ? 0.02 : 0.005 * this.size;
         for (let k = 1; k <= 80 && !this.reached; ++k) {
-            this.parameters[0] = held + (k % 2 === 1 ? step : -step) * Math.ceil(k / 2);
+            this.parameters[i] = held + (k % 2 === 1 ? step : -step) * Math.ceil(k / 2);
             this.goToNearest();
         }
         if (!this.reached) {
-            this.parameters[0] = held;
+            this.parameters[i] = held;
         }
     }
 
-    setParameter(value) {
-        this.parameters[0] = value;
+    /** An arm with fewer joints than targets have coordinates takes the target along, as near to
+     * where it was sent as it can. */
+    comeNear() {
+        const { q } = this.arm.approach(this.target, this.q, 60);
+        const inside = this.arm.within_limits(q, this.q);
+        if (inside) {
+            this.q = inside;
+        }
+        this.settle();
+    }
+
+    setParameter(i, value) {
+        this.parameters[i] = value;
+        this.isNewTarget = this.isNewTarget || i > 0;
         this.goToNearest();
     }
 
@@ -162,7 +185,7 @@ class ArmView {
 
     /** What of the target is not counted follows the arm. */
     released() {
-        if (this.reached && this.form && (this.form.projected || !this.form.counts_rotation || this.form.counts_axis)) {
+        if (this.reached && this.form) {
             this.settle();
         }
     }
@@ -178,6 +201,10 @@ class ArmView {
             return this.reached
                 ? ["Followed by Newton's method from the present configuration: one solution, not all.", ""]
                 : ["Not reached by Newton's method from the present configuration.", "bad"];
+        }
+        if (this.isShort) {
+            return [`${this.joints.length} joints do not reach all poses: the target follows the arm. `
+                + "`kin view --target` takes targets of which less counts.", ""];
         }
         if (this.reached) {
             return ["", ""];

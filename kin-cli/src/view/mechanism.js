@@ -55,6 +55,7 @@ class MechanismView {
             }
         }
         this.stuck = false;
+        this.cameBack = false;
         this.reached = true;
         this.whole = found.q;
         this.settle();
@@ -64,6 +65,7 @@ class MechanismView {
     setTarget(target) {
         this.target = Array.from(target);
         this.stuck = false;
+        this.cameBack = false;
         this.solve();
         this.reached = this.placed.length > 0;
         if (!this.reached) {
@@ -77,8 +79,11 @@ class MechanismView {
         this.whole = nearest.flat();
     }
 
+    /** A platform that moves in a few ways alone takes the target back. */
     released() {
-        if (this.reached) {
+        this.cameBack = !this.reached && this.mechanism.aim === "pose" && this.mechanism.mobility < 6;
+        if (this.reached || this.cameBack) {
+            this.reached = true;
             this.settle();
         }
     }
@@ -92,6 +97,9 @@ class MechanismView {
     reach() {
         if (this.stuck) {
             return ["The loops cannot follow that joint any further.", "bad"];
+        }
+        if (this.cameBack) {
+            return [`Mobility ${this.mechanism.mobility}: the target came back to where the platform can be.`, ""];
         }
         return this.reached ? ["", ""] : ["No solution: out of reach of a chain.", "bad"];
     }

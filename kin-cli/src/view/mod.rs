@@ -12,7 +12,6 @@ use kin_codegen::{
     Compiled, Diagnostics, Error, GeneratedJs, Ik, Options, Scalar, Source, compile,
 };
 use serde_json::json;
-use std::fs;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -30,6 +29,15 @@ const SCRIPTS: [&str; 9] = [
 ];
 
 pub(crate) fn run(arguments: &arguments::View) -> Done {
+    let ending = arguments.output.extension();
+    if !ending.is_some_and(|ending| {
+        ["html", "htm"]
+            .iter()
+            .any(|own| ending.eq_ignore_ascii_case(own))
+    }) {
+        let shown = one_line(&arguments.output.to_string_lossy());
+        return Done::failing(Exit::Usage, format!("{shown}: pages are written as .html"));
+    }
     // A page computes in the numbers that JavaScript has.
     let options = Options {
         scalar: Scalar::F64,
@@ -43,12 +51,9 @@ pub(crate) fn run(arguments: &arguments::View) -> Done {
         Ok(found) => found,
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
-    if let Err(error) = fs::write(&arguments.output, page) {
-        return Done::unwritten(&arguments.output, &error);
-    }
-    let mut done = Done::printing("");
+    let mut done = Done::writing(&arguments.file, &arguments.output, page);
     if let Some(warnings) = warnings {
-        done.stderr = format!("{warnings}\n");
+        done.stderr.insert_str(0, &format!("{warnings}\n"));
     }
     done
 }
@@ -69,7 +74,7 @@ pub fn page(source: &Source, options: &Options) -> Result<(String, Option<Diagno
             };
             (
                 compile(source, &forward)?,
-                Some(one_line(&refusal.to_string())),
+                Some(lines(&refusal.to_string())),
             )
         }
         robot => (robot?, None),
@@ -85,6 +90,12 @@ pub fn page(source: &Source, options: &Options) -> Result<(String, Option<Diagno
     // Last, and alone: it has names of the file in it.
     let (before, after) = page.split_once("{{script}}").unwrap_or((&page, ""));
     Ok((format!("{before}{}{after}", script.join("\n")), warnings))
+}
+
+/// A text for people, whose lines have no control characters in them.
+fn lines(text: &str) -> String {
+    let lines: Vec<String> = text.lines().map(one_line).collect();
+    lines.join("\n")
 }
 
 /// What is drawn, as a definition in JavaScript.

@@ -23,7 +23,7 @@ byId("footer").textContent = `Made by kin view from ${robot.file}. `
     + "Angles in degrees, lengths in millimetres; roll, pitch and yaw about the base's axes, as in URDF.";
 if (subject.why) {
     byId("notice").hidden = false;
-    byId("notice").textContent = `${subject.why[0].toUpperCase()}${subject.why.slice(1)}.`;
+    byId("notice").textContent = subject.why;
 }
 if (isMechanism) {
     byId("measures-title").textContent = "Loops";
@@ -48,21 +48,29 @@ const showTarget = poseFields(byId("target"), true, (pose) => changed(() => {
 }));
 const showMeasures = measureRows(byId("measures"), subject.sampledMeasures());
 const showBranches = branchList(byId("branches"), (i) => changed(() => subject.choose(i)));
+const parameters = robot.form ? robot.form.parameters : [];
+const endsOf = ({ joint }) => (joint === null ? [-Math.PI, Math.PI] : travel(robot.joints[joint], view.size));
 const parameter = (() => {
-    const [only] = robot.form ? robot.form.parameters : [];
-    if (!only) {
+    const [first] = parameters;
+    if (!first) {
         return null;
     }
     byId("parameter-section").hidden = false;
-    byId("parameter-name").textContent = only.name;
-    const ends = only.joint === null ? [-Math.PI, Math.PI] : travel(robot.joints[only.joint], view.size);
+    byId("parameter-name").textContent = parameters.map(({ name }) => name).join(", ");
     const solve = (value) => subject.solutionsAt([value, ...subject.parameters.slice(1)])
         .map(({ q, branch }) => ({ branch, within: robot.within_limits(q) !== null }));
     // Eliminations take longer than expressions.
     const samples = robot.form.search ? 45 : 180;
-    return new Parameter(byId("parameter"), only, ends, robot.form.most, samples, solve,
-        (value) => changed(() => subject.setParameter(value)));
+    return new Parameter(byId("parameter"), first, endsOf(first), robot.form.most, samples, solve,
+        (value) => changed(() => subject.setParameter(0, value)));
 })();
+// Where branches exist is shown by the first one.
+const otherParameters = parameters.slice(1).map((own, i) => {
+    const title = `${own.name}: given beside the target`;
+    const made = slider({ ...own, title }, endsOf(own), (value) => changed(() => subject.setParameter(i + 1, value)));
+    byId("parameter").append(made.row);
+    return made;
+});
 
 const shown = () => Object.fromEntries(["branches", "axes", "frames", "names"]
     .map((name) => [name, byId(`show-${name}`).checked]));
@@ -93,6 +101,7 @@ const draw = () => {
     if (parameter) {
         parameter.show(subject.parameters[0], subject.isNewTarget, scene.colour);
         subject.isNewTarget = false;
+        otherParameters.forEach(({ show }, i) => show(subject.parameters[i + 1]));
     }
 };
 

@@ -22,6 +22,9 @@ const shownAs = (turns) => (turns ? { unit: "°", scale: DEGREES, digits: 2 } : 
 
 const rounded = (x, digits) => (Object.is(Math.round(x * 10 ** digits), -0) ? 0 : x).toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1");
 
+/** What can be typed: a number of which sine and cosine are known. */
+const isTyped = (text) => text !== "" && Math.abs(Number(text)) <= 1e9;
+
 /** A slider with a number beside it; values in radians or metres. */
 const slider = (joint, [lower, upper], changed) => {
     const { unit, scale, digits } = shownAs(joint.turns);
@@ -36,7 +39,7 @@ const slider = (joint, [lower, upper], changed) => {
         element("span", { className: "unit", textContent: unit }));
     range.addEventListener("input", () => changed(Number(range.value) / scale));
     number.addEventListener("change", () => {
-        if (number.value !== "" && Number.isFinite(Number(number.value))) {
+        if (isTyped(number.value)) {
             changed(Number(number.value) / scale);
         }
     });
@@ -73,10 +76,10 @@ const poseFields = (place, turns, changed) => {
     });
     let shown = null;
     inputs.forEach((input, i) => input.addEventListener("change", () => {
-        const value = Number(input.value);
-        if (input.value === "" || !Number.isFinite(value)) {
+        if (!isTyped(input.value)) {
             return;
         }
+        const value = Number(input.value);
         const [p, angles] = [origin(shown), rollPitchYaw(shown)];
         if (i < 3) {
             p[i] = value / 1000;
@@ -116,7 +119,7 @@ const measureRows = (place, samples) => {
             const share = row.largest > 0 ? size / row.largest : 0;
             row.bar.style.width = `${(100 * share).toFixed(1)}%`;
             row.bar.classList.toggle("low", share < 0.05);
-row.text.textContent = told ?? (size > 0 && size < 1e-3 ? value.toExponential(1) : rounded(value, 4));
+            row.text.textContent = told ?? (size > 0 && size < 1e-3 ? value.toExponential(1) : rounded(value, 4));
         }
     };
 };

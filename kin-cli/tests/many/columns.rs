@@ -249,3 +249,75 @@ fn values_that_parquet_leaves_out_are_missing() {
         assert_eq!(text.reason, "has no numbers");
     }
 }
+
+#[test]
+fn integers_without_a_sign_have_none() {
+    use parquet::data_type::{Int32Type, Int64Type};
+    use parquet::file::writer::SerializedFileWriter;
+    let path = folder("unsigned").join("numbers.parquet");
+    let schema = "message numbers { required int32 a (INTEGER(32, false)); \
+                  required int64 b (UINT_64); required int32 c (INT_32); }";
+    let schema = parquet::schema::parser::parse_message_type(schema).unwrap();
+    let file = fs::File::create(&path).unwrap();
+    let mut file = SerializedFileWriter::new(file, schema.into(), Default::default()).unwrap();
+    let mut group = file.next_row_group().unwrap();
+    for wide in [false, true, false] {
+        let mut column = group.next_column().unwrap().unwrap();
+        let written = match wide {
+            true => column
+                .typed::<Int64Type>()
+                .write_batch(&[-1, 5], None, None),
+            false => column
+                .typed::<Int32Type>()
+                .write_batch(&[-1_294_967_296, 5], None, None),
+        };
+        assert_eq!(written.unwrap(), 2);
+        column.close().unwrap();
+    }
+    group.close().unwrap();
+    file.close().unwrap();
+    let columns = read(&path, &[0, 1, 2]).unwrap();
+    assert_eq!(columns[0], [3e9, 5.0]);
+    assert_eq!(columns[1], [u64::MAX as f64, 5.0]);
+    assert_eq!(columns[2], [-1_294_967_296.0, 5.0]);
+}
+
+/// Arrays have letters outside of ASCII from the third version of the format on.
+#[test]
+fn names_of_arrays_are_those_of_the_joints() {
+    let folder = folder("letters");
+    let file = folder.join("arm.yaml");
+    let names = ["\u{e9}", "\u{e8}", "it's", "x\\\\y"];
+    let screws: String = names
+        .iter()
+        .enumerate()
+        .map(|(i, name)| format!("  - {{name: \"{name}\", axis: [0, 0, 1], point: [{i}, 0, 0]}}\n"))
+        .collect();
+    let text = format!(
+        "robot: arm\nunits: {{angle: rad, length: m}}\nscrews:\n{screws}home: {{xyz: [4, 0, 0]}}\n"
+    );
+    fs::write(&file, text).unwrap();
+    let (poses, solutions) = (folder.join("poses.csv"), folder.join("solutions.npy"));
+    fs::write(&poses, "x,y,z\n2.5,1,0\n").unwrap();
+    let options = [
+        "--target", "position", "--free", "\u{e9}", "--free", "x\\y", "--at", "0.1,0.2",
+    ];
+    succeeds(kin(
+        "ik",
+        file.to_str().unwrap(),
+        &poses,
+        &solutions,
+        &options,
+    ));
+    let reader = Format::Npy.open(&solutions).unwrap();
+    let Header::Names(found) = reader.header() else {
+        panic!("records have names");
+    };
+    for name in ["\u{e9}", "\u{e8}", "it's", "x\\y"] {
+        assert!(found.iter().any(|it| it == name), "{name}: {found:?}");
+    }
+    assert_eq!(fs::read(&solutions).unwrap()[6], 3);
+    let again = folder.join("again.csv");
+    let done = succeeds(kin("fk", file.to_str().unwrap(), &solutions, &again, &[]));
+    assert!(done.stdout.contains("of 2 rows"), "{}", done.stdout);
+}

@@ -122,15 +122,15 @@ fn arrays_that_are_no_rows_of_numbers_are_told() {
         ),
         (
             array("'>f8'", "(2, 6)"),
-            "has the type `>f8`, where little-endian numbers are read",
+            "has the type `>f8`, where integers, truth values and little-endian reals of 4 or 8 bytes are read",
         ),
         (
             array("'<c16'", "(2, 6)"),
-            "has the type `<c16`, where little-endian numbers are read",
+            "has the type `<c16`, where integers, truth values and little-endian reals of 4 or 8 bytes are read",
         ),
         (
             array("'|O'", "(2, 6)"),
-            "has the type `|O`, where little-endian numbers are read",
+            "has the type `|O`, where integers, truth values and little-endian reals of 4 or 8 bytes are read",
         ),
         (
             array("[('a', '<f8')]", "(2,)"),
@@ -149,6 +149,10 @@ fn arrays_that_are_no_rows_of_numbers_are_told() {
 
 #[test]
 fn files_that_are_none_of_these_are_told() {
+    assert_eq!(
+        said("fk", "joints.csv", b"\xff\xfea\0,\0b\0\n\0"),
+        "is in UTF-16"
+    );
     assert!(said("fk", "joints.parquet", b"").starts_with("is no Parquet file: "));
     assert!(said("fk", "joints.parquet", b"PAR1....PAR1").starts_with("is no Parquet file: "));
     let said = said("fk", "joints.txt", b"");

@@ -63,11 +63,42 @@ fn a_folder_is_answered_by_a_folder() {
         let of_folder = output.join(format!("{name}.parquet"));
         assert_eq!(fs::read(one).unwrap(), fs::read(of_folder).unwrap());
     }
-    let inside = kin("fk", "ur5e.urdf", &input, &input.join("out"), &[]);
+    let table = kin("fk", "ur5e.urdf", &input, &folder.join("all.csv"), &[]);
+    let reason = "is named as a table, where the input is a folder";
+    assert!(table.stderr.contains(reason), "{}", table.stderr);
+    for inside in ["in/out", "./in/./out", "in/day=2/../out", "out/../in/out"] {
+        let done = kin("fk", "ur5e.urdf", &input, &folder.join(inside), &[]);
+        let reason = "is the folder of the input, or in it";
+        assert!(done.stderr.contains(reason), "{inside}: {}", done.stderr);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn links_lead_to_a_folder_once_and_to_no_output_within() {
+    let (folder, _) = tables("links");
+    let input = folder.join("in");
+    std::os::unix::fs::symlink(&input, folder.join("link")).unwrap();
+    std::os::unix::fs::symlink("..", input.join("day=2/loop")).unwrap();
+    let inside = kin("fk", "ur5e.urdf", &input, &folder.join("link/out"), &[]);
     assert!(
         inside
             .stderr
-            .contains("is the folder of the input, or in it")
+            .contains("is the folder of the input, or in it"),
+        "{}",
+        inside.stderr
+    );
+    let done = succeeds(kin(
+        "fk",
+        "ur5e.urdf",
+        &folder.join("link"),
+        &folder.join("out"),
+        &[],
+    ));
+    assert!(
+        done.stdout.contains("60 rows in 5 tables"),
+        "{}",
+        done.stdout
     );
 }
 
