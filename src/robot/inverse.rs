@@ -36,7 +36,7 @@ impl Robot {
     /// closed form are computed side by side.
     pub fn ik_batch(&self, poses: &[Pose]) -> Vec<Answers> {
         let Some(form) = self.arm.form().filter(|_| self.parameters() == 0) else {
-            return vec![Answers::default(); poses.len()];
+            return poses.iter().map(|pose| self.ik(pose)).collect();
         };
         let mut all = Vec::with_capacity(poses.len());
         with_constant!(self.joints(), N => {
@@ -225,7 +225,9 @@ impl Robot {
         let slides = |i: &usize| !self.limits[*i].is_revolute();
         let prismatic = (0..joints).filter(slides).fold(0, |mask, i| mask | 1 << i);
         let mut all = Solutions::with_prismatic(prismatic);
-        for solution in solutions {
+        // A value that a target does not depend on would be no number in what is returned.
+        let is_number = given.iter().all(|(_, value)| value.is_finite());
+        for solution in solutions.iter().filter(|_| is_number) {
             let (mut q, mut others) = ([0.0; N], solution.q.into_iter());
             for (i, q) in q[..joints].iter_mut().enumerate() {
                 let value = given.iter().find(|(joint, _)| *joint == i);

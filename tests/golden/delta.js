@@ -315,10 +315,10 @@ const $at_most_at_a_stop = ({ lower, upper }, value) => {
     return below < lower ? lower : below;
 };
 
-/* A joint's value inside its limits, moved by full turns where that helps; null if it is not
- * inside. */
-const $inside = (arm, i, q) => {
-    const { value, beyond } = $next_inside(arm, i, q, q);
+/* A joint's value inside its limits, moved by full turns as near to a seed as they allow; null if
+ * it is not inside. */
+const $inside = (arm, i, q, seed) => {
+    const { value, beyond } = $next_inside(arm, i, q, seed);
     return beyond <= 1e-9 ? $at_most_at_a_stop(arm.joints[i], value) : null;
 };
 
@@ -559,13 +559,6 @@ const $reaching = (arm, target, given, lanes) => {
     const correct = form.swivel ? $at_swivel : $corrected;
     const corrects = !form.projected
         && $rotation_error(form, target) * form.size <= form.tolerance;
-    const add = (k) => {
-        const solved = lanes.q.map((lane) => lane[k]);
-        const found = correct(arm, target, given, solved, k, lanes.singular[k] > 0.0);
-        if (found && found.residual <= form.tolerance) {
-            $insert(arm, found, solutions);
-        }
-    };
     for (let k = 0; k < form.branches; ++k) {
         const residual = lanes.residual[k];
         if (!(lanes.invalid[k] <= 0.0)) {
@@ -574,15 +567,17 @@ const $reaching = (arm, target, given, lanes) => {
         if (residual <= form.tolerance) {
             const q = $whole(arm, lanes.q.map((lane) => lane[k]), given);
             solutions.push({ q, residual, branch: k, singular: lanes.singular[k] > 0.0 });
-        } else if (corrects && residual <= 1e-5 * form.size) {
-            if (form.swivel) {
-                add(k);
-            } else {
-                nearly.push(k);
-            }
+        } else if (corrects && residual <= form.nearly) {
+            nearly.push(k);
         }
     }
-    nearly.forEach(add);
+    for (const k of nearly) {
+        const solved = lanes.q.map((lane) => lane[k]);
+        const found = correct(arm, target, given, solved, k, lanes.singular[k] > 0.0);
+        if (found && found.residual <= form.tolerance) {
+            $insert(arm, found, solutions);
+        }
+    }
     return solutions;
 };
 
@@ -627,11 +622,11 @@ const $arm = (arm) => {
         const { carrier, pose } = arm.frames[frame];
         return carrier === null ? Float64Array.from(pose) : $product(arm.link_poses(q)[carrier], pose);
     };
-    arm.inside = (joint, value) => $inside(arm, joint, value);
-    /* The same configuration within limits, moved by full turns where that helps; null if it is
-     * not within. */
-    arm.within_limits = (q) => {
-        const inside = arm.joints.map((_, i) => arm.inside(i, q[i]));
+    arm.inside = (joint, value, seed = value) => $inside(arm, joint, value, seed);
+    /* The same configuration within limits, moved by full turns as near to a seed as they allow;
+     * null if it is not within. */
+    arm.within_limits = (q, seed = q) => {
+        const inside = arm.joints.map((_, i) => arm.inside(i, q[i], seed[i]));
         return inside.includes(null) ? null : inside;
     };
     /* One configuration that nearly reaches a target, by Levenberg's method from another one;
@@ -647,6 +642,9 @@ const $arm = (arm) => {
         /* Of a polynomial all roots are found without a seed. */
         const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
         arm.ik_at = (pose, parameters, seed = zeros) => {
+            if (!parameters.every(Number.isFinite)) {
+                return [];
+            }
             const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
             const target = form.turns_tool ? $turned(pose, turn) : pose;
             return form.solve(arm, target, seed, parameters);
@@ -1276,6 +1274,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                nearly: 3.4399999999999963e-6,
                 free_angle: null,
                 counts_translation: true,
                 counts_rotation: false,
@@ -1630,6 +1629,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
+                nearly: 1.0239019559141966e-6,
                 free_angle: null,
                 counts_translation: false,
                 counts_rotation: true,
@@ -2378,6 +2378,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                nearly: 3.4399999999999963e-6,
                 free_angle: null,
                 counts_translation: true,
                 counts_rotation: false,
@@ -2778,6 +2779,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                nearly: 1.0239019559141966e-6,
                 free_angle: null,
                 counts_translation: false,
                 counts_rotation: true,
@@ -3590,6 +3592,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                nearly: 3.4399999999999963e-6,
                 free_angle: null,
                 counts_translation: true,
                 counts_rotation: false,
@@ -3990,6 +3993,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                nearly: 1.0239019559141966e-6,
                 free_angle: null,
                 counts_translation: false,
                 counts_rotation: true,

@@ -266,6 +266,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
             };
@@ -582,6 +583,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
+                nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
             };
@@ -1028,6 +1030,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
             };
@@ -1365,6 +1368,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
             };
@@ -1889,6 +1893,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
             };
@@ -2226,6 +2231,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
             };

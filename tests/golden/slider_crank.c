@@ -746,11 +746,13 @@ int slider_crank_chain0_within_limits(const double q[SLIDER_CRANK_CHAIN0_JOINTS]
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, metres; below which conditioning of the Jacobian
- * branches do not tell solutions, of an arm off its design. */
+ * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
+ * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * design. */
 #define SLIDER_CRANK_CHAIN0_SOLVED 3
 #define SLIDER_CRANK_CHAIN0_SIZE 3.999999999999997
 #define SLIDER_CRANK_CHAIN0_TOLERANCE 3.999999999999997e-9
+#define SLIDER_CRANK_CHAIN0_NEARLY 3.999999999999997e-5
 #define SLIDER_CRANK_CHAIN0_NEAR_SINGULAR 0.0
 
 static const slider_crank_metric slider_crank_chain0_own_metric = {
@@ -963,33 +965,40 @@ static int slider_crank_chain0_insert(const slider_crank_chain0_solution *found,
     return count;
 }
 
+/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+static int slider_crank_chain0_corrected(
+    const slider_crank_chain0_lanes *lanes, int k, const double target[12], const double *given,
+    slider_crank_chain0_solution *found)
+{
+    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN0_SOLVED, slider_crank_chain0_see_joints, given};
+    slider_crank_linearization here;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
+        here.q[i] = lanes->q[i][k];
+    }
+    found->singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
+        here.q[i] = slider_crank_chain0_turns[slider_crank_chain0_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
+    }
+    slider_crank_chain0_whole(here.q, given, found->q);
+    found->residual = here.residual;
+    found->branch = k;
+    return found->residual <= SLIDER_CRANK_CHAIN0_TOLERANCE;
+}
+
 /* Adds the branches that rounding keeps from their target, corrected. */
 static int slider_crank_chain0_add_corrected(
     const slider_crank_chain0_lanes *lanes, const double target[12], const double *given,
     slider_crank_chain0_solution *solutions, int count)
 {
-    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN0_SOLVED, slider_crank_chain0_see_joints, given};
     if (!(slider_crank_rotation_error(&slider_crank_chain0_own_metric, target) * SLIDER_CRANK_CHAIN0_SIZE <= SLIDER_CRANK_CHAIN0_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < SLIDER_CRANK_CHAIN0_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
-        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN0_TOLERANCE && residual <= 1e-5 * SLIDER_CRANK_CHAIN0_SIZE) {
-            slider_crank_linearization here;
-            slider_crank_chain0_solution found;
-            for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
-                here.q[i] = lanes->q[i][k];
-            }
-            found.singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
-            for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
-                here.q[i] = slider_crank_chain0_turns[slider_crank_chain0_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
-            }
-            slider_crank_chain0_whole(here.q, given, found.q);
-            found.residual = here.residual;
-            found.branch = k;
-            if (found.residual <= SLIDER_CRANK_CHAIN0_TOLERANCE) {
-                count = slider_crank_chain0_insert(&found, solutions, count);
-            }
+        slider_crank_chain0_solution found;
+        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN0_TOLERANCE && residual <= SLIDER_CRANK_CHAIN0_NEARLY
+            && slider_crank_chain0_corrected(lanes, k, target, given, &found)) {
+            count = slider_crank_chain0_insert(&found, solutions, count);
         }
     }
     return count;
@@ -1015,7 +1024,7 @@ static int slider_crank_chain0_solve(
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * SLIDER_CRANK_CHAIN0_SIZE) {
+        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_NEARLY) {
             nearly = 1;
         }
     }
@@ -1206,11 +1215,13 @@ int slider_crank_chain1_within_limits(const double q[SLIDER_CRANK_CHAIN1_JOINTS]
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, metres; below which conditioning of the Jacobian
- * branches do not tell solutions, of an arm off its design. */
+ * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
+ * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * design. */
 #define SLIDER_CRANK_CHAIN1_SOLVED 1
 #define SLIDER_CRANK_CHAIN1_SIZE 3.9983311292135726
 #define SLIDER_CRANK_CHAIN1_TOLERANCE 3.9983311292135726e-9
+#define SLIDER_CRANK_CHAIN1_NEARLY 3.998331129213573e-5
 #define SLIDER_CRANK_CHAIN1_NEAR_SINGULAR 0.0
 
 static const slider_crank_metric slider_crank_chain1_own_metric = {
@@ -1364,33 +1375,40 @@ static int slider_crank_chain1_insert(const slider_crank_chain1_solution *found,
     return count;
 }
 
+/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+static int slider_crank_chain1_corrected(
+    const slider_crank_chain1_lanes *lanes, int k, const double target[12], const double *given,
+    slider_crank_chain1_solution *found)
+{
+    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN1_SOLVED, slider_crank_chain1_see_joints, given};
+    slider_crank_linearization here;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
+        here.q[i] = lanes->q[i][k];
+    }
+    found->singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
+        here.q[i] = slider_crank_chain1_turns[slider_crank_chain1_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
+    }
+    slider_crank_chain1_whole(here.q, given, found->q);
+    found->residual = here.residual;
+    found->branch = k;
+    return found->residual <= SLIDER_CRANK_CHAIN1_TOLERANCE;
+}
+
 /* Adds the branches that rounding keeps from their target, corrected. */
 static int slider_crank_chain1_add_corrected(
     const slider_crank_chain1_lanes *lanes, const double target[12], const double *given,
     slider_crank_chain1_solution *solutions, int count)
 {
-    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN1_SOLVED, slider_crank_chain1_see_joints, given};
     if (!(slider_crank_rotation_error(&slider_crank_chain1_own_metric, target) * SLIDER_CRANK_CHAIN1_SIZE <= SLIDER_CRANK_CHAIN1_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < SLIDER_CRANK_CHAIN1_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
-        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN1_TOLERANCE && residual <= 1e-5 * SLIDER_CRANK_CHAIN1_SIZE) {
-            slider_crank_linearization here;
-            slider_crank_chain1_solution found;
-            for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
-                here.q[i] = lanes->q[i][k];
-            }
-            found.singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
-            for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
-                here.q[i] = slider_crank_chain1_turns[slider_crank_chain1_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
-            }
-            slider_crank_chain1_whole(here.q, given, found.q);
-            found.residual = here.residual;
-            found.branch = k;
-            if (found.residual <= SLIDER_CRANK_CHAIN1_TOLERANCE) {
-                count = slider_crank_chain1_insert(&found, solutions, count);
-            }
+        slider_crank_chain1_solution found;
+        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN1_TOLERANCE && residual <= SLIDER_CRANK_CHAIN1_NEARLY
+            && slider_crank_chain1_corrected(lanes, k, target, given, &found)) {
+            count = slider_crank_chain1_insert(&found, solutions, count);
         }
     }
     return count;
@@ -1416,7 +1434,7 @@ static int slider_crank_chain1_solve(
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * SLIDER_CRANK_CHAIN1_SIZE) {
+        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_NEARLY) {
             nearly = 1;
         }
     }
@@ -1576,11 +1594,13 @@ static void slider_crank_passive_fk_jacobian(const double q[SLIDER_CRANK_PASSIVE
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, metres; below which conditioning of the Jacobian
- * branches do not tell solutions, of an arm off its design. */
+ * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
+ * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * design. */
 #define SLIDER_CRANK_PASSIVE_SOLVED 3
 #define SLIDER_CRANK_PASSIVE_SIZE 6.99833112921357
 #define SLIDER_CRANK_PASSIVE_TOLERANCE 6.9983311292135705e-9
+#define SLIDER_CRANK_PASSIVE_NEARLY 6.99833112921357e-5
 #define SLIDER_CRANK_PASSIVE_NEAR_SINGULAR 0.0
 
 static const slider_crank_metric slider_crank_passive_own_metric = {
@@ -1791,33 +1811,40 @@ static int slider_crank_passive_insert(const slider_crank_passive_solution *foun
     return count;
 }
 
+/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+static int slider_crank_passive_corrected(
+    const slider_crank_passive_lanes *lanes, int k, const double target[12], const double *given,
+    slider_crank_passive_solution *found)
+{
+    const slider_crank_solved_for joints = {SLIDER_CRANK_PASSIVE_SOLVED, slider_crank_passive_see_joints, given};
+    slider_crank_linearization here;
+    for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
+        here.q[i] = lanes->q[i][k];
+    }
+    found->singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
+        here.q[i] = slider_crank_passive_turns[slider_crank_passive_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
+    }
+    slider_crank_passive_whole(here.q, given, found->q);
+    found->residual = here.residual;
+    found->branch = k;
+    return found->residual <= SLIDER_CRANK_PASSIVE_TOLERANCE;
+}
+
 /* Adds the branches that rounding keeps from their target, corrected. */
 static int slider_crank_passive_add_corrected(
     const slider_crank_passive_lanes *lanes, const double target[12], const double *given,
     slider_crank_passive_solution *solutions, int count)
 {
-    const slider_crank_solved_for joints = {SLIDER_CRANK_PASSIVE_SOLVED, slider_crank_passive_see_joints, given};
     if (!(slider_crank_rotation_error(&slider_crank_passive_own_metric, target) * SLIDER_CRANK_PASSIVE_SIZE <= SLIDER_CRANK_PASSIVE_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < SLIDER_CRANK_PASSIVE_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
-        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_PASSIVE_TOLERANCE && residual <= 1e-5 * SLIDER_CRANK_PASSIVE_SIZE) {
-            slider_crank_linearization here;
-            slider_crank_passive_solution found;
-            for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
-                here.q[i] = lanes->q[i][k];
-            }
-            found.singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
-            for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
-                here.q[i] = slider_crank_passive_turns[slider_crank_passive_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
-            }
-            slider_crank_passive_whole(here.q, given, found.q);
-            found.residual = here.residual;
-            found.branch = k;
-            if (found.residual <= SLIDER_CRANK_PASSIVE_TOLERANCE) {
-                count = slider_crank_passive_insert(&found, solutions, count);
-            }
+        slider_crank_passive_solution found;
+        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_PASSIVE_TOLERANCE && residual <= SLIDER_CRANK_PASSIVE_NEARLY
+            && slider_crank_passive_corrected(lanes, k, target, given, &found)) {
+            count = slider_crank_passive_insert(&found, solutions, count);
         }
     }
     return count;
@@ -1843,7 +1870,7 @@ static int slider_crank_passive_solve(
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * SLIDER_CRANK_PASSIVE_SIZE) {
+        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_NEARLY) {
             nearly = 1;
         }
     }
@@ -2208,12 +2235,10 @@ static double slider_crank_apart(const double *poses)
         apart[1] = SLIDER_CRANK_LENGTH * slider_crank_atan2(slider_crank_norm(skew, 3), trace - 1.0);
         for (int i = 0; i < 2; ++i) {
             /* What is no number is no closed loop. */
-            if (!(apart[i] <= gap)) {
-                gap = apart[i];
+            if (apart[i] != apart[i]) {
+                return apart[i];
             }
-        }
-        if (gap != gap) {
-            return gap;
+            gap = apart[i] > gap ? apart[i] : gap;
         }
     }
     return gap;

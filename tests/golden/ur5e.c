@@ -968,11 +968,13 @@ int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, metres; below which conditioning of the Jacobian
- * branches do not tell solutions, of an arm off its design. */
+ * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
+ * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * design. */
 #define UR5E_SOLVED 6
 #define UR5E_SIZE 1.3122999999999998
 #define UR5E_TOLERANCE 1.3123e-9
+#define UR5E_NEARLY 1.3123e-5
 #define UR5E_NEAR_SINGULAR 0.0
 
 static const ur5e_metric ur5e_own_metric = {
@@ -1397,33 +1399,40 @@ static int ur5e_insert(const ur5e_solution *found, ur5e_solution *solutions, int
     return count;
 }
 
+/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+static int ur5e_corrected(
+    const ur5e_lanes *lanes, int k, const double target[12], const double *given,
+    ur5e_solution *found)
+{
+    const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given};
+    ur5e_linearization here;
+    for (int i = 0; i < UR5E_SOLVED; ++i) {
+        here.q[i] = lanes->q[i][k];
+    }
+    found->singular = ur5e_correct(&ur5e_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    for (int i = 0; i < UR5E_SOLVED; ++i) {
+        here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
+    }
+    ur5e_whole(here.q, given, found->q);
+    found->residual = here.residual;
+    found->branch = k;
+    return found->residual <= UR5E_TOLERANCE;
+}
+
 /* Adds the branches that rounding keeps from their target, corrected. */
 static int ur5e_add_corrected(
     const ur5e_lanes *lanes, const double target[12], const double *given,
     ur5e_solution *solutions, int count)
 {
-    const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given};
     if (!(ur5e_rotation_error(&ur5e_own_metric, target) * UR5E_SIZE <= UR5E_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
-        if (lanes->invalid[k] <= 0.0 && residual > UR5E_TOLERANCE && residual <= 1e-5 * UR5E_SIZE) {
-            ur5e_linearization here;
-            ur5e_solution found;
-            for (int i = 0; i < UR5E_SOLVED; ++i) {
-                here.q[i] = lanes->q[i][k];
-            }
-            found.singular = ur5e_correct(&ur5e_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
-            for (int i = 0; i < UR5E_SOLVED; ++i) {
-                here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
-            }
-            ur5e_whole(here.q, given, found.q);
-            found.residual = here.residual;
-            found.branch = k;
-            if (found.residual <= UR5E_TOLERANCE) {
-                count = ur5e_insert(&found, solutions, count);
-            }
+        ur5e_solution found;
+        if (lanes->invalid[k] <= 0.0 && residual > UR5E_TOLERANCE && residual <= UR5E_NEARLY
+            && ur5e_corrected(lanes, k, target, given, &found)) {
+            count = ur5e_insert(&found, solutions, count);
         }
     }
     return count;
@@ -1449,7 +1458,7 @@ static int ur5e_solve(
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * UR5E_SIZE) {
+        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_NEARLY) {
             nearly = 1;
         }
     }

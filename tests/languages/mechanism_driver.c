@@ -14,6 +14,15 @@ static void run_kin_robot(void)
         kin_chain_poses(q, poses);
         write_numbers(poses, 12 * KIN_CHAINS);
         printf("%.17g\n", kin_gap(q));
+        /* Gaps that are numbers, where a joint is none. */
+        int numbers = 0;
+        for (int i = 0; i < KIN_JOINTS; ++i) {
+            const double kept = q[i];
+            q[i] = NAN;
+            numbers += kin_gap(q) == kin_gap(q);
+            q[i] = kept;
+        }
+        printf("%d\n", numbers);
         kin_structure_jacobian(q, jacobian);
         write_numbers(jacobian, 6 * KIN_JOINTS);
         printf("%.17g %.17g\n", kin_actuator_singularity(q), kin_kinematic_singularity(q));

@@ -186,6 +186,7 @@ fn holds(mechanism: &CompiledMechanism, q: &[f64], said: &mut Written, of: &impl
         (gap - generic.gap(q)).abs() < 1e-13 * length,
         "{of:?}: {gap}"
     );
+    assert_eq!(said.integer(), 0, "{of:?}");
     let twists = generic.twists(q);
     said.same(&by_rows(&twists), 1e-12, of);
     let actuator = generic.actuator_singularity(q);

@@ -97,14 +97,12 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         shifted.translation[1] = x;
         add(shifted);
     }
-    if robot.parameters() == 0 {
-        // Joints without a seed, at singular targets too.
-        let known = configurations.iter().take(UNKNOWN).enumerate();
-        all.extend(known.map(|(i, q)| {
-            let mut unknown = q.clone();
-            unknown[i % q.len()] = f64::NAN;
-            (robot.fk(q), unknown)
-        }));
-    }
+    // Joints without a seed, at singular targets too, and parameters that are no numbers.
+    let known = configurations.iter().take(UNKNOWN).enumerate();
+    all.extend(known.map(|(i, q)| {
+        let mut unknown = q.clone();
+        unknown[i % q.len()] = f64::NAN;
+        (robot.fk(q), unknown)
+    }));
     all
 }

@@ -1,9 +1,10 @@
 //! Two parameters: eight joints for whole poses, and seven where the tool may turn.
 
+use crate::cached::cached;
 use crate::random::Random;
 use kinematics::{
     Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, JointLimit, Parameter, Pose,
-    RedundantKinematics, kinematics,
+    RedundantKinematics, RobotOptions, kinematics,
 };
 use std::f64::consts::PI;
 
@@ -278,5 +279,29 @@ fn short_lived_branches_along_one_of_two_parameters_are_found() {
             |all: &[FeasibleInterval<7>]| -> f64 { all.iter().map(|it| it.to - it.from).sum() };
         assert_eq!(turned.len(), alone.len());
         assert!((length(&turned) - length(&alone)).abs() < 1e-6);
+    }
+}
+
+/// The wrist does not change where the tip is, and yet its values are in what is returned.
+#[test]
+fn parameters_that_are_no_numbers_have_no_solutions() {
+    let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    let (target, given) = (Ur10ePosition.fk(&q), Ur10ePosition.redundancy(&q));
+    assert!(!Ur10ePosition.ik_at(&target, &given).is_empty());
+    let options = RobotOptions {
+        target: Some(kin_codegen::Target::Position),
+        ..RobotOptions::default()
+    };
+    let loaded = cached("../robots/ur10e.yaml", &options);
+    for i in 0..given.len() {
+        for value in [f64::NAN, f64::INFINITY] {
+            let mut given = given;
+            given[i] = value;
+            assert!(
+                Ur10ePosition.ik_at(&target, &given).is_empty(),
+                "{i} {value}"
+            );
+            assert!(loaded.ik_at(&target, &given).is_empty(), "{i} {value}");
+        }
     }
 }

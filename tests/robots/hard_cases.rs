@@ -2,5 +2,6 @@
 
 mod aligned;
 mod boundary;
+mod fourfold;
 mod singular;
 mod universal;

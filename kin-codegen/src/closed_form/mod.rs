@@ -366,10 +366,16 @@ impl ClosedForm {
         let slides = |joint: &usize| given.links[*joint].kind == JointKind::Prismatic;
         let sliding = (0..given.links.len()).filter(slides);
         let sliding = sliding.filter_map(|joint| given.coordinate(joint));
-        let size = self.linkage.size;
+        let (size, tolerances) = (self.linkage.size, self.tolerances());
+        let has_quartic = |step: &Step| step.subproblem.choices() == 2;
+        let nearly = match self.plan.steps.iter().any(has_quartic) {
+            true => tolerances.nearly_by_quartic,
+            false => tolerances.nearly,
+        };
         Acceptance {
             size,
-            tolerance: self.tolerances().solved * size,
+            tolerance: tolerances.solved * size,
+            nearly: nearly * size,
             near_singular: self.untold(),
             prismatic: sliding.fold(0, |mask, i| mask | 1 << i),
         }

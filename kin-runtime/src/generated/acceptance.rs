@@ -9,6 +9,8 @@ pub struct Acceptance {
     pub size: Real,
     /// Solutions may miss the target by this, metres.
     pub tolerance: Real,
+    /// Branches that miss it by more than this, metres, do so not by rounding.
+    pub nearly: Real,
     /// The near-singular threshold: where the Jacobian's least pivot by its
     /// largest is below this, the branches of the idealized arm do not tell
     /// those of the arm as given; 0 if that is the ideal one.

@@ -4,7 +4,7 @@ use super::super::scalar::Real;
 use super::super::types::nearest::Motion;
 use super::super::{Jacobian, Pose, Solution, Solutions, Target, math};
 use super::acceptance::Acceptance;
-use super::refinement::{AtSwivel, NEARLY, Problem, correct_branches, refine_branches};
+use super::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
 /// choice is + where bit i of k is clear.
@@ -103,7 +103,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         let mut nearly = false;
         for k in 0..L {
             let misses = self.residual[k] > accept.tolerance;
-            let little = self.residual[k] <= NEARLY * accept.size;
+            let little = self.residual[k] <= accept.nearly;
             nearly |= (self.invalid[k] <= 0.0) & misses & little;
         }
         nearly

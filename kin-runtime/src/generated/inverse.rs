@@ -8,7 +8,6 @@ use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
 use super::free_angle::{FREE_BELOW, FreeAngle};
-use super::refinement::NEARLY;
 use super::sin_cos::{Known, SinCos};
 use core::marker::PhantomData;
 
@@ -66,7 +65,7 @@ impl<const N: usize, const L: usize, const T: usize> Lanes<N, L, T> {
         for k in 0..L {
             for t in 0..T {
                 let misses = self.residual[k][t] > accept.tolerance;
-                let little = self.residual[k][t] <= NEARLY * accept.size;
+                let little = self.residual[k][t] <= accept.nearly;
                 let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
                 let no_root = self.no_root[k][t];
                 unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, no_root));

@@ -34,6 +34,17 @@ impl<const K: usize> Locked<K> {
         }
     }
 
+    /// Whether all of them are numbers: a value that a target does not depend on would be none in
+    /// what is returned.
+    #[inline(always)]
+    fn are_finite(&self) -> bool {
+        let mut finite = true;
+        for value in self.values {
+            finite &= value.is_finite();
+        }
+        finite
+    }
+
     /// The value of joint i of all joints, if it is given, or which of the others it is.
     #[inline(always)]
     fn place(&self, i: usize) -> Result<Real, usize> {
@@ -85,9 +96,10 @@ impl<const K: usize> Locked<K> {
     /// Solutions for the others, with the values that are given.
     #[inline]
     pub fn all<const N: usize, const M: usize>(&self, others: &Solutions<N>) -> Solutions<M> {
+        let finite = self.are_finite();
         Solutions::build_with_prismatic(self.prismatic, |solutions| {
             for solution in others {
-                solutions.push_if(true, self.widened(solution));
+                solutions.push_if(finite, self.widened(solution));
             }
         })
     }
@@ -99,9 +111,10 @@ impl<const K: usize> Locked<K> {
         branches: &Branches<N, L>,
         accept: &Acceptance,
     ) -> Solutions<M> {
+        let finite = self.are_finite();
         Solutions::build_with_prismatic(self.prismatic, |solutions| {
             for k in 0..L {
-                let exists = branches.invalid[k] <= 0.0;
+                let exists = finite & (branches.invalid[k] <= 0.0);
                 let reaches = branches.residual[k] <= accept.tolerance;
                 solutions.push_if(exists & reaches, self.widened(&branches.lane(k)));
             }

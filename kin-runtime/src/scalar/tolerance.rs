@@ -31,6 +31,8 @@ pub const DOUBLE_ROOT: Real = 1e-13;
 /// Branches that miss their target by more than this, relative to the arm's size, do so not by
 /// rounding.
 pub const NEARLY: Real = 1e-5;
+/// The same of a plan with quartics: where all four roots meet, the fourth root of rounding.
+pub const NEARLY_BY_QUARTIC: Real = 1e-3;
 /// Relative to the arm's size, a residual below this is rounding.
 pub const ROUNDING: Real = 1e-14;
 /// Below this a pivot of the Jacobian, relative to the largest, is that of a singular

@@ -38,9 +38,16 @@ fn by_expressions(
             runtime::AT_SWIVEL.to_owned(),
             runtime::INSERT.to_owned(),
             runtime::SWIVELLED.to_owned(),
+            runtime::ADD_CORRECTED.to_owned(),
         ]
         .join("\n"),
-        None => [runtime::SEEN, runtime::INSERT, runtime::CORRECTED].join("\n"),
+        None => [
+            runtime::SEEN,
+            runtime::INSERT,
+            runtime::CORRECTED,
+            runtime::ADD_CORRECTED,
+        ]
+        .join("\n"),
     };
     let (search, refined) = match &solver.refinement {
         Refinement::Univariate(arm) => univariate::refine(solver, arm),
@@ -52,7 +59,7 @@ fn by_expressions(
         branches(solver, inverse),
         correction,
         search,
-        solve(solver, swivel.is_some(), &refined),
+        solve(solver, &refined),
     ]
 }
 
@@ -67,20 +74,22 @@ pub fn size(solver: &ClosedForm) -> f64 {
 
 /// What the runtime's pieces take from the arm.
 fn constants(solver: &ClosedForm) -> String {
-    let (size, tolerance) = (size(solver), solver.acceptance().tolerance);
+    let (size, accept) = (size(solver), solver.acceptance());
     let target = solver.plan.target;
     let translation = !matches!(target, Target::Direction | Target::Orientation);
     let all = [
         ("SOLVED", solver.given.variables().to_string()),
         ("SIZE", signed(size)),
-        ("TOLERANCE", signed(tolerance)),
-        ("NEAR_SINGULAR", signed(solver.acceptance().near_singular)),
+        ("TOLERANCE", signed(accept.tolerance)),
+        ("NEARLY", signed(accept.nearly)),
+        ("NEAR_SINGULAR", signed(accept.near_singular)),
     ];
     let counts = [translation, target != Target::Position, target.fixes_axis()];
     let mut out = String::from(
         "/* The joints that are solved for; the arm's size, at whose distance angles count as \
-         lengths,\n * and by how much solutions may miss the target, metres; below which conditioning of \
-         the Jacobian\n * branches do not tell solutions, of an arm off its design. */\n",
+         lengths,\n * and by how much solutions may miss the target, and by how much branches do that rounding keeps \
+         from it,\n * metres; below which conditioning of the Jacobian branches do not tell solutions, of an \
+         arm off its\n * design. */\n",
     );
     for (name, value) in all {
         let _ = writeln!(out, "#define KIN_{name} {value}");
@@ -194,7 +203,7 @@ fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> String {
 
 /// The branches that reach their target, or what becomes of them by the statements `refined`: of all
 /// of an arm off its design, and of an exact one where a step degenerates.
-fn solve(solver: &ClosedForm, swivel: bool, refined: &str) -> String {
+fn solve(solver: &ClosedForm, refined: &str) -> String {
     if !solver.is_exact() {
         return format!(
             "/* The branches, refined to the arm as given. */\n\
@@ -217,7 +226,7 @@ fn solve(solver: &ClosedForm, swivel: bool, refined: &str) -> String {
         "" => "",
         _ => "    int degenerates = 0;\n",
     };
-    let corrected = match solver.plan.target.is_projected() || swivel {
+    let corrected = match solver.plan.target.is_projected() {
         true => "",
         false => {
             "    if (nearly) {\n        count = kin_add_corrected(&lanes, target, given, \
@@ -225,15 +234,10 @@ fn solve(solver: &ClosedForm, swivel: bool, refined: &str) -> String {
         }
     };
     let (mark, marked) = match corrected {
-        "" if swivel => (
-            "",
-            " else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * KIN_SIZE) {\n            \
-             count = kin_add_corrected(&lanes, k, target, given[0], solutions, count);\n        }",
-        ),
         "" => ("", ""),
         _ => (
             "    int nearly = 0;\n",
-            " else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= 1e-5 * KIN_SIZE) {\n            \
+            " else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_NEARLY) {\n            \
              nearly = 1;\n        }",
         ),
     };
@@ -321,6 +325,8 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
     format!(
         "int kin_ik_at(\n    const double pose[12], const double parameters[KIN_PARAMETERS],\n    \
          kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n{seeds}{turned}    \
+         for (int i = 0; i < KIN_PARAMETERS; ++i) {{\n        \
+         if (!(fabs(parameters[i]) <= 1.7976931348623157e308)) {{\n            return kin_why_none(&kin_own_metric, pose);\n        }}\n    }}\n    \
          return kin_solve({target}, {seed}, parameters, solutions);\n}}\n\n\
          void kin_redundancy(\n    const double pose[12], const double q[KIN_JOINTS], \
          double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{told}}}\n"

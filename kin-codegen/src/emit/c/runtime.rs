@@ -27,8 +27,10 @@ pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
 pub const SEEN: &str = include_str!("runtime/seen.c");
 /// A solution among others.
 pub const INSERT: &str = include_str!("runtime/insert.c");
-/// All branches that rounding keeps from their target, corrected, behind these.
+/// A branch that rounding keeps from its target, behind these.
 pub const CORRECTED: &str = include_str!("runtime/corrected.c");
+/// All of them, behind this or [`SWIVELLED`].
+pub const ADD_CORRECTED: &str = include_str!("runtime/add_corrected.c");
 /// The swivel angle.
 pub const SWIVEL: &str = include_str!("runtime/swivel.c");
 /// The joints at a swivel angle, as a target sees them.

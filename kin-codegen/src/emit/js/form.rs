@@ -61,6 +61,7 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
         ),
         ("size", signed(size)),
         ("tolerance", signed(accept.tolerance)),
+        ("nearly", signed(accept.nearly)),
         ("free_angle", free_angle.unwrap_or_else(none)),
     ];
     fields.extend(counts(solver.plan.target));

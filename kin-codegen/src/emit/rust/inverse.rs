@@ -330,10 +330,12 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
     let Acceptance {
         size,
         tolerance,
+        nearly,
         near_singular,
         prismatic,
     } = solver.acceptance();
-    let [size, tolerance, near_singular] = [size, tolerance, near_singular].map(literal);
+    let [size, tolerance, nearly, near_singular] =
+        [size, tolerance, nearly, near_singular].map(literal);
     let prismatic = Literal::u64_unsuffixed(prismatic);
     let beside = match &solver.refinement {
         Refinement::Univariate(arm) => Some(univariate::constant(arm)),
@@ -343,6 +345,7 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
         const ACCEPT: Acceptance = Acceptance {
             size: #size,
             tolerance: #tolerance,
+            nearly: #nearly,
             near_singular: #near_singular,
             prismatic: #prismatic,
         };

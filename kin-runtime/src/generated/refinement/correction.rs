@@ -6,18 +6,15 @@
 //! configurations (see [`levenberg`]).
 
 use super::super::super::generated::acceptance::Acceptance;
-use super::super::super::scalar::{Real, tolerance};
+use super::super::super::scalar::Real;
 use super::super::super::{Jacobian, Pose, Solution, Solutions, math};
 use super::levenberg::levenberg;
 use super::linearization::Problem;
 
-/// Branches that miss their target by more than this, relative to the arm's
-/// size, do so not by rounding.
-pub const NEARLY: Real = tolerance::NEARLY;
 /// Evaluations at most; a regular branch takes two.
 const STEPS: usize = 12;
 
-/// The branches that reach their target, those that [nearly](NEARLY) do after a
+/// The branches that reach their target, those that nearly do after a
 /// correction.
 pub fn correct_branches<const N: usize>(
     problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
@@ -25,7 +22,7 @@ pub fn correct_branches<const N: usize>(
     accept: &Acceptance,
 ) -> Solutions<N> {
     let reaches = |branch: &Solution<N>| branch.residual <= accept.tolerance;
-    let nearly = |branch: &Solution<N>| branch.residual <= NEARLY * accept.size;
+    let nearly = |branch: &Solution<N>| branch.residual <= accept.nearly;
     Solutions::build_with_prismatic(accept.prismatic, |solutions| {
         for branch in branches.clone().filter(reaches) {
             solutions.push_if(true, branch);

@@ -12,7 +12,7 @@ mod newton;
 mod swivel;
 
 pub use branches::refine_branches;
-pub use correction::{NEARLY, correct_branches};
+pub use correction::correct_branches;
 pub use levenberg::levenberg;
 pub use linearization::Problem;
 pub use newton::{Refined, newton};

@@ -41,17 +41,19 @@ where
     pub fn refined(
         &self,
         target: &Pose,
-        starts: impl Iterator<Item = Solution<7>>,
+        starts: impl Iterator<Item = Solution<7>> + Clone,
         steps: Option<usize>,
         accept: &Acceptance,
     ) -> Solutions<7> {
         let wrist = target.transform_point(self.swivel.wrist);
         Solutions::build_with_prismatic(accept.prismatic, |solutions| {
-            for start in starts {
-                if steps.is_none() && start.residual <= accept.tolerance {
-                    solutions.push_if(true, start);
-                    continue;
-                }
+            // What is corrected may come together with one that reaches its target as it is.
+            let reaches =
+                |start: &Solution<7>| steps.is_none() && start.residual <= accept.tolerance;
+            for start in starts.clone().filter(reaches) {
+                solutions.push_if(true, start);
+            }
+            for start in starts.filter(|start| !reaches(start)) {
                 let told = self.told(&start.q, wrist);
                 let others = core::iter::once(told.without(&start));
                 let problem = Problem::new(

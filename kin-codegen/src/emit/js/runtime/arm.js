@@ -35,11 +35,11 @@ const $arm = (arm) => {
         const { carrier, pose } = arm.frames[frame];
         return carrier === null ? Float64Array.from(pose) : $product(arm.link_poses(q)[carrier], pose);
     };
-    arm.inside = (joint, value) => $inside(arm, joint, value);
-    /* The same configuration within limits, moved by full turns where that helps; null if it is
-     * not within. */
-    arm.within_limits = (q) => {
-        const inside = arm.joints.map((_, i) => arm.inside(i, q[i]));
+    arm.inside = (joint, value, seed = value) => $inside(arm, joint, value, seed);
+    /* The same configuration within limits, moved by full turns as near to a seed as they allow;
+     * null if it is not within. */
+    arm.within_limits = (q, seed = q) => {
+        const inside = arm.joints.map((_, i) => arm.inside(i, q[i], seed[i]));
         return inside.includes(null) ? null : inside;
     };
     /* One configuration that nearly reaches a target, by Levenberg's method from another one;
@@ -55,6 +55,9 @@ const $arm = (arm) => {
         /* Of a polynomial all roots are found without a seed. */
         const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
         arm.ik_at = (pose, parameters, seed = zeros) => {
+            if (!parameters.every(Number.isFinite)) {
+                return [];
+            }
             const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
             const target = form.turns_tool ? $turned(pose, turn) : pose;
             return form.solve(arm, target, seed, parameters);

@@ -21,10 +21,10 @@ const $at_most_at_a_stop = ({ lower, upper }, value) => {
     return below < lower ? lower : below;
 };
 
-/* A joint's value inside its limits, moved by full turns where that helps; null if it is not
- * inside. */
-const $inside = (arm, i, q) => {
-    const { value, beyond } = $next_inside(arm, i, q, q);
+/* A joint's value inside its limits, moved by full turns as near to a seed as they allow; null if
+ * it is not inside. */
+const $inside = (arm, i, q, seed) => {
+    const { value, beyond } = $next_inside(arm, i, q, seed);
     return beyond <= 1e-9 ? $at_most_at_a_stop(arm.joints[i], value) : null;
 };
 

@@ -112,13 +112,6 @@ const $reaching = (arm, target, given, lanes) => {
     const correct = form.swivel ? $at_swivel : $corrected;
     const corrects = !form.projected
         && $rotation_error(form, target) * form.size <= form.tolerance;
-    const add = (k) => {
-        const solved = lanes.q.map((lane) => lane[k]);
-        const found = correct(arm, target, given, solved, k, lanes.singular[k] > 0.0);
-        if (found && found.residual <= form.tolerance) {
-            $insert(arm, found, solutions);
-        }
-    };
     for (let k = 0; k < form.branches; ++k) {
         const residual = lanes.residual[k];
         if (!(lanes.invalid[k] <= 0.0)) {
@@ -127,15 +120,17 @@ const $reaching = (arm, target, given, lanes) => {
         if (residual <= form.tolerance) {
             const q = $whole(arm, lanes.q.map((lane) => lane[k]), given);
             solutions.push({ q, residual, branch: k, singular: lanes.singular[k] > 0.0 });
-        } else if (corrects && residual <= 1e-5 * form.size) {
-            if (form.swivel) {
-                add(k);
-            } else {
-                nearly.push(k);
-            }
+        } else if (corrects && residual <= form.nearly) {
+            nearly.push(k);
         }
     }
-    nearly.forEach(add);
+    for (const k of nearly) {
+        const solved = lanes.q.map((lane) => lane[k]);
+        const found = correct(arm, target, given, solved, k, lanes.singular[k] > 0.0);
+        if (found && found.residual <= form.tolerance) {
+            $insert(arm, found, solutions);
+        }
+    }
     return solutions;
 };
 

@@ -63,12 +63,10 @@ static double kin_apart(const double *poses)
         apart[1] = KIN_LENGTH * kin_atan2(kin_norm(skew, 3), trace - 1.0);
         for (int i = 0; i < 2; ++i) {
             /* What is no number is no closed loop. */
-            if (!(apart[i] <= gap)) {
-                gap = apart[i];
+            if (apart[i] != apart[i]) {
+                return apart[i];
             }
-        }
-        if (gap != gap) {
-            return gap;
+            gap = apart[i] > gap ? apart[i] : gap;
         }
     }
     return gap;
