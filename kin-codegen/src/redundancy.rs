@@ -300,7 +300,8 @@ impl Wanted {
         asked: &[usize],
     ) -> Result<(Certified, Redundancy), NoClosedForm> {
         let given = with_repeated(model, asked, self.count);
-        let choices = choices(model.joints.len(), self.count, &given);
+        let n = model.joints.len();
+        let choices = choices(n, self.count, &given);
         let weighed = match choices.iter().flatten().collect::<Vec<_>>()[..] {
             [only] => vec![Weighed {
                 joints: only.clone(),
@@ -310,7 +311,20 @@ impl Wanted {
         };
         let mut found = Vec::new();
         let mut refusal = None;
-        for Weighed { joints, .. } in &weighed {
+        let chosen = weighed.iter().map(|choice| &choice.joints);
+        // Where none of these is solved, the rest may be.
+        let rest = all(n, self.count, asked).unwrap_or_default();
+        let rest = rest
+            .iter()
+            .filter(|joints| chosen.clone().all(|it| it != *joints));
+        for (joints, is_rest) in chosen
+            .clone()
+            .map(|it| (it, false))
+            .chain(rest.map(|it| (it, true)))
+        {
+            if is_rest && !found.is_empty() {
+                break;
+            }
             match solve(model, &linkage.clone().with_locked(joints), self.target) {
                 Ok(certified) => {
                     let done = certified.certificate.lost == 0;

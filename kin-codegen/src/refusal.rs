@@ -46,6 +46,10 @@ impl Refusal {
                 "leave out `target`, or choose `position` or `position_axis`; `ik = none` \
                  generates forward kinematics and Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Lifting { .. }) => {
+                "let that joint stay free (`free`), whose value is given then; `ik = none` generates \
+                 forward kinematics and Jacobians alone"
+            }
             Reason::Arm(NoClosedForm::Noisy) => {
                 "write right angles and half turns with all their digits (1.5707963267948966), or \
                  leave out `target`; `ik = none` generates forward kinematics and Jacobians alone"
@@ -58,7 +62,7 @@ impl Refusal {
                  Jacobians alone"
             }
             Reason::Arm(NoClosedForm::Free { .. }) => {
-                "let a joint at an end of the chain stay free, or leave out `free`; `ik = none` \
+                "let other joints stay free by `free`, those at an end of the chain first; `ik = none` \
                  generates forward kinematics and Jacobians alone"
             }
             _ => "`ik = none` generates forward kinematics and Jacobians alone",
@@ -156,6 +160,11 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
             "`{}` is for arms all of whose joints turn about parallel axes, and those of \
              `{first}` and `{other}` are {:.2}° apart",
             target.word(),
+            angle.to_degrees()
+        ),
+        NoClosedForm::Lifting { joint, angle } => format!(
+            "`planar` targets leave the height to an arm whose slides go across its axes, and `{joint}` \
+             is {:.2}° from that",
             angle.to_degrees()
         ),
         NoClosedForm::NoPlan(target) => format!(

@@ -170,6 +170,23 @@ home: {xyz: [0.6, 0.08, -0.06], rpy: [0.2, 0.1, 0.5]}
     is_complete(&arm.model, Target::PositionYaw, &arm.inverse.unwrap(), 100);
 }
 
+/// Height is not read from a planar target, and a slide that is off the plane changes it.
+#[test]
+fn slides_that_lift_the_tip_have_no_planar_targets() {
+    let lifting = "robot: lifting\nunits: {angle: rad, length: m}\njoints:\n\
+        - {name: a, axis: [0, 0, 1]}\n\
+        - {name: slide, type: prismatic, xyz: [0.3, 0, 0], axis: [1, 0, 0.2]}\n\
+        - {name: b, xyz: [0.3, 0, 0], axis: [0, 0, 1]}\n\
+        - {name: tool, type: fixed, xyz: [0.2, 0, 0]}\n";
+    let message = compiled(lifting, Target::Planar).unwrap_err();
+    let reason = "`planar` targets leave the height to an arm whose slides go across its axes, and \
+                  `slide` is 11.31° from that";
+    assert!(message.contains(reason), "{message}");
+    assert!(message.contains("let that joint stay free"), "{message}");
+    let level = lifting.replace("[1, 0, 0.2]", "[1, 0, 0]");
+    assert!(compiled(&level, Target::Planar).is_ok());
+}
+
 #[test]
 fn arms_that_tilt_the_tip_have_no_projected_targets() {
     for target in [Target::PositionYaw, Target::Planar] {

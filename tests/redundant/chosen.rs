@@ -241,7 +241,7 @@ fn an_inner_joint_without_a_closed_form_is_refused() {
         "../robots/sawyer.yaml",
         &free(&["right_j3"]),
         "with `right_j3` free, no sequence of the subproblems",
-        "let a joint at an end of the chain stay free, or leave out `free`",
+        "let other joints stay free by `free`, those at an end of the chain first",
     );
     // Turning the elbow of an SRS arm changes how far it reaches.
     assert_refused(

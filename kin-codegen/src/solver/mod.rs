@@ -102,6 +102,14 @@ pub enum NoClosedForm {
         /// The angle between them, radians.
         angle: f64,
     },
+    /// A slide that is solved for lifts the tip along the axes about which an arm with planar targets
+    /// turns, which leave the height open.
+    Lifting {
+        /// The slide, by name.
+        joint: String,
+        /// How far it is from going across the axes, radians.
+        angle: f64,
+    },
     /// The best plan failed its certificate.
     Uncertified {
         /// The plan, in short.

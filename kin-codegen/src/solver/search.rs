@@ -1,11 +1,12 @@
 //! The search among the plans for one reading of the axes.
 
 use super::beside::eliminations_beside;
-use super::{CHOICES, Certified, Lack, NoClosedForm, better, rank_without};
+use super::{CHOICES, Certified, Lack, NOISIEST, NoClosedForm, better, rank_without};
 use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::inverse::{FreeAngles, InverseGraph, weight};
-use crate::geometry::{Idealized, Linkage};
+use crate::geometry::{Idealized, Linkage, dot};
+use crate::model::JointKind;
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
 use crate::univariate;
@@ -103,6 +104,9 @@ pub(super) fn solve_idealized(
 /// Whether an arm that is read so can be solved for a target at all.
 fn check(reading: &Reading, target: Target) -> Result<(), NoClosedForm> {
     let linkage = &reading.linkage;
+    if let Some(lifting) = lifting(reading, target) {
+        return Err(lifting);
+    }
     if reading.is_exact() {
         return Ok(());
     }
@@ -118,6 +122,21 @@ fn check(reading: &Reading, target: Target) -> Result<(), NoClosedForm> {
         Scalar::F32 => Err(NoClosedForm::OnlyInDouble(Lack::Refinement)),
         Scalar::F64 => Ok(()),
     }
+}
+
+/// The first slide that is solved for and lifts the tip of an arm with planar targets.
+fn lifting(reading: &Reading, target: Target) -> Option<NoClosedForm> {
+    let linkage = &reading.linkage;
+    let axis = linkage.first_turn().filter(|_| target == Target::Planar)?;
+    let axis = linkage.axis(axis).direction;
+    let slides = (0..linkage.links.len())
+        .filter(|&i| linkage.links[i].kind == JointKind::Prismatic && !linkage.locked.contains(&i));
+    let mut angles = slides.map(|i| (i, dot(axis, linkage.axis(i).direction).abs().asin()));
+    let (slide, angle) = angles.find(|(_, angle)| *angle > NOISIEST)?;
+    Some(NoClosedForm::Lifting {
+        joint: reading.model().joints[slide].name.clone(),
+        angle,
+    })
 }
 
 /// What the plans of one reading have come to.

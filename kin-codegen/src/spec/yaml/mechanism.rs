@@ -42,7 +42,7 @@ use super::node::{Node, Value};
 use super::units::{self, Units};
 use super::{CONVENTIONS, End, frames, joint, pose};
 use crate::spec::tree::{self, Draft, Name};
-use crate::spec::{ChainSpec, MechanismSpec, Source, Topology, bounds};
+use crate::spec::{ChainSpec, JointType, MechanismSpec, Source, Topology, bounds};
 use kin_runtime::Pose;
 use std::collections::{HashMap, HashSet};
 
@@ -179,6 +179,18 @@ fn chain(
             reader.at(list.at, reason, remedy);
         }
         tip = ends.home;
+    }
+    if rows.iter().all(|row| row.kind == JointType::Fixed) {
+        let reason = format!(
+            "no joint of chain `{}` moves: it holds the platform still",
+            name.text
+        );
+        reader.at(
+            list.at,
+            reason,
+            "give it a joint that moves, or leave the chain out",
+        );
+        return None;
     }
     let at = name.at;
     let actuated = rows
