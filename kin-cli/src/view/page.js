@@ -61,7 +61,8 @@ const parameter = (() => {
         .map(({ q, branch }) => ({ branch, within: robot.within_limits(q) !== null }));
     // Eliminations take longer than expressions.
     const samples = robot.form.search ? 45 : 180;
-    return new Parameter(byId("parameter"), first, endsOf(first), robot.form.most, samples, solve,
+    const named = { ...first, label: parameters.length > 1 ? first.name : "value" };
+    return new Parameter(byId("parameter"), named, endsOf(first), robot.form.most, samples, solve,
         (value) => changed(() => subject.setParameter(0, value)));
 })();
 // Where branches exist is shown by the first one.

@@ -6,7 +6,7 @@ class Parameter {
     constructor(place, parameter, [lower, upper], branches, count, solve, changed) {
         Object.assign(this, { parameter, lower, upper, branches, count, solve });
         const title = `${parameter.name}: given beside the target`;
-        this.slider = slider({ ...parameter, label: "value", title }, [lower, upper], changed);
+        this.slider = slider({ ...parameter, title }, [lower, upper], changed);
         this.strip = element("canvas", { id: "strip", title: "where each branch exists; pale: beyond the limits" });
         this.text = element("p", { className: "intervals" });
         place.append(this.slider.row, this.strip, this.text);
