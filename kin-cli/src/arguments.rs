@@ -150,7 +150,7 @@ pub struct Plot {
     pub file: String,
     /// A table with a row for each point: poses as `kin ik` takes them, solutions as it writes
     /// them, or the values of the joints, of a mechanism those of the actuated ones
-    #[arg(required_unless_present = "from", conflicts_with_all = ["from", "to", "steps"])]
+    #[arg(conflicts_with_all = ["from", "to", "steps"])]
     pub table: Option<PathBuf>,
     #[command(flatten)]
     pub options: RobotOptions,

@@ -56,7 +56,12 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
     if !at.is_empty() && at.len() != needed.len() {
         let reason = match needed.len() {
             0 => "nothing is given beside a pose of this robot: leave out `--at`".into(),
-            _ => format!("`--at` has {} values, for {}", at.len(), needed.join(", ")),
+            _ => format!(
+                "`--at` has {} values, for {}\nhelp: give one for each, radians and metres, with \
+                 commas between",
+                at.len(),
+                needed.join(", ")
+            ),
         };
         return Done::failing(Exit::Usage, reason);
     }
@@ -144,6 +149,10 @@ impl All<'_> {
             forget_all(pairs.iter().map(|pair| &*pair.output));
             let seconds = clock.elapsed().as_secs_f64();
             done.stdout = self.summary(&total, answers, pairs.len(), seconds);
+            if answers == 0 && total.unsolved > 0 {
+                done.stderr += "no row has a solution\nhelp: poses are in metres, and those of the \
+                                tip in the base that `kin explain` names\n";
+            }
         }
         done
     }

@@ -62,6 +62,9 @@ fn what_takes_another_place_is_told_from_it() {
         said.contains("data.csv is a table\nhelp: the robot file comes first"),
         "{said}"
     );
+    let nothing = kin(&["plot", "robots/ur5e.urdf", "-o", "path.svg"]);
+    assert_eq!(nothing.status.code(), Some(2));
+    assert!(stderr(&nothing).contains("there is no path\nhelp: name a table"));
     let page = kin(&["view", "robots/ur5e.urdf", "-o", "page.pdf"]);
     assert_eq!(page.status.code(), Some(2));
     assert!(stderr(&page).contains("page.pdf: pages are written as .html"));

@@ -33,6 +33,10 @@ fn plot(arguments: &arguments::Plot) -> Result<String, Done> {
         let reason = "a path is followed by inverse kinematics: leave out `--ik none`";
         return Err(Done::failing(Exit::Usage, reason));
     }
+    if arguments.table.is_none() && arguments.from.is_empty() {
+        let reason = "there is no path\nhelp: name a table behind the robot file, or give `--from` and `--to`";
+        return Err(Done::failing(Exit::Usage, reason));
+    }
     let source = read(&arguments.file).map_err(|error| Done::failing(Exit::Broken, error))?;
     let spec = Spec::parse(&source).map_err(|error| Done::failing(Exit::Broken, error))?;
     match spec {

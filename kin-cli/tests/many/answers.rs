@@ -110,6 +110,14 @@ fn a_target_without_a_solution_has_a_row_if_asked_for() {
     let far = vec![9.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
     let near = vec![0.4, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0];
     let missing = vec![f64::NAN, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0];
+    write(&input, &names, std::slice::from_ref(&far));
+    let done = succeeds(kin("ik", "ur5e.urdf", &input, &output, &[]));
+    assert!(
+        done.stderr
+            .contains("no row has a solution\nhelp: poses are in metres"),
+        "{}",
+        done.stderr
+    );
     write(&input, &names, &[far, near, missing]);
     let done = succeeds(kin("ik", "ur5e.urdf", &input, &output, &[]));
     assert!(
