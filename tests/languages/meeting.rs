@@ -23,7 +23,8 @@ fn ask(given: &[f64], statements: &str) -> Vec<f64> {
     said.split(' ').map(|x| x.parse().unwrap()).collect()
 }
 
-fn apart(a: &[f64], b: &[f64]) -> f64 {
+/// The largest difference of joints, full turns left out.
+pub fn apart(a: &[f64], b: &[f64]) -> f64 {
     let off = a.iter().zip(b).map(|(x, y)| math::wrap(x - y).abs());
     off.fold(0.0, f64::max)
 }
@@ -113,7 +114,7 @@ fn solutions_that_share_a_joint_are_told_apart() {
                 $normalize(mixed);
                 space.push(mixed);
             }
-            const found = $monomial_vectors(elimination, space);
+            const found = $monomial_vectors(elimination, space, $RATIOS[0]);
             return vectors.map((vector) => Math.min(...found.map((it) => {
                 $normalize(it);
                 return 1 - Math.abs($dot(it, vector));

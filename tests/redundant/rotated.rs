@@ -104,6 +104,41 @@ fn has_its_intervals(robot: &Robot, q: &[f64]) -> usize {
     held_at_all
 }
 
+/// With the fifth joint given, four solutions share a value of the kept joint in a plane, where the
+/// root of the elimination is known to a quarter of its digits.
+#[test]
+fn four_solutions_that_share_a_joint_come_back() {
+    let path = "../robots/panda.yaml";
+    let options = RobotOptions {
+        free: vec!["joint5".into()],
+        ..RobotOptions::default()
+    };
+    let source = RobotSource::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let robot = Robot::load(&source, &options).unwrap();
+    let mut regular = 0;
+    for (k, off) in (0..4096).flat_map(|k| [0.0, 1e-9].map(|off| (k, off))) {
+        let turn = |i: i32| f64::from(k >> (2 * i) & 3) * (TAU / 4.0) + off * f64::from(i - 3);
+        let q: Vec<f64> = [0.0].into_iter().chain((0..6).map(turn)).collect();
+        if conditioning(&robot, &q) < 1e-3 {
+            continue;
+        }
+        regular += 1;
+        let target = robot.fk(&q);
+        let parameters = robot.redundancy(&target, &q);
+        let solutions = robot.ik_at(&target, &parameters);
+        let off = |p: &[f64]| {
+            let off = p.iter().zip(&q);
+            off.fold(0.0, |most: f64, (a, b)| {
+                let d = (a - b).rem_euclid(TAU);
+                most.max(d.min(TAU - d))
+            })
+        };
+        let found = solutions.iter().filter(|it| off(it.q) < 1e-5).count();
+        assert_eq!(found, 1, "{q:?} among {}", solutions.len());
+    }
+    assert!(regular > 2000, "{regular}");
+}
+
 /// Whether rounding may keep a branch for so long, or end it: longer where it exists at a value
 /// alone.
 fn ends_near(interval: &Interval, value: f64) -> bool {

@@ -6,7 +6,7 @@ use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
-use super::sharing::{SHARING, monomial_vectors};
+use super::sharing::{RATIOS, Ratio, SHARING, monomial_vectors};
 use crate::Pose;
 use crate::generated::dispatch::{Dispatched, dispatch};
 
@@ -56,9 +56,9 @@ impl<'a> Recovery<'a> {
         in_lanes::<Pairs, _>((self, kept))
     }
 
-    /// The same, and of more that share it up to [`SHARING`].
-    pub fn sharing(&self, kept: &[f64; LANES]) -> ([Starts; 2], [Starts; SHARING]) {
-        in_lanes::<Sharing, _>((self, kept))
+    /// The same, and of more that share it up to [`SHARING`], told apart by one of [`RATIOS`].
+    pub fn sharing(&self, kept: &[f64; LANES], ratio: Ratio) -> ([Starts; 2], [Starts; SHARING]) {
+        in_lanes::<Sharing, _>((self, kept, ratio))
     }
 
     /// Where a monomial of the half tangents stands.
@@ -166,10 +166,15 @@ impl<'a> Recovery<'a> {
 
     /// The configurations of the vectors in a space that are monomials.
     #[inline(always)]
-    fn of_space<L: Lanes, const N: usize>(&self, kept: L, space: &[Vectors<L>; N]) -> [Starts; N] {
+    fn of_space<L: Lanes, const N: usize>(
+        &self,
+        kept: L,
+        space: &[Vectors<L>; N],
+        ratio: Ratio,
+    ) -> [Starts; N] {
         let [last, before] = self.elimination.powers;
         let powers = [usize::from(last.min(3)), usize::from(before.min(3))];
-        let vectors = monomial_vectors(space, &|i, j| self.column(i, j), powers);
+        let vectors = monomial_vectors(space, &|i, j| self.column(i, j), powers, ratio);
         let mut out = [self.of_null_vectors(kept, &vectors[0]); N];
         for n in 1..N {
             out[n] = self.of_null_vectors(kept, &vectors[n]);
@@ -342,22 +347,22 @@ impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Pairs {
     fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> [Starts; 2] {
         let kept = L::of(*kept);
         let space = recovery.null_space::<L, 2>(kept);
-        recovery.of_space(kept, &space)
+        recovery.of_space(kept, &space, RATIOS[0])
     }
 }
 
-impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Sharing {
+impl InLanes<(&Recovery<'_>, &[f64; LANES], Ratio)> for Sharing {
     type Output = ([Starts; 2], [Starts; SHARING]);
 
     #[inline(always)]
     fn run<L: Lanes>(
-        (recovery, kept): (&Recovery, &[f64; LANES]),
+        (recovery, kept, ratio): (&Recovery, &[f64; LANES], Ratio),
     ) -> ([Starts; 2], [Starts; SHARING]) {
         let kept = L::of(*kept);
         let space = recovery.null_space::<L, SHARING>(kept);
         // The first of more are those of fewer.
-        let pairs = recovery.of_space(kept, &[space[0], space[1]]);
-        (pairs, recovery.of_space(kept, &space))
+        let pairs = recovery.of_space(kept, &[space[0], space[1]], ratio);
+        (pairs, recovery.of_space(kept, &space, ratio))
     }
 }
 

@@ -6,6 +6,7 @@ use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, MOST, Roots, roots};
+use super::sharing::RATIOS;
 use super::{LANES, Told, Univariate};
 use crate::linear::vector::norm;
 use crate::{Pose, Solution, Solutions, Target, math};
@@ -338,7 +339,7 @@ impl<'a> Search<'a> {
                 }
                 continue;
             }
-            let (pairs, more) = recovery.sharing(&kept);
+            let (pairs, more) = recovery.sharing(&kept, RATIOS[0]);
             for starts in pairs {
                 (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
             }
@@ -348,6 +349,46 @@ impl<'a> Search<'a> {
             }
         }
         self.arrive();
+        self.share_exactly(recovery, roots, unclear);
+    }
+
+    /// A root of several is known to a quarter of its digits, and what is nearly taken to zero there
+    /// mixes the solutions that share it. Those that are found have all digits of it.
+    fn share_exactly(&mut self, recovery: &Recovery, roots: &Roots, unclear: &Candidates) {
+        let several = unclear.all().filter(|&i| roots.is_several(i));
+        let known = several.flat_map(|i| self.kept_near(recovery.elimination, roots.angles[i]));
+        let (mut kept, mut count) = ([0.0; LANES], 0);
+        for (place, known) in kept.iter_mut().zip(known) {
+            *place = known;
+            count += 1;
+        }
+        if count == 0 {
+            return;
+        }
+        for ratio in RATIOS {
+            let (_, all) = recovery.sharing(&kept, ratio);
+            for k in 0..count {
+                all.iter()
+                    .for_each(|starts| self.start_of(starts, k, MIXED));
+            }
+            self.arrive();
+        }
+    }
+
+    /// The kept joint's values at regular solutions.
+    fn kept(&self, elimination: &Elimination) -> impl Iterator<Item = f64> {
+        let sign = if elimination.backwards { -1.0 } else { 1.0 };
+        let joint = usize::from(elimination.joints[0] % 6);
+        self.found
+            .regular
+            .iter()
+            .map(move |found| sign * found.q[joint])
+    }
+
+    /// Those of them that are near a root.
+    fn kept_near(&self, elimination: &Elimination, root: f64) -> impl Iterator<Item = f64> {
+        let near = move |kept: &f64| math::wrap(kept - root).abs() < CLUSTER;
+        self.kept(elimination).filter(near)
     }
 
     /// Adds the solutions that nearly singular ones have nearly met, and those between
@@ -431,13 +472,11 @@ impl<'a> Search<'a> {
     /// Whether the solutions near a candidate are known to be all: two that share a value
     /// of the kept joint, and are regular.
     fn resolves(&self, elimination: &Elimination, roots: &Roots, candidate: usize) -> bool {
-        let kept = roots.angles[candidate];
-        let sign = if elimination.backwards { -1.0 } else { 1.0 };
-        let joint = usize::from(elimination.joints[0] % 6);
-        let near = |q: f64| math::wrap(q - kept).abs() < CLUSTER;
-        let solutions = self.found.regular.iter().zip(&self.found.independence);
+        let root = roots.angles[candidate];
+        let near = |q: f64| math::wrap(q - root).abs() < CLUSTER;
+        let solutions = self.kept(elimination).zip(&self.found.independence);
         let (mut count, mut least) = (0, f64::INFINITY);
-        for (_, independence) in solutions.filter(|(found, _)| near(sign * found.q[joint])) {
+        for (_, independence) in solutions.filter(|(kept, _)| near(*kept)) {
             count += 1;
             least = least.min(*independence);
         }

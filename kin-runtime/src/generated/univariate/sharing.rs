@@ -18,10 +18,17 @@ type Square<L, const N: usize> = [[L; N]; N];
 /// part by then as far as a start of Newton's method needs it.
 const ROUNDS: usize = 10;
 
-/// Two functions of the half tangents whose ratio tells solutions apart: the
+/// Two functions of the half tangents whose ratio tells solutions apart, above and below: the
 /// coefficients of 1, each of the two, and their product.
-const ABOVE: [f64; 4] = [0.31, 0.83, -0.57, 0.44];
-const BELOW: [f64; 4] = [0.92, -0.38, 0.29, 0.71];
+#[derive(Clone, Copy)]
+pub(super) struct Ratio([f64; 4], [f64; 4]);
+
+/// What one hardly tells apart, of values that are as large, others do.
+pub(super) const RATIOS: [Ratio; 3] = [
+    Ratio([0.31, 0.83, -0.57, 0.44], [0.92, -0.38, 0.29, 0.71]),
+    Ratio([-0.74, 0.35, 0.61, 0.27], [0.42, 0.66, 0.53, -0.81]),
+    Ratio([0.58, -0.47, 0.22, 0.89], [-0.33, 0.76, 0.85, 0.19]),
+];
 
 /// The vectors of monomials in a space; where two are complex, one of a pair their real
 /// part, of more something else. `column` tells the place of a monomial by its powers; all up to
@@ -31,10 +38,12 @@ pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
     space: &[Vectors<L>; N],
     column: &impl Fn(usize, usize) -> usize,
     powers: [usize; 2],
+    ratio: Ratio,
 ) -> [Vectors<L>; N] {
+    let by_ratio = multiplication(space, column, powers, ratio);
     let weights = match N {
-        2 => of_pair(multiplication(space, column, powers)),
-        _ => eigenvectors(multiplication(space, column, powers)),
+        2 => of_pair(by_ratio),
+        _ => eigenvectors(by_ratio),
     };
     let mut out = [[L::ZERO; SIZE]; N];
     for (out, weights) in out.iter_mut().zip(&weights) {
@@ -54,6 +63,7 @@ fn multiplication<L: Lanes, const N: usize>(
     space: &[Vectors<L>; N],
     column: &impl Fn(usize, usize) -> usize,
     powers: [usize; 2],
+    Ratio(numerator, denominator): Ratio,
 ) -> Square<L, N> {
     let mut gram = [[L::ZERO; N]; N];
     let mut image = gram;
@@ -69,8 +79,8 @@ fn multiplication<L: Lanes, const N: usize>(
             for n in 0..N {
                 for c in 0..4 {
                     let entry = space[n][corners[c]];
-                    below[n] = below[n].plus_scaled(entry, BELOW[c]);
-                    above[n] = above[n].plus_scaled(entry, ABOVE[c]);
+                    below[n] = below[n].plus_scaled(entry, denominator[c]);
+                    above[n] = above[n].plus_scaled(entry, numerator[c]);
                 }
             }
             for a in 0..N {

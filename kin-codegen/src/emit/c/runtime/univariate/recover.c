@@ -314,13 +314,13 @@ static void kin_recover(const kin_recovery *of, const double *kept, kin_starts *
 /* Two configurations at values of the kept joint, which share it or have nearly met there: of what
  * is nearly taken to zero, the vectors that are monomials; and of four behind them those of four. */
 static void kin_recover_several(
-    const kin_recovery *of, const double *kept, int count, kin_starts *out)
+    const kin_recovery *of, const double *kept, int count, int ratio, kin_starts *out)
 {
     kin_pack space[KIN_SHARING][16], vectors[KIN_SHARING][16];
     kin_find_null_space(of, kept, count, space);
     /* The first of more are those of fewer. */
     for (int n = 2; n <= count; n += 2) {
-        kin_monomial_vectors(of->elimination, space, n, vectors);
+        kin_monomial_vectors(of->elimination, space, n, ratio, vectors);
         for (int i = 0; i < n; ++i) {
             kin_joints_of_vectors(of, kept, vectors[i], out++);
         }

@@ -244,6 +244,41 @@ typedef struct kin_asked {
     kin_roots roots;
 } kin_asked;
 
+/* A root of several is known to a quarter of its digits, and what is nearly taken to zero there mixes
+ * the solutions that share it. Those that are found have all digits of it. */
+static void kin_share_exactly(
+    kin_search *search, const kin_asked *asked, const kin_candidates *unclear)
+{
+    const kin_roots *roots = &asked->roots;
+    const kin_elimination *elimination = asked->recovery.elimination;
+    const double sign = elimination->backwards ? -1.0 : 1.0;
+    kin_pack kept = {0.0};
+    kin_starts starts[2 + KIN_SHARING];
+    int count = 0;
+    for (int i = 0; i < unclear->count; ++i) {
+        const int candidate = unclear->numbers[i];
+        for (int j = 0; j < search->found.regular_count && count < KIN_LANES; ++j) {
+            const double q = sign * search->found.regular[j].q[elimination->joints[0]];
+            if ((roots->several >> candidate & 1)
+                && fabs(kin_wrap(q - roots->angles[candidate])) < KIN_CLUSTER) {
+                kept[count++] = q;
+            }
+        }
+    }
+    if (count == 0) {
+        return;
+    }
+    for (int ratio = 0; ratio < KIN_RATIOS; ++ratio) {
+        kin_recover_several(&asked->recovery, kept, KIN_SHARING, ratio, starts);
+        for (int k = 0; k < count; ++k) {
+            for (int i = 0; i < KIN_SHARING; ++i) {
+                kin_start_unknown(search, &starts[2 + i], k, KIN_MIXED);
+            }
+        }
+        kin_arrive(search);
+    }
+}
+
 /* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
  * values, as next to a target with a family of solutions, so is what it leaves alone, and the space
  * of two solutions has more dimensions. */
@@ -265,7 +300,7 @@ static void kin_several_each(
         for (int k = 0; k < count; ++k) {
             any |= shared >> numbers[k];
         }
-        kin_recover_several(recovery, kept, any & 1 ? KIN_SHARING : 2, starts);
+        kin_recover_several(recovery, kept, any & 1 ? KIN_SHARING : 2, 0, starts);
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < count; ++k) {
                 kin_start_unknown(search, &starts[i], k, KIN_EXTRANEOUS);
@@ -280,6 +315,7 @@ static void kin_several_each(
         }
     }
     kin_arrive(search);
+    kin_share_exactly(search, asked, unclear);
 }
 
 /* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's

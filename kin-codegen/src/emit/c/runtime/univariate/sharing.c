@@ -2,6 +2,7 @@
  * of monomials in that space are the eigenvectors of multiplication in it (Auzinger and Stetter,
  * ISNM 86, 1988). So many may share it. */
 #define KIN_SHARING 4
+#define KIN_RATIOS 3
 typedef kin_pack kin_square[KIN_SHARING][KIN_SHARING];
 
 /* Where a monomial of the half tangents stands. */
@@ -34,14 +35,19 @@ static void kin_solve_square(kin_square g, kin_square h, int n)
     }
 }
 
-/* What multiplication does to a space's vectors, in the sense of least squares: by the ratio of two
- * functions of the half tangents that tells solutions apart. */
+/* Two functions of the half tangents whose ratio tells solutions apart, above and below: the
+ * coefficients of 1, each of the two, and their product. What one hardly tells apart, of values that
+ * are as large, others do. */
+static const double kin_ratios[KIN_RATIOS][2][4] = {
+    {{0.31, 0.83, -0.57, 0.44}, {0.92, -0.38, 0.29, 0.71}},
+    {{-0.74, 0.35, 0.61, 0.27}, {0.42, 0.66, 0.53, -0.81}},
+    {{0.58, -0.47, 0.22, 0.89}, {-0.33, 0.76, 0.85, 0.19}}};
+
+/* What multiplication by a ratio does to a space's vectors, in the sense of least squares. */
 static void kin_multiplication(
-    const kin_elimination *elimination, kin_pack space[][16], int n, kin_square image)
+    const kin_elimination *elimination, kin_pack space[][16], int n, int ratio, kin_square image)
 {
-    /* The coefficients of 1, each of the two, and their product. */
-    static const double of_above[4] = {0.31, 0.83, -0.57, 0.44};
-    static const double of_below[4] = {0.92, -0.38, 0.29, 0.71};
+    const double *const of_above = kin_ratios[ratio][0], *const of_below = kin_ratios[ratio][1];
     kin_square gram;
     for (int a = 0; a < n; ++a) {
         for (int b = 0; b < n; ++b) {
@@ -198,10 +204,10 @@ static void kin_eigenvectors(kin_square given, kin_square out)
 /* The vectors of monomials in a space of two or four; where two are complex, one of a pair their
  * real part, of more something else. */
 static void kin_monomial_vectors(
-    const kin_elimination *elimination, kin_pack space[][16], int n, kin_pack out[][16])
+    const kin_elimination *elimination, kin_pack space[][16], int n, int ratio, kin_pack out[][16])
 {
     kin_square image, weights;
-    kin_multiplication(elimination, space, n, image);
+    kin_multiplication(elimination, space, n, ratio, image);
     if (n == 2) {
         kin_eigenvectors_of_pair(image, weights);
     } else {

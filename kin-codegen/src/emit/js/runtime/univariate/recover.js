@@ -27,12 +27,17 @@ const $solve_square = (g, h) => {
     return h;
 };
 
-/* What multiplication does to a space's vectors, in the sense of least squares: by the ratio of two
- * functions of the half tangents that tells solutions apart. */
-const $multiplication = (elimination, space) => {
-    /* The coefficients of 1, each of the two, and their product. */
-    const of_above = [0.31, 0.83, -0.57, 0.44];
-    const of_below = [0.92, -0.38, 0.29, 0.71];
+/* Two functions of the half tangents whose ratio tells solutions apart, above and below: the
+ * coefficients of 1, each of the two, and their product. What one hardly tells apart, of values that are
+ * as large, others do. */
+const $RATIOS = [
+    [[0.31, 0.83, -0.57, 0.44], [0.92, -0.38, 0.29, 0.71]],
+    [[-0.74, 0.35, 0.61, 0.27], [0.42, 0.66, 0.53, -0.81]],
+    [[0.58, -0.47, 0.22, 0.89], [-0.33, 0.76, 0.85, 0.19]],
+];
+
+/* What multiplication by a ratio does to a space's vectors, in the sense of least squares. */
+const $multiplication = (elimination, space, [of_above, of_below]) => {
     const n = space.length;
     const gram = $square(n);
     const image = $square(n);
@@ -136,8 +141,8 @@ const $eigenvectors = (given) => {
 
 /* The vectors of monomials in a space of two or four; where two are complex, one of a pair their real
  * part, of more something else. */
-const $monomial_vectors = (elimination, space) => {
-    const image = $multiplication(elimination, space);
+const $monomial_vectors = (elimination, space, ratio) => {
+    const image = $multiplication(elimination, space, ratio);
     const all = space.length === 2 ? $eigenvectors_of_pair(image) : $eigenvectors(image);
     return all.map((weights) => space[0].map((_, i) => {
         let sum = 0.0;
@@ -301,11 +306,11 @@ const $recover = (loop, kept) => {
 
 /* Two configurations at a value of the kept joint, which share it or have nearly met there: of what is
  * nearly taken to zero, the vectors that are monomials; and of four behind them those of four. */
-const $recover_several = (loop, kept, count) => {
+const $recover_several = (loop, kept, count, ratio) => {
     const space = $null_space($triangulate(loop, $sin_cos(0.5 * kept)), count);
-    const vectors = $monomial_vectors(loop.elimination, space.slice(0, 2));
+    const vectors = $monomial_vectors(loop.elimination, space.slice(0, 2), ratio);
     if (count > 2) {
-        vectors.push(...$monomial_vectors(loop.elimination, space));
+        vectors.push(...$monomial_vectors(loop.elimination, space, ratio));
     }
     return vectors.map((vector) => $joints_of_vector(loop, kept, vector));
 };

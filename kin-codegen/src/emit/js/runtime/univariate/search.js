@@ -207,13 +207,27 @@ const $one_each = (search, loop, roots) => {
     return unclear;
 };
 
+/* The kept joint's values at regular solutions. */
+const $kept = (search, { elimination: { joints, backwards } }) =>
+    search.regular.map(({ q }) => (backwards ? -q[joints[0]] : q[joints[0]]));
+
 /* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
  * values, as next to a target with a family of solutions, so is what it leaves alone, and the space of
  * two solutions has more dimensions. */
 const $several_each = (search, { loop, noise }, unclear) => {
     for (const { angle, is_several } of unclear) {
-        const starts = $recover_several(loop, angle, noise >= $NOISY || is_several ? $SHARING : 2);
+        const count = noise >= $NOISY || is_several ? $SHARING : 2;
+        const starts = $recover_several(loop, angle, count, $RATIOS[0]);
         starts.forEach((start, i) => $start_unknown(search, start, i < 2 ? $EXTRANEOUS : $MIXED));
+    }
+    /* A root of several is known to a quarter of its digits, and what is nearly taken to zero there
+     * mixes the solutions that share it. Those that are found have all digits of it. */
+    const several = unclear.filter(({ is_several }) => is_several).map(({ angle }) => angle);
+    const all = $kept(search, loop);
+    const near = several.flatMap((angle) => all.filter((kept) => Math.abs($wrap(kept - angle)) < $CLUSTER));
+    for (const ratio of $RATIOS) {
+        near.slice(0, $MOST_WAITING).flatMap((kept) => $recover_several(loop, kept, $SHARING, ratio).slice(2))
+            .forEach((start) => $start_unknown(search, start, $MIXED));
     }
 };
 
@@ -253,9 +267,9 @@ const $ask = (search, elimination) => {
 /* Whether the solutions near a candidate are known to be all: two that share a value of the kept joint,
  * and are regular. */
 const $resolves = (search, { loop, roots }, candidate) => {
-    const { joints, backwards } = loop.elimination;
     const is_near = (kept) => Math.abs($wrap(kept - candidate.angle)) < $CLUSTER;
-    const near = search.regular.filter(({ q }) => is_near(backwards ? -q[joints[0]] : q[joints[0]]));
+    const kept = $kept(search, loop);
+    const near = search.regular.filter((_, i) => is_near(kept[i]));
     const candidates = roots.candidates.filter(({ angle }) => is_near(angle));
     return candidate.is_twice && candidates.length === 1 && near.length === 2
         && near.every(({ independence }) => independence > $MEETING);
