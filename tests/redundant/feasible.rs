@@ -1,10 +1,15 @@
 //! Feasible intervals against dense sampling, their ends against the solutions on both
 //! sides, and all of it within limits.
 
+use crate::random::Random;
 use crate::subject::Subject;
 use kin_codegen::Target;
-use kinematics::{Criterion, FeasibleInterval, Parameter, Pose, RedundantKinematics};
+use kinematics::{
+    Criterion, FeasibleInterval, Parameter, Pose, RedundantKinematics, Robot, RobotOptions,
+    RobotSource,
+};
 use std::f64::consts::{PI, TAU};
+use std::path::Path;
 
 for_every_robot! {
     as_many_branches_exist_as_there_are_solutions
@@ -346,6 +351,31 @@ right_angles! {
     right_angles_of_a_panda Panda "../robots/panda.yaml" Pose,
     right_angles_of_a_ur5e Ur5e "../robots/ur5e.urdf" Pose,
     right_angles_of_a_kr6 Kr6R900 "../robots/kr6_r900.yaml" Pose,
+}
+
+/// Off its design, a straight elbow leaves solutions that no branch of the design tells, for half
+/// a hundredth of a turn of the first joint.
+#[test]
+fn intervals_next_to_a_straight_elbow_of_a_gen3_are_found() {
+    let path = "robots/redundant/gen3.yaml";
+    let source = RobotSource::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let robot = Robot::load(&source, &RobotOptions::default()).unwrap();
+    let mut random = Random::new(26);
+    for k in 0..24 {
+        let mut q: [f64; 7] = std::array::from_fn(|_| random.angle());
+        // Nearer to it they are shorter than what may be left out.
+        q[3] = random.angle() / PI;
+        q[3] = q[3].signum() * (0.01 + 0.02 * q[3].abs());
+        if k == 0 {
+            q = [
+                -0.19032, 1.58349, -1.09357, 0.01025, -2.94431, 2.02768, 1.81246,
+            ];
+        }
+        let target = robot.fk(&q);
+        let intervals = robot.along_parameter().feasible(&target);
+        let own = intervals.iter().any(|interval| interval.contains(q[0]));
+        assert!(own, "{q:?}: {intervals:?}");
+    }
 }
 
 /// Where curves cross, nothing tells how they go on, however near to each other samples are.

@@ -154,6 +154,12 @@ impl ClosedForm {
         }
     }
 
+    /// Whether where its solutions begin and end is told by an elimination: not of plans, whose
+    /// roots tell it unless the arm is off them.
+    pub fn is_told_by_elimination(&self) -> bool {
+        self.elimination().is_some() && (self.expressions().is_none() || !self.is_exact())
+    }
+
     /// What the generated function will return, computed by the interpreter; of an arm
     /// without locked joints.
     pub fn solutions(&self, target: &Pose) -> Vec<BranchSolution> {

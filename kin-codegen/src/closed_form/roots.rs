@@ -84,11 +84,11 @@ impl Domain {
 }
 
 impl ClosedForm {
-    /// What an elimination leaves of a target, if it is one that solves it.
+    /// What an elimination leaves of a target, if one solves it, or tells what branches do not.
     pub fn eliminant(&self, target: &Pose, parameters: &[f64], which: usize) -> Option<Eliminant> {
-        let Inverse::Univariate(arm) = &self.inverse else {
-            return None;
-        };
+        let arm = self
+            .elimination()
+            .filter(|_| self.is_told_by_elimination())?;
         let (carried, between) = self.carried(target, parameters);
         arm.at(between).eliminant(&carried, which)
     }

@@ -432,11 +432,13 @@ fn turned(redundancy: &Redundancy) -> Option<TokenStream> {
     })
 }
 
-/// How far the branches are from having no root, if they come from a plan.
+/// How far the branches are from having no root, if they come from a plan; what tells where
+/// solutions begin and end, if that is an elimination.
 fn margins(solver: &ClosedForm, redundancy: &Redundancy) -> Option<TokenStream> {
-    let Inverse::Expressions(inverse) = &solver.inverse else {
+    if solver.is_told_by_elimination() {
         return Some(eliminant(solver, redundancy));
-    };
+    }
+    let inverse = solver.expressions()?;
     let margin = inverse.of_margin()?;
     let choices = margin.graph.choices();
     let (prologue, lanes) = lanes_at_parameter(solver, redundancy, &margin);
