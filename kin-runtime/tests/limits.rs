@@ -263,6 +263,43 @@ fn a_solution_beyond_a_stop_is_moved_onto_it_or_outside() {
     }
 }
 
+/// A full turn away from a value that hardly rests on a stop is another that does as well.
+#[test]
+fn rounding_at_a_stop_loses_no_turn() {
+    let mut random = Random(11);
+    for _ in 0..10_000 {
+        let lower = random.between(-9.0, 9.0);
+        let limit = revolute(lower, lower + 2.0 * TAU);
+        for by in [0.4, 0.5, 0.9, 1.0, 1.1] {
+            let by = by * JointLimit::TOLERANCE;
+            for (q, seed) in [
+                (lower - by, lower),
+                (lower + 2.0 * TAU + by, lower + 2.0 * TAU),
+            ] {
+                let value = limit.nearest(q, seed);
+                assert!(
+                    value.is_some_and(|it| inside(&limit, it)),
+                    "{q} in {limit:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Where weights and seeds make more of a motion than a number is, it is one.
+#[test]
+fn a_motion_beyond_numbers_is_a_motion() {
+    let all = answers(&[[1.0, -1.0, 0.2], [-2.0, 2.0, 0.1]]);
+    let limits = [CONTINUOUS, CONTINUOUS, prismatic(0.0, 1.0)];
+    for weight in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e200] {
+        let mut nearest = Nearest::new([0.5; 3], &limits);
+        nearest.weights[1] = weight;
+        assert!(all.nearest_by(&nearest).is_some(), "{weight}");
+    }
+    let far = Nearest::new([0.0, 0.0, 1e200], &limits);
+    assert!(all.nearest_by(&far).is_some());
+}
+
 #[test]
 fn without_stops_there_is_one_winding() {
     let infinite = f64::INFINITY;

@@ -22,6 +22,45 @@ for_every_robot! {
     ur5e Ur5e "../robots/ur5e.urdf",
 }
 
+/// Where a joint rests on a stop, its value jumps by a full turn beside the best.
+#[test]
+fn what_is_beside_a_stop_is_no_worse() {
+    let limits = <crate::Panda as kinematics::Kinematics<7>>::LIMITS;
+    let mut random = crate::random::Random::new(31);
+    let mut found = 0;
+    let given = [-2.8973, -1.7628, -1.57, -3.0718, -1e-7, PI, 2.8973];
+    for k in 0..60 {
+        let mut q = std::array::from_fn(|i| {
+            let share = 0.5 + random.angle() / TAU;
+            limits[i].lower() + share * (limits[i].upper() - limits[i].lower())
+        });
+        for _ in 0..k % 4 {
+            let i = (random.angle().abs() / PI * 7.0) as usize % 7;
+            q[i] = [limits[i].lower(), limits[i].upper()][k / 4 % 2];
+        }
+        let q = if k == 0 { given } else { q };
+        let criterion = Criterion::Nearest(q);
+        let target = kinematics::Kinematics::fk(&crate::Panda, &q);
+        let best = crate::Panda.ik_best(&target, &criterion).unwrap();
+        let least: f64 = (0..7).map(|i| (best[i] - q[i]).powi(2)).sum();
+        for by in [1e-5, 1e-4, 1e-3, 1e-2] {
+            for value in [q[6] - by, q[6] + by] {
+                let all = crate::Panda.ik_at(&target, value);
+                let beside = all
+                    .iter()
+                    .filter_map(|it| cost(&crate::Panda, &criterion, it));
+                let beside = beside.fold(f64::INFINITY, f64::min);
+                assert!(
+                    least <= beside + 1e-9,
+                    "{q:?}: {least}, {beside} at {value}"
+                );
+                found += usize::from(beside.is_finite());
+            }
+        }
+    }
+    assert!(found > 100, "{found}");
+}
+
 /// Within limits, by the same words as the documentation of [`Criterion`].
 fn cost<K: RedundantKinematics<N>, const N: usize>(
     arm: &K,

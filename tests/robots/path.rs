@@ -235,3 +235,24 @@ fn a_path_beyond_a_single_stop_is_as_long_as_it_is() {
     let path = ik_path(&arm, &targets, &nearest).unwrap();
     assert!((path.motion - 1.05).abs() < 1e-9, "{path:?}");
 }
+
+/// A joint without a seed begins in the turn from which the others take least.
+#[test]
+fn without_a_seed_all_turns_are_beginnings() {
+    let limits = [JointLimit::revolute(3.0, 15.7), JointLimit::Continuous];
+    let solution = |q| Solution {
+        q,
+        residual: 0.0,
+        branch: 0,
+        singular: false,
+    };
+    // From 3.1 the next turn of 2.95 is 6.1 away; from 9.4 it is 0.15.
+    let layers = [vec![solution([3.1, 0.0])], vec![solution([2.95, 0.1])]];
+    let mut nearest = Nearest::new([f64::NAN, 0.0], &limits);
+    let (found, motion) = least_motion(&layers, &nearest).unwrap();
+    assert!((motion - 0.15_f64.hypot(0.1)).abs() < 1e-9, "{found:?}");
+    nearest.step = [0.2, f64::NAN];
+    assert!(least_motion(&layers, &nearest).is_ok());
+    nearest.step[0] = 0.1;
+    assert!(least_motion(&layers, &nearest).is_err());
+}

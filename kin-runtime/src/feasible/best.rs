@@ -115,6 +115,16 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     let refined = |i: usize| {
         let beside = [i.saturating_sub(1), (i + 1).min(count)];
         let [mut low, mut high] = beside.map(variable);
+        // Where the cost jumps, at a stop, what is between the last two may be on either side.
+        let mut best = at(variable(i));
+        let mut cost = |variable: f64| {
+            let found = at(variable);
+            let cost = found.map_or(f64::INFINITY, |(cost, _)| cost);
+            if best.is_none_or(|(least, _)| cost < least) {
+                best = found.or(best);
+            }
+            cost
+        };
         for _ in 0..STEPS {
             let width = GOLDEN * (high - low);
             let (left, right) = (high - width, low + width);
@@ -123,8 +133,9 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
                 false => low = left,
             }
         }
-        [at(variable(i)), at(0.5 * (low + high))]
+        cost(0.5 * (low + high));
+        best
     };
     let least = (0..=count).filter(is_least);
-    least.flat_map(refined).flatten().collect()
+    least.filter_map(refined).collect()
 }

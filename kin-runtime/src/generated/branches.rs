@@ -62,8 +62,9 @@ impl<const N: usize, const L: usize> Branches<N, L> {
                 allowed &= is_allowed;
             }
             let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
-            let motion = math::select(reaches & allowed, motion, Real::INFINITY);
-            motions[k] = math::min(motion, Real::INFINITY);
+            // What is too much for a number is still a motion.
+            let motion = math::min(motion, Real::MAX);
+            motions[k] = math::select(reaches & allowed, motion, Real::INFINITY);
         }
         let least = least(motions);
         if least == Real::INFINITY {

@@ -62,13 +62,18 @@ impl Joints<'_> {
             None => 0.0,
         };
         let mut raised = RAISED;
+        // A joint without a seed begins in the turn about zero, if that is as good as any other.
+        let mut everywhere = seed.iter().all(|q| q.is_finite());
         while bound.is_finite() {
             bound += ROUNDING * (1.0 + bound);
-            match self.within(bound, &layers, &left, seed) {
+            match self.within(bound, &layers, &left, (seed, everywhere)) {
                 Ok(sequence) => return Some(sequence),
-                Err(dropped) => bound = dropped + raised,
+                Err(_) if !everywhere => everywhere = true,
+                Err(dropped) => {
+                    bound = dropped + raised;
+                    raised *= 2.0;
+                }
             }
-            raised *= 2.0;
         }
         None
     }
@@ -109,8 +114,9 @@ impl Joints<'_> {
                 let (first, last) = from.turns[i];
                 let by = to.q[i] - from.q[i];
                 let by = by + TAU * nearest_turn(-by, least - last, most - first);
-                // Both may be moved onto a stop.
-                (by.abs() <= self.steps[i] + 3.0 * JointLimit::TOLERANCE).then_some(by)
+                // Both may be moved onto a stop. No number is no bound.
+                let is_beyond = by.abs() > self.steps[i] + 3.0 * JointLimit::TOLERANCE;
+                (!is_beyond).then_some(by)
             })
         };
         least_sum(layer.iter().map(motion), left)
@@ -151,7 +157,8 @@ impl Joints<'_> {
         math::sqrt(square)
     }
 
-    /// The sequence that moves least, if it moves less than a bound.
+    /// The sequence that moves least, if it moves less than a bound; from a seed, and whether joints
+    /// without one begin in all turns.
     ///
     /// # Errors
     /// The least that a way would have taken that was dropped; infinite if none was.
@@ -160,7 +167,7 @@ impl Joints<'_> {
         bound: f64,
         layers: &[Vec<Solution>],
         left: &[Vec<f64>],
-        seed: &[f64],
+        (seed, everywhere): (&[f64], bool),
     ) -> Result<Sequence, f64> {
         let mut dropped = f64::INFINITY;
         let mut ways: Vec<Vec<Way>> = Vec::with_capacity(layers.len());
@@ -168,6 +175,7 @@ impl Joints<'_> {
             let mut here = Here {
                 joints: self,
                 is_first: k == 0,
+                everywhere,
                 bound,
                 ways: Vec::new(),
                 places: BTreeMap::new(),
@@ -226,6 +234,8 @@ struct Way {
 struct Here<'a> {
     joints: Joints<'a>,
     is_first: bool,
+    /// Whether joints without a seed begin in all turns.
+    everywhere: bool,
     bound: f64,
     ways: Vec<Way>,
     /// Of a solution and its turns the place in `ways`.
@@ -278,7 +288,8 @@ impl Here<'_> {
         if !self.turn(growing, to, square, nearest) {
             return;
         }
-        if !growing.start[i].is_finite() || !joints.may_need_another_turn(i) {
+        let begins = !growing.start[i].is_finite() && !self.everywhere;
+        if begins || !joints.may_need_another_turn(i) {
             return;
         }
         let (least, most) = to.turns[i];

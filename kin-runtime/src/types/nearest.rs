@@ -187,6 +187,8 @@ impl<const N: usize> Solutions<N> {
                 motion += cost;
                 allowed &= is_allowed;
             }
+            // What is too much for a number is still a motion.
+            let motion = math::min(motion, Real::MAX);
             if allowed & (motion < least) {
                 least = motion;
                 let q = core::array::from_fn(|i| joints.value(i, solution.q[i]));

@@ -39,8 +39,9 @@ impl<const N: usize> Travel<N> {
         let mut i = 0;
         while i < N {
             let middle = 0.5 * (lower[i] + upper[i]);
-            let first = lower[i] - STOP + PI;
-            let last = upper[i] + STOP - PI;
+            // Within what counts as resting on a stop, or rounding would decide for both.
+            let first = lower[i] - 0.5 * STOP + PI;
+            let last = upper[i] + 0.5 * STOP - PI;
             // Without stops, the middle is no number and not taken.
             travel.first[i] = math::select(middle < first, middle, first);
             travel.last[i] = math::select(middle > last, middle, last);

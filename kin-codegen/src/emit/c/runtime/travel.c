@@ -5,7 +5,7 @@ static double kin_next_inside(
 {
     const double pi = 3.141592653589793, turn = turns ? 6.283185307179586 : 0.0;
     const double middle = 0.5 * (lower + upper);
-    double first = lower - 1e-9 + pi, last = upper + 1e-9 - pi, value;
+    double first = lower - 5e-10 + pi, last = upper + 5e-10 - pi, value;
     /* Without stops the middle is no number and not taken. */
     first = middle < first ? middle : first;
     last = middle > last ? middle : last;
