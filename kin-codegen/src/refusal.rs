@@ -1,7 +1,7 @@
 //! Why a sound robot file has no inverse kinematics, and what its owner can do.
 
 use crate::compiled::Compiled;
-use crate::geometry::structure;
+use crate::geometry::{rank, structure};
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -61,6 +61,10 @@ impl Refusal {
                 "leave out `scalar = f32`; with it, `ik = none` generates forward kinematics and \
                  Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Free { reason, .. }) if self.moves_nothing(reason) => {
+                "choose another `target`: no joint of this chain changes what counts of this one. `ik = \
+                 none` generates forward kinematics and Jacobians alone"
+            }
             Reason::Arm(NoClosedForm::Free { .. }) => {
                 "let other joints stay free by `free`, those at an end of the chain first; `ik = none` \
                  generates forward kinematics and Jacobians alone"
@@ -74,6 +78,15 @@ impl Refusal {
             }
             (Compiled::Arm(_), _) => Diagnostic::whole(self.text(), remedy),
         }
+    }
+
+    /// Whether none of the arm's joints, given ones with them, changes what counts of a target.
+    fn moves_nothing(&self, reason: &NoClosedForm) -> bool {
+        let NoClosedForm::Singular { target, .. } = reason else {
+            return false;
+        };
+        let arm = self.robot.arm();
+        arm.is_some_and(|arm| rank(&arm.model, *target) == 0)
     }
 
     /// Why, in a sentence.

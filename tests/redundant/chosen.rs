@@ -252,6 +252,26 @@ fn an_inner_joint_without_a_closed_form_is_refused() {
     );
 }
 
+/// Whatever is given, three slides turn nothing.
+#[test]
+fn a_target_that_no_joint_changes_is_refused_as_such() {
+    let slides = "robot: gantry\nunits: {angle: rad, length: m}\nscrews:\n  \
+        - {name: x, type: prismatic, axis: [1, 0, 0]}\n  \
+        - {name: y, type: prismatic, axis: [0, 1, 0]}\n  \
+        - {name: z, type: prismatic, axis: [0, 0, 1]}\nhome: {xyz: [0, 0, 0]}\n";
+    let source = Source {
+        path: "gantry.yaml".into(),
+        text: slides.into(),
+    };
+    let options = Options {
+        target: Some(Target::Orientation),
+        ..Options::default()
+    };
+    let said = compile(&source, &options).unwrap_err().to_string();
+    let remedy = "choose another `target`: no joint of this chain changes what counts of this one";
+    assert!(said.contains(remedy), "{said}");
+}
+
 /// An iiwa as programs write it that print twelve digits.
 #[test]
 fn right_angles_of_twelve_digits_are_right() {

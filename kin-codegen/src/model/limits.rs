@@ -15,6 +15,10 @@ const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=FARTHEST;
 /// Beyond it people write "no limit", metres.
 pub(super) const FARTHEST: f64 = 10_000.0;
 
+/// To both sides of zero these say "no limit" as well, radians or metres: of virtual joints under a
+/// robot, of motors and of wheels.
+const BOUNDLESS: [f64; 5] = [100.0, 500.0, 1000.0, 5000.0, 10_000.0];
+
 /// Reports every moving joint of the chain whose limits are missing,
 /// empty, or in another unit.
 pub(super) fn check(spec: &ArmSpec, chain: &Chain, diagnostics: &mut Collector) {
@@ -72,18 +76,40 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
             reason,
             "write its limits, or make it fixed (or continuous, if it turns freely)",
         );
+    } else if lower == -upper && BOUNDLESS.contains(&upper) {
+        let (moves, unit, remedy) = match turns {
+            true => (
+                "turns",
+                "rad",
+                "make it continuous if it turns freely; if degrees are meant, write radians",
+            ),
+            false => (
+                "slides",
+                "m",
+                "write how far it slides; if millimetres are meant, write metres",
+            ),
+        };
+        let reason = format!(
+            "joint `{name}` {moves} {lower}..{upper} {unit}, which is as good as no limits"
+        );
+        diagnostics.warn(at, reason, remedy);
     } else if turns && whole && DEGREES.contains(&largest) {
         let reason =
             format!("joint `{name}` has the limits {lower}..{upper} rad: this looks like degrees");
         diagnostics.at(
             at,
             reason,
-            "write radians (180 degrees are 3.141592653589793), or state `angle: deg` in YAML",
+            "write radians (180 degrees are 3.141592653589793), or state `angle: deg` in YAML; if it \
+             turns freely, make it continuous",
         );
     } else if !turns && MILLIMETRES.contains(&largest) {
         let reason =
             format!("joint `{name}` slides {lower}..{upper} m: this looks like millimetres");
-        diagnostics.at(at, reason, "write metres");
+        diagnostics.at(
+            at,
+            reason,
+            "write metres; if there is no stop, more than 10000 to both sides",
+        );
     }
 }
 

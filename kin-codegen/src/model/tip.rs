@@ -375,6 +375,18 @@ impl Below<'_> {
         let name = |link: usize| self.spec.links[link].name.as_str();
         let arms = self.arms(ends);
         let arm = |(joints, last): &(Vec<usize>, usize)| {
+            // What a robot stands on may go anywhere: no chain has such joints.
+            let roams = |&j: &usize| {
+                let kind = self.spec.joints[j].kind;
+                matches!(kind, JointType::Floating | JointType::Planar)
+            };
+            let below = joints.iter().rposition(roams);
+            let (base, joints) = match below.map(|place| joints.split_at(place + 1)) {
+                Some(([.., last], joints)) if !joints.is_empty() => {
+                    (self.spec.joints[*last].child, joints)
+                }
+                _ => (base, &joints[..]),
+            };
             let joints: Vec<&str> = joints
                 .iter()
                 .map(|&j| self.spec.joints[j].name.as_str())

@@ -105,6 +105,15 @@ impl<'s> Collector<'s> {
         }
     }
 
+    /// As [`nearest_of`](Self::nearest_of), of a link that the file does not have.
+    pub(crate) fn link_for(&self, word: &str, names: &[&str]) -> String {
+        let remedy = self.nearest_of(word, names);
+        match remedy.starts_with("did") {
+            true => remedy,
+            false => format!("{remedy}, or add a link of that name"),
+        }
+    }
+
     /// Reports that the user has to choose, from what is listed in lines of
     /// their own.
     pub(crate) fn choice(

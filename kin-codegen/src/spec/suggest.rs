@@ -3,7 +3,7 @@
 use super::bounds::SUGGESTED;
 
 /// The candidate that `word` is most likely a misspelling of: at most a third
-/// of its letters wrong, letter case aside. Of many candidates that are about
+/// of its letters wrong, letter case and blanks around it aside. Of many candidates that are about
 /// as long as the word, the first [`SUGGESTED`] are looked at.
 pub(crate) fn nearest<'c>(
     word: &str,
@@ -50,7 +50,8 @@ pub(crate) fn list(names: &[&str]) -> String {
 const LONGEST: usize = 64;
 
 fn letters(word: &str) -> Vec<char> {
-    word.chars()
+    word.trim()
+        .chars()
         .flat_map(char::to_lowercase)
         .take(LONGEST)
         .collect()

@@ -5,7 +5,7 @@ use super::{
 };
 use super::{bounds, list_names};
 use kin_runtime::Pose;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A name, and where the file says it.
 #[derive(Clone, Debug)]
@@ -51,6 +51,20 @@ pub(super) struct DraftMimic {
 /// Whether there is one root is asked only if nothing was wrong before, since
 /// a joint that could not be read leaves a hole in the tree.
 pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) -> Option<ArmSpec> {
+    if draft.links.is_empty() && !draft.joints.is_empty() && diagnostics.is_empty() {
+        let ends = draft.joints.iter().flat_map(|j| [&j.parent, &j.child]);
+        let mut names: Vec<&str> = ends.map(|name| name.text.as_str()).collect();
+        let mut seen = HashSet::new();
+        names.retain(|name| seen.insert(*name));
+        diagnostics.whole(
+            "the robot has joints and no links",
+            format!(
+                "add a <link name=\"...\"/> for each of {}",
+                list_names(&names)
+            ),
+        );
+        return None;
+    }
     let joints = index("joint", draft.joints.iter().map(|j| &j.name), diagnostics);
     let links = index("link", draft.links.iter(), diagnostics);
     if draft.name.chars().count() > bounds::NAME {
@@ -147,22 +161,22 @@ fn resolve(
     joints: &Index,
     diagnostics: &mut Collector,
 ) -> Option<Joint> {
-    let mut link = |name: &Name, role: &str| {
+    let mut link = |name: &Name, role: &str, other: &Name| {
         let found = links.by_name.get(name.text.as_str()).copied();
         if found.is_none() {
             let reason = format!(
                 "the {role} of joint `{}` is `{}`, and there is no such link",
                 joint.name.text, name.text
             );
-            diagnostics.at(
-                name.at,
-                reason,
-                diagnostics.nearest_of(&name.text, &links.names),
-            );
+            // No joint has one link at both ends.
+            let others = links.names.iter().copied().filter(|it| *it != other.text);
+            let remedy = diagnostics.link_for(&name.text, &others.collect::<Vec<_>>());
+            diagnostics.at(name.at, reason, remedy);
         }
         found
     };
-    let (parent, child) = (link(&joint.parent, "parent"), link(&joint.child, "child"));
+    let parent = link(&joint.parent, "parent", &joint.child);
+    let child = link(&joint.child, "child", &joint.parent);
     let before = diagnostics.len();
     let mimic = joint
         .mimic
