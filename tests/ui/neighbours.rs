@@ -54,8 +54,15 @@ macro_rules! arm {
     };
 }
 arm!(Forwarded);
-// As the parameter of generated functions.
+// As the parameters of generated functions.
 arm!(A);
+arm!(T);
+
+/// Nothing of Rust's prelude is asked for.
+#[no_implicit_prelude]
+mod bare {
+    ::kinematics::kinematics!("robots/planar.yaml");
+}
 
 /// The crate `kinematics`, as another hands it on.
 mod robotics {
@@ -118,4 +125,5 @@ fn main() {
     assert_eq!(captured::FiveBar::ACTUATED, crowded::FiveBar::ACTUATED);
     assert_eq!(Forwarded.fk(&q), Planar.fk(&q));
     assert_eq!(A.ik(&A.fk(&q)), Planar.ik(&Planar.fk(&q)));
+    assert_eq!(T.ik(&T.fk(&q)), bare::Planar.ik(&bare::Planar.fk(&q)));
 }

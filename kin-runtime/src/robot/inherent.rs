@@ -141,7 +141,7 @@ macro_rules! pass_on {
     )* }) => { $(
         #[inline]
         fn $method(&$self $(, $argument: $type)*) -> $result {
-            $robot::$method($self $(, $argument)*).into()
+            ::core::convert::Into::into($robot::$method($self $(, $argument)*))
         }
     )* };
     (from $robot:ident as ($trait:path): required { $(

@@ -197,7 +197,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
                 locked: &[f64; #locked],
                 sin_cos: impl SinCos<#count>,
                 free: f64,
-            ) -> Lanes<#n, #width, T> {
+            ) -> Lanes<#n, #width, { T }> {
                 #(#unused)*
                 #without_angles
                 #statements
