@@ -1396,7 +1396,7 @@ mod __Calibrated {
             locked: &[f64; 0],
             sin_cos: impl SinCos<4>,
             free: f64,
-        ) -> Lanes<6, 8, T> {
+        ) -> Lanes<6, 8, { T }> {
             let _ = locked;
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(

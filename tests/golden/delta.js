@@ -299,8 +299,8 @@ const $next_inside = (arm, i, q, seed) => {
     const turn = turns ? 6.283185307179586 : 0.0;
     const middle = 0.5 * (lower + upper);
     /* Without stops the middle is no number and not taken. */
-    let first = lower - 1e-9 + Math.PI;
-    let last = upper + 1e-9 - Math.PI;
+    let first = lower - 5e-10 + Math.PI;
+    let last = upper + 5e-10 - Math.PI;
     first = middle < first ? middle : first;
     last = middle > last ? middle : last;
     let from = seed < first ? first : seed;
@@ -696,11 +696,11 @@ const $gaps = (mechanism, q, free) => {
     const jacobians = mechanism.chains.map(({ arm }, i) => arm.geometric_jacobian(parts[i]));
     const error = [];
     const rows = [];
-    let square = 0.0;
+    let [square, most] = [0.0, 0.0];
     for (let chain = 1; chain < poses.length; ++chain) {
         const [a, b] = [poses[0], poses[chain]];
         let trace = 0.0;
-        let sine = 0.0;
+        let [shift, sine] = [0.0, 0.0];
         for (let row = 0; row < 6; ++row) {
             const scale = row < 3 ? 1.0 / mechanism.length : 1.0;
             let off = 0.0;
@@ -715,7 +715,7 @@ const $gaps = (mechanism, q, free) => {
             }
             error.push(scale * off);
             if (row < 3) {
-                square += scale * off * scale * off;
+                shift = Math.hypot(shift, scale * off);
             } else {
                 sine = Math.hypot(sine, off);
             }
@@ -728,9 +728,11 @@ const $gaps = (mechanism, q, free) => {
         }
         /* Half a turn has no sine. */
         const angle = $atan2(sine, 0.5 * (trace - 1.0));
-        square += angle * angle;
+        square += shift * shift + angle * angle;
+        most = Math.max(most, shift, angle);
     }
-    return { error, rows, residual: mechanism.length * Math.sqrt(square) };
+    const [residual, gap] = [Math.sqrt(square), most].map((it) => mechanism.length * it);
+    return { error, rows, residual, gap };
 };
 
 /* A mechanism with the functions that its chains make. */
@@ -748,7 +750,7 @@ const $mechanism = (mechanism) => {
     /* The platform by the first chain. */
     mechanism.fk = (q) => chains[0].arm.fk(mechanism.split(q)[0]);
     /* How far the loops are from closed, metres. */
-    mechanism.gap = (q) => $gaps(mechanism, q, []).residual;
+    mechanism.gap = (q) => $gaps(mechanism, q, []).gap;
     /* A closed configuration next to one, with some joints at rest, by Levenberg's method. */
     mechanism.close = (q, resting, evaluations) => {
         const free = Array.from(q.keys()).filter((i) => !resting.includes(i));
@@ -759,7 +761,8 @@ const $mechanism = (mechanism) => {
         };
         const linearize = (some) => ({ q: some, ...$gaps(mechanism, all(some), free) });
         const found = $correct(linearize, mechanism.length, free.map((i) => q[i]), evaluations);
-        return { q: all(found.q), residual: found.residual };
+        const closed = all(found.q);
+        return { q: closed, residual: mechanism.gap(closed) };
     };
     if (mechanism.aim !== null) {
         /* The poses that a target stands for, and by chain all solutions of each. */

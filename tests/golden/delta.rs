@@ -351,7 +351,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<2>,
                 free: f64,
-            ) -> Lanes<3, 4, T> {
+            ) -> Lanes<3, 4, { T }> {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
@@ -667,7 +667,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<0>,
                 free: f64,
-            ) -> Lanes<2, 1, T> {
+            ) -> Lanes<2, 1, { T }> {
                 let _ = seed;
                 let _ = locked;
                 let _ = free;
@@ -1115,7 +1115,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<2>,
                 free: f64,
-            ) -> Lanes<3, 4, T> {
+            ) -> Lanes<3, 4, { T }> {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
@@ -1452,7 +1452,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<1>,
                 free: f64,
-            ) -> Lanes<2, 2, T> {
+            ) -> Lanes<2, 2, { T }> {
                 let _ = locked;
                 let _ = free;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
@@ -1978,7 +1978,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<2>,
                 free: f64,
-            ) -> Lanes<3, 4, T> {
+            ) -> Lanes<3, 4, { T }> {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
@@ -2315,7 +2315,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<1>,
                 free: f64,
-            ) -> Lanes<2, 2, T> {
+            ) -> Lanes<2, 2, { T }> {
                 let _ = locked;
                 let _ = free;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(

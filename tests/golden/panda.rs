@@ -739,7 +739,7 @@ mod __Panda {
             locked: &[f64; 1],
             sin_cos: impl SinCos<4>,
             free: f64,
-        ) -> Lanes<6, 8, T> {
+        ) -> Lanes<6, 8, { T }> {
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,

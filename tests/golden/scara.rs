@@ -485,7 +485,7 @@ mod __Scara {
             locked: &[f64; 0],
             sin_cos: impl SinCos<1>,
             free: f64,
-        ) -> Lanes<4, 2, T> {
+        ) -> Lanes<4, 2, { T }> {
             let _ = locked;
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(

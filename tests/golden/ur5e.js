@@ -298,8 +298,8 @@ const $next_inside = (arm, i, q, seed) => {
     const turn = turns ? 6.283185307179586 : 0.0;
     const middle = 0.5 * (lower + upper);
     /* Without stops the middle is no number and not taken. */
-    let first = lower - 1e-9 + Math.PI;
-    let last = upper + 1e-9 - Math.PI;
+    let first = lower - 5e-10 + Math.PI;
+    let last = upper + 5e-10 - Math.PI;
     first = middle < first ? middle : first;
     last = middle > last ? middle : last;
     let from = seed < first ? first : seed;

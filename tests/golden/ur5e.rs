@@ -786,7 +786,7 @@ mod __Ur5e {
             locked: &[f64; 0],
             sin_cos: impl SinCos<3>,
             free: f64,
-        ) -> Lanes<6, 8, T> {
+        ) -> Lanes<6, 8, { T }> {
             let _ = locked;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
