@@ -3,6 +3,7 @@
 use super::curve::{Curve, Part};
 use super::limits::is_within;
 use super::task::Task;
+use crate::scalar::golden_section::GoldenSection;
 use crate::{JointLimit, RedundantKinematics};
 use alloc::vec::Vec;
 
@@ -14,7 +15,6 @@ const FEWEST: usize = 24;
 const STEPS: usize = 40;
 /// Costs that differ by less, relative to the largest, are the same.
 const SAME: f64 = 1e-12;
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// What makes a configuration better than another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,26 +114,19 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     };
     let refined = |i: usize| {
         let beside = [i.saturating_sub(1), (i + 1).min(count)];
-        let [mut low, mut high] = beside.map(variable);
+        let [low, high] = beside.map(variable);
         // Where the cost jumps, at a stop, what is between the last two may be on either side.
         let mut best = at(variable(i));
-        let mut cost = |variable: f64| {
+        let mut gain = |variable: f64| {
             let found = at(variable);
             let cost = found.map_or(f64::INFINITY, |(cost, _)| cost);
             if best.is_none_or(|(least, _)| cost < least) {
                 best = found.or(best);
             }
-            cost
+            -cost
         };
-        for _ in 0..STEPS {
-            let width = GOLDEN * (high - low);
-            let (left, right) = (high - width, low + width);
-            match cost(left) < cost(right) {
-                true => high = right,
-                false => low = left,
-            }
-        }
-        cost(0.5 * (low + high));
+        let mut section = GoldenSection::new(low, high, &mut gain);
+        (0..STEPS).for_each(|_| section.step(&mut gain));
         best
     };
     let least = (0..=count).filter(is_least);

@@ -6,12 +6,11 @@
 
 use super::task::Task;
 use crate::RedundantKinematics;
+use crate::scalar::golden_section::GoldenSection;
 use alloc::vec::Vec;
 
 /// Golden-section steps.
 const STEPS: usize = 24;
-/// The share of a bracket that a step keeps.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// So many steps in a row that gain less than a share of what is missing end a search.
 const STALLS: usize = 5;
@@ -69,18 +68,17 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     }
 
     /// Where the largest margin of a lane, times the sign, is positive.
-    fn crossing(&self, lane: usize, sign: f64, mut low: f64, mut high: f64) -> Option<f64> {
-        let at = |value: f64| Some(sign * self.margins(value)?[lane]);
-        let inner = |low: f64, high: f64| {
-            let width = GOLDEN * (high - low);
-            [high - width, low + width]
-        };
-        let (mut best, mut stalls) = (f64::NEG_INFINITY, 0);
+    fn crossing(&self, lane: usize, sign: f64, low: f64, high: f64) -> Option<f64> {
+        let none = f64::NEG_INFINITY;
+        let at = |value: f64| self.margins(value).map_or(none, |all| sign * all[lane]);
+        let mut section = GoldenSection::new(low, high, at);
+        let (mut best, mut stalls) = (none, 0);
         for _ in 0..STEPS {
-            let [left, right] = inner(low, high);
-            let [a, b] = [at(left)?, at(right)?];
+            let (place, larger) = section.best();
+            if larger > 0.0 {
+                return Some(place);
+            }
             // An extremum is quadratic: steps that gain less lead nowhere near zero.
-            let larger = a.max(b);
             stalls = if larger - best < -GAIN * larger {
                 stalls + 1
             } else {
@@ -90,16 +88,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
                 return None;
             }
             best = best.max(larger);
-            if a > 0.0 {
-                return Some(left);
-            }
-            if b > 0.0 {
-                return Some(right);
-            }
-            match a > b {
-                true => high = right,
-                false => low = left,
-            }
+            section.step(at);
         }
         None
     }

@@ -8,6 +8,7 @@
 
 use super::interpolant::{Cosines, POINTS, Polynomial};
 use crate::math;
+use crate::scalar::golden_section::GoldenSection;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
@@ -38,7 +39,6 @@ const EXACT: f64 = 1e-15;
 const STEPS: usize = 60;
 /// Golden-section steps towards an extremum.
 const EXTREMUM: usize = 30;
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Over which differences are derivatives.
 const DISTANCE: f64 = 5e-3;
 
@@ -182,20 +182,16 @@ impl Search<'_> {
     /// where it is nearest to that.
     fn beyond(&self, [from, to]: [Sample; 2]) -> Result<Sample, f64> {
         let sign = if from.1 < 0.0 { 1.0 } else { -1.0 };
-        let (mut low, mut high) = (from.0, to.0);
+        let towards = |t: f64| sign * (self.f)(t);
+        let mut section = GoldenSection::new(from.0, to.0, towards);
         for _ in 0..EXTREMUM {
-            let width = GOLDEN * (high - low);
-            let [left, right] = [high - width, low + width].map(|t| (t, (self.f)(t)));
-            let [a, b] = [left, right].map(|sample| sign * sample.1);
-            if math::max(a, b) > ROUNDING {
-                return Ok(if a > b { left } else { right });
+            let (place, value) = section.best();
+            if value > ROUNDING {
+                return Ok((place, sign * value));
             }
-            match a > b {
-                true => high = right.0,
-                false => low = left.0,
-            }
+            section.step(towards);
         }
-        Err(0.5 * (low + high))
+        Err(section.best().0)
     }
 
     /// An extremum that values tell to the root of their rounding, by the zero of the derivative:

@@ -5,6 +5,8 @@
 //! tolerances from here; `single` has its own in their place.
 
 pub(crate) mod angle;
+#[cfg(feature = "alloc")]
+pub(crate) mod golden_section;
 pub mod math;
 pub mod quartic;
 pub mod tolerance;

@@ -12,6 +12,7 @@ use core::f64::consts::{PI, TAU};
 
 use super::{EXACT, Line};
 use crate::linear::vector::{add, cross, dot, norm, scale, sub};
+use crate::scalar::golden_section::GoldenSection;
 use crate::{Chain, math};
 
 /// Points of a circle between which an extremum is looked for.
@@ -205,7 +206,6 @@ fn meeting(a: &Line, b: &Line) -> Option<[f64; 3]> {
 /// The greatest value on a full turn, by golden section about the best points
 /// of a grid.
 fn greatest(f: impl Fn(f64) -> f64) -> f64 {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let step = TAU / POINTS as f64;
     let at = |k: usize| f(k as f64 * step);
     let mut best = f64::NEG_INFINITY;
@@ -216,17 +216,10 @@ fn greatest(f: impl Fn(f64) -> f64) -> f64 {
         if !is_peak || here == f64::NEG_INFINITY {
             continue;
         }
-        let (mut low, mut high) = ((k as f64 - 1.0) * step, (k as f64 + 1.0) * step);
-        for _ in 0..STEPS {
-            let width = GOLDEN * (high - low);
-            let (a, b) = (high - width, low + width);
-            if f(a) > f(b) {
-                high = b;
-            } else {
-                low = a;
-            }
-        }
-        best = best.max(f(0.5 * (low + high)));
+        let [low, high] = [-1.0, 1.0].map(|side| (k as f64 + side) * step);
+        let mut section = GoldenSection::new(low, high, &f);
+        (0..STEPS).for_each(|_| section.step(&f));
+        best = best.max(section.best().1);
     }
     best
 }
