@@ -154,7 +154,7 @@ fn ends_half_a_turn_apart_are_not_closed() {
 fn c_has_what_the_runtime_has() {
     // Some things a compiler only sees where it optimizes.
     let compilers = [
-        (Compiler::C, "-O3", "of_c"),
+        (Compiler::C, "-O2", "of_c"),
         (Compiler::Cpp, "-O0", "of_cpp"),
     ];
     holds_in("mechanisms", &MECHANISMS, &compilers);
