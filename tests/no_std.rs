@@ -19,7 +19,8 @@ fn output_folder() -> PathBuf {
 }
 
 /// Builds the program by itself: in a build of the whole workspace, other
-/// packages turn the feature `std` of the runtime on.
+/// packages turn the feature `std` of the runtime on. With the macros as they are
+/// built already, which the package beside asks for.
 fn build(folder: &Path) {
     let profile = match folder.file_name().unwrap().to_str().unwrap() {
         "debug" => "dev",
@@ -27,10 +28,11 @@ fn build(folder: &Path) {
     };
     let status = Command::new(env!("CARGO"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["rustc", "--package", "no_std"])
+        .args(["build", "--package", "no_std", "--package", "kinematics-ui"])
+        .arg("--config")
+        .arg(format!("profile.{profile}.panic = 'abort'"))
         .args(["--profile", profile, "--target-dir"])
         .arg(folder.parent().unwrap())
-        .args(["--", "-C", "panic=abort"])
         .status();
     assert!(status.unwrap().success(), "it does not link");
 }

@@ -90,7 +90,8 @@ struct Compiler {
 }
 
 impl Compiler {
-    /// Builds `kinematics` without features, beside what this test was built with.
+    /// Builds `kinematics` without features, beside what this test was built with: its macros as
+    /// they are built already, which the other package asks for.
     fn new() -> Self {
         let own = env::current_exe().unwrap();
         let built = own.ancestors().nth(2).unwrap().to_owned();
@@ -100,7 +101,8 @@ impl Compiler {
         };
         let status = Command::new(env!("CARGO"))
             .current_dir("../..")
-            .args(["build", "--package", "kinematics", "--no-default-features"])
+            .args(["build", "--package", "kinematics", "--package", "kinematics-ui"])
+            .arg("--no-default-features")
             .args(["--profile", profile, "--target-dir"])
             .arg(built.parent().unwrap())
             .status();
