@@ -39,6 +39,8 @@ extern crate alloc;
 extern crate std;
 
 mod analysis;
+#[cfg(feature = "alloc")]
+mod continuation;
 mod convert;
 #[cfg(feature = "alloc")]
 mod feasible;

@@ -46,7 +46,8 @@ impl Robot {
         all
     }
 
-    /// A solution if there is one, and for a target out of reach what comes nearest, with its
+    /// A solution if there is one, and for a target out of reach the least-squares solution of the
+    /// subproblems, or where a polynomial solves the arm what no small motion brings nearer, with its
     /// distance as the residual. None if the target is not a number, and of a robot with
     /// [parameters](Robot::parameters).
     pub fn ik_approximate(&self, pose: &Pose) -> Option<NearestAnswer> {

@@ -16,8 +16,8 @@ use std::sync::OnceLock;
 /// [`kinematics!`](crate::kinematics!) takes it, with the same options, refusals and methods, on
 /// slices.
 ///
-/// Reading one compiles it, which takes as long as in a build: some tens of milliseconds for an
-/// arm with a closed form. What the links' poses, Jacobians and singularities need is built when
+/// Reading one compiles it, which takes as long as in a build: in release 4 to 8 ms for a six-axis
+/// arm with an exact closed form, 40 ms for one that an elimination solves. What the links' poses, Jacobians and singularities need is built when
 /// they are first asked for, in up to some milliseconds more.
 ///
 /// ```

@@ -101,7 +101,13 @@ impl Compiler {
         };
         let status = Command::new(env!("CARGO"))
             .current_dir("../..")
-            .args(["build", "--package", "kinematics", "--package", "kinematics-ui"])
+            .args([
+                "build",
+                "--package",
+                "kinematics",
+                "--package",
+                "kinematics-ui",
+            ])
             .arg("--no-default-features")
             .args(["--profile", profile, "--target-dir"])
             .arg(built.parent().unwrap())

@@ -31,9 +31,9 @@ const ALONG: f64 = 1e-3;
 const WEAK: f64 = 1e-6;
 /// Two relations more alike than this cannot determine two unknowns.
 const DEPENDENT: f64 = 1e-4;
-/// Of the two unknowns of a subproblem 6 that on the inner arc is eliminated, unless the determinant
-/// of its coefficients is so small next to that of the other one's, as of relations that degenerate
-/// but for the noise of a file.
+/// Subproblem 6 eliminates its unknown on the inner arc, unless the determinant of that one's
+/// coefficients is below this share of the other's: relations that degenerate but for the noise of a
+/// file.
 const NOISE: f64 = 1e-2;
 
 /// Plans for a linkage, the cheapest first, each found when it is asked for. The
@@ -60,8 +60,8 @@ impl<'a> Plans<'a> {
         Self::telling(linkage, target, &[])
     }
 
-    /// Plans no step of which degenerates in some configurations, by joint: a relation
-    /// that does is taken with a complement alone.
+    /// As [`Self::new`], but no step may degenerate in any of these configurations: a relation that
+    /// does is used together with a complement only.
     pub fn telling(linkage: &'a Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
         let relations = Relations::new(linkage, target, configurations);
         Self::of(linkage, target, &Rc::new(relations))

@@ -12,8 +12,8 @@ const TAKES_PART: f64 = 0.1;
 
 /// With more noise an elimination is not asked beside an idealized arm.
 const NOISY: f64 = 1e-4;
-/// Of a short arm one that is not sure of its answer at more targets of a hundred has another
-/// behind it.
+/// An arm of fewer than six joints gets a second elimination if the first is not sure of its answer
+/// at more than this percentage of targets.
 const OFTEN: f64 = 25.0;
 
 /// Where a step of the plan degenerates and the arm does not, an elimination tells what is

@@ -123,8 +123,8 @@ impl Arm {
             .collect()
     }
 
-    /// Whether of [those](Self::keeping_each) one is never sure of its answer, and loses random
-    /// targets.
+    /// Whether the best of [those](Self::keeping_each) is of no use: never sure of its answer, and
+    /// losing random targets.
     pub fn says_nothing(&self) -> bool {
         self.kept[0].says_nothing(FEW)
     }

@@ -15,7 +15,8 @@ const SAME: f64 = 1e-5;
 /// answer.
 pub const MOST: usize = 3;
 
-/// One that is never sure of its answer and loses one target in so many says nothing.
+/// An elimination that is never sure of its answer and loses at least one target in so many is not
+/// used.
 const MANY: usize = 16;
 
 /// An elimination, and how it did on random targets.

@@ -2,7 +2,8 @@
 
 use super::arcs::Arc;
 use super::lanes::MIDDLES;
-use super::task::{Point, Task, along};
+use super::task::{Point, Task};
+use crate::continuation::along;
 use crate::{FeasibleInterval, RedundantKinematics, math};
 use core::f64::consts::{PI, TAU};
 

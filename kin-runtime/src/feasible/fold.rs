@@ -1,7 +1,8 @@
 //! Where a curve turns back: a coordinate has an extremum on it.
 
-use super::task::{Place, Point, Task, along};
+use super::task::{Place, Point, Task};
 use crate::RedundantKinematics;
+use crate::continuation::{Cut, along};
 use crate::linear::vector::dot;
 
 /// The first step, radians and metres.
@@ -26,7 +27,11 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let mut travelled = 0.0;
         for _ in 0..STEPS {
             let guess = along(&x, &tangent, step);
-            let Some(next) = self.meet(&tangent, &guess, guess) else {
+            let cut = Cut {
+                normal: tangent,
+                point: guess,
+            };
+            let Some(next) = self.meet(&cut, guess) else {
                 step *= 0.25;
                 continue;
             };

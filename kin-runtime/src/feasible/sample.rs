@@ -1,7 +1,8 @@
 //! All solutions at one value of the parameter, and how those at two belong together.
 
-use super::task::{Place, Task, WIDTH, along};
+use super::task::{Place, Task, WIDTH};
 use crate::RedundantKinematics;
+use crate::continuation::along;
 use crate::linear::vector::norm;
 use alloc::vec::Vec;
 

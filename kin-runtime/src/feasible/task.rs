@@ -1,7 +1,7 @@
 //! The equations of a target, in all joints and the parameter.
 
-use crate::linear::span::Span;
-use crate::linear::vector::{dot, norm};
+use crate::continuation::{Cut, Equations, meet};
+use crate::linear::vector::norm;
 use crate::scalar::tolerance::ROTATION;
 use crate::{
     JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Solutions, Swivel, Target,
@@ -10,17 +10,13 @@ use crate::{
 use alloc::collections::BTreeMap;
 use core::cell::RefCell;
 
-/// Coordinates of a point: the values of up to eight joints, and behind them the parameter where
-/// it is none of these; the rest is zero.
+/// Coordinates of a point: the values of up to eight joints, then the parameter unless it is one of
+/// these joints; what is left is zero.
 pub(super) const WIDTH: usize = 9;
 pub(super) type Point = [f64; WIDTH];
 /// Those of the tip's pose, and what a swivel angle has to be.
 const EQUATIONS: usize = 7;
 
-/// Newton's method from a good prediction takes 3 or 4 steps.
-const NEWTON_STEPS: usize = 10;
-/// How exactly the target is met, relative to its distance from the base or to a metre.
-const MET: f64 = 1e-12;
 /// Values of the parameter whose solutions are kept, a kilobyte each.
 const KNOWN: usize = 4096;
 
@@ -146,9 +142,9 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         })
     }
 
-    /// The rows that have to rest, and how far they are from where they should.
-    fn equations(&self, x: &Point) -> ([Point; EQUATIONS], [f64; EQUATIONS]) {
+    fn equations(&self, x: &Point) -> Equations<WIDTH, EQUATIONS> {
         let (pose, spatial) = self.robot.fk_jacobian(&self.q(x));
+        let links = self.robot.fk_links(&self.q(x));
         let geometric = spatial.spatial_to_geometric(&pose);
         let turn = match self.of {
             Parameter::Joint(_) | Parameter::Swivel(_) => self.robot.held_turn(),
@@ -163,7 +159,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         let mut missing = [0.0; EQUATIONS];
         missing[..6].copy_from_slice(&self.counts.missing(&pose, &target).to_array());
         if let Some((swivel, held)) = self.swivel {
-            let (row, angle) = swivel.row(&self.robot.fk_links(&self.q(x)), &pose, &spatial);
+            let (row, angle) = swivel.row(&links, &pose, &spatial);
             rows[6][..N].copy_from_slice(&row);
             if held.is_none() {
                 rows[6][N] = -1.0;
@@ -176,19 +172,16 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
                 rows[3 + i][N] = -target.rotation[i][2];
             }
         }
-        (rows, missing)
+        Equations {
+            rows,
+            missing,
+            size: Equations::<WIDTH, EQUATIONS>::size(&target, &links),
+        }
     }
 
-    /// Of the equations and one more, which are independent, and what rests.
-    fn span(&self, rows: &[Point; EQUATIONS], more: Option<&Point>, dependent: f64) -> Span<WIDTH> {
-        let (resting, rest) = self.resting;
-        let row = |i: usize| match i {
-            0..EQUATIONS => rows[i],
-            _ if i < EQUATIONS + rest => unit(resting[i - EQUATIONS]),
-            _ => *more.unwrap_or(&[0.0; WIDTH]),
-        };
-        let count = EQUATIONS + rest + usize::from(more.is_some());
-        Span::of(count, row, dependent)
+    /// The coordinates that rest.
+    fn resting(&self) -> &[usize] {
+        &self.resting.0[..self.resting.1]
     }
 
     /// The place of a point, if there is one way to go on.
@@ -198,8 +191,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
 
     /// The same where equations count as dependent below a share of the longest.
     pub fn place_where(&self, x: Point, dependent: f64) -> Option<Place> {
-        let (rows, _) = self.equations(&x);
-        let span = self.span(&rows, None, dependent);
+        let span = self.equations(&x).span(self.resting(), None, dependent);
         let mut ways = span.complement();
         let tangent = ways.next()?;
         if ways.next().is_some() {
@@ -210,45 +202,13 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         Some(Place { x, tangent })
     }
 
-    /// Where the curve meets the hyperplane n · (x − p) = 0, by Newton's method; none if
-    /// it does not get there.
-    pub fn meet(&self, normal: &Point, through: &Point, guess: Point) -> Option<Point> {
-        let size = norm(self.target.translation).max(1.0);
-        let (_, rest) = self.resting;
-        let mut x = guess;
-        for _ in 0..NEWTON_STEPS {
-            let (rows, missing) = self.equations(&x);
-            let beyond: Point = core::array::from_fn(|i| x[i] - through[i]);
-            let off = -dot(*normal, beyond);
-            let largest = missing.iter().fold(off.abs(), |a, x| math::max(a, x.abs()));
-            if largest <= MET * size {
-                return Some(x);
-            }
-            let span = self.span(&rows, Some(normal), RANK_TOLERANCE);
-            let change = span.least_norm(|i| match i {
-                0..EQUATIONS => missing[i],
-                _ if i < EQUATIONS + rest => 0.0,
-                _ => off,
-            });
-            x = core::array::from_fn(|i| x[i] + change[i]);
-        }
-        None
+    /// Where the curve meets a hyperplane, by Newton's method; none if it does not get there.
+    pub fn meet(&self, cut: &Cut<WIDTH>, guess: Point) -> Option<Point> {
+        meet(|x| self.equations(x), self.resting(), cut, guess)
     }
 
     /// The point of the curve at which a coordinate has a value.
     pub fn meet_at(&self, coordinate: usize, value: f64, guess: Point) -> Option<Point> {
-        let mut through = [0.0; WIDTH];
-        through[coordinate] = value;
-        self.meet(&unit(coordinate), &through, guess)
+        self.meet(&Cut::at(coordinate, value), guess)
     }
-}
-
-/// A unit vector.
-fn unit(i: usize) -> Point {
-    core::array::from_fn(|j| f64::from(u8::from(i == j)))
-}
-
-/// x + t d.
-pub(super) fn along(x: &Point, d: &Point, t: f64) -> Point {
-    core::array::from_fn(|i| x[i] + t * d[i])
 }

@@ -15,7 +15,7 @@ const STEPS: usize = 60;
 /// Steps before it is asked whether a run gets anywhere.
 const PATIENCE: usize = 8;
 
-/// Below this error, relative to the arm's size, the next steps only refine.
+/// Below this error, relative to the characteristic length, the next steps only refine.
 const CONVERGED: f64 = 1e-12;
 
 /// What is to be reached by which chain.
@@ -25,7 +25,7 @@ pub(crate) struct Task<'a> {
     pub(crate) target: Pose,
     /// What of the target counts.
     pub(crate) counts: Target,
-    /// Metres that weigh as much as one radian: the arm's size.
+    /// Metres that weigh as much as one radian: the characteristic length.
     pub(crate) length: f64,
     /// Where the elbow has to be, if a swivel angle is given.
     pub(super) elbow: Option<HalfPlane>,

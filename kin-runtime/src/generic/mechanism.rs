@@ -217,8 +217,8 @@ impl Mechanism {
     }
 
     /// The spatial twist that unit rate of each actuated joint gives the
-    /// platform; none if it can move while they are locked, or more than six
-    /// joints are actuated.
+    /// platform; none if it can move while they are locked, where their rates cannot be chosen
+    /// freely, or if more than six joints are actuated.
     pub fn forward_jacobian(&self, q: &[f64]) -> Option<Vec<Twist>> {
         let count = self.actuated.len();
         let unit = |posture: &Posture| posture.forward_jacobian::<6>();
@@ -233,7 +233,8 @@ impl Mechanism {
     }
 
     /// The row r of each actuated joint for which r · (v, ω) is its rate while
-    /// the platform has that spatial velocity; none where a chain is singular.
+    /// the platform has that spatial velocity; none if an actuated joint's motion is one that the
+    /// others of its chain can do without it.
     pub fn inverse_jacobian(&self, q: &[f64]) -> Option<Vec<[f64; 6]>> {
         let count = self.actuated.len();
         self.look(q, |posture| {

@@ -54,10 +54,11 @@ pub struct ChainSolution {
     /// Values of all joints: radians in (−π, π], metres for prismatic joints.
     pub q: Vec<f64>,
     /// How far the tip is from the target, metres: [`Target::distance`] with
-    /// the arm's size.
+    /// the chain's characteristic length: how far the tip is at home from the farthest axis of
+    /// rotation, metres, or 1.
     pub residual: f64,
     /// The least singular value of the geometric Jacobian by its Frobenius
-    /// norm, with the angular part in units of the arm's size; of the joints that are not
+    /// norm, with the angular part in units of the characteristic length; of the joints that are not
     /// given, with a row for the elbow where a swivel angle is. 0, or below
     /// 1e-6 or so, where this is one of a family or two solutions that meet.
     pub conditioning: f64,
@@ -73,7 +74,7 @@ impl Chain {
     /// Levenberg-Marquardt descents from evenly scattered starts, until
     /// doubling their number has found nothing new several times in a row:
     /// complete with high probability, not with certainty. Every solution is
-    /// within 1e-12 of the target, relative to the arm's size, and the answer
+    /// within 1e-12 of the target, relative to the characteristic length, and the answer
     /// does not vary from call to call. A target out of reach, also one that a
     /// chain of fewer than six joints cannot orient itself to, yields none.
     /// Where solutions form families, scattered members of them come back, with

@@ -157,8 +157,9 @@ macro_rules! parallel_methods {
                     posture::<Self, _, _, _, _>(self, q, |posture| posture.gap())
                 }
 
-                /// The Jacobian of the structure equation: the columns of chain k are Jₖ,
-                /// and J₁ θ̇₁ = J₂ θ̇₂ = … is the platform's spatial velocity.
+                /// The spatial Jacobians of the chains side by side, as the structure equation
+                /// has them (MLS section 3.5.2): the columns of chain k are Jₖ, and
+                /// J₁ θ̇₁ = J₂ θ̇₂ = … is the platform's spatial velocity.
                 fn structure_jacobian(&self, q: &[f64; $n]) -> $crate::Jacobian<$n> {
                     Jacobian::from_columns(self.chains(q).1)
                 }

@@ -11,8 +11,8 @@ use core::borrow::Borrow;
 /// A twist or a wrench with its angular part in metres; see [`Posture`].
 pub(crate) type Vector6 = [f64; 6];
 
-/// A joint whose motion the others of its chain leave no more than this of,
-/// relative to the longest, moves as they do: the rounding of a long chain.
+/// A joint is dependent if the others of its chain leave less than this of its twist, relative to
+/// the longest: the rounding of a long chain.
 pub(crate) const DEPENDENT: f64 = 1e-10;
 
 /// A configuration as its chains see it. Twists are compared at the platform's
@@ -30,8 +30,8 @@ pub(crate) struct Posture<'a> {
     pub length: f64,
 }
 
-/// Wrenches contradict each other by more, relative to the length, where rates cannot be: less is
-/// what loops are open by.
+/// Where the equations of the wrenches disagree by more than this, relative to `length`, the rates
+/// of actuated joints are not independent; less is the error with which loops are closed.
 const CONTRADICTION: f64 = 1e-4;
 
 /// A direction in which the platform is held no better than this counts as

@@ -245,7 +245,7 @@ struct Here<'a> {
 
 /// A way that grows joint by joint.
 struct Growing<'a> {
-    /// What it took to the layer before, and will take behind this one.
+    /// The weighted motion up to the layer before, and a lower bound for what follows this one.
     others: [f64; 2],
     from: usize,
     start: &'a [f64],

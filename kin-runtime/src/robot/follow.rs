@@ -27,8 +27,8 @@ pub struct PathStep<const N: usize> {
     pub jumps: bool,
 }
 
-/// Half the way over which the cost's slope is told, as a share of the rate; at least, in
-/// radians or metres, what rounding leaves of it.
+/// Half the width of the central difference by which the slope of the cost is found, as a share of
+/// the rate; the second is its lower bound, radians or metres.
 const PROBE: f64 = 0.5;
 const SHORTEST_PROBE: f64 = 1e-5;
 /// The slope at which the parameter moves by half the rate.

@@ -9,7 +9,7 @@ use super::super::{
 
 crate::kinematics_methods!(define_kinematics, Real of (super::super), N);
 
-/// Stops the compilation of a call of inverse kinematics that there is none of.
+/// Makes it a compile error to call inverse kinematics that a robot does not have.
 const fn has_inverse(branches: usize) {
     assert!(
         branches > 0,

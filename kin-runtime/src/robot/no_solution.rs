@@ -19,12 +19,12 @@ pub enum NoSolution<const N: usize> {
     },
     /// No configuration reaches the target.
     OutOfReach {
-        /// What comes nearest, with its distance, metres, as the residual; see
+        /// What reaches towards it, with its distance, metres, as the residual; see
         /// [`Kinematics::ik_approximate`]. None of an arm with a parameter.
         approximate: Option<Solution<N>>,
     },
-    /// A target alone leaves isolated configurations of no robot with joints to spare: there is a
-    /// method that takes its parameters. Of robots that are loaded when the program runs.
+    /// The robot has joints to spare, so that a target alone has infinitely many solutions: use
+    /// the method that takes the parameters. Of robots that are loaded when the program runs.
     NeedsParameters {
         /// How many.
         count: usize,

@@ -91,7 +91,8 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         None
     }
 
-    /// What counts of what is left to be solved: turned tools have whole poses.
+    /// What of a target counts once the parameters are fixed: the whole pose, where the turn of the
+    /// tool is one of them.
     #[doc(hidden)]
     fn counting_at(&self) -> Target {
         match self.parameter() == Parameter::Turn || self.held_turn().is_some() {
@@ -158,9 +159,9 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         None
     }
 
-    /// By root, in the order of the plan, and by branch, what it is the root of, without unit:
-    /// an analytic function of the parameter and of the roots before it, of which the branch has
-    /// the signs in its bits, − where bit i is set. Infinite where it is always positive. The
+    /// By square root, in the order of the plan, and by branch, the argument of the root, without
+    /// unit: an analytic function of the parameter and of the roots before it. A branch has root i
+    /// negative where its bit i is set. Infinite where the argument is always positive. The
     /// first [`RedundantKinematics::ROOTS`] count.
     fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
         let _ = (target, parameter);

@@ -1,26 +1,14 @@
 //! An arm whose tip is held at a target.
 
 use super::options::SelfMotionOptions;
-use crate::linear::span::Span;
-use crate::linear::vector::{add, cross, dot, norm, scale};
+use crate::continuation::{Cut, Equations, meet};
+use crate::linear::vector::{add, cross, dot, scale};
 use crate::{JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
-
-/// Newton's method from a good prediction takes 3 or 4 steps.
-const NEWTON_STEPS: usize = 10;
-/// How exactly the target is met, relative to its distance from the base or the arm's; angles
-/// to that in metres, or to one. Rounding in forward kinematics is a hundredth of this.
-const MET: f64 = 1e-12;
 
 pub(super) struct Held<'a, K, const N: usize> {
     pub robot: &'a K,
     pub target: Pose,
     pub options: &'a SelfMotionOptions<N>,
-}
-
-/// A hyperplane n · (q − p) = 0 that cuts the curve.
-pub(super) struct Cut<const N: usize> {
-    pub normal: [f64; N],
-    pub point: [f64; N],
 }
 
 /// How an arm can move while its tip rests.
@@ -36,18 +24,20 @@ pub(super) struct Internal<const N: usize> {
 }
 
 impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
-    /// The rows that have to rest, and how far they are from where they should.
-    fn task(&self, q: &[f64; N]) -> ([[f64; N]; 6], [f64; 6]) {
+    fn equations(&self, q: &[f64; N]) -> Equations<N, 6> {
         let (pose, spatial) = self.robot.fk_jacobian(q);
         let counts = self.options.target;
         let geometric = spatial.spatial_to_geometric(&pose);
-        let rows = counts.counting_rows(&pose, &geometric).rows;
-        (rows, counts.missing(&pose, &self.target).to_array())
+        Equations {
+            rows: counts.counting_rows(&pose, &geometric).rows,
+            missing: counts.missing(&pose, &self.target).to_array(),
+            size: Equations::<N, 6>::size(&self.target, &self.robot.fk_links(q)),
+        }
     }
 
     /// The independent internal motions at a configuration.
     pub fn internal(&self, q: &[f64; N]) -> Internal<N> {
-        let space = span(&self.task(q).0);
+        let space = self.equations(q).span(&[], None, RANK_TOLERANCE);
         let tangent = space.complement().next().unwrap_or([0.0; N]);
         let change = self.task_dot(q, &tangent);
         let rate = math::sqrt(change.iter().map(|row| dot(*row, *row)).sum());
@@ -80,32 +70,7 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
     /// Where the curve meets a hyperplane, by Newton's method; none if it does
     /// not get there.
     pub fn meet(&self, cut: &Cut<N>, guess: [f64; N]) -> Option<[f64; N]> {
-        let mut q = guess;
-        for _ in 0..NEWTON_STEPS {
-            let (task, rest) = self.task(&q);
-            let beyond = core::array::from_fn(|i| q[i] - cut.point[i]);
-            let off = -dot(cut.normal, beyond);
-            let error = [rest[0], rest[1], rest[2], rest[3], rest[4], rest[5], off];
-            // A small arm is as exact for its size.
-            let links = self.robot.fk_links(&q).map(|link| norm(link.translation));
-            let size = links
-                .iter()
-                .fold(norm(self.target.translation), |a, x| math::max(a, *x));
-            let met = [size, size.max(1.0)].map(|size| MET * size);
-            if error
-                .iter()
-                .enumerate()
-                .all(|(i, x)| x.abs() <= met[usize::from(i >= 3)])
-            {
-                return Some(q);
-            }
-            let rows: [[f64; N]; 7] =
-                core::array::from_fn(|i| if i < 6 { task[i] } else { cut.normal });
-            let space = span(&rows);
-            let change = space.least_norm(|i| error[i]);
-            q = core::array::from_fn(|i| q[i] + change[i]);
-        }
-        None
+        meet(|q| self.equations(q), &[], cut, guess)
     }
 
     /// The shortest way in joint space from one posture to another.
@@ -134,14 +99,4 @@ impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
     fn limit(&self, i: usize) -> JointLimit {
         self.options.limits.map_or(K::LIMITS[i], |limits| limits[i])
     }
-}
-
-/// Of the rows that are to rest, or more.
-fn span<const R: usize, const N: usize>(rows: &[[f64; N]; R]) -> Span<N> {
-    Span::of(R, |i| rows[i], RANK_TOLERANCE)
-}
-
-/// q + t d.
-pub(super) fn along<const N: usize>(q: &[f64; N], d: &[f64; N], t: f64) -> [f64; N] {
-    core::array::from_fn(|i| q[i] + t * d[i])
 }

@@ -1,8 +1,9 @@
 //! Along the curve, in one direction.
 
-use super::held::{Cut, Held, along};
+use super::held::Held;
 use super::options::Stop;
 use crate::Kinematics;
+use crate::continuation::{Cut, along};
 use crate::linear::vector::{dot, norm};
 use alloc::vec::Vec;
 
@@ -149,11 +150,7 @@ fn stop<K: Kinematics<N>, const N: usize>(
             .min(limits[joint].upper());
         let share = (bound - from[joint]) / (end[joint] - from[joint]);
         let guess = along(from, &along(&end, from, -1.0), share);
-        let cut = Cut {
-            normal: core::array::from_fn(|i| f64::from(u8::from(i == joint))),
-            point: core::array::from_fn(|i| if i == joint { bound } else { 0.0 }),
-        };
-        let Some(met) = held.meet(&cut, guess) else {
+        let Some(met) = held.meet(&Cut::at(joint, bound), guess) else {
             break;
         };
         end = met;

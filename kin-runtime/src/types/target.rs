@@ -114,7 +114,7 @@ impl Target {
         !matches!(self, Target::Pose) && !self.is_projected()
     }
 
-    /// Whether all motions that keep what counts turn the tip about its origin.
+    /// Whether the motions that keep what counts are rotations about the tip's origin.
     pub const fn fixes_point(self) -> bool {
         matches!(self, Target::Position | Target::PositionAxis)
     }

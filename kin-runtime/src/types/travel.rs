@@ -6,9 +6,9 @@ use super::super::scalar::Real;
 use super::super::scalar::consts::{PI, TAU};
 use super::super::scalar::tolerance::STOP;
 
-/// Where joints find that one of the values q + 2πk that is inside their limits
-/// and nearest to a seed. Without jumps and calls, for loops over lanes, and by
-/// quantity instead of by joint, so that it is had by packed instructions.
+/// What it takes to choose, joint by joint, the one of the values q + 2πk that is within the limits
+/// and nearest to a seed: without jumps and calls, and as a structure of arrays, so that loops over
+/// joints or lanes become packed instructions.
 ///
 /// The value is taken from the turn about one place that does not depend on q.
 /// That is the seed, moved so far from the stops that the whole turn is inside,

@@ -48,7 +48,8 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
         /// Angles are in (−π, π]; limits are not applied, see
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out of
         /// reach at this parameter has no solutions, and neither has one of which an
-        /// entry is not finite. Singular is what is singular for the other joints.
+        /// entry is not finite. [`Solution::singular`] is about the Jacobian of the joints
+        /// that are solved for.
         ///
         #[doc = #assumes]
         ///

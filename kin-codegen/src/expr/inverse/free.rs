@@ -83,8 +83,8 @@ impl Writer<'_> {
         })
     }
 
-    /// The joint that turns an unknown. Of a sum it is the one that is what the
-    /// others leave, because no angle of its own can be free.
+    /// The joint whose value an unknown is. Of a sum it is the joint that is found as the remainder,
+    /// since it has no free angle of its own.
     fn follower(&self, unknown: Atom, plan: &Plan) -> usize {
         let Atom::Sum { run, last, .. } = unknown else {
             let (joint, _) = self.extent(unknown);

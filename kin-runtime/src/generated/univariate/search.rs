@@ -29,10 +29,10 @@ const ORTHONORMAL: f64 = 1e-9;
 /// the next is.
 const ASKED: usize = 3;
 
-/// Noise of which nothing stands out.
+/// Relative noise above which the roots tell nothing.
 const DROWNED: f64 = 1e-3;
 
-/// Noise by which double roots are off by more than tells what space belongs to them.
+/// Relative noise above which a double root is too far off for its null space to be found.
 const BLURRED: f64 = 1e-7;
 
 /// How far the targets beside one with a family of solutions are: by angle, radians, and
@@ -81,7 +81,7 @@ pub(super) struct Search<'a> {
     meeting: f64,
     /// Whether another target is the one that is meant.
     is_beside: bool,
-    /// Of so many regular solutions the neighbours were looked for.
+    /// How many regular solutions were searched for neighbours.
     looked_at: usize,
     /// The same of singular ones.
     looked_at_singular: usize,

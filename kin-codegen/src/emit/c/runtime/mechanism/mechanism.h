@@ -24,10 +24,11 @@ double kin_gap(const double q[KIN_JOINTS]);
  * every chain they give, times its joints' rates, the platform's spatial velocity. */
 void kin_structure_jacobian(const double q[KIN_JOINTS], double jacobian[6 * KIN_JOINTS]);
 /* From actuated rates to the platform's spatial velocity, 6 rows. 1, or 0 where the platform can
- * move while the actuated joints are locked. */
+ * move while the actuated joints are locked, or these cannot be chosen freely. */
 int kin_forward_jacobian(const double q[KIN_JOINTS], double jacobian[6 * KIN_ACTUATED]);
 /* From the platform's spatial velocity to actuated rates, a row of 6 for each, for all velocities
- * that the mechanism allows. 1, or 0 where a chain is singular. */
+ * that the mechanism allows. 1, or 0 where an actuated joint's motion is one that the others
+ * of its chain can do without it. */
 int kin_inverse_jacobian(const double q[KIN_JOINTS], double jacobian[6 * KIN_ACTUATED]);
 /* The rates of all joints while the actuated ones move at the given rates. 1, or 0 where there is
  * no forward Jacobian. */

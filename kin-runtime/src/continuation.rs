@@ -1,0 +1,111 @@
+//! Curves of configurations that reach one target, and points of them by Newton's method
+//! (E. L. Allgower and K. Georg, *Introduction to Numerical Continuation Methods*, 2003,
+//! chapter 3).
+
+use crate::RANK_TOLERANCE;
+use crate::linear::span::Span;
+use crate::linear::vector::{dot, norm};
+use crate::math;
+use crate::types::Pose;
+
+/// Newton's method from a good prediction takes 3 or 4 steps.
+const NEWTON_STEPS: usize = 10;
+/// How exactly a target is met, relative to its distance from the base or the arm's; angles
+/// to that in metres, or to one. Rounding in forward kinematics is a hundredth of this.
+const MET: f64 = 1e-12;
+
+/// A hyperplane n · (x − p) = 0 that cuts a curve.
+pub(crate) struct Cut<const D: usize> {
+    pub normal: [f64; D],
+    pub point: [f64; D],
+}
+
+impl<const D: usize> Cut<D> {
+    /// Where a coordinate has a value.
+    pub fn at(coordinate: usize, value: f64) -> Self {
+        let mut point = [0.0; D];
+        point[coordinate] = value;
+        Self {
+            normal: unit(coordinate),
+            point,
+        }
+    }
+}
+
+/// What is to rest at a point, linearized there.
+pub(crate) struct Equations<const D: usize, const R: usize> {
+    /// Rows of the tip's velocity, three of the translation first, or of angles; some may be zero.
+    pub rows: [[f64; D]; R],
+    /// How far it is from where it should be, metres and radians.
+    pub missing: [f64; R],
+    /// How far the target or the arm reaches, metres.
+    pub size: f64,
+}
+
+impl<const D: usize, const R: usize> Equations<D, R> {
+    /// How far a target or the links of an arm are from the base.
+    pub fn size(target: &Pose, links: &[Pose]) -> f64 {
+        let distance = |pose: &Pose| norm(pose.translation);
+        let all = links.iter().map(distance);
+        all.fold(distance(target), math::max)
+    }
+
+    /// Of the rows, of coordinates that rest, and of one row more; what the others leave of a row
+    /// is zero below a share of the longest.
+    pub fn span(&self, resting: &[usize], more: Option<&[f64; D]>, dependent: f64) -> Span<D> {
+        let row = |i: usize| match i.checked_sub(R) {
+            None => self.rows[i],
+            Some(i) if i < resting.len() => unit(resting[i]),
+            Some(_) => more.copied().unwrap_or([0.0; D]),
+        };
+        let count = R + resting.len() + usize::from(more.is_some());
+        Span::of(count, row, dependent)
+    }
+
+    fn are_met(&self) -> bool {
+        let (missing, met) = (self.missing.iter().enumerate(), self.met());
+        missing
+            .map(|(i, x)| (x.abs(), met[usize::from(i >= 3)]))
+            .all(|(x, met)| x <= met)
+    }
+
+    /// How exactly: metres, then radians. A small arm is as exact for its size.
+    fn met(&self) -> [f64; 2] {
+        [self.size, self.size.max(1.0)].map(|size| MET * size)
+    }
+}
+
+/// Where a curve meets a hyperplane; none if Newton's method does not get there.
+pub(crate) fn meet<const D: usize, const R: usize>(
+    equations: impl Fn(&[f64; D]) -> Equations<D, R>,
+    resting: &[usize],
+    cut: &Cut<D>,
+    guess: [f64; D],
+) -> Option<[f64; D]> {
+    let mut x = guess;
+    for _ in 0..NEWTON_STEPS {
+        let equations = equations(&x);
+        let off = -dot(cut.normal, along(&x, &cut.point, -1.0));
+        if equations.are_met() && off.abs() <= equations.met()[1] {
+            return Some(x);
+        }
+        let span = equations.span(resting, Some(&cut.normal), RANK_TOLERANCE);
+        let change = span.least_norm(|i| match i.checked_sub(R) {
+            None => equations.missing[i],
+            Some(i) if i < resting.len() => 0.0,
+            Some(_) => off,
+        });
+        x = along(&x, &change, 1.0);
+    }
+    None
+}
+
+/// x + t d.
+pub(crate) fn along<const D: usize>(x: &[f64; D], d: &[f64; D], t: f64) -> [f64; D] {
+    core::array::from_fn(|i| x[i] + t * d[i])
+}
+
+/// A unit vector.
+pub(crate) fn unit<const D: usize>(i: usize) -> [f64; D] {
+    core::array::from_fn(|j| f64::from(u8::from(i == j)))
+}
