@@ -222,7 +222,8 @@ mod __Panda {
         /// Angles are in (−π, π]; limits are not applied, see
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out of
         /// reach at this parameter has no solutions, and neither has one of which an
-        /// entry is not finite. Singular is what is singular for the other joints.
+        /// entry is not finite. [`Solution::singular`] is about the Jacobian of the joints
+        /// that are solved for.
         ///
         /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 9.9e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///

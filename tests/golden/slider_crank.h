@@ -62,10 +62,11 @@ double slider_crank_gap(const double q[SLIDER_CRANK_JOINTS]);
  * every chain they give, times its joints' rates, the platform's spatial velocity. */
 void slider_crank_structure_jacobian(const double q[SLIDER_CRANK_JOINTS], double jacobian[6 * SLIDER_CRANK_JOINTS]);
 /* From actuated rates to the platform's spatial velocity, 6 rows. 1, or 0 where the platform can
- * move while the actuated joints are locked. */
+ * move while the actuated joints are locked, or these cannot be chosen freely. */
 int slider_crank_forward_jacobian(const double q[SLIDER_CRANK_JOINTS], double jacobian[6 * SLIDER_CRANK_ACTUATED]);
 /* From the platform's spatial velocity to actuated rates, a row of 6 for each, for all velocities
- * that the mechanism allows. 1, or 0 where a chain is singular. */
+ * that the mechanism allows. 1, or 0 where an actuated joint's motion is one that the others
+ * of its chain can do without it. */
 int slider_crank_inverse_jacobian(const double q[SLIDER_CRANK_JOINTS], double jacobian[6 * SLIDER_CRANK_ACTUATED]);
 /* The rates of all joints while the actuated ones move at the given rates. 1, or 0 where there is
  * no forward Jacobian. */

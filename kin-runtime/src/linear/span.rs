@@ -20,6 +20,9 @@ pub struct Span<const D: usize> {
     reflections: [[Real; D]; D],
 }
 
+/// So many vectors are kept in the basis as it grows, those behind them are brought there anew.
+const AT_HAND: usize = 16;
+
 /// The number of a vector, the vector in the basis, and how long it is beside those taken.
 type Rest<const D: usize> = (usize, [Real; D], Real);
 
@@ -38,9 +41,14 @@ impl<const D: usize> Span<D> {
     pub fn of(count: usize, vector: impl Fn(usize) -> [Real; D], tolerance: Real) -> Self {
         let mut span = Self::EMPTY;
         let mut longest = 0.0;
+        let mut first: [[Real; D]; AT_HAND] =
+            core::array::from_fn(|j| if j < count { vector(j) } else { [0.0; D] });
         while span.rank < D.min(count) {
             let rest = |j: usize| {
-                let inside = span.inside(vector(j));
+                let inside = match first.get(j) {
+                    Some(inside) => *inside,
+                    None => span.inside(vector(j)),
+                };
                 let square: Real = inside[span.rank..].iter().map(|x| x * x).sum();
                 (j, inside, sqrt(square))
             };
@@ -54,6 +62,8 @@ impl<const D: usize> Span<D> {
                 break;
             }
             span.take(j, inside, length);
+            let normal = &span.reflections[span.rank - 1];
+            first.iter_mut().take(count).for_each(|x| mirror(normal, x));
         }
         span
     }
