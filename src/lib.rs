@@ -42,11 +42,11 @@ pub use kin_runtime::{
 #[cfg(feature = "runtime")]
 mod robot;
 #[cfg(feature = "runtime")]
+pub use kin_codegen::closed_form::BranchSolution;
+#[cfg(feature = "runtime")]
 pub use kin_codegen::{Error as LoadError, Ik, Options as RobotOptions, Source as RobotSource};
 #[cfg(feature = "runtime")]
-pub use robot::{
-    AlongParameter, Answer, Answers, Arm, Interval, NamedPosture, NearestAnswer, OfSlices, Robot,
-};
+pub use robot::{AlongParameter, Answer, Answers, Arm, Interval, NamedPosture, OfSlices, Robot};
 
 /// What `kinematics!("robots/ur5e.urdf")` leaves: a sample, in this
 /// documentation alone.

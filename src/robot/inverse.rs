@@ -2,6 +2,7 @@
 
 use super::of_joints::{OfJoints, array, with_capacity, with_constant};
 use super::{Answers, Robot};
+use kin_codegen::closed_form::BranchSolution;
 use kin_runtime::__private::math;
 use kin_runtime::{
     Kinematics, Nearest, NoSolution, Pose, RedundantKinematics, Solution, Solutions,
@@ -50,21 +51,21 @@ impl Robot {
     /// subproblems, or where a polynomial solves the arm what no small motion brings nearer, with its
     /// distance as the residual. None if the target is not a number, and of a robot with
     /// [parameters](Robot::parameters).
-    pub fn ik_approximate(&self, pose: &Pose) -> Option<NearestAnswer> {
+    pub fn ik_approximate(&self, pose: &Pose) -> Option<BranchSolution> {
         with_constant!(self.joints(), N => {
             let found = OfJoints::<N>::new(self).ik_approximate(pose);
-            found.as_ref().map(NearestAnswer::of)
+            found.as_ref().map(BranchSolution::of)
         })?
     }
 
     /// The solution that moves the joints least from `seed`, inside the limits and with full
     /// turns where these lead there; an angle that a singular target leaves free keeps its value
     /// in `seed`. None if there is none.
-    pub fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<NearestAnswer> {
+    pub fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<BranchSolution> {
         self.check(seed);
         with_constant!(self.joints(), N => {
             let found = OfJoints::<N>::new(self).ik_nearest(pose, array(seed));
-            found.as_ref().map(NearestAnswer::of)
+            found.as_ref().map(BranchSolution::of)
         })?
     }
 
@@ -134,16 +135,16 @@ impl Robot {
         pose: &Pose,
         parameters: &[f64],
         seed: &[f64],
-    ) -> Option<NearestAnswer> {
+    ) -> Option<BranchSolution> {
         self.check(seed);
         with_capacity!(self.joints(), N => {
             let seed: [f64; N] = std::array::from_fn(|i| seed.get(i).copied().unwrap_or_default());
             let limits = OfJoints::<N>::new(self).own_limits();
             let solutions = self.solutions::<N>(pose, parameters, Some(&seed));
             let nearest = solutions.nearest_by(&Nearest::new(seed, &limits))?;
-            Some(NearestAnswer {
+            Some(BranchSolution {
                 q: nearest.q[..self.joints()].to_vec(),
-                ..NearestAnswer::of(&nearest)
+                ..BranchSolution::of(&nearest)
             })
         })?
     }
@@ -158,15 +159,18 @@ impl Robot {
     /// # Panics
     ///
     /// N is not the number of [joints](Robot::joints), or the robot has not one
-    /// [parameter](Robot::parameters).
+    /// [parameter](Robot::parameters), or another number of them is given.
     pub fn try_ik_nearest_at<const N: usize>(
         &self,
         pose: &Pose,
-        parameter: f64,
+        parameters: &[f64],
         nearest: &Nearest<N>,
     ) -> Result<Solution<N>, NoSolution<N>> {
         self.check(&nearest.seed);
         assert_eq!(self.parameters(), 1, "a robot with one parameter");
+        let &[parameter] = parameters else {
+            panic!("{} values of one parameter", parameters.len());
+        };
         OfJoints::new(self).try_ik_nearest_at(pose, parameter, nearest)
     }
 
@@ -246,30 +250,5 @@ impl Robot {
             });
         }
         all
-    }
-}
-
-/// The one solution that was asked for.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct NearestAnswer {
-    /// Joint values within the limits, radians and metres.
-    pub q: Vec<f64>,
-    /// The distance of its pose from the target, metres.
-    pub residual: f64,
-    /// Which combination of roots it is.
-    pub branch: u32,
-    /// Whether it stands for a family of solutions, or for two that have met.
-    pub singular: bool,
-}
-
-impl NearestAnswer {
-    pub(super) fn of<const N: usize>(solution: &Solution<N>) -> Self {
-        Self {
-            q: solution.q.to_vec(),
-            residual: solution.residual,
-            branch: solution.branch,
-            singular: solution.singular,
-        }
     }
 }

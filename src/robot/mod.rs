@@ -16,7 +16,6 @@ mod redundant;
 
 pub use answers::{Answer, Answers};
 pub use arm::{Arm, OfSlices};
-pub use inverse::NearestAnswer;
 pub use load::Robot;
 pub use posture::NamedPosture;
 pub use redundant::{AlongParameter, Interval};

@@ -1,8 +1,8 @@
 //! Robots with more joints than their targets have coordinates.
 
-use super::inverse::NearestAnswer;
 use super::of_joints::{OfJoints, array, with_capacity, with_constant};
 use super::{Answers, Robot};
+use kin_codegen::closed_form::BranchSolution;
 use kin_codegen::redundancy::Redundancy;
 use kin_runtime::{
     Criterion, FeasibleInterval, Follow, JointLimit, Kinematics, Parameter, PathStep, Pose,
@@ -248,7 +248,7 @@ impl AlongParameter<'_> {
         pose: &Pose,
         parameter: f64,
         seed: &[f64],
-    ) -> Option<NearestAnswer> {
+    ) -> Option<BranchSolution> {
         let mut all = self.held.clone();
         all[self.place] = parameter;
         self.robot.ik_nearest_at(pose, &all, seed)

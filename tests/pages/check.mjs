@@ -29,7 +29,7 @@ const compare = async (robot, what) => {
         turns: window.kin.subject.joints.map(({ turns }) => turns),
         numbers: [...document.querySelectorAll("#joints input[type=number]")].map(({ value }) => Number(value)),
         target: [...document.querySelectorAll("#target input")].map(({ value }) => Number(value)),
-        pose: Array.from(window.kin.robot.fk(window.kin.subject.q)),
+        pose: Array.from((window.kin.robot.platform ?? window.kin.robot.fk)(window.kin.subject.q)),
         rows: [...document.querySelectorAll(".branch:not([hidden])")].map((row) => row.innerText),
         current: document.querySelectorAll(".branch.current:not([hidden])").length,
         solutions: window.kin.subject.solutions.map(({ q }) => Array.from(q)),

@@ -125,7 +125,7 @@ fn answers_are_the_same<K: RedundantKinematics<N>, const N: usize>(
         compared += here.len();
         let nearest = Nearest::new(q, &limits);
         let [there, here] = [
-            loaded.try_ik_nearest_at(&target, parameter, &nearest),
+            loaded.try_ik_nearest_at(&target, &[parameter], &nearest),
             arm.try_ik_nearest_at(&target, parameter, &nearest),
         ];
         match (&there, &here) {

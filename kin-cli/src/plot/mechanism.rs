@@ -7,7 +7,6 @@ use crate::batch::PoseColumns;
 use crate::table::{Fault, Header};
 use kin_codegen::mechanism::{Aim, CompiledMechanism, Placed};
 use kin_codegen::spec::one_line;
-use kin_runtime::__private::math;
 use kin_runtime::{Mechanism, Pose, Target};
 
 /// Steps from home to where a path begins.
@@ -188,9 +187,9 @@ impl<'a> Platform<'a> {
         Ok(path)
     }
 
-    /// The posture within limits whose joints are nearest.
+    /// The posture within limits whose joints are nearest, as
+    /// [`Postures::nearest`](kin_runtime::Postures::nearest) has it.
     fn nearest(&self, placed: &[Placed], seed: &[f64]) -> Option<Vec<f64>> {
-        let length = self.generic.length();
         let chain = |(solutions, [first, end]): (&Vec<Vec<f64>>, [usize; 2])| {
             let within = |q: &Vec<f64>| {
                 let joints = self.subject.joints[first..end].iter().zip(q);
@@ -200,14 +199,8 @@ impl<'a> Platform<'a> {
                 inside.collect::<Option<Vec<f64>>>()
             };
             let far = |q: &Vec<f64>| -> f64 {
-                let joints = self.subject.joints[first..end].iter();
-                let apart = joints.zip(q).zip(&seed[first..end]);
-                apart
-                    .map(|((joint, a), b)| match joint.limit.is_revolute() {
-                        true => math::wrap(a - b).abs(),
-                        false => (a - b).abs() / length,
-                    })
-                    .sum()
+                let apart = q.iter().zip(&seed[first..end]);
+                apart.map(|(a, b)| (a - b) * (a - b)).sum()
             };
             let all = solutions.iter().filter_map(within);
             let all = all.map(|q| (far(&q), q));

@@ -21,7 +21,7 @@ class MechanismView {
     }
 
     settle() {
-        this.target = Array.from(this.mechanism.fk(this.whole));
+        this.target = Array.from(this.mechanism.platform(this.whole));
         this.solve();
     }
 
@@ -215,7 +215,7 @@ class MechanismView {
         });
         const triad = 0.12 * this.size;
         scene.frame(IDENTITY, 1.3 * triad, 2.5);
-        scene.frame(this.mechanism.fk(this.whole), triad, 2.5);
+        scene.frame(this.mechanism.platform(this.whole), triad, 2.5);
         this.drawPlatform(scene, parts);
     }
 

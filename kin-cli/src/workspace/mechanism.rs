@@ -103,15 +103,16 @@ impl Robot for Platform<'_> {
 }
 
 impl Platform<'_> {
-    /// The solution of a chain nearest home, by the Euclidean norm, of those that count.
+    /// The solution of a chain nearest home, by the Euclidean norm, radians and metres, of those that
+    /// count.
     fn nearest(&self, chain: usize, solutions: &[Vec<f64>]) -> Option<Vec<f64>> {
         let model = &self.compiled.mechanism.legs[chain].model;
-        let (limits, length) = (model.limits(), self.generic.length());
+        let limits = model.limits();
         let from_home = |q: &Vec<f64>| -> f64 {
             let joints = q.iter().enumerate();
             let moved = joints.map(|(j, value)| match model.turns(j) {
                 true => math::wrap(*value),
-                false => value / length,
+                false => *value,
             });
             moved.map(|x| x * x).sum()
         };

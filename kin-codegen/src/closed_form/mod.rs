@@ -75,21 +75,23 @@ pub enum Refinement {
     Univariate(Box<univariate::Arm>),
 }
 
-/// One solution, by the interpreter.
+/// A [`Solution`] with as many joints as a robot that is known at run time has.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BranchSolution {
-    /// The configuration, radians and metres.
+    /// Joint values, radians and metres.
     pub q: Vec<f64>,
-    /// Its distance from the target, metres.
+    /// The distance of its pose from the target, metres.
     pub residual: f64,
-    /// Its branch.
+    /// Which combination of roots it is.
     pub branch: u32,
-    /// Whether it stands for a family or a double root.
+    /// Whether it stands for a family of solutions, or for two that have met.
     pub singular: bool,
 }
 
 impl BranchSolution {
-    fn of<const N: usize>(found: &Solution<N>) -> Self {
+    /// Of a solution in an array.
+    pub fn of<const N: usize>(found: &Solution<N>) -> Self {
         Self {
             q: found.q.to_vec(),
             residual: found.residual,

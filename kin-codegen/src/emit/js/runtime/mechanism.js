@@ -76,8 +76,8 @@ const $mechanism = (mechanism) => {
             return part;
         });
     };
-    /* The platform by the first chain. */
-    mechanism.fk = (q) => chains[0].arm.fk(mechanism.split(q)[0]);
+    /* The platform's pose, by the first chain. */
+    mechanism.platform = (q) => chains[0].arm.fk(mechanism.split(q)[0]);
     /* How far the loops are from closed, metres. */
     mechanism.gap = (q) => $gaps(mechanism, q, []).gap;
     /* A closed configuration next to one, with some joints at rest, by Levenberg's method. */
