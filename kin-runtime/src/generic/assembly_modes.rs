@@ -4,6 +4,7 @@ use alloc::{vec, vec::Vec};
 use core::f64::consts::PI;
 
 use super::mechanism::Mechanism;
+use super::starts::Starts;
 use crate::math;
 
 /// The starts of the first batch.
@@ -27,26 +28,17 @@ impl Mechanism {
     /// If there is not one value for each actuated joint.
     pub fn assembly_modes(&self, actuated: &[f64]) -> Vec<Vec<f64>> {
         let n = self.joints();
-        let passive = n - self.actuated().len();
-        // The additive recurrence of M. Roberts, "The unreasonable
-        // effectiveness of quasirandom sequences", 2018.
-        let phi = (0..64).fold(2.0, |phi: f64, _| {
-            libm::pow(1.0 + phi, 1.0 / (passive + 1) as f64)
-        });
-        let mut place = vec![0.5; n];
+        let passive: Vec<usize> = (0..n).filter(|i| !self.actuated().contains(i)).collect();
+        let mut starts = Starts::new(passive.iter().map(|&i| self.range(i)).collect());
+        let mut start = vec![0.0; n];
         let mut found: Vec<Vec<f64>> = Vec::new();
         let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
         while quiet < STABLE && tried < MOST_STARTS {
             let known = found.len();
             for _ in 0..batch {
-                let mut step = 1.0;
-                for x in &mut place {
-                    step /= phi;
-                    *x += step;
-                    *x -= libm::floor(*x);
+                for (&i, value) in passive.iter().zip(starts.next()) {
+                    start[i] = *value;
                 }
-                let start = |i: usize| self.range(i) * (2.0 * place[i] - 1.0);
-                let start: Vec<f64> = (0..n).map(start).collect();
                 if let Some(mut q) = self.fk_near(actuated, &start) {
                     (0..n).for_each(|i| q[i] = self.reduced(i, q[i]));
                     if !found.iter().any(|other| self.same(other, &q)) {

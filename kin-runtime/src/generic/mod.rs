@@ -9,6 +9,7 @@ mod given;
 mod half_plane;
 mod mechanism;
 mod search;
+mod starts;
 
 pub use chain::Chain;
 pub use mechanism::Mechanism;

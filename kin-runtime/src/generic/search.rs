@@ -1,12 +1,13 @@
 //! Inverse kinematics of any chain, by descending from many starts.
 
-use alloc::{vec, vec::Vec};
+use alloc::vec::Vec;
 use core::f64::consts::PI;
 
 use super::chain::is_prismatic;
 use super::characteristic_length::characteristic_length;
 use super::descent::{Descent, Task};
 use super::given::Given;
+use super::starts::Starts;
 use crate::linear::vector::norm;
 use crate::{Chain, Parameter, Pose, Target, Twist, math};
 
@@ -120,7 +121,10 @@ impl Chain {
         let given = Given::new(self, target, options.target, options.given);
         let chain = &given.chain;
         let task = chain.task(&given);
-        let mut starts = Starts::new(chain.twists(), task.length + norm(target.translation));
+        // Slides begin within the reach.
+        let reach = task.length + norm(target.translation);
+        let range = |twist: &Twist| if is_prismatic(twist) { reach } else { PI };
+        let mut starts = Starts::new(chain.twists().iter().map(range).collect());
         let mut descent = Descent::new(task);
         let mut found: Vec<ChainSolution> = Vec::new();
         let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
@@ -234,44 +238,4 @@ impl Chain {
 fn in_order(mut found: Vec<ChainSolution>) -> Vec<ChainSolution> {
     found.sort_by(|a, b| a.q.partial_cmp(&b.q).unwrap_or(core::cmp::Ordering::Equal));
     found
-}
-
-/// Starts that fill the joint space evenly, always the same: the additive
-/// recurrence whose steps are the powers of 1/φ with φⁿ⁺¹ = φ + 1
-/// (M. Roberts, "The unreasonable effectiveness of quasirandom sequences",
-/// 2018).
-struct Starts {
-    steps: Vec<f64>,
-    /// Half the width of the range of every joint.
-    ranges: Vec<f64>,
-    /// In units of the range, in [0, 1).
-    place: Vec<f64>,
-    q: Vec<f64>,
-}
-
-impl Starts {
-    /// Revolute joints start in (−π, π], prismatic ones in ± `reach`.
-    fn new(twists: &[Twist], reach: f64) -> Starts {
-        let n = twists.len();
-        let range = |twist: &Twist| if is_prismatic(twist) { reach } else { PI };
-        let phi = (0..64).fold(2.0, |phi: f64, _| {
-            libm::pow(1.0 + phi, 1.0 / (n + 1) as f64)
-        });
-        let powers = core::iter::successors(Some(1.0 / phi), |power| Some(power / phi));
-        Starts {
-            steps: powers.take(n).collect(),
-            ranges: twists.iter().map(range).collect(),
-            place: vec![0.5; n],
-            q: vec![0.0; n],
-        }
-    }
-
-    fn next(&mut self) -> &[f64] {
-        for i in 0..self.q.len() {
-            self.place[i] += self.steps[i];
-            self.place[i] -= libm::floor(self.place[i]);
-            self.q[i] = self.ranges[i] * (2.0 * self.place[i] - 1.0);
-        }
-        &self.q
-    }
 }
