@@ -20,7 +20,7 @@ fn script(page: &str) -> &str {
 const ASKED: &str = "
 globalThis.matchMedia = () => ({ matches: false });
 const subject = Array.isArray(robot.chains) ? new MechanismView(robot, view) : new ArmView(robot, view);
-const tip = () => origin(Array.isArray(robot.chains) ? robot.fk(subject.whole) : robot.fk(subject.q));
+const tip = () => origin(Array.isArray(robot.chains) ? robot.platform(subject.whole) : robot.fk(subject.q));
 const apart = (a, b) => Math.hypot(...add(a, b, -1));
 export default { ask() {
     const first = tip();
