@@ -190,6 +190,20 @@ joints:
 tip: {link: hand, xyz: [80, 0, 0]}
 ";
 
+/// Four axes on a lift: at home, and with the forearm straight, the point where the second and the
+/// third meet lies on the last one, which so turns it nowhere.
+const LIFTED: &str = "\
+robot: lifted
+units: {angle: rad, length: m}
+joints:
+  - {name: lift,     xyz: [0, 0, 0],    axis: [0, 0, 1], type: prismatic, limits: [0, 1]}
+  - {name: shoulder, xyz: [0.1, 0, 0],  axis: [0, 0, 1]}
+  - {name: elbow,    xyz: [0, 0, 0.35], axis: [1, 0, 0]}
+  - {name: wrist,    xyz: [0, 0, 0.25], axis: [1, 0, 0]}
+  - {name: roll,     xyz: [0, 0, 0.15], axis: [0, 0, 1]}
+tip: {link: hand, xyz: [0, 0, 0]}
+";
+
 /// There is a plan that divides by nothing where the arm is regular, and it is chosen.
 #[test]
 fn five_joints_lose_nothing() {
@@ -203,6 +217,21 @@ fn a_plan_that_degenerates_is_completed() {
     let attack = Attack::on(WELDER);
     assert!(attack.form.elimination().is_some());
     assert!(attack.loses_nothing() > 0);
+}
+
+#[test]
+fn a_slide_at_home_loses_nothing() {
+    let attack = Attack::on(LIFTED);
+    attack.loses_nothing();
+    for lift in [0.0, 1e-12, 1e-9, 1e-6, 0.3] {
+        let q = [lift, 0.0, -2.0, 0.0, 0.96];
+        let solutions = attack.form.solutions(&attack.chain.fk(&q));
+        assert_eq!(
+            recovered(&attack.model, &q, &solutions, 0.1),
+            Ok(()),
+            "{lift}"
+        );
+    }
 }
 
 #[test]

@@ -9,8 +9,10 @@
 
 mod alignment;
 mod parameters;
+mod vanishing;
 
 pub(crate) use parameters::SOMEWHERE;
+use vanishing::vanishing;
 
 use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::{self, Linkage, SINGULAR};
@@ -19,9 +21,9 @@ use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
 use std::cell::{OnceCell, RefCell};
-use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
+use std::rc::Rc;
 
 /// Excused configurations that are tried all the same: near a singular one the
 /// refinement of a branch costs a hundred times as much.
@@ -44,6 +46,13 @@ const NEAR: usize = 240;
 
 /// Of these, those on which an elimination is tried.
 const TRIED: usize = 30;
+
+/// Starts from which a step of a plan is driven to where it degenerates; one for each value of the
+/// locked joints.
+const STARTS: usize = 3;
+
+/// Above this conditioning the arm is not singular where a step degenerates.
+const NEARLY_SINGULAR: f64 = 1e-5;
 
 /// Above this conditioning a configuration is far from singular.
 const REGULAR: f64 = 1e-3;
@@ -137,7 +146,7 @@ pub struct Trials<'a> {
     /// The conditioning of random configurations.
     spread: OnceCell<Vec<f64>>,
     /// Which configurations some plan has lost: the next is tried on them first.
-    lost: RefCell<BTreeSet<[usize; 2]>>,
+    lost: RefCell<Vec<(usize, Rc<Trial>)>>,
 }
 
 /// The arm with its locked joints at some values: what targets are solved for, and what
@@ -147,7 +156,7 @@ struct Held {
     parameters: Vec<f64>,
     model: Model,
     chain: Chain,
-    all: Vec<Trial>,
+    all: Vec<Rc<Trial>>,
 }
 
 struct Trial {
@@ -243,15 +252,14 @@ impl<'a> Trials<'a> {
     pub fn lost(&self) -> Vec<Vec<f64>> {
         let lost = self.lost.borrow();
         let known = lost.iter().filter(|_| self.linkage.parameters() == 0);
-        known.map(|&[i, k]| self.held[i].all[k].q.clone()).collect()
+        known.map(|(_, trial)| trial.q.clone()).collect()
     }
 
     /// Which of the configurations that some plan has lost a closed form loses.
     pub fn lost_again(&self, form: &ClosedForm) -> Vec<bool> {
         let lost = self.lost.borrow();
-        let is_lost = |&[i, k]: &[usize; 2]| {
-            let Held { model, all, .. } = &self.held[i];
-            let trial = &all[k];
+        let is_lost = |(held, trial): &(usize, Rc<Trial>)| {
+            let model = &self.held[*held].model;
             let solutions = form.solutions_at(&trial.pose, &trial.parameters);
             recovered(model, &trial.q, &solutions, trial.conditioning).is_err()
         };
@@ -259,12 +267,37 @@ impl<'a> Trials<'a> {
     }
 
     /// All configurations: those that were lost before, and the others.
-    fn in_order(&self) -> [Vec<[usize; 2]>; 2] {
+    fn in_order(&self) -> [Vec<(usize, Rc<Trial>)>; 2] {
         let lost = self.lost.borrow();
         let held = self.held.iter().enumerate();
-        let all = held.flat_map(|(i, held)| (0..held.all.len()).map(move |k| [i, k]));
-        let others = all.filter(|place| !lost.contains(place));
-        [lost.iter().copied().collect(), others.collect()]
+        let all = held.flat_map(|(i, held)| held.all.iter().map(move |trial| (i, trial.clone())));
+        let is_new = |(_, trial): &(usize, Rc<Trial>)| {
+            lost.iter().all(|(_, before)| !Rc::ptr_eq(before, trial))
+        };
+        [lost.clone(), all.filter(is_new).collect()]
+    }
+
+    /// Configurations in which what a plan divides by vanishes and the arm is not singular, and next
+    /// to these.
+    fn vanishing(&self, form: &ClosedForm) -> Vec<(usize, Rc<Trial>)> {
+        let mut random = Random(0x1b87_3593_cc9e_2d51);
+        let starts = if self.linkage.locked.is_empty() {
+            STARTS
+        } else {
+            1
+        };
+        let mut all = Vec::new();
+        for (number, held) in self.held.iter().enumerate() {
+            let asked = |q: &[f64]| held.asked(self.linkage, q);
+            let starts = (0..starts).map(|_| anywhere(&held.model, &mut random));
+            let found = vanishing(form, asked, &starts.collect::<Vec<_>>());
+            let beside = alignment::neighbours(&found);
+            let trials = found.into_iter().chain(beside);
+            let trials = trials.map(|q| held.trial(self.linkage, self.target, q, true, true));
+            let regular = trials.filter(|trial| trial.conditioning > NEARLY_SINGULAR);
+            all.extend(regular.map(|trial| (number, trial)));
+        }
+        all
     }
 
     /// The share of random configurations of less conditioning.
@@ -290,37 +323,54 @@ impl<'a> Trials<'a> {
 
 impl Held {
     fn new(parameters: Vec<f64>, model: Model, linkage: &Linkage, target: Target) -> Self {
-        let chain = model.chain();
-        let of = |q: &[f64]| match linkage.swivel {
-            Some(swivel) => vec![swivel.angle(&chain, q)],
-            None => parameters.clone(),
-        };
-        let trial = |q: Vec<f64>, aligned: bool, is_attack: bool| Trial {
-            pose: linkage.scalar.target(chain.fk(&q)),
-            conditioning: linkage.conditioning(&chain, &q, target),
-            parameters: of(&q),
-            q,
-            aligned,
-            is_attack,
-        };
         let round = configurations(&model);
         let beside = alignment::neighbours(&round);
         let aligned = alignment::aligned(&model);
         let nearly = alignment::neighbours(&aligned);
-        let all = (round.into_iter().map(|q| trial(q, false, false)))
-            .chain(beside.into_iter().map(|q| trial(q, false, true)))
-            .chain(aligned.into_iter().map(|q| trial(q, true, true)))
-            .chain(nearly.into_iter().map(|q| trial(q, true, true)))
-            .collect();
-        Self {
+        let mut held = Self {
             parameters: match linkage.swivel {
                 Some(_) => vec![SOMEWHERE],
                 None => parameters,
             },
+            chain: model.chain(),
             model,
-            chain,
-            all,
-        }
+            all: Vec::new(),
+        };
+        let trial = |q, aligned, is_attack| held.trial(linkage, target, q, aligned, is_attack);
+        held.all = (round.into_iter().map(|q| trial(q, false, false)))
+            .chain(beside.into_iter().map(|q| trial(q, false, true)))
+            .chain(aligned.into_iter().map(|q| trial(q, true, true)))
+            .chain(nearly.into_iter().map(|q| trial(q, true, true)))
+            .collect();
+        held
+    }
+
+    fn trial(
+        &self,
+        linkage: &Linkage,
+        target: Target,
+        q: Vec<f64>,
+        aligned: bool,
+        is_attack: bool,
+    ) -> Rc<Trial> {
+        let (pose, parameters) = self.asked(linkage, &q);
+        Rc::new(Trial {
+            pose,
+            conditioning: linkage.conditioning(&self.chain, &q, target),
+            parameters,
+            q,
+            aligned,
+            is_attack,
+        })
+    }
+
+    /// The target that a configuration makes, and what comes with it.
+    fn asked(&self, linkage: &Linkage, q: &[f64]) -> (Pose, Vec<f64>) {
+        let parameters = match linkage.swivel {
+            Some(swivel) => vec![swivel.angle(&self.chain, q)],
+            None => self.parameters.clone(),
+        };
+        (linkage.scalar.target(self.chain.fk(q)), parameters)
     }
 
     /// Targets that the arm was not seen to reach, and some that it cannot: the
@@ -359,33 +409,10 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
     };
     // What was lost before is likely to be lost again, and then the others are not asked.
     let [before, others] = trials.in_order();
-    for places in before.chunks(1).chain(others.chunks(form.side_by_side())) {
-        let mut tried = Vec::with_capacity(places.len());
-        for place @ &[i, k] in places {
-            let trial = &trials.held[i].all[k];
-            certificate.configurations += 1;
-            let is_excused = trial.conditioning < excused;
-            certificate.excused += usize::from(is_excused);
-            let is_dear = trial.is_attack || certificate.excused > EXCUSED;
-            if !(is_excused && is_dear) {
-                tried.push((place, trial, is_excused));
-            }
-        }
-        let targets = tried
-            .iter()
-            .map(|(_, it, _)| (&it.pose, &it.parameters[..]));
-        let solutions = form.solutions_each(targets);
-        for ((place, trial, is_excused), solutions) in tried.into_iter().zip(solutions) {
-            let held = &trials.held[place[0]];
-            let before = certificate.lost;
-            let run = Run { trials, held };
-            let added = certificate.add(&run, trial, &solutions, is_excused, losses);
-            if added.is_err() || certificate.lost > before {
-                trials.lost.borrow_mut().insert(*place);
-            }
-            added?;
-        }
-    }
+    certificate.try_all(trials, form, &before, 1, losses)?;
+    certificate.try_all(trials, form, &others, form.side_by_side(), losses)?;
+    let own = trials.vanishing(form);
+    certificate.try_all(trials, form, &own, form.side_by_side(), losses)?;
     for held in &trials.held {
         let targets = held.elsewhere(trials.target);
         let targets: Vec<Pose> = targets.map(|it| trials.linkage.scalar.target(it)).collect();
@@ -410,6 +437,49 @@ impl Certificate {
     /// Whether so much is lost that relations between axes have to be read otherwise.
     pub(crate) fn loses_much(&self) -> bool {
         4 * self.lost > self.configurations
+    }
+
+    /// Tries a closed form on configurations, so many side by side.
+    fn try_all(
+        &mut self,
+        trials: &Trials,
+        form: &ClosedForm,
+        all: &[(usize, Rc<Trial>)],
+        side_by_side: usize,
+        losses: usize,
+    ) -> Result<(), Failure> {
+        for some in all.chunks(side_by_side) {
+            let mut tried = Vec::with_capacity(some.len());
+            for (held, trial) in some {
+                self.configurations += 1;
+                let is_excused = trial.conditioning < form.near_singular();
+                self.excused += usize::from(is_excused);
+                let is_dear = trial.is_attack || self.excused > EXCUSED;
+                if !(is_excused && is_dear) {
+                    tried.push((*held, trial, is_excused));
+                }
+            }
+            let targets = tried
+                .iter()
+                .map(|(_, it, _)| (&it.pose, &it.parameters[..]));
+            let solutions = form.solutions_each(targets);
+            for ((held, trial, is_excused), solutions) in tried.into_iter().zip(solutions) {
+                let before = self.lost;
+                let run = Run {
+                    trials,
+                    held: &trials.held[held],
+                };
+                let added = self.add(&run, trial, &solutions, is_excused, losses);
+                if added.is_err() || self.lost > before {
+                    let mut lost = trials.lost.borrow_mut();
+                    if lost.iter().all(|(_, known)| !Rc::ptr_eq(known, trial)) {
+                        lost.push((held, trial.clone()));
+                    }
+                }
+                added?;
+            }
+        }
+        Ok(())
     }
 
     /// All solutions to a target reach it.

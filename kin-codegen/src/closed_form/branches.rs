@@ -87,6 +87,26 @@ impl ClosedForm {
         }
     }
 
+    /// What the first nodes of the expressions are for a branch.
+    pub(crate) fn first_values(
+        &self,
+        count: usize,
+        (target, parameters): &(Pose, Vec<f64>),
+        branch: u32,
+        values: &mut Vec<f64>,
+    ) {
+        if let Some(inverse) = self.expressions() {
+            let seed = [0.0; 7];
+            let inputs = inputs(
+                target,
+                &seed[..inverse.q.len()],
+                parameters,
+                self.tolerances().free_below,
+            );
+            inverse.graph.evaluate_first(count, &inputs, branch, values);
+        }
+    }
+
     fn question<'a>(
         &'a self,
         target: &'a Pose,

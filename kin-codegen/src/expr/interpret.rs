@@ -11,10 +11,21 @@ impl Graph {
     /// Evaluates every node for one branch with the functions that generated
     /// code uses. `values` is resized and filled, indexed by [`Expr::index`].
     pub fn evaluate(&self, inputs: &[f64], lane: Lane, values: &mut Vec<f64>) {
+        self.evaluate_first(self.nodes().len(), inputs, lane, values);
+    }
+
+    /// The same of so many nodes in front.
+    pub(crate) fn evaluate_first(
+        &self,
+        count: usize,
+        inputs: &[f64],
+        lane: Lane,
+        values: &mut Vec<f64>,
+    ) {
         values.clear();
-        values.reserve(self.nodes().len());
+        values.reserve(count);
         let mut quartic = Quartic::default();
-        for node in self.nodes() {
+        for node in &self.nodes()[..count] {
             let value = node.value(inputs, lane, |e| values[e.index()], &mut quartic);
             values.push(value);
         }

@@ -25,7 +25,7 @@ pub use free::{FreeAngle, FreeAngles};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Choice, Expr, Fusing, Graph, Operations, Tangent, Tape};
+use super::{Choice, Expr, Fusing, Graph, Node, Operations, Tangent, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -102,6 +102,24 @@ impl InverseGraph {
     /// Whether the branches of an idealized arm are never known to be all there are.
     pub fn tells_nothing(&self) -> bool {
         self.graph.is(self.singular, 1.0)
+    }
+
+    /// What its steps divide by, and the lengths of the vectors that they tell angles by: sines and
+    /// cosines.
+    pub(crate) fn divisors(&self) -> Vec<(Expr, Option<Expr>)> {
+        let needed = self.graph.reachable(&self.outputs());
+        let nodes = self.graph.nodes().iter().zip(needed);
+        let divided = nodes.filter(|(_, needed)| *needed);
+        let mut all: Vec<(Expr, Option<Expr>)> = divided
+            .filter_map(|(node, _)| match *node {
+                Node::Div(_, by) if self.graph.value(by).is_none() => Some((by, None)),
+                Node::Atan2(sine, cosine) => Some((sine, Some(cosine))),
+                _ => None,
+            })
+            .collect();
+        all.sort();
+        all.dedup();
+        all
     }
 
     /// The operations of one branch.

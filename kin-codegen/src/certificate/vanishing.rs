@@ -1,0 +1,157 @@
+//! Configurations in which what a plan divides by vanishes, and the vectors that tell its angles:
+//! there a step may degenerate where the arm does not.
+
+use crate::closed_form::ClosedForm;
+use crate::expr::Expr;
+use kin_runtime::Pose;
+use std::f64::consts::TAU;
+
+/// Steps of Newton's method.
+const STEPS: usize = 40;
+/// Of these, so many may reduce a quantity by less than a half.
+const SLOW: usize = 5;
+/// Below this share of its usual value a quantity has vanished.
+const VANISHED: f64 = 1e-9;
+/// Below this it need not be driven any further: the square of what is nothing to rounding.
+const NOTHING: f64 = 1e-26;
+/// Differences of joints at most and at least, radians or metres.
+const DIFFERENCE: [f64; 2] = [1e-7, 1e-13];
+/// As differences, this share of the step before.
+const SHARE: f64 = 1e-2;
+/// Where a step leaves so much, the root is double, as that of a square is: twice the step is
+/// Newton's.
+const QUARTER: std::ops::Range<f64> = 0.2..0.3;
+/// The farthest that a joint goes in a step, radians or metres.
+const FARTHEST: f64 = 0.5;
+/// What keeps the normal equations regular, relative to their trace: of a sine and a cosine one
+/// may be zero throughout.
+const DAMPING: f64 = 1e-9;
+
+/// Configurations to which Newton's method goes from some. `asked` is the target of a
+/// configuration, and what comes with it.
+pub(super) fn vanishing(
+    form: &ClosedForm,
+    asked: impl Fn(&[f64]) -> (Pose, Vec<f64>),
+    starts: &[Vec<f64>],
+) -> Vec<Vec<f64>> {
+    let quantities = form.expressions().map(|inverse| inverse.divisors());
+    let quantities = quantities.unwrap_or_default();
+    let mut all = Vec::new();
+    for quantity in quantities {
+        let along = Quantity {
+            form,
+            asked: &asked,
+            of: quantity,
+        };
+        let usual = starts
+            .iter()
+            .filter_map(|q| Some(length(along.at(q, along.branch(q)?))));
+        let usual = usual.fold(0.0, f64::max);
+        all.extend(starts.iter().filter_map(|q| along.driven(q.clone(), usual)));
+    }
+    all
+}
+
+/// A divisor, or a sine and a cosine of some length.
+struct Quantity<'a, F> {
+    form: &'a ClosedForm,
+    asked: &'a F,
+    of: (Expr, Option<Expr>),
+}
+
+impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> Quantity<'_, F> {
+    /// The branch that a configuration is on.
+    fn branch(&self, q: &[f64]) -> Option<u32> {
+        let (target, parameters) = (self.asked)(q);
+        let apart = |other: &[f64]| -> f64 {
+            let turns = q.iter().zip(other).map(|(a, b)| {
+                let d = (a - b).abs() % TAU;
+                d.min(TAU - d)
+            });
+            turns.sum()
+        };
+        let branches = self.form.branches_at(&target, &parameters);
+        let own = branches
+            .iter()
+            .min_by(|a, b| apart(&a.q).total_cmp(&apart(&b.q)));
+        own.map(|own| own.branch)
+    }
+
+    /// Its value on a branch for the target of a configuration.
+    fn at(&self, q: &[f64], branch: u32) -> [f64; 2] {
+        let (a, b) = self.of;
+        let last = b.map_or(a, |b| a.max(b));
+        let mut values = Vec::new();
+        self.form
+            .first_values(last.index() + 1, &(self.asked)(q), branch, &mut values);
+        [values[a.index()], b.map_or(0.0, |b| values[b.index()])]
+    }
+
+    /// Moves the joints by the least that makes it vanish; none if that is not found.
+    fn driven(&self, mut q: Vec<f64>, usual: f64) -> Option<Vec<f64>> {
+        let (mut slow, mut before, mut difference) = (0, f64::INFINITY, DIFFERENCE[0]);
+        let mut multiplicity = 1.0;
+        for _ in 0..STEPS {
+            let Some(branch) = self.branch(&q) else {
+                break;
+            };
+            let here = self.at(&q, branch);
+            let left = length(here);
+            if left <= NOTHING * usual {
+                return Some(q);
+            }
+            slow += usize::from(left > 0.5 * before);
+            if QUARTER.contains(&(left / before)) {
+                multiplicity = 2.0;
+            }
+            before = left;
+            if slow > SLOW {
+                break;
+            }
+            let slope = |joint: usize| {
+                let mut beside = q.clone();
+                beside[joint] += difference;
+                let there = self.at(&beside, branch);
+                [0, 1].map(|i| (there[i] - here[i]) / difference)
+            };
+            let slopes: Vec<[f64; 2]> = (0..q.len()).map(slope).collect();
+            let Some([u, v]) = least_norm(&slopes, here) else {
+                break;
+            };
+            let mut farthest: f64 = 0.0;
+            for (x, slope) in q.iter_mut().zip(&slopes) {
+                let step = multiplicity * (slope[0] * u + slope[1] * v);
+                let step = step.clamp(-FARTHEST, FARTHEST);
+                *x -= step;
+                farthest = farthest.max(step.abs());
+            }
+            let [most, least] = DIFFERENCE;
+            difference = (SHARE * farthest).clamp(least, most);
+        }
+        (before <= VANISHED * usual).then_some(q)
+    }
+}
+
+fn length([a, b]: [f64; 2]) -> f64 {
+    a.hypot(b)
+}
+
+/// The weights of two rows, given by columns, in their shortest combination that is a vector,
+/// damped; none if there is none.
+fn least_norm(columns: &[[f64; 2]], [a, b]: [f64; 2]) -> Option<[f64; 2]> {
+    let entry = |i: usize, j: usize| columns.iter().map(|x| x[i] * x[j]).sum::<f64>();
+    let trace = entry(0, 0) + entry(1, 1);
+    let [uu, uv, vv] = [
+        entry(0, 0) + DAMPING * trace,
+        entry(0, 1),
+        entry(1, 1) + DAMPING * trace,
+    ];
+    let determinant = uu * vv - uv * uv;
+    let is_regular = determinant.is_finite() && determinant > 0.0;
+    is_regular.then(|| {
+        [
+            (vv * a - uv * b) / determinant,
+            (uu * b - uv * a) / determinant,
+        ]
+    })
+}
