@@ -5,7 +5,8 @@
 //! of the arm as given, and is held against the generic product of
 //! exponentials, which shares no code with it: every configuration that made
 //! the target must come back (*recovered*), every solution must reach the target
-//! (*sound*), and no solution twice.
+//! (*sound*), and no solution twice. Among the configurations are those in which axes are
+//! aligned, and those in which what the plan divides by vanishes.
 
 mod alignment;
 mod parameters;
@@ -47,8 +48,8 @@ const NEAR: usize = 240;
 /// Of these, those on which an elimination is tried.
 const TRIED: usize = 30;
 
-/// Starts from which a step of a plan is driven to where it degenerates; one for each value of the
-/// locked joints.
+/// Starts from which what a plan divides by is driven to zero; one less for each value of the locked
+/// joints.
 const STARTS: usize = 3;
 
 /// Above this conditioning the arm is not singular where a step degenerates.
@@ -281,11 +282,7 @@ impl<'a> Trials<'a> {
     /// to these.
     fn vanishing(&self, form: &ClosedForm) -> Vec<(usize, Rc<Trial>)> {
         let mut random = Random(0x1b87_3593_cc9e_2d51);
-        let starts = if self.linkage.locked.is_empty() {
-            STARTS
-        } else {
-            1
-        };
+        let starts = STARTS - usize::from(!self.linkage.locked.is_empty());
         let mut all = Vec::new();
         for (number, held) in self.held.iter().enumerate() {
             let asked = |q: &[f64]| held.asked(self.linkage, q);

@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 const STEPS: usize = 40;
 /// Of these, so many may reduce a quantity by less than a half.
 const SLOW: usize = 5;
+/// A quantity that changes less than by this share is that of a unit vector, or a constant.
+const CONSTANT: f64 = 1e-9;
 /// Below this share of its usual value a quantity has vanished.
 const VANISHED: f64 = 1e-9;
 /// Below this it need not be driven any further: the square of what is nothing to rounding.
@@ -43,11 +45,15 @@ pub(super) fn vanishing(
             asked: &asked,
             of: quantity,
         };
-        let usual = starts
+        let lengths = starts
             .iter()
             .filter_map(|q| Some(length(along.at(q, along.branch(q)?))));
-        let usual = usual.fold(0.0, f64::max);
-        all.extend(starts.iter().filter_map(|q| along.driven(q.clone(), usual)));
+        let lengths: Vec<f64> = lengths.collect();
+        let usual = lengths.iter().copied().fold(0.0, f64::max);
+        let least = lengths.iter().copied().fold(usual, f64::min);
+        if usual - least > CONSTANT * usual {
+            all.extend(starts.iter().filter_map(|q| along.driven(q.clone(), usual)));
+        }
     }
     all
 }
