@@ -3,8 +3,8 @@
  * Options: name = delta, base = "frame", tip = "effector", ik = closed_form.
  * frame to effector, 3 chains, 15 joints, 3 actuated.
  * Inverse kinematics: arm1 by SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm2 by
- * SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2); arm3 by SP3(q1) SP4(q3) SP1(q2), then
- * SP2(q1,q2).
+ * SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1); arm3 by SP3(q1) SP4(q3) SP1(q2), then
+ * SP4(q2) SP1(q1).
  * Forward kinematics: closed form: the platform translates at 0.2320 m, 0.2320 m, 0.2320 m
  * from points that the actuators place, so its position is where three spheres meet
  * (assembly modes with the platform turned, in another mode of its joints, are left out).
@@ -2766,14 +2766,14 @@ return $mechanism({
                 counts_axis: false,
             },
             form: {
-                plan: "SP2(q1,q2)",
+                plan: "SP4(q2) SP1(q1)",
                 target: "orientations of the tip",
                 branches: 2,
                 most: 2,
                 postures: [{
                     name: "step 1",
                     words: ["+", "\u2212"],
-                    meaning: "step 1: the sign of the root that gives q1 and q2",
+                    meaning: "step 1: the sign of the root that gives q2",
                 }],
                 parameters: [],
                 solved: [0, 1],
@@ -2806,70 +2806,85 @@ return $mechanism({
                     const r31 = target[8];
                     const r32 = target[9];
                     const r33 = target[10];
-                    /* 1. q1 and q2 by SP2 (what all branches share) */
-                    const t3 = 0.8660254037844388 * r13 + 0.4999999999999999 * r23;
-                    const t4 = 0.4174957550478551 * r33 + (0.7869389880338669 * r23 - 0.4543394365771645 * r13);
-                    const t5 = 0.9086788731543293 * r33;
-                    const t6 = 0.3615619298436078 * r23 - 0.20874787752392746 * r13;
-                    const t7 = t6 - t5;
-                    const t8 = t3 * t3 + t4 * t4;
-                    const singular = $select(t8, 1e-13, 1.0, 0.0);
-                    const t9 = Math.sqrt($select(t8, 1e-24, 0.0, t8));
-                    const c2 = t5 - t6;
-                    const t10 = 1.0 / t8;
+                    /* 1. q2 by SP4 (what all branches share) */
+                    const t3 = 0.8660254037844388 * r11 + 0.4999999999999999 * r21;
+                    const t4 = 0.4174957550478551 * r31 + (0.7869389880338669 * r21 - 0.4543394365771645 * r11);
+                    const t5 = 1.0000000000000002 * (0.3615619298436078 * r21 - 0.20874787752392746 * r11 - 0.9086788731543293 * r31);
+                    const t6 = 0.24999999999999978 - t5 * t5;
+                    const t7 = $select(t6, 2.499999999999998e-14, 1.0, 0.0);
+                    const t8 = Math.sqrt($select(t6, 2.499999999999998e-14, 0.0, t6));
+                    const t9 = $max(-0.4999999999999998, -$max(-0.4999999999999998, -t5));
+                    const t10 = 2.000000000000001 * t9;
+                    const s2 = -t10;
+                    /* 2. q1 by SP1, given q2 (what all branches share) */
+                    const t11 = 0.8660254037844388 * t3;
+                    const t12 = 0.8660254037844388 * t4;
+                    const t13 = t3 * t3 + t4 * t4;
+                    const t14 = 0.8660254037844388 * r13 + 0.4999999999999999 * r23;
+                    const t15 = 0.4174957550478551 * r33 + (0.7869389880338669 * r23 - 0.4543394365771645 * r13);
+                    const t16 = -(t10 * t15);
+                    const t17 = -(t10 * t14);
+                    const t18 = Math.sqrt((t14 * t14 + t15 * t15) * (t10 * t10));
                     /* Residual: forward kinematics against the target (what all branches share) */
-                    const t11 = 0.8660254037844386 * c2;
-                    const t12 = 0.20874787752392746 * t7;
-                    const t13 = 0.3615619298436078 * t7;
-                    const t14 = 0.9086788731543293 * t7;
-                    const t15 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t16 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    const t17 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    const t18 = r13 - (r21 * r32 - r22 * r31);
-                    const t19 = r23 - (r12 * r31 - r11 * r32);
-                    const t20 = r33 - (r11 * r22 - r12 * r21);
-                    const t21 = t15 * t15 + t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19 + t20 * t20;
-                    const t22 = 0.01048375215324917 * t21;
+                    const t19 = 0.20874787752392746 * t9;
+                    const t20 = 0.3615619298436078 * t9;
+                    const t21 = 0.9086788731543293 * t9;
+                    const t22 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                    const t23 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    const t24 = r31 * r32 + (r11 * r12 + r21 * r22);
+                    const t25 = r13 - (r21 * r32 - r22 * r31);
+                    const t26 = r23 - (r12 * r31 - r11 * r32);
+                    const t27 = r33 - (r11 * r22 - r12 * r21);
+                    const t28 = t22 * t22 + t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27;
+                    const t29 = 0.01048375215324917 * t28;
                     /* 2 lanes, by the signs of the roots: e1 of step 1 */
                     const e1_of_2 = [1.0, -1.0];
                     const invalid_ = new Float64Array(2);
+                    const singular_ = new Float64Array(2);
                     const residual_ = new Float64Array(2);
                     const q1_ = new Float64Array(2);
                     const q2_ = new Float64Array(2);
                     for (let k = 0; k < 2; ++k) {
                         const e1 = e1_of_2[k];
-                        /* 1. q1 and q2 by SP2 */
-                        const invalid = $select(t8, 1e-24, -e1, 0.0);
-                        const t23 = e1 * t9;
-                        const s2 = -t23;
-                        const s1 = $select(t8, 1e-24, t1, -(t3 * t23 * t10));
-                        const c1 = $select(t8, 1e-24, t2, -(t4 * t23 * t10));
+                        /* 1. q2 by SP4 */
+                        const invalid = $select(t6, 2.499999999999998e-14, -e1, 0.0);
+                        const t30 = e1 * t8;
+                        const c2 = 2.000000000000001 * t30;
+                        /* 2. q1 by SP1, given q2 */
+                        const t31 = 0.9999999999999998 * t30;
+                        const t32 = Math.sqrt(t13 * (t31 * t31 + 0.7500000000000003));
+                        const t33 = $select(t32, t18, t18, t32);
+                        const singular = $max(t7, $select(t33, 1e-24, 1.0, 0.0));
+                        const t34 = 1.0 / t33;
+                        const s1 = $select(t33, 1e-24, t1, $select(t32, t18, t17, -(t12 + t3 * t31)) * t34);
+                        const c1 = $select(t33, 1e-24, t2, $select(t32, t18, t16, t11 - t4 * t31) * t34);
                         /* Residual: forward kinematics against the target */
-                        const t24 = 0.49999999999999983 * c1 + s1 * t11;
-                        const t25 = c1 * t11 - 0.49999999999999983 * s1;
-                        const t26 = 0.18078096492180382 * t23 + (0.8660254037844388 * t24 - 0.4543394365771645 * t25);
-                        const t27 = 0.4999999999999999 * t24 + 0.7869389880338669 * t25 - 0.3131218162858913 * t23;
-                        const t28 = 0.4174957550478551 * t25 + 0.7869389880338666 * t23;
-                        const t29 = t23 * c1;
-                        const t30 = t23 * s1;
-                        const t31 = 0.4543394365771645 * t29 - 0.8660254037844388 * t30 - t12;
-                        const t32 = t13 - (0.4999999999999999 * t30 + 0.7869389880338669 * t29);
-                        const t33 = 0.4174957550478551 * t29 + t14;
-                        const t34 = r11 + (t27 * t33 + t28 * t32);
-                        const t35 = t26 - r12;
-                        const t36 = t31 - r13;
-                        const t37 = t28 * t31 + t26 * t33 - r21;
-                        const t38 = t27 - r22;
-                        const t39 = t32 - r23;
-                        const t40 = t34 * t34 + t35 * t35 + t36 * t36 + t37 * t37 + t38 * t38 + t39 * t39;
-                        const t41 = t26 * t32 - t27 * t31 - r31;
-                        const t42 = t28 - r32;
-                        const t43 = r33 + t33;
-                        const residual = Math.sqrt(t22 + 0.005241876076624585 * (t40 + t41 * t41 + t42 * t42 + t43 * t43));
+                        const t35 = t30 * s1 - 0.8660254037844388 * c1;
+                        const t36 = 0.8660254037844388 * s1 + t30 * c1;
+                        const t37 = 0.4543394365771645 * t36 - 0.8660254037844388 * t35 - t19;
+                        const t38 = t20 - (0.4999999999999999 * t35 + 0.7869389880338669 * t36);
+                        const t39 = 0.4174957550478551 * t36 + t21;
+                        const t40 = t10 * c1;
+                        const t41 = t10 * s1;
+                        const t42 = 0.4174957550478551 * t30 + (0.4543394365771645 * t40 - 0.8660254037844388 * t41);
+                        const t43 = 0.7231238596872159 * t30 + (0.4999999999999999 * t41 + 0.7869389880338669 * t40);
+                        const t44 = 1.8173577463086594 * t30 - 0.4174957550478551 * t40;
+                        const t45 = t37 - r11;
+                        const t46 = t39 * t43 - t38 * t44 - r12;
+                        const t47 = t42 - r13;
+                        const t48 = t38 - r21;
+                        const t49 = t37 * t44 + t39 * t42 - r22;
+                        const t50 = r23 + t43;
+                        const t51 = t45 * t45 + t46 * t46 + t47 * t47 + t48 * t48 + t49 * t49 + t50 * t50;
+                        const t52 = r31 + t39;
+                        const t53 = t38 * t42 + t37 * t43 - r32;
+                        const t54 = t44 - r33;
+                        const residual = Math.sqrt(t29 + 0.005241876076624585 * (t51 + t52 * t52 + t53 * t53 + t54 * t54));
                         /* Joint values: angles from sines and cosines, in (−π, π] */
                         const q1 = $angle(s1, c1);
                         const q2 = $wrap($angle(s2, c2) - 0.43068765102503376);
                         invalid_[k] = invalid;
+                        singular_[k] = singular;
                         residual_[k] = residual;
                         q1_[k] = q1;
                         q2_[k] = q2;
@@ -2879,7 +2894,7 @@ return $mechanism({
                         lanes.q[1][k] = q2_[k];
                         lanes.residual[k] = residual_[k];
                         lanes.invalid[k] = invalid_[k];
-                        lanes.singular[k] = singular;
+                        lanes.singular[k] = singular_[k];
                     }
                     return lanes;
                 },
@@ -3980,14 +3995,14 @@ return $mechanism({
                 counts_axis: false,
             },
             form: {
-                plan: "SP2(q1,q2)",
+                plan: "SP4(q2) SP1(q1)",
                 target: "orientations of the tip",
                 branches: 2,
                 most: 2,
                 postures: [{
                     name: "step 1",
                     words: ["+", "\u2212"],
-                    meaning: "step 1: the sign of the root that gives q1 and q2",
+                    meaning: "step 1: the sign of the root that gives q2",
                 }],
                 parameters: [],
                 solved: [0, 1],
@@ -4020,67 +4035,85 @@ return $mechanism({
                     const r31 = target[8];
                     const r32 = target[9];
                     const r33 = target[10];
-                    /* 1. q1 and q2 by SP2 (what all branches share) */
-                    const t3 = 0.8660254037844388 * r13 - 0.4999999999999999 * r23;
-                    const t4 = 0.4174957550478551 * r33 - (0.4543394365771645 * r13 + 0.7869389880338669 * r23);
-                    const c2 = 0.9086788731543293 * r33 + (0.20874787752392746 * r13 + 0.3615619298436078 * r23);
-                    const t5 = t3 * t3 + t4 * t4;
-                    const singular = $select(t5, 1e-13, 1.0, 0.0);
-                    const t6 = Math.sqrt($select(t5, 1e-24, 0.0, t5));
-                    const t7 = 1.0 / t5;
+                    /* 1. q2 by SP4 (what all branches share) */
+                    const t3 = 0.8660254037844388 * r11 - 0.4999999999999999 * r21;
+                    const t4 = 0.4174957550478551 * r31 - (0.4543394365771645 * r11 + 0.7869389880338669 * r21);
+                    const t5 = 1.0000000000000002 * (0.9086788731543293 * r31 + (0.20874787752392746 * r11 + 0.3615619298436078 * r21));
+                    const t6 = 0.24999999999999978 - t5 * t5;
+                    const t7 = $select(t6, 2.499999999999998e-14, 1.0, 0.0);
+                    const t8 = Math.sqrt($select(t6, 2.499999999999998e-14, 0.0, t6));
+                    const t9 = $max(-0.4999999999999998, -$max(t5, -0.4999999999999998));
+                    const t10 = 2.000000000000001 * t9;
+                    const s2 = -t10;
+                    /* 2. q1 by SP1, given q2 (what all branches share) */
+                    const t11 = 0.8660254037844388 * t3;
+                    const t12 = 0.8660254037844388 * t4;
+                    const t13 = t3 * t3 + t4 * t4;
+                    const t14 = 0.8660254037844388 * r13 - 0.4999999999999999 * r23;
+                    const t15 = 0.4174957550478551 * r33 - (0.4543394365771645 * r13 + 0.7869389880338669 * r23);
+                    const t16 = -(t10 * t15);
+                    const t17 = t10 * t14;
+                    const t18 = Math.sqrt((t14 * t14 + t15 * t15) * (t10 * t10));
                     /* Residual: forward kinematics against the target (what all branches share) */
-                    const t8 = 0.8660254037844386 * c2;
-                    const t9 = 0.20874787752392746 * c2;
-                    const t10 = 0.3615619298436078 * c2;
-                    const t11 = 0.9086788731543293 * c2;
-                    const t12 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t13 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    const t14 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    const t15 = r13 - (r21 * r32 - r22 * r31);
-                    const t16 = r23 - (r12 * r31 - r11 * r32);
-                    const t17 = r33 - (r11 * r22 - r12 * r21);
-                    const t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16 + t17 * t17;
-                    const t19 = 0.01048375215324917 * t18;
+                    const t19 = 0.20874787752392746 * t9;
+                    const t20 = 0.3615619298436078 * t9;
+                    const t21 = 0.9086788731543293 * t9;
+                    const t22 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                    const t23 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    const t24 = r31 * r32 + (r11 * r12 + r21 * r22);
+                    const t25 = r13 - (r21 * r32 - r22 * r31);
+                    const t26 = r23 - (r12 * r31 - r11 * r32);
+                    const t27 = r33 - (r11 * r22 - r12 * r21);
+                    const t28 = t22 * t22 + t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27;
+                    const t29 = 0.01048375215324917 * t28;
                     /* 2 lanes, by the signs of the roots: e1 of step 1 */
                     const e1_of_2 = [1.0, -1.0];
                     const invalid_ = new Float64Array(2);
+                    const singular_ = new Float64Array(2);
                     const residual_ = new Float64Array(2);
                     const q1_ = new Float64Array(2);
                     const q2_ = new Float64Array(2);
                     for (let k = 0; k < 2; ++k) {
                         const e1 = e1_of_2[k];
-                        /* 1. q1 and q2 by SP2 */
-                        const invalid = $select(t5, 1e-24, -e1, 0.0);
-                        const t20 = e1 * t6;
-                        const s2 = -t20;
-                        const s1 = $select(t5, 1e-24, t1, t3 * t20 * t7);
-                        const c1 = $select(t5, 1e-24, t2, -(t4 * t20 * t7));
+                        /* 1. q2 by SP4 */
+                        const invalid = $select(t6, 2.499999999999998e-14, -e1, 0.0);
+                        const t30 = e1 * t8;
+                        const c2 = 2.000000000000001 * t30;
+                        /* 2. q1 by SP1, given q2 */
+                        const t31 = 0.9999999999999998 * t30;
+                        const t32 = Math.sqrt(t13 * (t31 * t31 + 0.7500000000000003));
+                        const t33 = $select(t32, t18, t18, t32);
+                        const singular = $max(t7, $select(t33, 1e-24, 1.0, 0.0));
+                        const t34 = 1.0 / t33;
+                        const s1 = $select(t33, 1e-24, t1, $select(t32, t18, t17, t12 + t3 * t31) * t34);
+                        const c1 = $select(t33, 1e-24, t2, $select(t32, t18, t16, t11 - t4 * t31) * t34);
                         /* Residual: forward kinematics against the target */
-                        const t21 = s1 * t8 - 0.49999999999999983 * c1;
-                        const t22 = 0.49999999999999983 * s1 + c1 * t8;
-                        const t23 = 0.8660254037844388 * t21 + 0.4543394365771645 * t22 - 0.18078096492180382 * t20;
-                        const t24 = 0.7869389880338669 * t22 - 0.4999999999999999 * t21 - 0.3131218162858913 * t20;
-                        const t25 = 0.4174957550478551 * t22 + 0.7869389880338666 * t20;
-                        const t26 = t20 * c1;
-                        const t27 = t20 * s1;
-                        const t28 = t9 + (0.8660254037844388 * t27 + 0.4543394365771645 * t26);
-                        const t29 = t10 + (0.7869389880338669 * t26 - 0.4999999999999999 * t27);
-                        const t30 = t11 - 0.4174957550478551 * t26;
-                        const t31 = t24 * t30 + t25 * t29 - r11;
-                        const t32 = t23 - r12;
-                        const t33 = t28 - r13;
-                        const t34 = r21 + (t25 * t28 + t23 * t30);
-                        const t35 = t24 - r22;
-                        const t36 = t29 - r23;
-                        const t37 = t31 * t31 + t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36;
-                        const t38 = t23 * t29 - t24 * t28 - r31;
-                        const t39 = r32 + t25;
-                        const t40 = t30 - r33;
-                        const residual = Math.sqrt(t19 + 0.005241876076624585 * (t37 + t38 * t38 + t39 * t39 + t40 * t40));
+                        const t35 = 0.8660254037844388 * c1 + t30 * s1;
+                        const t36 = 0.8660254037844388 * s1 - t30 * c1;
+                        const t37 = 0.8660254037844388 * t35 - 0.4543394365771645 * t36 - t19;
+                        const t38 = t20 + (0.4999999999999999 * t35 + 0.7869389880338669 * t36);
+                        const t39 = 0.4174957550478551 * t36 - t21;
+                        const t40 = t10 * c1;
+                        const t41 = t10 * s1;
+                        const t42 = 0.4174957550478551 * t30 + (0.8660254037844388 * t41 + 0.4543394365771645 * t40);
+                        const t43 = 0.7231238596872159 * t30 + (0.7869389880338669 * t40 - 0.4999999999999999 * t41);
+                        const t44 = 1.8173577463086594 * t30 - 0.4174957550478551 * t40;
+                        const t45 = t37 - r11;
+                        const t46 = t39 * t43 + t38 * t44 - r12;
+                        const t47 = t42 - r13;
+                        const t48 = r21 + t38;
+                        const t49 = t37 * t44 - t39 * t42 - r22;
+                        const t50 = t43 - r23;
+                        const t51 = t45 * t45 + t46 * t46 + t47 * t47 + t48 * t48 + t49 * t49 + t50 * t50;
+                        const t52 = t39 - r31;
+                        const t53 = r32 + (t38 * t42 + t37 * t43);
+                        const t54 = t44 - r33;
+                        const residual = Math.sqrt(t29 + 0.005241876076624585 * (t51 + t52 * t52 + t53 * t53 + t54 * t54));
                         /* Joint values: angles from sines and cosines, in (−π, π] */
                         const q1 = $angle(s1, c1);
                         const q2 = $wrap($angle(s2, c2) - 0.43068765102503376);
                         invalid_[k] = invalid;
+                        singular_[k] = singular;
                         residual_[k] = residual;
                         q1_[k] = q1;
                         q2_[k] = q2;
@@ -4090,7 +4123,7 @@ return $mechanism({
                         lanes.q[1][k] = q2_[k];
                         lanes.residual[k] = residual_[k];
                         lanes.invalid[k] = invalid_[k];
-                        lanes.singular[k] = singular;
+                        lanes.singular[k] = singular_[k];
                     }
                     return lanes;
                 },

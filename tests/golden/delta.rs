@@ -3,8 +3,8 @@
 // Options: name = Delta, base = "frame", tip = "effector", ik = closed_form.
 // frame to effector, 3 chains, 15 joints, 3 actuated.
 // Inverse kinematics: arm1 by SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm2 by
-// SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2); arm3 by SP3(q1) SP4(q3) SP1(q2), then
-// SP2(q1,q2).
+// SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1); arm3 by SP3(q1) SP4(q3) SP1(q2), then
+// SP4(q2) SP1(q1).
 // Forward kinematics: closed form: the platform translates at 0.2320 m, 0.2320 m,
 // 0.2320 m from points that the actuators place, so its position is where three spheres
 // meet (assembly modes with the platform turned, in another mode of its joints, are
@@ -70,8 +70,8 @@ mod __Delta {
     /// Targets are positions of the platform, which does not turn: the rotation of a target is not read.
     ///
     /// - `arm1`: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
-    /// - `arm2`: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
-    /// - `arm3`: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
+    /// - `arm2`: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
+    /// - `arm3`: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
     ///
     /// # Forward kinematics
     ///
@@ -1383,7 +1383,7 @@ mod __Delta {
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
-            /// Solved by SP2(q1,q2).
+            /// Solved by SP4(q2) SP1(q1).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
                 solve(
@@ -1461,17 +1461,56 @@ mod __Delta {
                 // The seed, for an angle that the target leaves free
                 let ([t1], [t2]) = sin_cos.of([seed[0]]);
                 aligned!(
-                    t3_, t4_, t8_, singular_, t9_, c2_, t10_, t11_, t12_, t13_, t14_,
-                    t22_ = [0.0; T]
+                    t3_, t4_, t6_, t7_, t8_, t10_, s2_, t11_, t12_, t13_, t16_, t17_,
+                    t18_, t19_, t20_, t21_, t29_ = [0.0; T]
                 );
                 for t in 0..T {
-                    // 1. q1 and q2 by SP2 (what all branches share)
+                    // 1. q2 by SP4 (what all branches share)
                     let t3 = A::fma(
+                        0.8660254037844388,
+                        r11[t],
+                        0.4999999999999999 * r21[t],
+                    );
+                    let t4 = A::fma(
+                        0.4174957550478551,
+                        r31[t],
+                        A::fma(
+                            0.7869389880338669,
+                            r21[t],
+                            -(0.4543394365771645 * r11[t]),
+                        ),
+                    );
+                    let t5 = 1.0000000000000002
+                        * A::fma(
+                            -0.9086788731543293,
+                            r31[t],
+                            A::fma(
+                                0.3615619298436078,
+                                r21[t],
+                                -(0.20874787752392746 * r11[t]),
+                            ),
+                        );
+                    let t6 = A::fma(-t5, t5, 0.24999999999999978);
+                    let t7 = math::select(t6 < 2.499999999999998e-14, 1.0, 0.0);
+                    let t8 = math::sqrt(
+                        math::select(t6 < 2.499999999999998e-14, 0.0, t6),
+                    );
+                    let t9 = math::max(
+                        -0.4999999999999998,
+                        -math::max(-0.4999999999999998, -t5),
+                    );
+                    let t10 = 2.000000000000001 * t9;
+                    let s2 = -t10;
+                    // 2. q1 by SP1, given q2 (what all branches share)
+                    let t11 = 0.8660254037844388 * t3;
+                    let t12 = 0.8660254037844388 * t4;
+                    let t13 = A::fma(t3, t3, t4 * t4);
+                    let t14 = A::fma(
                         0.8660254037844388,
                         r13[t],
                         0.4999999999999999 * r23[t],
                     );
-                    let t4 = A::fma(
+                    let t15 = A::fma(
                         0.4174957550478551,
                         r33[t],
                         A::fma(
@@ -1480,151 +1519,170 @@ mod __Delta {
                             -(0.4543394365771645 * r13[t]),
                         ),
                     );
-                    let t5 = 0.9086788731543293 * r33[t];
-                    let t6 = A::fma(
-                        0.3615619298436078,
-                        r23[t],
-                        -(0.20874787752392746 * r13[t]),
-                    );
-                    let t7 = t6 - t5;
-                    let t8 = A::fma(t3, t3, t4 * t4);
-                    let singular = math::select(t8 < 1e-13, 1.0, 0.0);
-                    let t9 = math::sqrt(math::select(t8 < 1e-24, 0.0, t8));
-                    let c2 = t5 - t6;
-                    let t10 = 1.0 / t8;
+                    let t16 = -(t10 * t15);
+                    let t17 = -(t10 * t14);
+                    let t18 = math::sqrt(A::fma(t14, t14, t15 * t15) * (t10 * t10));
                     // Residual: forward kinematics against the target (what all
                     // branches share)
-                    let t11 = 0.8660254037844386 * c2;
-                    let t12 = 0.20874787752392746 * t7;
-                    let t13 = 0.3615619298436078 * t7;
-                    let t14 = 0.9086788731543293 * t7;
-                    let t15 = 0.5
+                    let t19 = 0.20874787752392746 * t9;
+                    let t20 = 0.3615619298436078 * t9;
+                    let t21 = 0.9086788731543293 * t9;
+                    let t22 = 0.5
                         * (A::fma(
                             r31[t],
                             r31[t],
                             A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
-                    let t16 = 0.5
+                    let t23 = 0.5
                         * (A::fma(
                             r32[t],
                             r32[t],
                             A::fma(r12[t], r12[t], r22[t] * r22[t]),
                         ) - 1.0);
-                    let t17 = A::fma(
+                    let t24 = A::fma(
                         r31[t],
                         r32[t],
                         A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t18 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t19 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t20 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t21 = A::fma(
-                        t20,
-                        t20,
+                    let t25 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t26 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t27 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t28 = A::fma(
+                        t27,
+                        t27,
                         A::fma(
-                            t19,
-                            t19,
+                            t26,
+                            t26,
                             A::fma(
-                                t18,
-                                t18,
-                                A::fma(t17, t17, A::fma(t15, t15, t16 * t16)),
+                                t25,
+                                t25,
+                                A::fma(t24, t24, A::fma(t22, t22, t23 * t23)),
                             ),
                         ),
                     );
-                    let t22 = 0.01048375215324917 * t21;
+                    let t29 = 0.01048375215324917 * t28;
                     t3_[t] = t3;
                     t4_[t] = t4;
+                    t6_[t] = t6;
+                    t7_[t] = t7;
                     t8_[t] = t8;
-                    singular_[t] = singular;
-                    t9_[t] = t9;
-                    c2_[t] = c2;
                     t10_[t] = t10;
+                    s2_[t] = s2;
                     t11_[t] = t11;
                     t12_[t] = t12;
                     t13_[t] = t13;
-                    t14_[t] = t14;
-                    t22_[t] = t22;
+                    t16_[t] = t16;
+                    t17_[t] = t17;
+                    t18_[t] = t18;
+                    t19_[t] = t19;
+                    t20_[t] = t20;
+                    t21_[t] = t21;
+                    t29_[t] = t29;
                 }
                 // 2 lanes, by the signs of the roots: e1 of step 1
                 let e1 = [1.0, -1.0];
-                aligned!(invalid_, residual_, q1_, q2_ = [[0.0; T]; 2]);
+                aligned!(invalid_, singular_, residual_, q1_, q2_ = [[0.0; T]; 2]);
                 for k in 0..2 {
                     for t in 0..T {
-                        // 1. q1 and q2 by SP2
-                        let invalid = math::select(t8_[t] < 1e-24, -e1[k], 0.0);
-                        let t23 = e1[k] * t9_[t];
-                        let s2 = -t23;
+                        // 1. q2 by SP4
+                        let invalid = math::select(
+                            t6_[t] < 2.499999999999998e-14,
+                            -e1[k],
+                            0.0,
+                        );
+                        let t30 = e1[k] * t8_[t];
+                        let c2 = 2.000000000000001 * t30;
+                        // 2. q1 by SP1, given q2
+                        let t31 = 0.9999999999999998 * t30;
+                        let t32 = math::sqrt(
+                            t13_[t] * A::fma(t31, t31, 0.7500000000000003),
+                        );
+                        let t33 = math::select(t32 < t18_[t], t18_[t], t32);
+                        let singular = math::max(
+                            t7_[t],
+                            math::select(t33 < 1e-24, 1.0, 0.0),
+                        );
+                        let t34 = 1.0 / t33;
                         let s1 = math::select(
-                            t8_[t] < 1e-24,
+                            t33 < 1e-24,
                             t1,
-                            -(t3_[t] * t23 * t10_[t]),
+                            math::select(
+                                t32 < t18_[t],
+                                t17_[t],
+                                -A::fma(t3_[t], t31, t12_[t]),
+                            ) * t34,
                         );
                         let c1 = math::select(
-                            t8_[t] < 1e-24,
+                            t33 < 1e-24,
                             t2,
-                            -(t4_[t] * t23 * t10_[t]),
+                            math::select(
+                                t32 < t18_[t],
+                                t16_[t],
+                                A::fma(-t4_[t], t31, t11_[t]),
+                            ) * t34,
                         );
                         // Residual: forward kinematics against the target
-                        let t24 = A::fma(0.49999999999999983, c1, s1 * t11_[t]);
-                        let t25 = A::fma(c1, t11_[t], -(0.49999999999999983 * s1));
-                        let t26 = A::fma(
-                            0.18078096492180382,
-                            t23,
-                            A::fma(0.8660254037844388, t24, -(0.4543394365771645 * t25)),
-                        );
-                        let t27 = A::fma(
-                            -0.3131218162858913,
-                            t23,
-                            A::fma(0.4999999999999999, t24, 0.7869389880338669 * t25),
-                        );
-                        let t28 = A::fma(
-                            0.4174957550478551,
-                            t25,
-                            0.7869389880338666 * t23,
-                        );
-                        let t29 = t23 * c1;
-                        let t30 = t23 * s1;
-                        let t31 = A::fma(
+                        let t35 = A::fma(t30, s1, -(0.8660254037844388 * c1));
+                        let t36 = A::fma(0.8660254037844388, s1, t30 * c1);
+                        let t37 = A::fma(
                             0.4543394365771645,
-                            t29,
-                            -(0.8660254037844388 * t30),
-                        ) - t12_[t];
-                        let t32 = t13_[t]
-                            - A::fma(0.4999999999999999, t30, 0.7869389880338669 * t29);
-                        let t33 = A::fma(0.4174957550478551, t29, t14_[t]);
-                        let t34 = r11[t] + A::fma(t27, t33, t28 * t32);
-                        let t35 = t26 - r12[t];
-                        let t36 = t31 - r13[t];
-                        let t37 = A::fma(t28, t31, t26 * t33) - r21[t];
-                        let t38 = t27 - r22[t];
-                        let t39 = t32 - r23[t];
-                        let t40 = A::fma(
-                            t39,
-                            t39,
+                            t36,
+                            -(0.8660254037844388 * t35),
+                        ) - t19_[t];
+                        let t38 = t20_[t]
+                            - A::fma(0.4999999999999999, t35, 0.7869389880338669 * t36);
+                        let t39 = A::fma(0.4174957550478551, t36, t21_[t]);
+                        let t40 = t10_[t] * c1;
+                        let t41 = t10_[t] * s1;
+                        let t42 = A::fma(
+                            0.4174957550478551,
+                            t30,
+                            A::fma(0.4543394365771645, t40, -(0.8660254037844388 * t41)),
+                        );
+                        let t43 = A::fma(
+                            0.7231238596872159,
+                            t30,
+                            A::fma(0.4999999999999999, t41, 0.7869389880338669 * t40),
+                        );
+                        let t44 = A::fma(
+                            1.8173577463086594,
+                            t30,
+                            -(0.4174957550478551 * t40),
+                        );
+                        let t45 = t37 - r11[t];
+                        let t46 = A::fma(t39, t43, -(t38 * t44)) - r12[t];
+                        let t47 = t42 - r13[t];
+                        let t48 = t38 - r21[t];
+                        let t49 = A::fma(t37, t44, t39 * t42) - r22[t];
+                        let t50 = r23[t] + t43;
+                        let t51 = A::fma(
+                            t50,
+                            t50,
                             A::fma(
-                                t38,
-                                t38,
+                                t49,
+                                t49,
                                 A::fma(
-                                    t37,
-                                    t37,
-                                    A::fma(t36, t36, A::fma(t34, t34, t35 * t35)),
+                                    t48,
+                                    t48,
+                                    A::fma(t47, t47, A::fma(t45, t45, t46 * t46)),
                                 ),
                             ),
                         );
-                        let t41 = A::fma(t26, t32, -(t27 * t31)) - r31[t];
-                        let t42 = t28 - r32[t];
-                        let t43 = r33[t] + t33;
+                        let t52 = r31[t] + t39;
+                        let t53 = A::fma(t38, t42, t37 * t43) - r32[t];
+                        let t54 = t44 - r33[t];
                         let residual = math::sqrt(
                             A::fma(
                                 0.005241876076624585,
-                                A::fma(t43, t43, A::fma(t42, t42, A::fma(t41, t41, t40))),
-                                t22_[t],
+                                A::fma(t54, t54, A::fma(t53, t53, A::fma(t52, t52, t51))),
+                                t29_[t],
                             ),
                         );
                         // Joint values: angles from sines and cosines, in (−π, π]
                         let q1 = A::angle(s1, c1);
-                        let q2 = math::wrap(A::angle(s2, c2_[t]) - 0.43068765102503376);
+                        let q2 = math::wrap(A::angle(s2_[t], c2) - 0.43068765102503376);
                         invalid_[k][t] = invalid;
+                        singular_[k][t] = singular;
                         residual_[k][t] = residual;
                         q1_[k][t] = q1;
                         q2_[k][t] = q2;
@@ -1634,7 +1692,7 @@ mod __Delta {
                     q: [q1_.0, q2_.0],
                     residual: residual_.0,
                     invalid: invalid_.0,
-                    singular: [singular_.0; 2],
+                    singular: singular_.0,
                     level: [[0.0; T]; 2],
                     no_root: [[0.0; T]; 2],
                 }
@@ -2246,7 +2304,7 @@ mod __Delta {
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
-            /// Solved by SP2(q1,q2).
+            /// Solved by SP4(q2) SP1(q1).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
                 solve(
@@ -2324,160 +2382,220 @@ mod __Delta {
                 // The seed, for an angle that the target leaves free
                 let ([t1], [t2]) = sin_cos.of([seed[0]]);
                 aligned!(
-                    t3_, t4_, c2_, t5_, singular_, t6_, t7_, t8_, t9_, t10_, t11_, t19_ =
-                    [0.0; T]
+                    t3_, t4_, t6_, t7_, t8_, t10_, s2_, t11_, t12_, t13_, t16_, t17_,
+                    t18_, t19_, t20_, t21_, t29_ = [0.0; T]
                 );
                 for t in 0..T {
-                    // 1. q1 and q2 by SP2 (what all branches share)
+                    // 1. q2 by SP4 (what all branches share)
                     let t3 = A::fma(
+                        0.8660254037844388,
+                        r11[t],
+                        -(0.4999999999999999 * r21[t]),
+                    );
+                    let t4 = A::fma(
+                        0.4174957550478551,
+                        r31[t],
+                        -A::fma(0.4543394365771645, r11[t], 0.7869389880338669 * r21[t]),
+                    );
+                    let t5 = 1.0000000000000002
+                        * A::fma(
+                            0.9086788731543293,
+                            r31[t],
+                            A::fma(
+                                0.20874787752392746,
+                                r11[t],
+                                0.3615619298436078 * r21[t],
+                            ),
+                        );
+                    let t6 = A::fma(-t5, t5, 0.24999999999999978);
+                    let t7 = math::select(t6 < 2.499999999999998e-14, 1.0, 0.0);
+                    let t8 = math::sqrt(
+                        math::select(t6 < 2.499999999999998e-14, 0.0, t6),
+                    );
+                    let t9 = math::max(
+                        -0.4999999999999998,
+                        -math::max(t5, -0.4999999999999998),
+                    );
+                    let t10 = 2.000000000000001 * t9;
+                    let s2 = -t10;
+                    // 2. q1 by SP1, given q2 (what all branches share)
+                    let t11 = 0.8660254037844388 * t3;
+                    let t12 = 0.8660254037844388 * t4;
+                    let t13 = A::fma(t3, t3, t4 * t4);
+                    let t14 = A::fma(
                         0.8660254037844388,
                         r13[t],
                         -(0.4999999999999999 * r23[t]),
                     );
-                    let t4 = A::fma(
+                    let t15 = A::fma(
                         0.4174957550478551,
                         r33[t],
                         -A::fma(0.4543394365771645, r13[t], 0.7869389880338669 * r23[t]),
                     );
-                    let c2 = A::fma(
-                        0.9086788731543293,
-                        r33[t],
-                        A::fma(0.20874787752392746, r13[t], 0.3615619298436078 * r23[t]),
-                    );
-                    let t5 = A::fma(t3, t3, t4 * t4);
-                    let singular = math::select(t5 < 1e-13, 1.0, 0.0);
-                    let t6 = math::sqrt(math::select(t5 < 1e-24, 0.0, t5));
-                    let t7 = 1.0 / t5;
+                    let t16 = -(t10 * t15);
+                    let t17 = t10 * t14;
+                    let t18 = math::sqrt(A::fma(t14, t14, t15 * t15) * (t10 * t10));
                     // Residual: forward kinematics against the target (what all
                     // branches share)
-                    let t8 = 0.8660254037844386 * c2;
-                    let t9 = 0.20874787752392746 * c2;
-                    let t10 = 0.3615619298436078 * c2;
-                    let t11 = 0.9086788731543293 * c2;
-                    let t12 = 0.5
+                    let t19 = 0.20874787752392746 * t9;
+                    let t20 = 0.3615619298436078 * t9;
+                    let t21 = 0.9086788731543293 * t9;
+                    let t22 = 0.5
                         * (A::fma(
                             r31[t],
                             r31[t],
                             A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
-                    let t13 = 0.5
+                    let t23 = 0.5
                         * (A::fma(
                             r32[t],
                             r32[t],
                             A::fma(r12[t], r12[t], r22[t] * r22[t]),
                         ) - 1.0);
-                    let t14 = A::fma(
+                    let t24 = A::fma(
                         r31[t],
                         r32[t],
                         A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t15 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t16 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t17 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t18 = A::fma(
-                        t17,
-                        t17,
+                    let t25 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t26 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t27 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t28 = A::fma(
+                        t27,
+                        t27,
                         A::fma(
-                            t16,
-                            t16,
+                            t26,
+                            t26,
                             A::fma(
-                                t15,
-                                t15,
-                                A::fma(t14, t14, A::fma(t12, t12, t13 * t13)),
+                                t25,
+                                t25,
+                                A::fma(t24, t24, A::fma(t22, t22, t23 * t23)),
                             ),
                         ),
                     );
-                    let t19 = 0.01048375215324917 * t18;
+                    let t29 = 0.01048375215324917 * t28;
                     t3_[t] = t3;
                     t4_[t] = t4;
-                    c2_[t] = c2;
-                    t5_[t] = t5;
-                    singular_[t] = singular;
                     t6_[t] = t6;
                     t7_[t] = t7;
                     t8_[t] = t8;
-                    t9_[t] = t9;
                     t10_[t] = t10;
+                    s2_[t] = s2;
                     t11_[t] = t11;
+                    t12_[t] = t12;
+                    t13_[t] = t13;
+                    t16_[t] = t16;
+                    t17_[t] = t17;
+                    t18_[t] = t18;
                     t19_[t] = t19;
+                    t20_[t] = t20;
+                    t21_[t] = t21;
+                    t29_[t] = t29;
                 }
                 // 2 lanes, by the signs of the roots: e1 of step 1
                 let e1 = [1.0, -1.0];
-                aligned!(invalid_, residual_, q1_, q2_ = [[0.0; T]; 2]);
+                aligned!(invalid_, singular_, residual_, q1_, q2_ = [[0.0; T]; 2]);
                 for k in 0..2 {
                     for t in 0..T {
-                        // 1. q1 and q2 by SP2
-                        let invalid = math::select(t5_[t] < 1e-24, -e1[k], 0.0);
-                        let t20 = e1[k] * t6_[t];
-                        let s2 = -t20;
-                        let s1 = math::select(t5_[t] < 1e-24, t1, t3_[t] * t20 * t7_[t]);
+                        // 1. q2 by SP4
+                        let invalid = math::select(
+                            t6_[t] < 2.499999999999998e-14,
+                            -e1[k],
+                            0.0,
+                        );
+                        let t30 = e1[k] * t8_[t];
+                        let c2 = 2.000000000000001 * t30;
+                        // 2. q1 by SP1, given q2
+                        let t31 = 0.9999999999999998 * t30;
+                        let t32 = math::sqrt(
+                            t13_[t] * A::fma(t31, t31, 0.7500000000000003),
+                        );
+                        let t33 = math::select(t32 < t18_[t], t18_[t], t32);
+                        let singular = math::max(
+                            t7_[t],
+                            math::select(t33 < 1e-24, 1.0, 0.0),
+                        );
+                        let t34 = 1.0 / t33;
+                        let s1 = math::select(
+                            t33 < 1e-24,
+                            t1,
+                            math::select(
+                                t32 < t18_[t],
+                                t17_[t],
+                                A::fma(t3_[t], t31, t12_[t]),
+                            ) * t34,
+                        );
                         let c1 = math::select(
-                            t5_[t] < 1e-24,
+                            t33 < 1e-24,
                             t2,
-                            -(t4_[t] * t20 * t7_[t]),
+                            math::select(
+                                t32 < t18_[t],
+                                t16_[t],
+                                A::fma(-t4_[t], t31, t11_[t]),
+                            ) * t34,
                         );
                         // Residual: forward kinematics against the target
-                        let t21 = A::fma(s1, t8_[t], -(0.49999999999999983 * c1));
-                        let t22 = A::fma(0.49999999999999983, s1, c1 * t8_[t]);
-                        let t23 = A::fma(
-                            -0.18078096492180382,
-                            t20,
-                            A::fma(0.8660254037844388, t21, 0.4543394365771645 * t22),
-                        );
-                        let t24 = A::fma(
-                            -0.3131218162858913,
-                            t20,
-                            A::fma(0.7869389880338669, t22, -(0.4999999999999999 * t21)),
-                        );
-                        let t25 = A::fma(
-                            0.4174957550478551,
-                            t22,
-                            0.7869389880338666 * t20,
-                        );
-                        let t26 = t20 * c1;
-                        let t27 = t20 * s1;
-                        let t28 = t9_[t]
-                            + A::fma(0.8660254037844388, t27, 0.4543394365771645 * t26);
-                        let t29 = t10_[t]
-                            + A::fma(
-                                0.7869389880338669,
-                                t26,
-                                -(0.4999999999999999 * t27),
-                            );
-                        let t30 = A::fma(-0.4174957550478551, t26, t11_[t]);
-                        let t31 = A::fma(t24, t30, t25 * t29) - r11[t];
-                        let t32 = t23 - r12[t];
-                        let t33 = t28 - r13[t];
-                        let t34 = r21[t] + A::fma(t25, t28, t23 * t30);
-                        let t35 = t24 - r22[t];
-                        let t36 = t29 - r23[t];
+                        let t35 = A::fma(0.8660254037844388, c1, t30 * s1);
+                        let t36 = A::fma(0.8660254037844388, s1, -(t30 * c1));
                         let t37 = A::fma(
-                            t36,
-                            t36,
+                            0.8660254037844388,
+                            t35,
+                            -(0.4543394365771645 * t36),
+                        ) - t19_[t];
+                        let t38 = t20_[t]
+                            + A::fma(0.4999999999999999, t35, 0.7869389880338669 * t36);
+                        let t39 = A::fma(0.4174957550478551, t36, -t21_[t]);
+                        let t40 = t10_[t] * c1;
+                        let t41 = t10_[t] * s1;
+                        let t42 = A::fma(
+                            0.4174957550478551,
+                            t30,
+                            A::fma(0.8660254037844388, t41, 0.4543394365771645 * t40),
+                        );
+                        let t43 = A::fma(
+                            0.7231238596872159,
+                            t30,
+                            A::fma(0.7869389880338669, t40, -(0.4999999999999999 * t41)),
+                        );
+                        let t44 = A::fma(
+                            1.8173577463086594,
+                            t30,
+                            -(0.4174957550478551 * t40),
+                        );
+                        let t45 = t37 - r11[t];
+                        let t46 = A::fma(t39, t43, t38 * t44) - r12[t];
+                        let t47 = t42 - r13[t];
+                        let t48 = r21[t] + t38;
+                        let t49 = A::fma(t37, t44, -(t39 * t42)) - r22[t];
+                        let t50 = t43 - r23[t];
+                        let t51 = A::fma(
+                            t50,
+                            t50,
                             A::fma(
-                                t35,
-                                t35,
+                                t49,
+                                t49,
                                 A::fma(
-                                    t34,
-                                    t34,
-                                    A::fma(t33, t33, A::fma(t31, t31, t32 * t32)),
+                                    t48,
+                                    t48,
+                                    A::fma(t47, t47, A::fma(t45, t45, t46 * t46)),
                                 ),
                             ),
                         );
-                        let t38 = A::fma(t23, t29, -(t24 * t28)) - r31[t];
-                        let t39 = r32[t] + t25;
-                        let t40 = t30 - r33[t];
+                        let t52 = t39 - r31[t];
+                        let t53 = r32[t] + A::fma(t38, t42, t37 * t43);
+                        let t54 = t44 - r33[t];
                         let residual = math::sqrt(
                             A::fma(
                                 0.005241876076624585,
-                                A::fma(t40, t40, A::fma(t39, t39, A::fma(t38, t38, t37))),
-                                t19_[t],
+                                A::fma(t54, t54, A::fma(t53, t53, A::fma(t52, t52, t51))),
+                                t29_[t],
                             ),
                         );
                         // Joint values: angles from sines and cosines, in (−π, π]
                         let q1 = A::angle(s1, c1);
-                        let q2 = math::wrap(A::angle(s2, c2_[t]) - 0.43068765102503376);
+                        let q2 = math::wrap(A::angle(s2_[t], c2) - 0.43068765102503376);
                         invalid_[k][t] = invalid;
+                        singular_[k][t] = singular;
                         residual_[k][t] = residual;
                         q1_[k][t] = q1;
                         q2_[k][t] = q2;
@@ -2487,7 +2605,7 @@ mod __Delta {
                     q: [q1_.0, q2_.0],
                     residual: residual_.0,
                     invalid: invalid_.0,
-                    singular: [singular_.0; 2],
+                    singular: singular_.0,
                     level: [[0.0; T]; 2],
                     no_root: [[0.0; T]; 2],
                 }
@@ -2738,7 +2856,7 @@ mod __Delta {
                     postures.push(0, 0, &q);
                 }
             }
-            // arm2: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
+            // arm2: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, 0.028750000000000442, 0.0]),
@@ -2750,7 +2868,7 @@ mod __Delta {
                     postures.push(1, 0, &q);
                 }
             }
-            // arm3: SP3(q1) SP4(q3) SP1(q2), then SP2(q1,q2)
+            // arm3: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, -0.028750000000000442, 0.0]),
