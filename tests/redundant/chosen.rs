@@ -487,7 +487,9 @@ fn as_many_joints_are_given_as_repeat_others_for_the_target() {
     let compiled = compile(&arm(&twice), &aimed(Target::PositionAxis)).unwrap();
     let arm = compiled.arm().unwrap();
     assert_eq!(arm.redundancy.as_ref().unwrap().joints, [3, 4]);
-    assert_eq!(arm.inverse.as_ref().unwrap().certificate.lost, 0);
+    // Where its four tips are on axis 1 the plan tells nothing of that, and says so.
+    let certificate = arm.inverse.as_ref().unwrap().certificate;
+    assert!(30 * certificate.lost < certificate.configurations);
 }
 
 /// No row of a snake has a plan: that at the tip has a polynomial.
