@@ -106,9 +106,12 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> Quantity<'_, F> {
             if left <= NOTHING * usual {
                 return Some(q);
             }
-            slow += usize::from(left > 0.5 * before);
-            if QUARTER.contains(&(left / before)) {
+            let ratio = left / before;
+            if QUARTER.contains(&ratio) {
                 multiplicity = 2.0;
+            } else if ratio > 0.5 {
+                multiplicity = 1.0;
+                slow += 1;
             }
             before = left;
             if slow > SLOW {

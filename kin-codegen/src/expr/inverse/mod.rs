@@ -112,7 +112,7 @@ impl InverseGraph {
         let divided = nodes.filter(|(_, needed)| *needed);
         let mut all: Vec<(Expr, Option<Expr>)> = divided
             .filter_map(|(node, _)| match *node {
-                Node::Div(_, by) if self.graph.value(by).is_none() => Some((by, None)),
+                Node::Div(_, by) if self.graph.value(by).is_none() => Some(self.vector(by)),
                 Node::Atan2(sine, cosine) => Some((sine, Some(cosine))),
                 _ => None,
             })
@@ -120,6 +120,23 @@ impl InverseGraph {
         all.sort();
         all.dedup();
         all
+    }
+
+    /// The two components whose length an expression is, or the square of that, or itself.
+    fn vector(&self, of: Expr) -> (Expr, Option<Expr>) {
+        let square = |e: Expr| match self.graph.node(e) {
+            Node::Mul(a, b) if a == b => Some(a),
+            _ => None,
+        };
+        let sum = match self.graph.node(of) {
+            Node::Sqrt(sum) => sum,
+            _ => of,
+        };
+        let components = match self.graph.node(sum) {
+            Node::Add(a, b) => square(a).zip(square(b)),
+            _ => None,
+        };
+        components.map_or((of, None), |(a, b)| (a, Some(b)))
     }
 
     /// The operations of one branch.
