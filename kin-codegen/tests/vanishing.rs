@@ -9,7 +9,7 @@ use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::solver::solve;
 use kin_codegen::spec::{ArmSpec, Source};
-use kin_runtime::Chain;
+use kin_runtime::{Chain, Target};
 use std::f64::consts::{PI, TAU};
 
 /// How far from where something vanishes it is tried.
@@ -23,6 +23,14 @@ const STARTS: usize = 4;
 /// Places of a joint that are looked at.
 const PLACES: usize = 24;
 
+fn model(text: &str) -> Model {
+    let source = Source {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    };
+    Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap()
+}
+
 struct Attack {
     model: Model,
     chain: Chain,
@@ -34,17 +42,21 @@ type Quantity = (Expr, Option<Expr>);
 
 impl Attack {
     fn on(text: &str) -> Self {
-        let source = Source {
-            path: "arm.yaml".into(),
-            text: text.into(),
-        };
-        let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
-        let found = solve(&model, &Linkage::new(&model), natural_target(&model)).unwrap();
-        Attack {
+        let model = model(text);
+        Self::of(&model, natural_target(&model)).unwrap().0
+    }
+
+    /// With how many configurations the certificate says are lost; none if the arm is refused, or
+    /// has no plan.
+    fn of(model: &Model, target: Target) -> Option<(Self, usize)> {
+        let found = solve(model, &Linkage::new(model), target).ok()?;
+        let attack = Attack {
+            model: model.clone(),
             chain: model.chain(),
             form: found.form,
-            model,
-        }
+        };
+        let has_plan = attack.form.expressions().is_some();
+        has_plan.then_some((attack, found.certificate.lost))
     }
 
     fn quantities(&self) -> Vec<Quantity> {
@@ -145,6 +157,13 @@ impl Attack {
 
     /// How many regular targets were tried.
     fn loses_nothing(&self) -> usize {
+        let (tried, lost) = self.tried();
+        assert_eq!(lost, None, "{}", self.form.plan);
+        tried
+    }
+
+    /// How many regular targets were tried, and the first configuration that was lost.
+    fn tried(&self) -> (usize, Option<Vec<f64>>) {
         let mut random = Random(0xdead);
         let (length, target) = (size(&self.model), self.form.plan.target);
         let mut tried = 0;
@@ -163,12 +182,13 @@ impl Attack {
                     continue;
                 }
                 let solutions = self.form.solutions(&self.chain.fk(&q));
-                let seen = recovered(&self.model, &q, &solutions, conditioning);
-                assert_eq!(seen, Ok(()), "{} off {off:e}", self.form.plan);
                 tried += 1;
+                if recovered(&self.model, &q, &solutions, conditioning).is_err() {
+                    return (tried, Some(q));
+                }
             }
         }
-        tried
+        (tried, None)
     }
 }
 
@@ -237,4 +257,49 @@ fn a_slide_at_home_loses_nothing() {
 #[test]
 fn a_spherical_wrist_loses_nothing() {
     assert!(Attack::on(WRIST).loses_nothing() > 0);
+}
+
+/// A short arm along the axes, with slides among its joints, in a frame turned anyhow, and what of
+/// targets counts.
+fn anything(random: &mut Random) -> (String, Target) {
+    let round = |x: f64| (x * 100.0).round() / 100.0;
+    let (joints, target) = match random.below(5) {
+        0 => (2 + random.below(4), Target::Pose),
+        1 => (1 + random.below(3), Target::Position),
+        2 => (3 + random.below(2), Target::PositionAxis),
+        3 => (2 + random.below(2), Target::Orientation),
+        _ => (4, Target::PositionAxis),
+    };
+    let mut text = "robot: anything\nunits: {angle: rad, length: m}\njoints:\n".to_owned();
+    for i in 0..joints {
+        let axis = ["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]"][random.below(3)];
+        let mut place = |often: usize, to: f64| -> [f64; 3] {
+            std::array::from_fn(|_| match random.below(5) {
+                k if k < often => round(random.between(-to, to)),
+                _ => 0.0,
+            })
+        };
+        let (xyz, rpy) = (place(2, 0.4), place(if i == 0 { 5 } else { 0 }, 3.0));
+        let slide = ["", "", "", "", ", type: prismatic, limits: [-1, 1]"][random.below(5)];
+        text += &format!("  - {{name: j{i}, xyz: {xyz:?}, rpy: {rpy:?}, axis: {axis}{slide}}}\n");
+    }
+    (text + "tip: {link: hand, xyz: [0.05, 0, 0.1]}\n", target)
+}
+
+/// What a plan loses its certificate says.
+#[test]
+fn losses_are_told() {
+    let mut random = Random(0x7e11);
+    let (mut arms, mut losing) = (0, 0);
+    while arms < 24 {
+        let (text, target) = anything(&mut random);
+        let Some((attack, told)) = Attack::of(&model(&text), target) else {
+            continue;
+        };
+        let (_, lost) = attack.tried();
+        assert!(lost.is_none() || told > 0, "{text}{target:?}: {lost:?}");
+        losing += usize::from(lost.is_some());
+        arms += 1;
+    }
+    assert!(losing > 0);
 }
