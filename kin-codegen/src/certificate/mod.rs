@@ -13,7 +13,7 @@ mod parameters;
 mod vanishing;
 
 pub(crate) use parameters::SOMEWHERE;
-use vanishing::vanishing;
+use vanishing::OnBranch;
 
 use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::{self, Linkage, SINGULAR};
@@ -76,8 +76,8 @@ pub struct Certificate {
     /// not come back.
     pub unanswered: usize,
     /// Regular ones that did not come back, with axes aligned that are no
-    /// neighbours, or came back flagged as singular: a step of the plan
-    /// degenerates there, and the arm does not.
+    /// neighbours or nothing to divide by, or came back flagged as singular: a
+    /// step of the plan degenerates there, and the arm does not.
     pub lost: usize,
     /// Solutions found in all.
     pub solutions: usize,
@@ -167,9 +167,10 @@ struct Trial {
     pose: Pose,
     /// How far from singular.
     conditioning: f64,
-    /// Whether axes that are no neighbours are aligned, or nearly.
-    aligned: bool,
-    /// Whether it is next to a round configuration, or aligned: on an idealized
+    /// Whether a step may degenerate: axes that are no neighbours are aligned, or what the plan divides
+    /// by is nothing, or nearly.
+    may_degenerate: bool,
+    /// Whether it is next to a round configuration, or a step may degenerate: on an idealized
     /// arm near singular it is not tried.
     is_attack: bool,
 }
@@ -285,9 +286,14 @@ impl<'a> Trials<'a> {
         let starts = STARTS - usize::from(!self.linkage.locked.is_empty());
         let mut all = Vec::new();
         for (number, held) in self.held.iter().enumerate() {
-            let asked = |q: &[f64]| held.asked(self.linkage, q);
             let starts = (0..starts).map(|_| anywhere(&held.model, &mut random));
-            let found = vanishing(form, asked, &starts.collect::<Vec<_>>());
+            let on = OnBranch {
+                form,
+                model: &held.model,
+                // Differences of a target in single precision would be its rounding.
+                asked: |q: &[f64]| (held.chain.fk(q), held.parameters(self.linkage, q)),
+            };
+            let found = on.vanishing(&starts.collect::<Vec<_>>());
             let beside = alignment::neighbours(&found);
             let trials = found.into_iter().chain(beside);
             let trials = trials.map(|q| held.trial(self.linkage, self.target, q, true, true));
@@ -333,7 +339,9 @@ impl Held {
             model,
             all: Vec::new(),
         };
-        let trial = |q, aligned, is_attack| held.trial(linkage, target, q, aligned, is_attack);
+        let trial = |q, may_degenerate, is_attack| {
+            held.trial(linkage, target, q, may_degenerate, is_attack)
+        };
         held.all = (round.into_iter().map(|q| trial(q, false, false)))
             .chain(beside.into_iter().map(|q| trial(q, false, true)))
             .chain(aligned.into_iter().map(|q| trial(q, true, true)))
@@ -347,27 +355,25 @@ impl Held {
         linkage: &Linkage,
         target: Target,
         q: Vec<f64>,
-        aligned: bool,
+        may_degenerate: bool,
         is_attack: bool,
     ) -> Rc<Trial> {
-        let (pose, parameters) = self.asked(linkage, &q);
         Rc::new(Trial {
-            pose,
+            pose: linkage.scalar.target(self.chain.fk(&q)),
             conditioning: linkage.conditioning(&self.chain, &q, target),
-            parameters,
+            parameters: self.parameters(linkage, &q),
             q,
-            aligned,
+            may_degenerate,
             is_attack,
         })
     }
 
-    /// The target that a configuration makes, and what comes with it.
-    fn asked(&self, linkage: &Linkage, q: &[f64]) -> (Pose, Vec<f64>) {
-        let parameters = match linkage.swivel {
+    /// What comes with the target of a configuration.
+    fn parameters(&self, linkage: &Linkage, q: &[f64]) -> Vec<f64> {
+        match linkage.swivel {
             Some(swivel) => vec![swivel.angle(&self.chain, q)],
             None => self.parameters.clone(),
-        };
-        (linkage.scalar.target(self.chain.fk(q)), parameters)
+        }
     }
 
     /// Targets that the arm was not seen to reach, and some that it cannot: the
@@ -386,8 +392,8 @@ impl Held {
     }
 }
 
-/// Runs a closed form against the arm as given. Of configurations with axes
-/// aligned it may lose so many.
+/// Runs a closed form against the arm as given. Of configurations where a step
+/// may degenerate it may lose so many.
 ///
 /// # Errors
 ///
@@ -554,7 +560,7 @@ impl Certificate {
         let flagged: Vec<BranchSolution> = flagged.cloned().collect();
         match recovered(model, q, solutions, *conditioning) {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
-            Err(Failure::Lost(_)) if trial.aligned && self.lost < losses => self.lost += 1,
+            Err(Failure::Lost(_)) if trial.may_degenerate && self.lost < losses => self.lost += 1,
             Err(other) => return Err(other),
             // A double root that is none of the arm has half of its digits.
             Ok(())

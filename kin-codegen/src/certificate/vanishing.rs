@@ -1,10 +1,12 @@
 //! Configurations in which what a plan divides by vanishes, and the vectors that tell its angles:
 //! there a step may degenerate where the arm does not.
 
+use super::joint_distance;
 use crate::closed_form::ClosedForm;
 use crate::expr::Expr;
+use crate::expr::inverse::InverseGraph;
+use crate::model::Model;
 use kin_runtime::Pose;
-use std::f64::consts::TAU;
 
 /// Steps of Newton's method.
 const STEPS: usize = 40;
@@ -29,52 +31,43 @@ const FARTHEST: f64 = 0.5;
 /// may be zero throughout.
 const DAMPING: f64 = 1e-9;
 
-/// Configurations to which Newton's method goes from some. `asked` is the target of a
-/// configuration, and what comes with it.
-pub(super) fn vanishing(
-    form: &ClosedForm,
-    asked: impl Fn(&[f64]) -> (Pose, Vec<f64>),
-    starts: &[Vec<f64>],
-) -> Vec<Vec<f64>> {
-    let quantities = form.expressions().map(|inverse| inverse.divisors());
-    let quantities = quantities.unwrap_or_default();
-    let mut all = Vec::new();
-    for quantity in quantities {
-        let along = Quantity {
-            form,
-            asked: &asked,
-            of: quantity,
-        };
-        let lengths = starts
-            .iter()
-            .filter_map(|q| Some(length(along.at(q, along.branch(q)?))));
-        let lengths: Vec<f64> = lengths.collect();
-        let usual = lengths.iter().copied().fold(0.0, f64::max);
-        let least = lengths.iter().copied().fold(usual, f64::min);
-        if usual - least > CONSTANT * usual {
-            all.extend(starts.iter().filter_map(|q| along.driven(q.clone(), usual)));
-        }
-    }
-    all
-}
-
 /// A divisor, or a sine and a cosine of some length.
-struct Quantity<'a, F> {
-    form: &'a ClosedForm,
-    asked: &'a F,
-    of: (Expr, Option<Expr>),
+type Quantity = (Expr, Option<Expr>);
+
+/// The expressions of a plan, on the branch of a configuration.
+pub(super) struct OnBranch<'a, F> {
+    pub form: &'a ClosedForm,
+    /// The arm that targets are solved for.
+    pub model: &'a Model,
+    /// The target of a configuration, and what comes with it.
+    pub asked: F,
 }
 
-impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> Quantity<'_, F> {
+impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> OnBranch<'_, F> {
+    /// Configurations to which Newton's method goes from some.
+    pub fn vanishing(&self, starts: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let quantities = self.form.expressions().map(InverseGraph::divisors);
+        let mut all = Vec::new();
+        for of in quantities.into_iter().flatten() {
+            let length_at = |q: &Vec<f64>| Some(length(self.at(of, q, self.branch(q)?)));
+            let lengths: Vec<f64> = starts.iter().filter_map(length_at).collect();
+            let usual = lengths.iter().copied().fold(0.0, f64::max);
+            let least = lengths.iter().copied().fold(usual, f64::min);
+            if usual - least > CONSTANT * usual {
+                let driven = |q: &Vec<f64>| self.driven(of, q.clone(), usual);
+                all.extend(starts.iter().filter_map(driven));
+            }
+        }
+        all
+    }
+
     /// The branch that a configuration is on.
     fn branch(&self, q: &[f64]) -> Option<u32> {
         let (target, parameters) = (self.asked)(q);
         let apart = |other: &[f64]| -> f64 {
-            let turns = q.iter().zip(other).map(|(a, b)| {
-                let d = (a - b).abs() % TAU;
-                d.min(TAU - d)
-            });
-            turns.sum()
+            let each = 0..q.len();
+            each.map(|i| joint_distance(self.model, i, q[i], other[i]))
+                .sum()
         };
         let branches = self.form.branches_at(&target, &parameters);
         let own = branches
@@ -83,25 +76,23 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> Quantity<'_, F> {
         own.map(|own| own.branch)
     }
 
-    /// Its value on a branch for the target of a configuration.
-    fn at(&self, q: &[f64], branch: u32) -> [f64; 2] {
-        let (a, b) = self.of;
-        let last = b.map_or(a, |b| a.max(b));
-        let mut values = Vec::new();
-        self.form
-            .first_values(last.index() + 1, &(self.asked)(q), branch, &mut values);
+    /// The value of a quantity on a branch for the target of a configuration.
+    fn at(&self, (a, b): Quantity, q: &[f64], branch: u32) -> [f64; 2] {
+        let (target, parameters) = (self.asked)(q);
+        let count = b.map_or(a, |b| a.max(b)).index() + 1;
+        let values = self.form.first_values(count, &target, &parameters, branch);
         [values[a.index()], b.map_or(0.0, |b| values[b.index()])]
     }
 
-    /// Moves the joints by the least that makes it vanish; none if that is not found.
-    fn driven(&self, mut q: Vec<f64>, usual: f64) -> Option<Vec<f64>> {
+    /// Moves the joints by the least that makes a quantity vanish; none if that is not found.
+    fn driven(&self, of: Quantity, mut q: Vec<f64>, usual: f64) -> Option<Vec<f64>> {
         let (mut slow, mut before, mut difference) = (0, f64::INFINITY, DIFFERENCE[0]);
         let mut multiplicity = 1.0;
         for _ in 0..STEPS {
             let Some(branch) = self.branch(&q) else {
                 break;
             };
-            let here = self.at(&q, branch);
+            let here = self.at(of, &q, branch);
             let left = length(here);
             if left <= NOTHING * usual {
                 return Some(q);
@@ -120,7 +111,7 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> Quantity<'_, F> {
             let slope = |joint: usize| {
                 let mut beside = q.clone();
                 beside[joint] += difference;
-                let there = self.at(&beside, branch);
+                let there = self.at(of, &beside, branch);
                 [0, 1].map(|i| (there[i] - here[i]) / difference)
             };
             let slopes: Vec<[f64; 2]> = (0..q.len()).map(slope).collect();

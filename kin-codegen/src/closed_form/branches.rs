@@ -91,20 +91,20 @@ impl ClosedForm {
     pub(crate) fn first_values(
         &self,
         count: usize,
-        (target, parameters): &(Pose, Vec<f64>),
+        target: &Pose,
+        parameters: &[f64],
         branch: u32,
-        values: &mut Vec<f64>,
-    ) {
+    ) -> Vec<f64> {
+        let mut values = Vec::new();
         if let Some(inverse) = self.expressions() {
-            let seed = [0.0; 7];
-            let inputs = inputs(
-                target,
-                &seed[..inverse.q.len()],
-                parameters,
-                self.tolerances().free_below,
-            );
-            inverse.graph.evaluate_first(count, &inputs, branch, values);
+            let seed = vec![0.0; inverse.q.len()];
+            let free_below = self.tolerances().free_below;
+            let inputs = inputs(target, &seed, parameters, free_below);
+            inverse
+                .graph
+                .evaluate_first(count, &inputs, branch, &mut values);
         }
+        values
     }
 
     fn question<'a>(
