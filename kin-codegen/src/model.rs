@@ -180,16 +180,19 @@ impl Model {
         joints.any(|joint| joint.variable == variable && joint.kind == JointKind::Revolute)
     }
 
-    /// The stops of every coordinate of q. One that moves a slide beside others is a length.
+    /// Whether a full turn of a coordinate of q changes nothing: it moves no slide, and turns joints
+    /// a whole number of times.
+    pub fn repeats(&self, variable: usize) -> bool {
+        let mut moved = self.joints.iter().filter(|it| it.variable == variable);
+        moved.all(|it| it.kind == JointKind::Revolute && it.multiplier.fract() == 0.0)
+    }
+
+    /// The stops of every coordinate of q. One that does not repeat is as a length.
     pub fn limits(&self) -> Vec<JointLimit> {
-        let slides = |i: usize| {
-            let mut joints = self.joints.iter();
-            joints.any(|joint| joint.variable == i && joint.kind == JointKind::Prismatic)
-        };
-        let limit = |i: usize| match (slides(i), self.variables[i].limits) {
-            (false, None) => JointLimit::Continuous,
-            (false, Some([lower, upper])) => JointLimit::revolute(lower, upper),
-            (true, limits) => {
+        let limit = |i: usize| match (self.repeats(i), self.variables[i].limits) {
+            (true, None) => JointLimit::Continuous,
+            (true, Some([lower, upper])) => JointLimit::revolute(lower, upper),
+            (false, limits) => {
                 let [lower, upper] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
                 JointLimit::prismatic(lower, upper)
             }

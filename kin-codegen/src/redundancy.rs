@@ -9,7 +9,7 @@ use crate::geometry::{
 };
 use crate::model::{JointKind, Model, configurations};
 use crate::plan::{Plans, Relations, Target};
-use crate::solver::{Certified, DESIGNED, NoClosedForm, TOLERANCES, alike, solve};
+use crate::solver::{Certified, Coupled, DESIGNED, NoClosedForm, TOLERANCES, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 use std::rc::Rc;
@@ -148,7 +148,10 @@ fn coordinates(model: &Model, target: Target) -> usize {
 /// as much. Two neighbours that turn about one line are rather a slip in the file, and not passed
 /// over unless they have to be.
 pub fn is_redundant(model: &Model, target: Target, asked: &Asked) -> bool {
-    let n = model.joints.len();
+    let n = match model.is_coupled() {
+        true => model.variables.len(),
+        false => model.joints.len(),
+    };
     let turns_twice = || alike(model).any(|i| model.joints[i].kind == JointKind::Revolute);
     asked.count() > 0
         || n > target.coordinates()
@@ -217,7 +220,7 @@ pub fn solve_redundant(
     asked: &Asked,
 ) -> Result<(Certified, Redundancy), NoClosedForm> {
     if model.is_coupled() {
-        return Err(NoClosedForm::Mimic);
+        return Err(NoClosedForm::Mimic(Coupled::Redundant));
     }
     let wanted = Wanted::new(model, target, asked);
     match wanted.by_swivel(model, linkage, asked) {

@@ -1,11 +1,11 @@
 //! Why a sound robot file has no inverse kinematics, and what its owner can do.
 
 use crate::compiled::Compiled;
-use crate::geometry::{rank, structure};
+use crate::geometry::{Untold, rank, structure};
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
-use crate::solver::{Lack, NoClosedForm};
+use crate::solver::{Coupled, Lack, NoClosedForm};
 use crate::spec::{Diagnostic, Source, list_names, one_line};
 use std::fmt;
 
@@ -38,7 +38,11 @@ impl Refusal {
                  the chain by another base or tip, or stay free (`free`). `ik = none` generates \
                  forward kinematics and Jacobians alone"
             }
-            Reason::Arm(NoClosedForm::Mimic) => {
+            Reason::Arm(NoClosedForm::Mimic(Coupled::Untold(Untold::Range(_)))) => {
+                "give it limits that are less than a full turn of the joints apart; `ik = none` generates forward \
+                 kinematics and Jacobians alone"
+            }
+            Reason::Arm(NoClosedForm::Mimic(_)) => {
                 "name a link in front of the joints that mimic others as the tip, if the arm ends \
                  there; `ik = none` generates forward kinematics and Jacobians alone"
             }
@@ -85,7 +89,7 @@ impl Refusal {
         let NoClosedForm::Singular { target, .. } = reason else {
             return false;
         };
-        let arm = self.robot.arm();
+        let arm = self.robot.arm().filter(|arm| !arm.model.is_coupled());
         arm.is_some_and(|arm| rank(&arm.model, *target) == 0)
     }
 
@@ -136,7 +140,9 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
             format!("with {} free, {}", list_names(&joints), why(model, reason))
         }
         NoClosedForm::OnlyInDouble(lack) => only_in_double(*lack).to_owned(),
-        NoClosedForm::Mimic => mimics(model),
+        NoClosedForm::Mimic(coupled) => {
+            format!("{}{}", mimics(model), why_coupled(model, coupled))
+        }
         NoClosedForm::Singular {
             rank,
             target,
@@ -201,6 +207,29 @@ fn mimics(model: &Model) -> String {
     match mimics.count() {
         0 => format!("joint {first}, which couples their angles"),
         more => format!("joint {first}, and {more} more mimic others, which couples their angles"),
+    }
+}
+
+/// Why a chain whose joints mimic each other is not solved.
+fn why_coupled(model: &Model, coupled: &Coupled) -> String {
+    match coupled {
+        Coupled::Untold(Untold::Coordinate(name)) => {
+            format!(", and no joint tells the value of `{name}` from a target")
+        }
+        Coupled::Untold(Untold::Range(name)) => format!(
+            ", and the limits of `{name}` are so wide that several values of it are one angle of a joint"
+        ),
+        Coupled::Joints { joints, target } => {
+            let coordinates = target.coordinates();
+            format!(", and the {joints} joints are more than the {coordinates} coordinates of targets")
+        }
+        Coupled::Redundant => {
+            ", and that leaves none to stay free, which more joints than a target has coordinates need"
+                .into()
+        }
+        Coupled::Unsolved(reason) => {
+            format!("; as a chain whose joints move by themselves, {}", why(model, reason))
+        }
     }
 }
 

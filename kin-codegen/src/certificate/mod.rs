@@ -21,6 +21,7 @@ use crate::model::{Model, anywhere, configurations};
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
+use std::borrow::Cow;
 use std::cell::{OnceCell, RefCell};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -245,7 +246,8 @@ impl<'a> Trials<'a> {
         let lost = tried.map(|near| {
             let held = &self.held[near.held];
             let solutions = form.solutions_at(&held.chain.fk(&near.q), &held.parameters);
-            recovered(&held.model, &near.q, &solutions, near.conditioning).is_err()
+            held.recovered(self.linkage, &near.q, &solutions, near.conditioning)
+                .is_err()
         });
         lost.collect()
     }
@@ -261,9 +263,10 @@ impl<'a> Trials<'a> {
     pub fn lost_again(&self, form: &ClosedForm) -> Vec<bool> {
         let lost = self.lost.borrow();
         let is_lost = |(held, trial): &(usize, Rc<Trial>)| {
-            let model = &self.held[*held].model;
             let solutions = form.solutions_at(&trial.pose, &trial.parameters);
-            recovered(model, &trial.q, &solutions, trial.conditioning).is_err()
+            let held = &self.held[*held];
+            held.recovered(self.linkage, &trial.q, &solutions, trial.conditioning)
+                .is_err()
         };
         lost.iter().map(is_lost).collect()
     }
@@ -287,11 +290,12 @@ impl<'a> Trials<'a> {
         let mut all = Vec::new();
         for (number, held) in self.held.iter().enumerate() {
             let starts = (0..starts).map(|_| anywhere(&held.model, &mut random));
+            let starts = starts.map(|joints| self.linkage.coordinates_at(joints));
             let on = OnBranch {
                 form,
                 model: &held.model,
                 // Differences of a target in single precision would be its rounding.
-                asked: |q: &[f64]| (held.chain.fk(q), held.parameters(self.linkage, q)),
+                asked: |q: &[f64]| (held.fk(self.linkage, q), held.parameters(self.linkage, q)),
             };
             let found = on.vanishing(&starts.collect::<Vec<_>>());
             let beside = alignment::neighbours(&found);
@@ -314,7 +318,9 @@ impl<'a> Trials<'a> {
             let anywhere_held = &self.held[..self.held.len().min(parameters::ANYWHERE)];
             let held = anywhere_held.iter().cycle().take(SHARE);
             held.map(|held| {
-                let q = anywhere(&held.model, &mut random);
+                let q = self
+                    .linkage
+                    .coordinates_at(anywhere(&held.model, &mut random));
                 self.linkage.conditioning(&held.chain, &q, self.target)
             })
             .collect()
@@ -326,9 +332,13 @@ impl<'a> Trials<'a> {
 
 impl Held {
     fn new(parameters: Vec<f64>, model: Model, linkage: &Linkage, target: Target) -> Self {
-        let round = configurations(&model);
+        let coordinates = |all: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
+            let all = all.into_iter();
+            all.map(|joints| linkage.coordinates_at(joints)).collect()
+        };
+        let round = coordinates(configurations(&model));
         let beside = alignment::neighbours(&round);
-        let aligned = alignment::aligned(&model);
+        let aligned = coordinates(alignment::aligned(&model));
         let nearly = alignment::neighbours(&aligned);
         let mut held = Self {
             parameters: match linkage.swivel {
@@ -358,13 +368,42 @@ impl Held {
         may_degenerate: bool,
         is_attack: bool,
     ) -> Rc<Trial> {
+        // The joints that are coupled may be singular as such where the coordinates are not.
+        let may_degenerate = may_degenerate
+            || linkage.coupling.is_some() && {
+                let joints = linkage.joints_at(&q);
+                geometry::conditioning(&self.chain, &joints, linkage.size, target) < REGULAR
+            };
         Rc::new(Trial {
-            pose: linkage.scalar.target(self.chain.fk(&q)),
+            pose: linkage.scalar.target(self.fk(linkage, &q)),
             conditioning: linkage.conditioning(&self.chain, &q, target),
             parameters: self.parameters(linkage, &q),
             q,
             may_degenerate,
             is_attack,
+        })
+    }
+
+    /// The pose of the tip.
+    fn fk(&self, linkage: &Linkage, q: &[f64]) -> Pose {
+        self.chain.fk(&linkage.joints_at(q))
+    }
+
+    /// As [`recovered`], of configurations by the values of joints.
+    fn recovered(
+        &self,
+        linkage: &Linkage,
+        q: &[f64],
+        solutions: &[BranchSolution],
+        conditioning: f64,
+    ) -> Result<(), Failure> {
+        let by_joints = by_joints(linkage, solutions);
+        let joints = linkage.joints_at(q);
+        let outcome = recovered(&self.model, &joints, &by_joints, conditioning);
+        outcome.map_err(|failure| match failure {
+            Failure::Lost(_) => Failure::Lost(q.to_vec()),
+            Failure::Doubled(_) => Failure::Doubled(q.to_vec()),
+            other => other,
         })
     }
 
@@ -496,7 +535,7 @@ impl Certificate {
         let size = trials.linkage.size;
         self.solutions += solutions.len();
         for solution in solutions {
-            let found = held.chain.fk(&solution.q);
+            let found = held.fk(trials.linkage, &solution.q);
             let distance = trials.target.distance(&found, target, size);
             self.worst_residual = self.worst_residual.max(distance);
             if distance.is_nan() || distance > trials.linkage.scalar.tolerances().solved * size {
@@ -558,15 +597,18 @@ impl Certificate {
         self.most_solutions = self.most_solutions.max(solutions.len());
         let flagged = solutions.iter().filter(|solution| solution.singular);
         let flagged: Vec<BranchSolution> = flagged.cloned().collect();
-        match recovered(model, q, solutions, *conditioning) {
+        let linkage = run.trials.linkage;
+        let is_flagged = || {
+            let tolerance = 10.0 * model.scalar.tolerances().same;
+            let flagged = by_joints(linkage, &flagged);
+            is_among(model, &linkage.joints_at(q), &flagged, tolerance)
+        };
+        match run.held.recovered(linkage, q, solutions, *conditioning) {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
             Err(Failure::Lost(_)) if trial.may_degenerate && self.lost < losses => self.lost += 1,
             Err(other) => return Err(other),
             // A double root that is none of the arm has half of its digits.
-            Ok(())
-                if *conditioning > REGULAR
-                    && is_among(model, q, &flagged, 10.0 * model.scalar.tolerances().same) =>
-            {
+            Ok(()) if *conditioning > REGULAR && is_flagged() => {
                 if self.lost == losses {
                     return Err(Failure::Lost(q.clone()));
                 }
@@ -601,6 +643,18 @@ pub fn recovered(
         }
     }
     Ok(())
+}
+
+/// The same with the values of joints in place of the coordinates that they depend on.
+fn by_joints<'a>(linkage: &Linkage, solutions: &'a [BranchSolution]) -> Cow<'a, [BranchSolution]> {
+    let by_joints = |solution: &BranchSolution| BranchSolution {
+        q: linkage.joints_at(&solution.q).into_owned(),
+        ..solution.clone()
+    };
+    match &linkage.coupling {
+        Some(_) => solutions.iter().map(by_joints).collect(),
+        None => solutions.into(),
+    }
 }
 
 fn is_among(model: &Model, q: &[f64], solutions: &[BranchSolution], tolerance: f64) -> bool {

@@ -64,9 +64,12 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> OnBranch<'_, F> {
     /// The branch that a configuration is on.
     fn branch(&self, q: &[f64]) -> Option<u32> {
         let (target, parameters) = (self.asked)(q);
+        let joints = |q: &[f64]| self.form.given.joints_at(q).into_owned();
+        let own = joints(q);
         let apart = |other: &[f64]| -> f64 {
-            let each = 0..q.len();
-            each.map(|i| joint_distance(self.model, i, q[i], other[i]))
+            let other = joints(other);
+            let each = 0..own.len();
+            each.map(|i| joint_distance(self.model, i, own[i], other[i]))
                 .sum()
         };
         let branches = self.form.branches_at(&target, &parameters);

@@ -11,7 +11,7 @@ pub use roots::Domain;
 
 use crate::expr::inverse::{FreeAngles, InverseGraph};
 use crate::geometry::{Carried, Idealized, Linkage};
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use crate::scalar::Tolerances;
 use crate::single;
@@ -371,9 +371,7 @@ impl ClosedForm {
     /// What makes a branch a solution.
     pub fn acceptance(&self) -> Acceptance {
         let given = &self.given;
-        let slides = |joint: &usize| given.links[*joint].kind == JointKind::Prismatic;
-        let sliding = (0..given.links.len()).filter(slides);
-        let sliding = sliding.filter_map(|joint| given.coordinate(joint));
+        let sliding = (0..given.variables()).filter(|&i| !given.repeats(i));
         let (size, tolerances) = (self.linkage.size, self.tolerances());
         let has_quartic = |step: &Step| step.subproblem.choices() == 2;
         let nearly = match self.plan.steps.iter().any(has_quartic) {

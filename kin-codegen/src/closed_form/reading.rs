@@ -41,9 +41,14 @@ impl Reading {
         };
         let linkage = Linkage::for_target(&idealized.model, target)
             .with_locked(&given.locked)
-            .with_swivel(swivel);
-        let single = (linkage.scalar == Scalar::F32)
-            .then(|| single::Forward::new(given, model.variables.len()));
+            .with_swivel(swivel)
+            .with_coupling(given.coupling.clone());
+        let coordinates = match &given.coupling {
+            Some(_) => given.variables(),
+            None => model.variables.len(),
+        };
+        let single =
+            (linkage.scalar == Scalar::F32).then(|| single::Forward::new(given, coordinates));
         Some(Self {
             tip_shift: tip_shift(model, &idealized.model),
             idealized,

@@ -194,6 +194,7 @@ fn part(linkage: &Linkage, base: Pose, joints: std::ops::Range<usize>) -> Linkag
         has_free_turn: false,
         locked: Vec::new(),
         swivel: None,
+        coupling: None,
     }
 }
 

@@ -10,7 +10,7 @@
 
 use super::linear::{Motion, Trig, Vector, transpose};
 use super::{Expr, Graph};
-use crate::geometry::{Axis, Linkage, Vec3};
+use crate::geometry::{Axis, Combination, Linkage, Vec3};
 use crate::model::JointKind;
 use kin_runtime::Pose;
 
@@ -32,8 +32,13 @@ impl JointTrig {
         for run in &linkage.runs {
             let mut angle = g.zero();
             let mut turned = Vec::new();
-            for link in &linkage.links[run.joints.clone()] {
-                let moved = joint_value(g, link.gain, link.offset, q[link.variable]);
+            for joint in run.joints.clone() {
+                let link = &linkage.links[joint];
+                let value = match linkage.row(joint) {
+                    Some(row) => combination(g, row, q),
+                    None => q[link.variable],
+                };
+                let moved = joint_value(g, link.gain, link.offset, value);
                 let slide = match link.kind {
                     JointKind::Revolute => {
                         angle = g.add(angle, moved);
@@ -71,6 +76,18 @@ pub fn subscript(variable: usize) -> String {
     } else {
         format!("_{}", variable + 1)
     }
+}
+
+/// The value of a joint that depends on several coordinates.
+pub(super) fn combination(g: &mut Graph, row: &Combination, q: &[Expr]) -> Expr {
+    let mut sum = g.zero();
+    for (&weight, &x) in row.weights.iter().zip(q) {
+        let weight = g.constant(weight);
+        let part = g.mul(weight, x);
+        sum = g.add(sum, part);
+    }
+    let offset = g.constant(row.offset);
+    g.add(sum, offset)
 }
 
 pub(super) fn joint_value(g: &mut Graph, gain: f64, offset: f64, q: Expr) -> Expr {

@@ -1,6 +1,6 @@
 //! How far an arm is from singular: the rank and conditioning of its Jacobian.
 
-use super::{along, cross, dot, size};
+use super::{Coupling, along, apart, cross, dot, size};
 use crate::model::{Model, configurations};
 use kin_runtime::__private::SingularValues;
 use kin_runtime::{Chain, Target, Twist};
@@ -17,11 +17,20 @@ pub const SINGULAR: f64 = 1e-5;
 /// fixes the joints (a planar 2R arm, the first three joints of a larger one),
 /// otherwise the whole pose.
 pub fn natural_target(model: &Model) -> Target {
+    if model.is_coupled() {
+        // Joints that have to agree with others are told by the rest of a pose.
+        return match apart(model) {
+            Ok((apart, coupling)) if coupling.rows.len() == coupling.told.len() => {
+                natural_target(&apart)
+            }
+            _ => Target::Pose,
+        };
+    }
     let chain = model.chain();
     let size = size(model);
     let n = model.joints.len();
     let fixed = |q: &Vec<f64>| conditioning(&chain, q, size, Target::Position) > SINGULAR;
-    if n <= 3 && !model.is_coupled() && configurations(model).iter().any(fixed) {
+    if n <= 3 && configurations(model).iter().any(fixed) {
         Target::Position
     } else {
         Target::Pose
@@ -33,18 +42,24 @@ pub fn natural_target(model: &Model) -> Target {
 pub fn rank(model: &Model, target: Target) -> usize {
     let chain = model.chain();
     let size = size(model);
-    let rank = |q: &Vec<f64>| {
-        lengths(&chain, q, size, target, &[])
-            .iter()
-            .filter(|x| **x > SINGULAR)
-            .count()
-    };
-    configurations(model)
-        .iter()
-        .take(8)
-        .map(rank)
-        .max()
-        .unwrap_or(0)
+    most(model, |q| lengths(&chain, q, size, target, &[]))
+}
+
+/// The same of the coordinates of a chain whose joints depend on them.
+pub fn coupled_rank(model: &Model, coupling: &Coupling, target: Target) -> usize {
+    let chain = model.chain();
+    let size = size(model);
+    most(model, |joints| {
+        let q = coupling.coordinates(joints);
+        coupled_lengths(&chain, coupling, &q, size, target)
+    })
+}
+
+/// The most columns that are seen to be independent, by their lengths for the values of joints.
+fn most(model: &Model, lengths: impl Fn(&[f64]) -> Vec<f64>) -> usize {
+    let rank = |q: &Vec<f64>| lengths(q).iter().filter(|x| **x > SINGULAR).count();
+    let some = configurations(model).into_iter().take(8);
+    some.map(|q| rank(&q)).max().unwrap_or(0)
 }
 
 /// The conditioning of the Jacobian for a target: the shortest column that is left
@@ -52,6 +67,18 @@ pub fn rank(model: &Model, target: Target) -> usize {
 /// to the longest. Within a factor of the least singular value.
 pub fn conditioning(chain: &Chain, q: &[f64], size: f64, target: Target) -> f64 {
     with_row(chain, q, size, target, &[])
+}
+
+/// The same of the coordinates of a chain whose joints depend on them.
+pub(super) fn coupled(
+    chain: &Chain,
+    coupling: &Coupling,
+    q: &[f64],
+    size: f64,
+    target: Target,
+) -> f64 {
+    let lengths = coupled_lengths(chain, coupling, q, size, target);
+    lengths.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// The same with one more row below the Jacobian, an entry for each joint; none if it is
@@ -78,6 +105,35 @@ pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
 /// those before it, longest first, relative to the longest. Lengths are in
 /// units of the arm's size. `row` is one more below the Jacobian.
 fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> Vec<f64> {
+    lengths_of(&chain.geometric_jacobian(q), chain, q, size, target, row)
+}
+
+/// The same of the coordinates of a chain whose joints depend on them.
+fn coupled_lengths(
+    chain: &Chain,
+    coupling: &Coupling,
+    q: &[f64],
+    size: f64,
+    target: Target,
+) -> Vec<f64> {
+    let joints = coupling.joints(q);
+    let mut columns = vec![Twist::default(); q.len()];
+    for (twist, row) in chain.geometric_jacobian(&joints).iter().zip(&coupling.rows) {
+        for (column, &weight) in columns.iter_mut().zip(&row.weights) {
+            *column = *column + *twist * weight;
+        }
+    }
+    lengths_of(&columns, chain, &joints, size, target, &[])
+}
+
+fn lengths_of(
+    jacobian: &[Twist],
+    chain: &Chain,
+    q: &[f64],
+    size: f64,
+    target: Target,
+    row: &[f64],
+) -> Vec<f64> {
     let z = match target {
         Target::PositionAxis | Target::Direction => chain.fk(q).rotation.map(|row| row[2]),
         _ => [0.0; 3],
@@ -101,7 +157,7 @@ fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> 
             Target::Planar => column([along(v, -dot(v, yaw), yaw), [about, 0.0, 0.0]]),
         }
     };
-    let mut columns: Vec<Column> = chain.geometric_jacobian(q).iter().map(rows).collect();
+    let mut columns: Vec<Column> = jacobian.iter().map(rows).collect();
     for (column, &entry) in columns.iter_mut().zip(row) {
         column[6] = entry;
     }

@@ -14,10 +14,15 @@
 //! joint. Frames of parallel joints in a row share their orientation, so that
 //! their angles add.
 
-use super::{Line, Swivel, Vec3, along, conditioning, cross, dot, norm, size, sub, unit};
+use super::conditioning::coupled;
+use super::{
+    Combination, Coupling, Line, Swivel, Vec3, along, conditioning, cross, dot, norm, size, sub,
+    unit,
+};
 use crate::model::{Joint, JointKind, Model};
 use crate::scalar::Scalar;
 use kin_runtime::{Chain, Jacobian, Pose, Target, Twist};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// Entries of a constant motion below this (relative to the arm's size) are
@@ -51,6 +56,9 @@ pub struct Linkage {
     pub locked: Vec<usize>,
     /// The swivel, where its angle comes with the target; behind the values of locked joints.
     pub swivel: Option<Swivel>,
+    /// How the joints depend on the coordinates of q where these are not the same: of such an arm
+    /// none is locked.
+    pub coupling: Option<Coupling>,
 }
 
 /// A joint and the constant motion behind it.
@@ -169,6 +177,7 @@ impl Linkage {
             has_free_turn: false,
             locked: Vec::new(),
             swivel: None,
+            coupling: None,
         }
     }
 
@@ -186,6 +195,11 @@ impl Linkage {
         Self { swivel, ..self }
     }
 
+    /// The same whose joints depend on the coordinates of q.
+    pub fn with_coupling(self, coupling: Option<Coupling>) -> Self {
+        Self { coupling, ..self }
+    }
+
     /// How many numbers come with the target.
     pub fn parameters(&self) -> usize {
         self.locked.len() + usize::from(self.swivel.is_some())
@@ -194,22 +208,41 @@ impl Linkage {
     /// How far from singular the joints are that a target is solved for; see [`conditioning`].
     /// `chain` is that of these joints.
     pub fn conditioning(&self, chain: &Chain, q: &[f64], target: Target) -> f64 {
-        match &self.swivel {
-            Some(swivel) => swivel.conditioning(chain, q, self.size),
-            None => conditioning(chain, q, self.size, target),
+        match (&self.swivel, &self.coupling) {
+            (Some(swivel), _) => swivel.conditioning(chain, q, self.size),
+            (None, Some(coupling)) => coupled(chain, coupling, q, self.size, target),
+            (None, None) => conditioning(chain, q, self.size, target),
         }
     }
 
     /// The number of coordinates of q that a target is solved for.
     pub fn variables(&self) -> usize {
+        if let Some(coupling) = &self.coupling {
+            return coupling.limits.len();
+        }
         let own = self.links.len() - usize::from(self.has_free_turn);
         let variables = self.links[..own].iter().map(|link| link.variable + 1);
         variables.max().unwrap_or(0) - self.locked.len()
     }
 
+    /// The coordinates of q that a target is solved for.
+    pub fn solved_variables(&self) -> Vec<usize> {
+        if self.coupling.is_some() {
+            return (0..self.variables()).collect();
+        }
+        let solved = (0..self.links.len()).filter(|&joint| self.coordinate(joint).is_some());
+        let mut variables: Vec<usize> = solved.map(|j| self.links[j].variable).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        variables
+    }
+
     /// Which of the coordinates that a target is solved for a joint is; none if it is
-    /// locked, or the free turn.
+    /// locked, or the free turn, or coupled to others.
     pub fn coordinate(&self, joint: usize) -> Option<usize> {
+        if let Some(coupling) = &self.coupling {
+            return coupling.coordinate(joint);
+        }
         let before = self.locked.iter().filter(|&&locked| locked < joint).count();
         let coordinate = self.links[joint].variable.checked_sub(before);
         coordinate.filter(|&i| i < self.variables() && !self.locked.contains(&joint))
@@ -218,6 +251,17 @@ impl Linkage {
     /// The first joint that turns.
     pub fn first_turn(&self) -> Option<usize> {
         (0..self.links.len()).find(|&joint| self.is_revolute(joint))
+    }
+
+    /// Whether a coordinate that a target is solved for is the same a full turn further.
+    pub fn repeats(&self, coordinate: usize) -> bool {
+        match &self.coupling {
+            Some(coupling) => coupling.repeats(coordinate),
+            None => {
+                let joint = self.joint_of(coordinate);
+                joint.is_some_and(|joint| self.is_revolute(joint))
+            }
+        }
     }
 
     /// The joint that a coordinate is that a target is solved for; of joints that mimic
@@ -239,10 +283,12 @@ impl Linkage {
         for (joint, link) in self.links.iter().enumerate() {
             let coordinate = self.coordinate(joint);
             let locked = self.locked.iter().position(|&locked| locked == joint);
-            let moved = match (coordinate, locked) {
-                (Some(i), _) => q[i],
-                (None, Some(k)) => parameters[k],
-                (None, None) => 0.0,
+            let row = self.row(joint);
+            let moved = match (row, coordinate, locked) {
+                (Some(row), _, _) => row.value(q),
+                (None, Some(i), _) => q[i],
+                (None, None, Some(k)) => parameters[k],
+                (None, None, None) => 0.0,
             };
             let value = link.gain * moved + link.offset;
             let axis = pose.rotate(link.direction);
@@ -256,8 +302,14 @@ impl Linkage {
                     (Twist::prismatic(axis), shift)
                 }
             };
-            if let Some(i) = coordinate {
-                columns[i] = columns[i] + twist * link.gain;
+            match (row, coordinate) {
+                (Some(row), _) => {
+                    for (column, weight) in columns.iter_mut().zip(&row.weights) {
+                        *column = *column + twist * (link.gain * weight);
+                    }
+                }
+                (None, Some(i)) => columns[i] = columns[i] + twist * link.gain,
+                (None, None) => {}
             }
             pose = pose * motion * link.after;
         }
@@ -302,8 +354,38 @@ impl Linkage {
 
     /// How far each joint has moved along its axis, radians or metres; a free turn has not.
     pub fn by_joint(&self, q: &[f64]) -> Vec<f64> {
-        let moved = |link: &Link| q.get(link.variable).copied().unwrap_or(0.0);
+        let joints = self.joints_at(q);
+        let moved = |link: &Link| joints.get(link.variable).copied().unwrap_or(0.0);
         self.links.iter().map(moved).collect()
+    }
+
+    /// The values of the joints that are not locked, from the coordinates that targets are solved
+    /// for.
+    pub fn joints_at<'a>(&self, q: &'a [f64]) -> Cow<'a, [f64]> {
+        match &self.coupling {
+            Some(coupling) => coupling.joints(q).into(),
+            None => q.into(),
+        }
+    }
+
+    /// Coordinates that targets are solved for, from values of the joints that are not locked.
+    /// Those that do not repeat are within their limits.
+    pub fn coordinates_at(&self, joints: Vec<f64>) -> Vec<f64> {
+        let Some(coupling) = &self.coupling else {
+            return joints;
+        };
+        let mut q = coupling.coordinates(&joints);
+        for (x, limits) in q.iter_mut().zip(&coupling.limits) {
+            if let Some([lower, upper]) = limits {
+                *x = x.max(*lower).min(*upper);
+            }
+        }
+        q
+    }
+
+    /// How a joint depends on the coordinates of a coupled chain.
+    pub fn row(&self, joint: usize) -> Option<&Combination> {
+        self.coupling.as_ref()?.rows.get(joint)
     }
 
     /// Those of all joints.

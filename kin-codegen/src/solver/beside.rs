@@ -22,7 +22,10 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     let form = &best.form;
     let is_whole = form.plan.target == Target::Pose && trials.linkage().locked.is_empty();
     let asks = |form: &ClosedForm| {
-        form.is_exact() && form.refinement == Refinement::None && form.single.is_none()
+        form.given.coupling.is_none()
+            && form.is_exact()
+            && form.refinement == Refinement::None
+            && form.single.is_none()
     };
     let arm = (is_whole && asks(form)).then(|| univariate::Arm::new(trials.linkage()));
     let Some(mut arm) = arm.flatten() else {
@@ -56,7 +59,9 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
 /// others have lost, the one that most motions move and whose polynomial has the least noise; and
 /// behind it what finds most of what it loses.
 pub(super) fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<univariate::Arm> {
-    if form.plan.target != Target::Pose || trials.linkage().swivel.is_some() {
+    let linkage = trials.linkage();
+    let is_other = linkage.swivel.is_some() || linkage.coupling.is_some();
+    if form.plan.target != Target::Pose || is_other {
         return None;
     }
     let near = trials.near_singular(form.untold());

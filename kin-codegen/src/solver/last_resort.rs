@@ -22,6 +22,7 @@ pub(super) fn last_resort(
         });
     }
     let arm = match target {
+        _ if linkage.coupling.is_some() => None,
         Target::Pose => univariate::Arm::between(trials.model(), linkage),
         Target::PositionAxis if linkage.locked.is_empty() => {
             univariate::Arm::new(&Linkage::for_target(trials.model(), target))

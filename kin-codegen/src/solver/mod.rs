@@ -8,7 +8,8 @@ mod search;
 use crate::certificate::{Certificate, Failure, SOMEWHERE, Trials};
 use crate::closed_form::{ClosedForm, Inverse, tip_shift};
 use crate::geometry::{
-    AxisRelation, Linkage, Moved, axes, cross, dot, idealize, norm, rank, relate,
+    AxisRelation, Linkage, Moved, Untold, apart, axes, coupled_rank, cross, dot, idealize, norm,
+    rank, relate,
 };
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -31,6 +32,30 @@ const CHOICES: usize = 6;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 1e-2;
+
+/// Why a chain whose joints mimic each other is not solved.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Coupled {
+    /// The values of its joints do not tell the coordinates.
+    Untold(Untold),
+    /// More joints than targets have coordinates, neighbours about one line taken as one.
+    Joints {
+        /// How many.
+        joints: usize,
+        /// What of targets counts.
+        target: Target,
+    },
+    /// With joints that stay free.
+    Redundant,
+    /// As a chain whose joints move by themselves it is not solved.
+    Unsolved(Box<NoClosedForm>),
+}
+
+impl From<Untold> for Coupled {
+    fn from(untold: Untold) -> Self {
+        Self::Untold(untold)
+    }
+}
 
 /// A closed form that was seen to work.
 #[derive(Clone, Debug)]
@@ -67,7 +92,7 @@ pub enum NoClosedForm {
     /// What it is solved by is there in double precision alone.
     OnlyInDouble(Lack),
     /// Joints that mimic others couple the chain.
-    Mimic,
+    Mimic(Coupled),
     /// The joints are never independent: the chain is singular in every
     /// configuration.
     Singular {
@@ -127,11 +152,15 @@ pub enum NoClosedForm {
 /// Why there is none.
 pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certified, NoClosedForm> {
     if model.is_coupled() {
-        return Err(NoClosedForm::Mimic);
+        return solve_coupled(model, target);
     }
     let joints = model.joints.len() - linkage.parameters();
-    let rank = rank_without(model, &linkage.locked, target);
-    if rank < joints.min(target.coordinates()) {
+    let coordinates = match &linkage.coupling {
+        Some(_) => linkage.variables(),
+        None => joints,
+    };
+    let rank = rank_without(model, linkage, target);
+    if rank < coordinates.min(target.coordinates()) {
         let alike = alike(model).next().map(|i| {
             let names = [i, i + 1].map(|j| model.joints[j].name.clone());
             (names, model.joints[i].kind)
@@ -151,6 +180,22 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         Ok(found) if !found.certificate.loses_much() => Ok(found),
         found if !patience.ended => found,
         _ => solve_readings(&trials, target, &mut Patience::of(usize::MAX)),
+    }
+}
+
+/// The same of an arm whose joints mimic each other, as one whose joints move by themselves.
+fn solve_coupled(model: &Model, target: Target) -> Result<Certified, NoClosedForm> {
+    let (apart, coupling) = apart(model).map_err(|untold| NoClosedForm::Mimic(untold.into()))?;
+    let joints = apart.joints.len();
+    if joints > target.coordinates() {
+        return Err(NoClosedForm::Mimic(Coupled::Joints { joints, target }));
+    }
+    let linkage = Linkage::new(&apart).with_coupling(Some(coupling));
+    match solve(&apart, &linkage, target) {
+        Err(reason @ (NoClosedForm::NoPlan(_) | NoClosedForm::Uncertified { .. })) => {
+            Err(NoClosedForm::Mimic(Coupled::Unsolved(Box::new(reason))))
+        }
+        solved => solved,
     }
 }
 
@@ -243,13 +288,15 @@ pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> 
 
 /// The largest number of independent ways in which the joints change targets that are not
 /// locked.
-fn rank_without(model: &Model, locked: &[usize], target: Target) -> usize {
-    match locked.is_empty() {
-        true => rank(model, target),
-        false => rank(
-            &model.locked(locked, &vec![SOMEWHERE; locked.len()]),
-            target,
-        ),
+fn rank_without(model: &Model, linkage: &Linkage, target: Target) -> usize {
+    let locked = &linkage.locked;
+    match &linkage.coupling {
+        Some(coupling) => coupled_rank(model, coupling, target),
+        None if locked.is_empty() => rank(model, target),
+        None => {
+            let held = model.locked(locked, &vec![SOMEWHERE; locked.len()]);
+            rank(&held, target)
+        }
     }
 }
 

@@ -111,7 +111,7 @@ fn check(reading: &Reading, target: Target) -> Result<(), NoClosedForm> {
         return Ok(());
     }
     let solved = linkage.variables().min(target.coordinates());
-    if rank_without(reading.model(), &linkage.locked, target) < solved {
+    if rank_without(reading.model(), linkage, target) < solved {
         // Of the ideal arm, the others are singular throughout.
         return Err(NoClosedForm::NoPlan(target));
     }

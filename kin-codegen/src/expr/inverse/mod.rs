@@ -7,8 +7,10 @@
 //! every branch has its residual: the forward kinematics of what was
 //! found against the target that was asked for.
 
+mod coupled;
 mod deviation;
 mod free;
+mod graph;
 mod line;
 mod pair;
 mod parity;
@@ -22,10 +24,11 @@ mod transport;
 
 use deviation::Deviation;
 pub use free::{FreeAngle, FreeAngles};
+pub use graph::{InverseGraph, Parts, StepPart};
 
 use super::forward::{self, JointTrig, subscript};
 use super::linear::{Motion, Trig};
-use super::{Choice, Expr, Fusing, Graph, Node, Operations, Tangent, Tape};
+use super::{Choice, Expr, Fusing, Graph, Tangent, Tape};
 use crate::geometry::Linkage;
 use crate::model::JointKind;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -36,169 +39,6 @@ use kin_runtime::Pose;
 /// arm's size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DomainMargin(pub f64);
-
-/// The expressions of a plan. Inputs are the target (nine entries of the
-/// rotation by rows, then the translation), the seed, by coordinate of q, the values of
-/// the joints that the linkage has locked, the swivel angle if it comes with the target, and if
-/// an angle turns, the threshold below
-/// which it is free.
-#[derive(Clone, Debug)]
-pub struct InverseGraph {
-    /// Holds everything below.
-    pub graph: Graph,
-    /// One per coordinate of q that a target is solved for.
-    pub q: Vec<Expr>,
-    /// How far the forward kinematics is from the target, metres.
-    pub residual: Expr,
-    /// Positive where the branch does not exist or repeats another.
-    pub invalid: Expr,
-    /// Positive where a root is double or an angle is free; on an idealized arm,
-    /// to what it differs from the given one.
-    pub singular: Expr,
-    /// How far the roots are from having no solution: the least argument of a square root
-    /// by the unit of its equation, positive where the branch exists; none where no root can be out of
-    /// domain. Not among the outputs.
-    pub margin: Option<Expr>,
-    /// What the roots that may be out of domain are the roots of, by their choices and by the
-    /// units of their equations; none where some are roots of quartics. Not among the outputs.
-    pub arguments: Option<Vec<(Choice, Expr)>>,
-    /// The angle that turns where it is free and the seed's value will not do.
-    pub free_angle: Option<FreeAngle>,
-    /// Which of the graph's nodes belong to what.
-    pub parts: Parts,
-    /// All of it but the margin as instructions; outputs in the order of
-    /// [`outputs`](Self::outputs).
-    pub tape: Tape,
-}
-
-/// The parts of an [`InverseGraph`], in the order of its graph: each begins behind
-/// this many nodes and ends where the next begins. In front of the first step
-/// stand the inputs, and what is made of them before the plan.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Parts {
-    /// By step of the plan.
-    pub steps: Vec<StepPart>,
-    /// Forward kinematics of what was found, against the target.
-    pub residual: usize,
-    /// Coordinates of q from sines and cosines.
-    pub angles: usize,
-}
-
-/// The part of a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StepPart {
-    /// How many nodes stand in front of it.
-    pub begins: usize,
-    /// Which of the step's relations was written; none for a sum.
-    pub relation: Option<usize>,
-}
-
-impl InverseGraph {
-    /// Whether a quartic is solved.
-    pub fn has_quartic(&self) -> bool {
-        self.arguments.is_none()
-    }
-
-    /// Whether the branches of an idealized arm are never known to be all there are.
-    pub fn tells_nothing(&self) -> bool {
-        self.graph.is(self.singular, 1.0)
-    }
-
-    /// What its steps divide by, and the lengths of the vectors that they tell angles by: sines and
-    /// cosines.
-    pub(crate) fn divisors(&self) -> Vec<(Expr, Option<Expr>)> {
-        let needed = self.graph.reachable(&self.outputs());
-        let nodes = self.graph.nodes().iter().zip(needed);
-        let divided = nodes.filter(|(_, needed)| *needed);
-        let mut all: Vec<(Expr, Option<Expr>)> = divided
-            .filter_map(|(node, _)| match *node {
-                Node::Div(_, by) if self.graph.value(by).is_none() => Some(self.vector(by)),
-                Node::Atan2(sine, cosine) => Some((sine, Some(cosine))),
-                _ => None,
-            })
-            .collect();
-        all.sort();
-        all.dedup();
-        all
-    }
-
-    /// The two components whose length an expression is, or the square of that, or itself.
-    fn vector(&self, of: Expr) -> (Expr, Option<Expr>) {
-        let square = |e: Expr| match self.graph.node(e) {
-            Node::Mul(a, b) if a == b => Some(a),
-            _ => None,
-        };
-        let sum = match self.graph.node(of) {
-            Node::Sqrt(sum) => sum,
-            _ => of,
-        };
-        let components = match self.graph.node(sum) {
-            Node::Add(a, b) => square(a).zip(square(b)),
-            _ => None,
-        };
-        components.map_or((of, None), |(a, b)| (a, Some(b)))
-    }
-
-    /// The operations of one branch.
-    pub fn one_branch(&self) -> Operations {
-        self.graph.operations(&self.outputs())
-    }
-
-    /// The operations of all branches.
-    pub fn all_branches(&self) -> Operations {
-        self.graph.operations_of_lanes(&self.outputs())
-    }
-
-    /// The same graph with the margin in place of all else that is returned, and only the
-    /// choices that it depends on.
-    pub fn of_margin(&self) -> Option<Self> {
-        let margin = self.margin?;
-        let mut of_margin = self.clone();
-        let zero = of_margin.graph.zero();
-        of_margin.q = Vec::new();
-        of_margin.free_angle = None;
-        of_margin.residual = of_margin.graph.named(margin, "margin");
-        [of_margin.invalid, of_margin.singular] = [zero; 2];
-        of_margin.graph.keep_choices_of(&[margin]);
-        Some(of_margin)
-    }
-
-    /// The same graph with the arguments of the roots in place of q, one for each choice that
-    /// they depend on; none for a root that is never out of domain.
-    pub fn of_arguments(&self) -> Option<(Self, Vec<Option<Expr>>)> {
-        let arguments = self.arguments.as_ref()?;
-        let last = arguments.iter().map(|(choice, _)| choice.0).max()?;
-        let mut of_arguments = self.clone();
-        let zero = of_arguments.graph.zero();
-        of_arguments.free_angle = None;
-        [
-            of_arguments.residual,
-            of_arguments.invalid,
-            of_arguments.singular,
-        ] = [zero; 3];
-        let mut own = |root: u8| {
-            let (_, argument) = arguments.iter().find(|(choice, _)| choice.0 == root)?;
-            let name = format!("argument{}", root + 1);
-            Some(of_arguments.graph.named(*argument, &name))
-        };
-        let all: Vec<Option<Expr>> = (0..=last).map(&mut own).collect();
-        of_arguments.q = all.iter().flatten().copied().collect();
-        of_arguments.graph.keep_choices_of(&of_arguments.q);
-        Some((of_arguments, all))
-    }
-
-    /// Everything that the emitted function returns.
-    pub fn outputs(&self) -> Vec<Expr> {
-        let mut all = self.q.clone();
-        all.extend([self.residual, self.invalid, self.singular]);
-        all.extend(
-            self.free_angle
-                .iter()
-                .flat_map(|free| [free.level, free.no_root]),
-        );
-        all
-    }
-}
 
 /// Writes the plan for a linkage whose tip is at `tip` at home.
 ///
@@ -308,14 +148,9 @@ impl<'a> Writer<'a> {
             translation,
         };
         let pose = project::projected(&mut g, linkage, target, given);
-        let solved = (0..linkage.links.len()).filter(|&joint| linkage.coordinate(joint).is_some());
-        let mut numbers: Vec<usize> = solved.map(|j| linkage.links[j].variable + 1).collect();
-        numbers.sort_unstable();
-        numbers.dedup();
-        let seed = numbers
-            .into_iter()
-            .map(|i| g.input(format!("seed{i}")))
-            .collect();
+        let seed = linkage.solved_variables().into_iter();
+        let seed = seed.map(|i| g.input(format!("seed{}", i + 1)));
+        let seed = seed.collect();
         let deviation = (margin.0 > 0.0).then(|| Deviation::new(&mut g, linkage, &given, margin.0));
         let zero = g.zero();
         let n = linkage.links.len();
@@ -446,22 +281,28 @@ impl<'a> Writer<'a> {
         };
         let mut angle = self.g.zero();
         for joint in joints {
-            let link = &self.linkage.links[joint];
-            let mut locked = self.linkage.locked.iter();
-            let own = match (
-                self.linkage.coordinate(joint),
-                locked.position(|&locked| locked == joint),
-            ) {
-                (Some(i), _) => {
-                    forward::joint_value(&mut self.g, link.gain, link.offset, self.seed[i])
-                }
-                (None, Some(k)) => self.parameters[k],
-                (None, None) => continue,
-            };
-            angle = self.g.add(angle, own);
+            if let Some(own) = self.seeded_joint(joint) {
+                angle = self.g.add(angle, own);
+            }
         }
         let (sin, cos) = self.g.sin_cos(angle);
         Trig { sin, cos }
+    }
+
+    /// How far a joint has moved at the seed; a free turn nowhere.
+    fn seeded_joint(&mut self, joint: usize) -> Option<Expr> {
+        let linkage = self.linkage;
+        let link = &linkage.links[joint];
+        let mut locked = linkage.locked.iter();
+        let locked = locked.position(|&locked| locked == joint);
+        let value = match (linkage.row(joint), linkage.coordinate(joint), locked) {
+            (Some(row), _, _) => forward::combination(&mut self.g, row, &self.seed),
+            (None, Some(i), _) => self.seed[i],
+            (None, None, Some(k)) => return Some(self.parameters[k]),
+            (None, None, None) => return None,
+        };
+        let (gain, offset) = (link.gain, link.offset);
+        Some(forward::joint_value(&mut self.g, gain, offset, value))
     }
 
     fn symbol(&self, atom: Atom) -> String {
@@ -530,6 +371,7 @@ impl<'a> Writer<'a> {
 
     fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
         self.parts.residual = self.g.nodes().len();
+        self.agree();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
         let q = self.angles();
@@ -553,6 +395,9 @@ impl<'a> Writer<'a> {
 
     /// Angles from sines and cosines; the last of a sum as a difference.
     fn angles(&mut self) -> Vec<Expr> {
+        if let Some(coupling) = &self.linkage.coupling {
+            return self.told(coupling);
+        }
         let zero = self.g.zero();
         let mut q = vec![zero; self.linkage.variables()];
         for run in 0..self.linkage.runs.len() {
@@ -561,13 +406,10 @@ impl<'a> Writer<'a> {
                 let Some(coordinate) = self.linkage.coordinate(joint) else {
                     continue;
                 };
+                let value = self.joint_value(joint);
                 let value = match link.kind {
-                    JointKind::Prismatic => {
-                        let slide = self.slide[joint].unwrap_or(zero);
-                        let offset = self.g.constant(link.offset);
-                        self.g.sub(slide, offset)
-                    }
-                    JointKind::Revolute => self.turned(joint),
+                    JointKind::Prismatic => value,
+                    JointKind::Revolute => self.g.wrap(value),
                 };
                 let symbol = format!("q{}", link.variable + 1);
                 q[coordinate] = self.g.named(value, symbol);
@@ -576,11 +418,16 @@ impl<'a> Writer<'a> {
         q
     }
 
-    /// q of a joint that turns: its angle without the offset, and in the sense
-    /// of its own axis, in (−π, π].
-    fn turned(&mut self, joint: usize) -> Expr {
+    /// The value of a joint: how far it slides or turns without its offset, and in the sense
+    /// of its own axis.
+    fn joint_value(&mut self, joint: usize) -> Expr {
         let link = &self.linkage.links[joint];
         let (backwards, offset) = (link.gain < 0.0, link.offset);
+        if link.kind == JointKind::Prismatic {
+            let slide = self.slide[joint].unwrap_or(self.g.zero());
+            let offset = self.g.constant(offset);
+            return self.g.sub(slide, offset);
+        }
         let Some(mut trig) = self.trig[joint] else {
             return self.g.zero();
         };
@@ -589,8 +436,7 @@ impl<'a> Writer<'a> {
         }
         let angle = self.g.atan2(trig.sin, trig.cos);
         let offset = self.g.constant(if backwards { offset } else { -offset });
-        let value = self.g.add(angle, offset);
-        self.g.wrap(value)
+        self.g.add(angle, offset)
     }
 
     /// The distance of forward kinematics from the target: translation error

@@ -79,10 +79,8 @@ impl Writer<'_> {
         let square = self.g.square(rate);
         let one = self.g.one();
         let nothing = self.nothing(square, one);
-        let offset = self.g.constant(self.linkage.links[joint].offset);
-        let coordinate = self.linkage.coordinate(joint);
-        let seed = coordinate.map_or_else(|| self.g.zero(), |i| self.seed[i]);
-        let seeded = self.g.add(seed, offset);
+        let seeded = self.seeded_joint(joint);
+        let seeded = seeded.unwrap_or_else(|| self.g.zero());
         let travel = self.g.div(rest, rate);
         self.g.select_less(square, nothing, seeded, travel)
     }

@@ -1,0 +1,319 @@
+//! Arms whose joints mimic each other, against the product of exponentials of the joints that the
+//! file has, and against the numerical search of the chain whose joints move by themselves.
+
+use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::geometry::{Coupling, Linkage, apart, natural_target, size};
+use kin_codegen::model::Model;
+use kin_codegen::random::Random;
+use kin_codegen::solver::{Certified, solve};
+use kin_codegen::spec::{ArmSpec, Source};
+use kin_codegen::{Options, compile};
+use kin_runtime::{Chain, Pose, SearchOptions, Target};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::fmt::Write as _;
+
+/// A six-joint arm whose elbow is driven through a parallelogram.
+const PARALLELOGRAM: &str = "\
+robot: parallelogram
+units: {angle: rad, length: m}
+joints:
+  - {name: one, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
+  - {name: two, xyz: [0.1, 0, 0.6], axis: [0, 1, 0], limits: [-1.9, 1.9]}
+  - {name: rod, xyz: [0, 0, 0.7], axis: [0, 1, 0], mimic: {joint: two, multiplier: -1}}
+  - {name: three, axis: [0, -1, 0], limits: [-1, 1.2]}
+  - {name: four, xyz: [0.25, 0, 0.13], axis: [1, 0, 0], limits: [-3.4, 3.4]}
+  - {name: five, xyz: [0.5, 0, 0], axis: [0, 1, 0], limits: [-2, 2]}
+  - {name: six, xyz: [0.08, 0, 0], axis: [1, 0, 0], limits: [-6.9, 6.9]}
+tip: tool0
+";
+
+/// Four coordinates that move six joints: the tool stays level.
+const PALLETIZER: &str = "\
+robot: palletizer
+units: {angle: rad, length: m}
+joints:
+  - {name: one, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
+  - {name: two, xyz: [0.26, 0, 0.8], axis: [0, 1, 0], limits: [-1, 1.9]}
+  - {name: rod, xyz: [0, 0, 1.1], axis: [0, 1, 0], mimic: {joint: two, multiplier: -1}}
+  - {name: three, axis: [0, 1, 0], limits: [-1, 2]}
+  - {name: level, xyz: [1.2, 0, 0], axis: [0, 1, 0], mimic: {joint: three, multiplier: -1}}
+  - {name: four, xyz: [0.25, 0, -0.2], axis: [0, 0, -1], limits: [-6, 6]}
+tip: tool0
+";
+
+/// Two slides that one drive moves, the second twice as far.
+const TELESCOPE: &str = "\
+robot: telescope
+units: {angle: rad, length: m}
+joints:
+  - {name: turn, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
+  - {name: lift, xyz: [0.1, 0, 0.3], axis: [0, 1, 0], limits: [-1, 1]}
+  - {name: out, xyz: [0, 0, 0.5], axis: [1, 0, 0], type: prismatic, limits: [0, 0.4]}
+  - {name: outer, axis: [-1, 0, 0], type: prismatic, mimic: {joint: out, multiplier: -2, offset: -0.1}}
+tip: tool0
+";
+
+/// Its joints turn at different rates.
+const FINGER: &str = "\
+robot: finger
+units: {angle: rad, length: m}
+joints:
+  - {name: spread, rpy: [0.3, -0.4, 1.1], axis: [1, 0, 0], limits: [-0.4, 0.4]}
+  - {name: one, xyz: [0.02, 0, 0], axis: [0, 0, 1], limits: [0, 1.5]}
+  - {name: two, xyz: [0.05, 0, 0], axis: [0, 0, 1], mimic: {joint: one, multiplier: 1.13, offset: 0.1}}
+  - {name: three, xyz: [0.04, 0, 0], axis: [0, 0, 1], mimic: {joint: one, multiplier: 0.7}}
+tip: {link: tip, xyz: [0.03, 0, 0]}
+";
+
+/// A rack moves as its pinion turns.
+const RACK: &str = "\
+robot: rack
+units: {angle: rad, length: m}
+joints:
+  - {name: turn, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
+  - {name: pinion, xyz: [0.2, 0, 0.3], axis: [0, 1, 0], limits: [-9, 9]}
+  - {name: rack, xyz: [0.3, 0, 0], axis: [1, 0, 0], type: prismatic, mimic: {joint: pinion, multiplier: 0.05}}
+  - {name: bend, xyz: [0.2, 0, 0], axis: [0, 0, 1], limits: [-2, 2]}
+tip: {link: tip, xyz: [0.1, 0, 0.05]}
+";
+
+fn source(text: &str) -> Source {
+    Source {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    }
+}
+
+fn model(text: &str) -> Model {
+    Model::new(&ArmSpec::parse(&source(text)).unwrap(), None, None).unwrap()
+}
+
+struct Arm {
+    model: Model,
+    /// Of the joints that the file has.
+    chain: Chain,
+    /// Of those that move by themselves.
+    apart: Model,
+    coupling: Coupling,
+    target: Target,
+    found: Certified,
+}
+
+impl Arm {
+    fn new(text: &str, target: Option<Target>) -> Result<Self, String> {
+        let model = model(text);
+        let target = target.unwrap_or_else(|| natural_target(&model));
+        let options = Options {
+            target: Some(target),
+            ..Options::default()
+        };
+        if let Err(refused) = compile(&source(text), &options) {
+            return Err(refused.to_string());
+        }
+        let found = solve(&model, &Linkage::new(&model), target).unwrap();
+        let (apart, coupling) = apart(&model).unwrap();
+        Ok(Self {
+            chain: model.chain(),
+            model,
+            apart,
+            coupling,
+            target,
+            found,
+        })
+    }
+
+    fn form(&self) -> &ClosedForm {
+        &self.found.form
+    }
+
+    fn fk(&self, q: &[f64]) -> Pose {
+        let joints = self.model.joints.iter();
+        let values = joints.map(|joint| joint.multiplier * q[joint.variable] + joint.offset);
+        self.chain.fk(&values.collect::<Vec<_>>())
+    }
+
+    /// By differences, and without units: the columns of coordinates that are lengths are short.
+    fn conditioning(&self, q: &[f64]) -> f64 {
+        let linkage = &self.form().given;
+        linkage.conditioning(&self.apart.chain(), q, self.target)
+    }
+
+    /// Somewhere within the limits, at quarter turns now and then.
+    fn configuration(&self, k: usize, random: &mut Random) -> Vec<f64> {
+        let place = |limits: Option<[f64; 2]>| {
+            let [lower, upper] = limits.unwrap_or([-PI, PI]);
+            let special = [0.0, FRAC_PI_2, -FRAC_PI_2, PI][random.below(4)];
+            let near = special + [0.0, 1e-12, 1e-9, 1e-6, 1e-4][random.below(5)];
+            let anywhere = random.between(lower, upper);
+            let is_near = k % 3 == 0 && random.below(2) == 0;
+            if is_near {
+                near.clamp(lower, upper)
+            } else {
+                anywhere
+            }
+        };
+        let variables = self.model.variables.iter();
+        variables
+            .map(|variable| variable.limits)
+            .map(place)
+            .collect()
+    }
+
+    /// Whether two configurations are one: full turns of some change nothing.
+    fn is_same(&self, a: &[f64], b: &[f64], tolerance: f64) -> bool {
+        let apart = |i: usize| {
+            let d = (a[i] - b[i]).abs();
+            match self.model.repeats(i) {
+                true => (d % TAU).min(TAU - d % TAU),
+                false => d,
+            }
+        };
+        (0..a.len()).all(|i| apart(i) < tolerance)
+    }
+
+    /// Sound, recovered and complete on so many configurations; how many of them were regular.
+    fn is_right(&self, count: usize) -> usize {
+        let length = size(&self.model);
+        let options = SearchOptions {
+            target: self.target,
+            ..SearchOptions::default()
+        };
+        let mut random = Random(0x51de);
+        let mut regular = 0;
+        for k in 0..count {
+            let q = self.configuration(k, &mut random);
+            let pose = self.fk(&q);
+            let merged = self.apart.chain().fk(&self.coupling.joints(&q));
+            let apart = Target::Pose.distance(&merged, &pose, length);
+            assert!(apart < 1e-13 * length, "{q:?}: {apart:e}");
+            let solutions = self.form().solutions(&pose);
+            for (i, solution) in solutions.iter().enumerate() {
+                let miss = self.target.distance(&self.fk(&solution.q), &pose, length);
+                assert!(miss < 1e-9 * length, "{q:?}: {miss:e}");
+                let same = |other: &&_| self.is_same(&solution.q, other, 1e-9);
+                let before = solutions[..i].iter().map(|other| &other.q);
+                assert_eq!(
+                    before.filter(|it| same(&&it[..])).count(),
+                    0,
+                    "{q:?} doubled"
+                );
+            }
+            let is_among = |q: &[f64], tolerance: f64| {
+                solutions.iter().any(|it| self.is_same(&it.q, q, tolerance))
+            };
+            let conditioning = self.conditioning(&q);
+            if conditioning < 1e-4 {
+                continue;
+            }
+            regular += 1;
+            let tolerance = (1e-13 / conditioning.powi(2)).clamp(1e-9, 1e-3);
+            if self.found.certificate.lost == 0 {
+                assert!(is_among(&q, tolerance), "{q:?} is lost: {solutions:?}");
+            }
+            if k % 10 != 0 || conditioning < 1e-2 || self.found.certificate.lost > 0 {
+                continue;
+            }
+            for found in self.apart.chain().ik_all(&pose, &options) {
+                let told = self.coupling.coordinates(&found.q);
+                let back = self.target.distance(&self.fk(&told), &pose, length);
+                let reached = self.conditioning(&told) > 1e-2 && back < 1e-9 * length;
+                if reached {
+                    assert!(is_among(&told, 1e-6), "{q:?}: {told:?} is missing");
+                }
+            }
+        }
+        regular
+    }
+}
+
+#[test]
+fn arms_are_solved_whose_joints_mimic_each_other() {
+    let arms = [PARALLELOGRAM, PALLETIZER, TELESCOPE, FINGER, RACK];
+    for text in arms {
+        let arm = Arm::new(text, None).unwrap();
+        assert_eq!(arm.found.certificate.lost, 0, "{}", arm.model.name);
+        let regular = arm.is_right(300);
+        assert!(regular > 200, "{}: {regular}", arm.model.name);
+    }
+}
+
+#[test]
+fn a_level_tool_has_four_configurations() {
+    let arm = Arm::new(PALLETIZER, None).unwrap();
+    let most = arm.found.certificate.most_solutions;
+    assert_eq!((arm.coupling.rows.len(), most), (5, 4));
+    // What is not level is not reached, and there is no solution to it.
+    let mut pose = arm.fk(&[0.3, 0.2, 0.4, 0.5]);
+    assert!(!arm.form().solutions(&pose).is_empty());
+    pose = pose * Pose::from_rpy([1e-4, 0.0, 0.0], [0.0; 3]);
+    assert!(arm.form().solutions(&pose).is_empty());
+}
+
+/// Joints along and across the axes, some of which mimic others.
+fn random_arm(random: &mut Random) -> String {
+    let mut text = String::from("robot: random\nunits: {angle: rad, length: m}\njoints:\n");
+    let count = 2 + random.below(6);
+    let mut own: Vec<(usize, bool)> = Vec::new();
+    for j in 0..count {
+        let slides = random.below(5) == 0;
+        let axis = ["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[0, -1, 0]"];
+        let axis = axis[random.below(4)];
+        let mut place = || [0.0, 0.1, 0.25, 0.4][random.below(4)];
+        let xyz = [place(), place(), place()];
+        let rpy = match j {
+            0 => [0.3, -0.7, 1.9],
+            _ => [0.0; 3],
+        };
+        let kind = if slides { ", type: prismatic" } else { "" };
+        let follows = j > 0 && random.below(5) < 2;
+        let more = match own.get(random.below(own.len().max(1) as u64)) {
+            Some((leader, _)) if follows => {
+                let rate = [1.0, -1.0, -1.0, 2.0, 0.5, -0.7, 1.13][random.below(7)];
+                let offset = [0.0, 0.0, 0.3][random.below(3)];
+                format!("mimic: {{joint: j{leader}, multiplier: {rate}, offset: {offset}}}")
+            }
+            _ => {
+                own.push((j, slides));
+                let limit = if slides { 0.5 } else { 2.9 };
+                format!("limits: [-{limit}, {limit}]")
+            }
+        };
+        writeln!(
+            text,
+            "  - {{name: j{j}, xyz: {xyz:?}, rpy: {rpy:?}, axis: {axis}{kind}, {more}}}"
+        )
+        .unwrap();
+    }
+    text + "tip: {link: tip, xyz: [0.1, 0.05, 0.2]}\n"
+}
+
+fn attack(seeds: std::ops::Range<u64>) -> [usize; 3] {
+    let (mut solved, mut refused, mut others) = (0, 0, 0);
+    for seed in seeds {
+        let mut random = Random(0xc0de + 977 * seed);
+        let text = random_arm(&mut random);
+        if !text.contains("mimic") {
+            continue;
+        }
+        match Arm::new(&text, None) {
+            Ok(arm) => {
+                solved += 1;
+                arm.is_right(60);
+            }
+            Err(said) if said.contains("mimic") => {
+                println!("{said}");
+                refused += 1
+            }
+            Err(_) => others += 1,
+        }
+    }
+    [solved, refused, others]
+}
+
+#[test]
+fn random_arms_whose_joints_mimic_each_other_are_right_or_refused() {
+    let [solved, refused, others] =
+        attack(0..60);
+    println!("{solved} {refused} {others}");
+    assert!(solved > 10 && refused > 5, "{solved} {refused} {others}");
+}
