@@ -133,12 +133,19 @@ impl Joint {
 const LONGEST_ARM: f64 = 100.0;
 
 impl Model {
-    /// The arm as a generic product of exponentials, one joint per coordinate:
-    /// the reference that closed forms are held against.
+    /// The arm as a generic product of exponentials of all joints: the reference that closed forms
+    /// are held against. Where joints mimic others they are not the coordinates of q.
     pub fn chain(&self) -> Chain {
         let twists = self.joints.iter().map(|joint| joint.twist()).collect();
         let links = self.joints.iter().map(|joint| joint.frame).collect();
         Chain::new(twists, self.home).with_links(links)
+    }
+
+    /// The values of all joints at the coordinates q.
+    pub fn joint_values(&self, q: &[f64]) -> Vec<f64> {
+        let joints = self.joints.iter();
+        let value = |joint: &Joint| joint.multiplier * q[joint.variable] + joint.offset;
+        joints.map(value).collect()
     }
 
     /// Whether some joints mimic others, so that joints and coordinates of q

@@ -4,7 +4,7 @@ use super::Settings;
 use super::draw::Ranges;
 use kin_codegen::certificate::{Failure, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm};
-use kin_codegen::geometry::{SINGULAR, size};
+use kin_codegen::geometry::{SINGULAR, apart, size};
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};
 use std::borrow::Cow;
@@ -12,7 +12,8 @@ use std::time::{Duration, Instant};
 
 /// An arm and its closed form.
 pub(super) struct Case<'a> {
-    model: &'a Model,
+    /// Whose joints move by themselves.
+    model: Cow<'a, Model>,
     pub(super) form: &'a ClosedForm,
     /// The arm as a generic product of exponentials.
     pub(super) chain: Chain,
@@ -39,13 +40,17 @@ pub(super) struct Outcome {
 impl<'a> Case<'a> {
     pub(super) fn new(model: &'a Model, form: &'a ClosedForm) -> Self {
         let size = size(model);
+        let ranges = Ranges::new(model, size);
+        // An arm that is solved was taken apart before.
+        let apart = apart(model).ok().filter(|_| model.is_coupled());
+        let model = apart.map_or(Cow::Borrowed(model), |(apart, _)| Cow::Owned(apart));
         Self {
+            chain: model.chain(),
             model,
             form,
-            chain: model.chain(),
             size,
             near_singular: SINGULAR.max(form.near_singular()),
-            ranges: Ranges::new(model, size),
+            ranges,
         }
     }
 
@@ -54,7 +59,7 @@ impl<'a> Case<'a> {
     }
 
     pub(super) fn run(&self, q: Vec<f64>) -> Outcome {
-        let target = self.form.linkage.scalar.target(self.chain.fk(&q));
+        let target = self.form.linkage.scalar.target(self.fk(&q));
         let start = Instant::now();
         let (parameters, _) = self.form.split(&q);
         let mut solutions = self.form.solutions_at(&target, &parameters);
@@ -73,11 +78,13 @@ impl<'a> Case<'a> {
         }
     }
 
-    fn residual(&self, q: &[f64], target: &Pose) -> f64 {
-        self.form
-            .plan
-            .target
-            .distance(&self.chain.fk(q), target, self.size)
+    pub(super) fn residual(&self, q: &[f64], target: &Pose) -> f64 {
+        let counts = self.form.plan.target;
+        counts.distance(&self.fk(q), target, self.size)
+    }
+
+    fn fk(&self, q: &[f64]) -> Pose {
+        self.chain.fk(&self.form.given.joints_at(q))
     }
 
     /// The chain of the joints that targets are solved for, and their values.
@@ -98,7 +105,7 @@ impl<'a> Case<'a> {
         let locked = self.form.given.locked.iter();
         let joints = locked.map(|&joint| Parameter::Joint(joint));
         let swivel = self.form.given.swivel.iter();
-        let swivel = swivel.map(|swivel| Parameter::Swivel(swivel.at_run_time(self.model)));
+        let swivel = swivel.map(|swivel| Parameter::Swivel(swivel.at_run_time(&self.model)));
         joints.chain(swivel).zip(values).collect()
     }
 
@@ -125,7 +132,13 @@ impl<'a> Case<'a> {
         solutions: &[BranchSolution],
         conditioning: f64,
     ) -> bool {
-        let outcome = recovered(self.model, q, solutions, conditioning);
+        let given = &self.form.given;
+        let by_joints = |solution: &BranchSolution| BranchSolution {
+            q: given.joints_at(&solution.q).into_owned(),
+            ..solution.clone()
+        };
+        let solutions: Vec<BranchSolution> = solutions.iter().map(by_joints).collect();
+        let outcome = recovered(&self.model, &given.joints_at(q), &solutions, conditioning);
         !matches!(outcome, Err(Failure::Lost(_)))
     }
 

@@ -89,7 +89,27 @@ impl Comparison {
 /// What the search finds for a target, with the parameters of the configuration.
 pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
     let given = case.given(&outcome.q);
-    case.chain.ik_all(&outcome.target, &options(case, &given))
+    let found = case.chain.ik_all(&outcome.target, &options(case, &given));
+    let told = found.into_iter().map(|found| told(case, found));
+    let reached =
+        |it: &ChainSolution| case.residual(&it.q, &outcome.target) <= CONVERGED * case.size;
+    let is_coupled = case.form.given.coupling.is_some();
+    told.filter(|it| !is_coupled || reached(it)).collect()
+}
+
+/// A solution by the coordinates that its joints tell.
+fn told(case: &Case, found: ChainSolution) -> ChainSolution {
+    match &case.form.given.coupling {
+        Some(coupling) => {
+            let q = coupling.coordinates(&found.q);
+            ChainSolution {
+                conditioning: case.conditioning(&q),
+                q,
+                ..found
+            }
+        }
+        None => found,
+    }
 }
 
 fn options<'a>(case: &Case, given: &'a [(Parameter, f64)]) -> SearchOptions<'a> {
@@ -109,7 +129,9 @@ fn is_confirmed(
 ) -> bool {
     let given = case.given(&outcome.q);
     let options = options(case, &given);
-    let landed = case.chain.ik_from(&outcome.target, &options, &solution.q);
+    let start = case.form.given.joints_at(&solution.q);
+    let landed = case.chain.ik_from(&outcome.target, &options, &start);
+    let landed = landed.map(|landed| told(case, landed));
     landed.is_some_and(|landed| case.is_among(&solution.q, &[as_solution(&landed)], conditioning))
 }
 

@@ -116,7 +116,7 @@ class ArmView {
             const found = this.arm.approach(target, this.q, 60);
             this.reached = found.residual < 1e-6 * this.size;
             if (this.reached) {
-                this.q = Array.from(found.q, (x, i) => (this.joints[i].turns ? Math.atan2(Math.sin(x), Math.cos(x)) : x));
+                this.q = Array.from(found.q, (x, i) => (this.joints[i].repeats ? Math.atan2(Math.sin(x), Math.cos(x)) : x));
             }
             return;
         }

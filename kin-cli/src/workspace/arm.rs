@@ -135,7 +135,7 @@ pub fn reach(model: &Model, centre: [f64; 3]) -> f64 {
     let chain = model.chain();
     let n = model.variables.len();
     let squared = |q: &[f64]| {
-        let tip = chain.fk(q).translation;
+        let tip = chain.fk(&model.joint_values(q)).translation;
         (0..3).map(|i| (tip[i] - centre[i]).powi(2)).sum::<f64>()
     };
     let farthest = |start: usize| {

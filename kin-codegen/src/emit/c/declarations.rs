@@ -29,7 +29,8 @@ extern const char *const kin_joint_names[KIN_JOINTS];
 extern const char *const kin_link_names[KIN_JOINTS];
 extern const char *const kin_base;
 extern const char *const kin_tip;
-/* Whether joints turn, 1, or slide, 0. */
+/* Whether joints turn, 1, or slide, 0; 0 too where others follow one so that a full turn of it
+ * is another configuration. */
 extern const int kin_turns[KIN_JOINTS];
 /* Radians and metres, rad/s and m/s, N m and N; infinite where the robot file has none. */
 extern const double kin_lower_limits[KIN_JOINTS];

@@ -87,7 +87,7 @@ pub fn constants(compiled: &CompiledArm, prefix: &str) -> String {
         out += &format!("{declared} = {};\n", string(name));
     }
     let variables = variables.iter().enumerate();
-    let variables = variables.map(|(i, variable)| (variable, model.turns(i)));
+    let variables = variables.map(|(i, variable)| (variable, model.repeats(i)));
     out + &named(&limits(&variables.collect::<Vec<_>>()), prefix)
 }
 

@@ -106,6 +106,7 @@ fn joints(model: &Model) -> String {
         object(&[
             ("name", string(&variable.name)),
             ("turns", model.turns(i).to_string()),
+            ("repeats", model.repeats(i).to_string()),
             ("lower", signed(lower)),
             ("upper", signed(upper)),
             ("velocity", signed(rating.velocity.unwrap_or(f64::INFINITY))),

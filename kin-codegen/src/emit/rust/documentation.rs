@@ -476,7 +476,7 @@ fn instance(compiled: &CompiledArm) -> (Vec<f64>, Option<usize>) {
         .chain(std::iter::repeat_with(draw).take(EXAMPLES))
         .find_map(|q| {
             let (parameters, solved) = form.split(&q);
-            let solutions = form.solutions_at(&chain.fk(&q), &parameters);
+            let solutions = form.solutions_at(&chain.fk(&model.joint_values(&q)), &parameters);
             let near = |a: &[f64]| a.iter().zip(&solved).all(|(a, b)| (a - b).abs() < 1e-8);
             let regular = solutions.iter().all(|solution| !solution.singular);
             let back = solutions.iter().any(|solution| near(&solution.q));

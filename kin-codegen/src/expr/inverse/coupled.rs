@@ -3,13 +3,7 @@
 use super::Writer;
 use crate::expr::Expr;
 use crate::expr::forward;
-use crate::expr::linear::Trig;
 use crate::geometry::Coupling;
-use crate::model::JointKind;
-
-/// A joint that was found farther than this from where the coordinates have it, as a square, is on
-/// another branch.
-const ELSEWHERE: f64 = 1e-4;
 
 impl Writer<'_> {
     /// The coordinates that the joints tell; angles in (−π, π], or about the middle of their limits
@@ -35,45 +29,32 @@ impl Writer<'_> {
         q
     }
 
-    /// Joints that tell no coordinate are where the coordinates have them, also in the residual. A
-    /// branch that found one elsewhere repeats another, unless its angle was free.
-    pub(super) fn agree(&mut self) {
+    /// How far joints that tell no coordinate are from where the coordinates have them, by how far
+    /// that moves the tip at most, with orientation as a length.
+    pub(super) fn disagreement(&mut self) -> Expr {
         let linkage = self.linkage;
+        let mut sum = self.g.zero();
         let Some(coupling) = &linkage.coupling else {
-            return;
+            return sum;
         };
         let silent = (0..coupling.rows.len()).filter(|&joint| !coupling.tells(joint));
         let silent: Vec<usize> = silent.collect();
         if silent.is_empty() {
-            return;
+            return sum;
         }
         let q = self.told(coupling);
         for joint in silent {
-            let link = &linkage.links[joint];
-            let value = forward::combination(&mut self.g, &coupling.rows[joint], &q);
-            let moved = forward::joint_value(&mut self.g, link.gain, link.offset, value);
-            let apart = match link.kind {
-                JointKind::Prismatic => {
-                    let found = self.slide[joint].replace(moved).unwrap_or(moved);
-                    let apart = self.g.sub(found, moved);
-                    vec![self.scaled(linkage.size.recip(), apart)]
-                }
-                JointKind::Revolute => {
-                    let (sin, cos) = self.g.sin_cos(moved);
-                    let trig = Trig { sin, cos };
-                    let found = self.trig[joint].replace(trig).unwrap_or(trig);
-                    self.sum_first[linkage.run_of(joint)] = false;
-                    vec![self.g.sub(found.sin, sin), self.g.sub(found.cos, cos)]
-                }
-            };
-            let [zero, one] = [self.g.zero(), self.g.one()];
-            let squares = apart.into_iter().map(|x| self.g.square(x));
-            let squares: Vec<Expr> = squares.collect();
-            let square = squares.into_iter().fold(zero, |a, b| self.g.add(a, b));
-            let elsewhere = self.g.constant(ELSEWHERE);
-            let repeats = self.g.select_less(elsewhere, square, one, zero);
-            let repeats = self.g.select_less(zero, self.singular, zero, repeats);
-            self.refuse(repeats);
+            let found = self.joint_value(joint);
+            let wanted = forward::combination(&mut self.g, &coupling.rows[joint], &q);
+            let mut apart = self.g.sub(found, wanted);
+            if linkage.is_revolute(joint) {
+                apart = self.g.wrap(apart);
+                apart = self.scaled(2.0 * linkage.size, apart);
+            }
+            let minus = self.g.neg(apart);
+            let apart = self.g.max(apart, minus);
+            sum = self.g.add(sum, apart);
         }
+        sum
     }
 }

@@ -371,7 +371,6 @@ impl<'a> Writer<'a> {
 
     fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
         self.parts.residual = self.g.nodes().len();
-        self.agree();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
         let q = self.angles();
@@ -441,8 +440,8 @@ impl<'a> Writer<'a> {
 
     /// The distance of forward kinematics from the target: translation error
     /// and rotation angle times the arm's size, as the legs of a right
-    /// triangle, and what the target itself is uncertain by. A sum, so that a
-    /// NaN anywhere is a NaN here.
+    /// triangle, what the target itself is uncertain by, and what joints that are coupled to
+    /// others disagree by. A sum, so that a NaN anywhere is a NaN here.
     fn residual(&mut self) -> Expr {
         let trig = self.joint_trig();
         let found = forward::tip(&mut self.g, self.linkage, &trig);
@@ -473,7 +472,9 @@ impl<'a> Writer<'a> {
         let scale = self.g.constant(share * self.linkage.size.powi(2));
         let turn = self.g.mul(scale, turn);
         squares = self.g.add(squares, turn);
-        self.g.sqrt(squares)
+        let distance = self.g.sqrt(squares);
+        let disagreement = self.disagreement();
+        self.g.add(distance, disagreement)
     }
 
     /// By how much the target is no pose, as the square of a length: what its

@@ -1,8 +1,8 @@
 /* Of the values of joint i that are q but for full turns the one inside its limits and nearest
  * to a seed, and how far it is beyond a stop. */
 const $next_inside = (arm, i, q, seed) => {
-    const { lower, upper, turns } = arm.joints[i];
-    const turn = turns ? 6.283185307179586 : 0.0;
+    const { lower, upper, repeats } = arm.joints[i];
+    const turn = repeats ? 6.283185307179586 : 0.0;
     const middle = 0.5 * (lower + upper);
     /* Without stops the middle is no number and not taken. */
     let first = lower - 5e-10 + Math.PI;

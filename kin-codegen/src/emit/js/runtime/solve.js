@@ -69,7 +69,7 @@ const $whole = (arm, solved, given) => {
     const q = new Array(arm.joints.length);
     arm.form.solved.forEach((joint, i) => (q[joint] = solved[i]));
     arm.form.locked.forEach((joint, i) => {
-        q[joint] = arm.joints[joint].turns ? $wrap(given[i]) : given[i];
+        q[joint] = arm.joints[joint].repeats ? $wrap(given[i]) : given[i];
     });
     return q;
 };
@@ -78,7 +78,7 @@ const $whole = (arm, solved, given) => {
 const $insert = (arm, found, solutions) => {
     const same = (known) => found.q.every((q, i) => {
         const off = q - known.q[i];
-        return Math.abs(arm.joints[i].turns ? $wrap(off) : off) < 1e-6;
+        return Math.abs(arm.joints[i].repeats ? $wrap(off) : off) < 1e-6;
     });
     const known = solutions.findIndex(same);
     if (known >= 0) {
@@ -95,7 +95,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
-    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].turns ? $wrap(x) : x));
+    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
         residual: found.residual,
