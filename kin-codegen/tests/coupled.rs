@@ -12,70 +12,11 @@ use kin_runtime::{Chain, Pose, SearchOptions, Target};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt::Write as _;
 
-/// A six-joint arm whose elbow is driven through a parallelogram.
-const PARALLELOGRAM: &str = "\
-robot: parallelogram
-units: {angle: rad, length: m}
-joints:
-  - {name: one, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
-  - {name: two, xyz: [0.1, 0, 0.6], axis: [0, 1, 0], limits: [-1.9, 1.9]}
-  - {name: rod, xyz: [0, 0, 0.7], axis: [0, 1, 0], mimic: {joint: two, multiplier: -1}}
-  - {name: three, axis: [0, -1, 0], limits: [-1, 1.2]}
-  - {name: four, xyz: [0.25, 0, 0.13], axis: [1, 0, 0], limits: [-3.4, 3.4]}
-  - {name: five, xyz: [0.5, 0, 0], axis: [0, 1, 0], limits: [-2, 2]}
-  - {name: six, xyz: [0.08, 0, 0], axis: [1, 0, 0], limits: [-6.9, 6.9]}
-tip: tool0
-";
-
-/// Four coordinates that move six joints: the tool stays level.
-const PALLETIZER: &str = "\
-robot: palletizer
-units: {angle: rad, length: m}
-joints:
-  - {name: one, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
-  - {name: two, xyz: [0.26, 0, 0.8], axis: [0, 1, 0], limits: [-1, 1.9]}
-  - {name: rod, xyz: [0, 0, 1.1], axis: [0, 1, 0], mimic: {joint: two, multiplier: -1}}
-  - {name: three, axis: [0, 1, 0], limits: [-1, 2]}
-  - {name: level, xyz: [1.2, 0, 0], axis: [0, 1, 0], mimic: {joint: three, multiplier: -1}}
-  - {name: four, xyz: [0.25, 0, -0.2], axis: [0, 0, -1], limits: [-6, 6]}
-tip: tool0
-";
-
-/// Two slides that one drive moves, the second twice as far.
-const TELESCOPE: &str = "\
-robot: telescope
-units: {angle: rad, length: m}
-joints:
-  - {name: turn, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
-  - {name: lift, xyz: [0.1, 0, 0.3], axis: [0, 1, 0], limits: [-1, 1]}
-  - {name: out, xyz: [0, 0, 0.5], axis: [1, 0, 0], type: prismatic, limits: [0, 0.4]}
-  - {name: outer, axis: [-1, 0, 0], type: prismatic, mimic: {joint: out, multiplier: -2, offset: -0.1}}
-tip: tool0
-";
-
-/// Its joints turn at different rates.
-const FINGER: &str = "\
-robot: finger
-units: {angle: rad, length: m}
-joints:
-  - {name: spread, rpy: [0.3, -0.4, 1.1], axis: [1, 0, 0], limits: [-0.4, 0.4]}
-  - {name: one, xyz: [0.02, 0, 0], axis: [0, 0, 1], limits: [0, 1.5]}
-  - {name: two, xyz: [0.05, 0, 0], axis: [0, 0, 1], mimic: {joint: one, multiplier: 1.13, offset: 0.1}}
-  - {name: three, xyz: [0.04, 0, 0], axis: [0, 0, 1], mimic: {joint: one, multiplier: 0.7}}
-tip: {link: tip, xyz: [0.03, 0, 0]}
-";
-
-/// A rack moves as its pinion turns.
-const RACK: &str = "\
-robot: rack
-units: {angle: rad, length: m}
-joints:
-  - {name: turn, rpy: [0.3, -0.4, 1.1], axis: [0, 0, 1], limits: [-3, 3]}
-  - {name: pinion, xyz: [0.2, 0, 0.3], axis: [0, 1, 0], limits: [-9, 9]}
-  - {name: rack, xyz: [0.3, 0, 0], axis: [1, 0, 0], type: prismatic, mimic: {joint: pinion, multiplier: 0.05}}
-  - {name: bend, xyz: [0.2, 0, 0], axis: [0, 0, 1], limits: [-2, 2]}
-tip: {link: tip, xyz: [0.1, 0, 0.05]}
-";
+const PARALLELOGRAM: &str = include_str!("../../tests/robots/coupled/parallelogram.yaml");
+const PALLETIZER: &str = include_str!("../../tests/robots/coupled/palletizer.yaml");
+const TELESCOPE: &str = include_str!("../../tests/robots/coupled/telescope.yaml");
+const FINGER: &str = include_str!("../../tests/robots/coupled/finger.yaml");
+const RACK: &str = include_str!("../../tests/robots/coupled/rack.yaml");
 
 fn source(text: &str) -> Source {
     Source {
@@ -145,7 +86,7 @@ impl Arm {
             let special = [0.0, FRAC_PI_2, -FRAC_PI_2, PI][random.below(4)];
             let near = special + [0.0, 1e-12, 1e-9, 1e-6, 1e-4][random.below(5)];
             let anywhere = random.between(lower, upper);
-            let is_near = k % 3 == 0 && random.below(2) == 0;
+            let is_near = k.is_multiple_of(3) && random.below(2) == 0;
             if is_near {
                 near.clamp(lower, upper)
             } else {

@@ -17,6 +17,7 @@ mod batches;
 mod book;
 mod closest;
 mod complete;
+mod coupled;
 mod forward;
 mod hard_cases;
 mod honest;

@@ -6,7 +6,7 @@ use kin_codegen::arm::CompiledArm;
 use kin_codegen::certificate::Certificate;
 use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::InverseGraph;
-use kin_codegen::geometry::Linkage;
+use kin_codegen::geometry::{Coupling, Linkage};
 use kin_codegen::plan::{Plan, Plans};
 use kin_codegen::redundancy;
 use kin_codegen::solver::Certified;
@@ -31,6 +31,8 @@ pub struct Inverse {
     pub weighed: Vec<Weighed>,
     /// What was idealized; none if the file is exact.
     pub idealization: Option<Idealization>,
+    /// What the joints of the plan are, where joints mimic others.
+    pub coupling: Option<String>,
     /// The plan in short: `SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6)`.
     pub plan: String,
     /// The plan step by step.
@@ -99,6 +101,7 @@ impl Inverse {
                 .collect(),
             weighed: weighed.map(Weighed::of).collect(),
             idealization: Idealization::of(form),
+            coupling: form.linkage.coupling.as_ref().map(Coupling::sentence),
             plan: plan.to_string(),
             steps: steps.map(|step| Step::of(step, &form.linkage)).collect(),
             branches: plan.branches(),

@@ -142,6 +142,9 @@ impl Display for Inverse {
         if let Some(idealization) = &self.idealization {
             write!(f, "{idealization}")?;
         }
+        if let Some(coupling) = &self.coupling {
+            writeln!(f, "  {coupling}")?;
+        }
         writeln!(f, "  Plan {}", self.plan)?;
         for (i, step) in self.steps.iter().enumerate() {
             writeln!(f, "  {:>2}. {step}", i + 1)?;

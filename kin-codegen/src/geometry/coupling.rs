@@ -11,6 +11,7 @@ use crate::model::{Joint, JointKind, Model, Variable};
 use crate::spec::Rating;
 use kin_runtime::__private::math::wrap;
 use std::f64::consts::TAU;
+use std::fmt;
 
 /// Neighbours that differ by more are not one joint: radians, and relative to the arm's size.
 const SAME: f64 = 1e-13;
@@ -97,9 +98,44 @@ impl Coupling {
         (is_alone && row.weights[i] == 1.0 && row.offset == 0.0).then_some(i)
     }
 
+    /// What the joints are that plans speak of.
+    pub fn sentence(&self) -> String {
+        let rows: Vec<String> = self.rows.iter().map(Combination::to_string).collect();
+        format!(
+            "Solved as a chain whose joints move by themselves, neighbours on one line being one: in \
+             the plan q1 to q{} are {} of this arm.",
+            rows.len(),
+            rows.join(", ")
+        )
+    }
+
     /// Whether a coordinate is told by a joint.
     pub fn tells(&self, joint: usize) -> bool {
         self.told.iter().any(|told| told.joint == joint)
+    }
+}
+
+impl fmt::Display for Combination {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = self.weights.iter().enumerate().map(|(i, &weight)| {
+            let q = format!("q{}", i + 1);
+            match weight.abs() {
+                1.0 => (weight, q),
+                times => (weight, format!("{times} {q}")),
+            }
+        });
+        let offset = (self.offset, self.offset.abs().to_string());
+        let all = parts.chain([offset]).filter(|(value, _)| *value != 0.0);
+        for (i, (value, text)) in all.enumerate() {
+            match (i, value < 0.0) {
+                (0, false) => {}
+                (0, true) => f.write_str("−")?,
+                (_, false) => f.write_str(" + ")?,
+                (_, true) => f.write_str(" − ")?,
+            }
+            f.write_str(&text)?;
+        }
+        Ok(())
     }
 }
 

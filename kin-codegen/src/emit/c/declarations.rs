@@ -8,6 +8,7 @@ use crate::closed_form::{ClosedForm, Inverse};
 use crate::emit::headings::{list, steps};
 use crate::emit::postures::Postures;
 use crate::emit::text::{degrees, number};
+use crate::geometry::Coupling;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::redundancy::Redundancy;
@@ -164,6 +165,7 @@ fn solved(compiled: &CompiledArm, form: &ClosedForm) -> Vec<String> {
         ),
     ];
     out.extend(redundancy.map(|redundancy| parameters(&compiled.model, redundancy)));
+    out.extend(form.linkage.coupling.iter().map(Coupling::sentence));
     match &form.inverse {
         Inverse::Expressions(inverse) => {
             let steps = steps(&form.plan, &form.linkage, &inverse.parts);

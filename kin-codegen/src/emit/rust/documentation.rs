@@ -255,6 +255,9 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
         ));
         lines.push(String::new());
     }
+    if let Some(coupling) = &solver.linkage.coupling {
+        lines.extend([coupling.sentence(), String::new()]);
+    }
     match &solver.inverse {
         Inverse::Expressions(inverse) => {
             let sentences = steps(plan, &solver.linkage, &inverse.parts);
