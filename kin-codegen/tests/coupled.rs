@@ -190,6 +190,58 @@ fn a_level_tool_has_four_configurations() {
     assert!(arm.form().solutions(&pose).is_empty());
 }
 
+/// What is said of an arm of these joints; angles in degrees.
+fn refused(joints: &[&str]) -> String {
+    let rows = joints.iter().map(|row| format!("  - {{{row}}}\n"));
+    let rows: String = rows.collect();
+    let text = format!("robot: arm\nunits: {{angle: deg, length: m}}\njoints:\n{rows}tip: tip\n");
+    Arm::new(&text, None).err().unwrap()
+}
+
+#[test]
+fn refusals_say_why() {
+    let one = "name: one, axis: [0, 0, 1], limits: [-200, 200]";
+    // Two joints about one line undo each other.
+    let undone = "name: two, axis: [0, 0, -1], mimic: {joint: one}";
+    let said = refused(&[one, undone]);
+    let why = "joint `two` mimics `one`, which couples their angles, and no joint tells the value of \
+               `one` from a target";
+    assert!(said.contains(why), "{said}");
+    // A full turn of the first is not one of the second.
+    let more = "name: two, xyz: [1, 0, 0], axis: [0, 1, 0], mimic: {joint: one, multiplier: 1.5}";
+    let said = refused(&[one, more]);
+    let why =
+        "and the limits of `one` are so wide that several values of it are one angle of a joint";
+    assert!(said.contains(why), "{said}");
+    assert!(
+        said.contains("give it limits that are less than a full turn"),
+        "{said}"
+    );
+    let snake = [
+        one,
+        "name: two, xyz: [1, 0, 0], axis: [0, 0, 1], mimic: {joint: one}",
+        "name: three, xyz: [1, 0, 0], axis: [0, 1, 0], limits: [-90, 90]",
+        "name: four, xyz: [0, 1, 0], axis: [1, 0, 0], limits: [-90, 90]",
+        "name: five, xyz: [1, 0, 0], axis: [0, 1, 0], limits: [-90, 90]",
+        "name: six, xyz: [0, 1, 0], axis: [0, 0, 1], limits: [-90, 90]",
+        "name: seven, xyz: [1, 0, 1], axis: [0, 1, 0], limits: [-90, 90]",
+        "name: eight, xyz: [0, 1, 0], axis: [1, 0, 0], limits: [-90, 90]",
+    ];
+    let said = refused(&snake[..7]);
+    let why = "and the 7 joints are more than the 6 coordinates of targets";
+    assert!(said.contains(why), "{said}");
+    assert!(
+        said.contains("in front of the joints that mimic others"),
+        "{said}"
+    );
+    let said = refused(&snake);
+    let why = "and that leaves none to stay free";
+    assert!(said.contains(why), "{said}");
+    let said = refused(&snake[..6]);
+    let why = "as a chain whose joints move by themselves, no sequence of the subproblems";
+    assert!(said.contains(why), "{said}");
+}
+
 /// Joints along and across the axes, some of which mimic others.
 fn random_arm(random: &mut Random) -> String {
     let mut text = String::from("robot: random\nunits: {angle: rad, length: m}\njoints:\n");

@@ -183,6 +183,10 @@ joints:
   - {name: one, axis: [0, 0, 1], limits: [-90, 90]}
   - {name: two, xyz: [1, 0, 0], axis: [0, 0, 1], mimic: {joint: one}}
   - {name: three, xyz: [1, 0, 0], axis: [0, 0, 1], mimic: {joint: one}}
+  - {name: four, xyz: [1, 0, 0], axis: [0, 1, 0], limits: [-90, 90]}
+  - {name: five, xyz: [1, 0, 0], axis: [1, 0, 0], limits: [-90, 90]}
+  - {name: six, xyz: [1, 0, 0], axis: [0, 1, 0], limits: [-90, 90]}
+  - {name: seven, xyz: [1, 0, 0], axis: [1, 0, 0], limits: [-90, 90]}
 tip: tip
 ";
     let source = Source {
