@@ -221,14 +221,18 @@ fn why_coupled(model: &Model, coupled: &Coupled) -> String {
         ),
         Coupled::Joints { joints, target } => {
             let coordinates = target.coordinates();
-            format!(", and the {joints} joints are more than the {coordinates} coordinates of targets")
+            format!(
+                ", and the {joints} joints are more than the {coordinates} coordinates of targets"
+            )
         }
         Coupled::Redundant => {
-            ", and that leaves none to stay free, which more joints than a target has coordinates need"
-                .into()
+            ", and of more joints than targets have coordinates none can stay free then".into()
         }
         Coupled::Unsolved(reason) => {
-            format!("; as a chain whose joints move by themselves, {}", why(model, reason))
+            format!(
+                "; as a chain whose joints move by themselves, {}",
+                why(model, reason)
+            )
         }
     }
 }

@@ -91,8 +91,7 @@ pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
     let given = case.given(&outcome.q);
     let found = case.chain.ik_all(&outcome.target, &options(case, &given));
     let told = found.into_iter().map(|found| told(case, found));
-    let reached =
-        |it: &ChainSolution| case.residual(&it.q, &outcome.target) <= CONVERGED * case.size;
+    let reached = |it: &ChainSolution| case.is_sound(case.residual(&it.q, &outcome.target));
     let is_coupled = case.form.given.coupling.is_some();
     told.filter(|it| !is_coupled || reached(it)).collect()
 }

@@ -43,12 +43,10 @@ impl Reading {
             .with_locked(&given.locked)
             .with_swivel(swivel)
             .with_coupling(given.coupling.clone());
-        let coordinates = match &given.coupling {
-            Some(_) => given.variables(),
-            None => model.variables.len(),
-        };
-        let single =
-            (linkage.scalar == Scalar::F32).then(|| single::Forward::new(given, coordinates));
+        let single = (linkage.scalar == Scalar::F32).then(|| match &given.coupling {
+            Some(coupling) => single::Forward::new(&coupling.whole, given.variables()),
+            None => single::Forward::new(given, model.variables.len()),
+        });
         Some(Self {
             tip_shift: tip_shift(model, &idealized.model),
             idealized,

@@ -32,13 +32,8 @@ impl JointTrig {
         for run in &linkage.runs {
             let mut angle = g.zero();
             let mut turned = Vec::new();
-            for joint in run.joints.clone() {
-                let link = &linkage.links[joint];
-                let value = match linkage.row(joint) {
-                    Some(row) => combination(g, row, q),
-                    None => q[link.variable],
-                };
-                let moved = joint_value(g, link.gain, link.offset, value);
+            for link in &linkage.links[run.joints.clone()] {
+                let moved = joint_value(g, link.gain, link.offset, q[link.variable]);
                 let slide = match link.kind {
                     JointKind::Revolute => {
                         angle = g.add(angle, moved);

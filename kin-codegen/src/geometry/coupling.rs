@@ -6,7 +6,7 @@
 //! the other. Joints that tell none have to agree with those that do, as the wrist of a palletizer
 //! that keeps its tool level.
 
-use super::{AxisRelation, Line, cross, dot, norm, relate, size};
+use super::{AxisRelation, Line, Linkage, cross, dot, norm, relate, size};
 use crate::model::{Joint, JointKind, Model, Variable};
 use crate::spec::Rating;
 use kin_runtime::__private::math::wrap;
@@ -19,8 +19,10 @@ const SAME: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
 
 /// How the joints of a chain depend on the coordinates of q.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Coupling {
+    /// The frames of all joints that the file has.
+    pub whole: Box<Linkage>,
     /// By joint.
     pub rows: Vec<Combination>,
     /// Which joint tells which coordinate, in an order in which each needs those before it alone.
@@ -231,6 +233,7 @@ pub fn apart(model: &Model) -> Result<(Model, Coupling), Untold> {
     });
     let limits = limits.collect();
     let coupling = Coupling {
+        whole: Box::new(Linkage::new(model)),
         told: told(model, &joints, &rows)?,
         rows,
         limits,

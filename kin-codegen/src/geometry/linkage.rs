@@ -278,17 +278,18 @@ impl Linkage {
         q: &[f64; N],
         parameters: &[f64],
     ) -> (Pose, Jacobian<N>) {
+        if let Some(coupling) = &self.coupling {
+            return coupling.whole.fk_jacobian(q, parameters);
+        }
         let mut pose = self.base;
         let mut columns = [Twist::default(); N];
         for (joint, link) in self.links.iter().enumerate() {
             let coordinate = self.coordinate(joint);
             let locked = self.locked.iter().position(|&locked| locked == joint);
-            let row = self.row(joint);
-            let moved = match (row, coordinate, locked) {
-                (Some(row), _, _) => row.value(q),
-                (None, Some(i), _) => q[i],
-                (None, None, Some(k)) => parameters[k],
-                (None, None, None) => 0.0,
+            let moved = match (coordinate, locked) {
+                (Some(i), _) => q[i],
+                (None, Some(k)) => parameters[k],
+                (None, None) => 0.0,
             };
             let value = link.gain * moved + link.offset;
             let axis = pose.rotate(link.direction);
@@ -302,14 +303,8 @@ impl Linkage {
                     (Twist::prismatic(axis), shift)
                 }
             };
-            match (row, coordinate) {
-                (Some(row), _) => {
-                    for (column, weight) in columns.iter_mut().zip(&row.weights) {
-                        *column = *column + twist * (link.gain * weight);
-                    }
-                }
-                (None, Some(i)) => columns[i] = columns[i] + twist * link.gain,
-                (None, None) => {}
+            if let Some(i) = coordinate {
+                columns[i] = columns[i] + twist * link.gain;
             }
             pose = pose * motion * link.after;
         }
