@@ -295,8 +295,8 @@ const $correct = (linearize, size, q, evaluations) => {
 /* Of the values of joint i that are q but for full turns the one inside its limits and nearest
  * to a seed, and how far it is beyond a stop. */
 const $next_inside = (arm, i, q, seed) => {
-    const { lower, upper, turns } = arm.joints[i];
-    const turn = turns ? 6.283185307179586 : 0.0;
+    const { lower, upper, repeats } = arm.joints[i];
+    const turn = repeats ? 6.283185307179586 : 0.0;
     const middle = 0.5 * (lower + upper);
     /* Without stops the middle is no number and not taken. */
     let first = lower - 5e-10 + Math.PI;
@@ -516,7 +516,7 @@ const $whole = (arm, solved, given) => {
     const q = new Array(arm.joints.length);
     arm.form.solved.forEach((joint, i) => (q[joint] = solved[i]));
     arm.form.locked.forEach((joint, i) => {
-        q[joint] = arm.joints[joint].turns ? $wrap(given[i]) : given[i];
+        q[joint] = arm.joints[joint].repeats ? $wrap(given[i]) : given[i];
     });
     return q;
 };
@@ -525,7 +525,7 @@ const $whole = (arm, solved, given) => {
 const $insert = (arm, found, solutions) => {
     const same = (known) => found.q.every((q, i) => {
         const off = q - known.q[i];
-        return Math.abs(arm.joints[i].turns ? $wrap(off) : off) < 1e-6;
+        return Math.abs(arm.joints[i].repeats ? $wrap(off) : off) < 1e-6;
     });
     const known = solutions.findIndex(same);
     if (known >= 0) {
@@ -542,7 +542,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
-    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].turns ? $wrap(x) : x));
+    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
         residual: found.residual,
@@ -809,6 +809,7 @@ return $mechanism({
             joints: [{
                 name: "motor1",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -817,6 +818,7 @@ return $mechanism({
             }, {
                 name: "elbow1_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -825,6 +827,7 @@ return $mechanism({
             }, {
                 name: "elbow1_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -833,6 +836,7 @@ return $mechanism({
             }, {
                 name: "wrist1_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -841,6 +845,7 @@ return $mechanism({
             }, {
                 name: "wrist1_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1225,6 +1230,7 @@ return $mechanism({
             joints: [{
                 name: "motor1",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1233,6 +1239,7 @@ return $mechanism({
             }, {
                 name: "elbow1_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1241,6 +1248,7 @@ return $mechanism({
             }, {
                 name: "elbow1_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1596,6 +1604,7 @@ return $mechanism({
             joints: [{
                 name: "wrist1_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1604,6 +1613,7 @@ return $mechanism({
             }, {
                 name: "wrist1_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1853,6 +1863,7 @@ return $mechanism({
             joints: [{
                 name: "motor2",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1861,6 +1872,7 @@ return $mechanism({
             }, {
                 name: "elbow2_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1869,6 +1881,7 @@ return $mechanism({
             }, {
                 name: "elbow2_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1877,6 +1890,7 @@ return $mechanism({
             }, {
                 name: "wrist2_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -1885,6 +1899,7 @@ return $mechanism({
             }, {
                 name: "wrist2_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -2329,6 +2344,7 @@ return $mechanism({
             joints: [{
                 name: "motor2",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -2337,6 +2353,7 @@ return $mechanism({
             }, {
                 name: "elbow2_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -2345,6 +2362,7 @@ return $mechanism({
             }, {
                 name: "elbow2_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -2742,6 +2760,7 @@ return $mechanism({
             joints: [{
                 name: "wrist2_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -2750,6 +2769,7 @@ return $mechanism({
             }, {
                 name: "wrist2_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3082,6 +3102,7 @@ return $mechanism({
             joints: [{
                 name: "motor3",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3090,6 +3111,7 @@ return $mechanism({
             }, {
                 name: "elbow3_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3098,6 +3120,7 @@ return $mechanism({
             }, {
                 name: "elbow3_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3106,6 +3129,7 @@ return $mechanism({
             }, {
                 name: "wrist3_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3114,6 +3138,7 @@ return $mechanism({
             }, {
                 name: "wrist3_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3558,6 +3583,7 @@ return $mechanism({
             joints: [{
                 name: "motor3",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3566,6 +3592,7 @@ return $mechanism({
             }, {
                 name: "elbow3_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3574,6 +3601,7 @@ return $mechanism({
             }, {
                 name: "elbow3_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3971,6 +3999,7 @@ return $mechanism({
             joints: [{
                 name: "wrist3_a",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,
@@ -3979,6 +4008,7 @@ return $mechanism({
             }, {
                 name: "wrist3_b",
                 turns: true,
+                repeats: true,
                 lower: -Infinity,
                 upper: Infinity,
                 velocity: Infinity,

@@ -295,8 +295,8 @@ const $correct = (linearize, size, q, evaluations) => {
 /* Of the values of joint i that are q but for full turns the one inside its limits and nearest
  * to a seed, and how far it is beyond a stop. */
 const $next_inside = (arm, i, q, seed) => {
-    const { lower, upper, turns } = arm.joints[i];
-    const turn = turns ? 6.283185307179586 : 0.0;
+    const { lower, upper, repeats } = arm.joints[i];
+    const turn = repeats ? 6.283185307179586 : 0.0;
     const middle = 0.5 * (lower + upper);
     /* Without stops the middle is no number and not taken. */
     let first = lower - 5e-10 + Math.PI;
@@ -516,7 +516,7 @@ const $whole = (arm, solved, given) => {
     const q = new Array(arm.joints.length);
     arm.form.solved.forEach((joint, i) => (q[joint] = solved[i]));
     arm.form.locked.forEach((joint, i) => {
-        q[joint] = arm.joints[joint].turns ? $wrap(given[i]) : given[i];
+        q[joint] = arm.joints[joint].repeats ? $wrap(given[i]) : given[i];
     });
     return q;
 };
@@ -525,7 +525,7 @@ const $whole = (arm, solved, given) => {
 const $insert = (arm, found, solutions) => {
     const same = (known) => found.q.every((q, i) => {
         const off = q - known.q[i];
-        return Math.abs(arm.joints[i].turns ? $wrap(off) : off) < 1e-6;
+        return Math.abs(arm.joints[i].repeats ? $wrap(off) : off) < 1e-6;
     });
     const known = solutions.findIndex(same);
     if (known >= 0) {
@@ -542,7 +542,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
-    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].turns ? $wrap(x) : x));
+    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
         residual: found.residual,
@@ -677,6 +677,7 @@ return $arm({
     joints: [{
         name: "joint1",
         turns: true,
+        repeats: true,
         lower: -2.8973,
         upper: 2.8973,
         velocity: Infinity,
@@ -685,6 +686,7 @@ return $arm({
     }, {
         name: "joint2",
         turns: true,
+        repeats: true,
         lower: -1.7628,
         upper: 1.7628,
         velocity: Infinity,
@@ -693,6 +695,7 @@ return $arm({
     }, {
         name: "joint3",
         turns: true,
+        repeats: true,
         lower: -2.8973,
         upper: 2.8973,
         velocity: Infinity,
@@ -701,6 +704,7 @@ return $arm({
     }, {
         name: "joint4",
         turns: true,
+        repeats: true,
         lower: -3.0718,
         upper: -0.0698,
         velocity: Infinity,
@@ -709,6 +713,7 @@ return $arm({
     }, {
         name: "joint5",
         turns: true,
+        repeats: true,
         lower: -2.8973,
         upper: 2.8973,
         velocity: Infinity,
@@ -717,6 +722,7 @@ return $arm({
     }, {
         name: "joint6",
         turns: true,
+        repeats: true,
         lower: -0.0175,
         upper: 3.7525,
         velocity: Infinity,
@@ -725,6 +731,7 @@ return $arm({
     }, {
         name: "joint7",
         turns: true,
+        repeats: true,
         lower: -2.8973,
         upper: 2.8973,
         velocity: Infinity,

@@ -162,7 +162,8 @@ extern const char *const slider_crank_chain0_joint_names[SLIDER_CRANK_CHAIN0_JOI
 extern const char *const slider_crank_chain0_link_names[SLIDER_CRANK_CHAIN0_JOINTS];
 extern const char *const slider_crank_chain0_base;
 extern const char *const slider_crank_chain0_tip;
-/* Whether joints turn, 1, or slide, 0. */
+/* Whether joints turn, 1, or slide, 0; 0 too where others follow one so that a full turn of it
+ * is another configuration. */
 extern const int slider_crank_chain0_turns[SLIDER_CRANK_CHAIN0_JOINTS];
 /* Radians and metres, rad/s and m/s, N m and N; infinite where the robot file has none. */
 extern const double slider_crank_chain0_lower_limits[SLIDER_CRANK_CHAIN0_JOINTS];
@@ -259,7 +260,8 @@ extern const char *const slider_crank_chain1_joint_names[SLIDER_CRANK_CHAIN1_JOI
 extern const char *const slider_crank_chain1_link_names[SLIDER_CRANK_CHAIN1_JOINTS];
 extern const char *const slider_crank_chain1_base;
 extern const char *const slider_crank_chain1_tip;
-/* Whether joints turn, 1, or slide, 0. */
+/* Whether joints turn, 1, or slide, 0; 0 too where others follow one so that a full turn of it
+ * is another configuration. */
 extern const int slider_crank_chain1_turns[SLIDER_CRANK_CHAIN1_JOINTS];
 /* Radians and metres, rad/s and m/s, N m and N; infinite where the robot file has none. */
 extern const double slider_crank_chain1_lower_limits[SLIDER_CRANK_CHAIN1_JOINTS];

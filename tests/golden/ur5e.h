@@ -72,7 +72,8 @@ extern const char *const ur5e_joint_names[UR5E_JOINTS];
 extern const char *const ur5e_link_names[UR5E_JOINTS];
 extern const char *const ur5e_base;
 extern const char *const ur5e_tip;
-/* Whether joints turn, 1, or slide, 0. */
+/* Whether joints turn, 1, or slide, 0; 0 too where others follow one so that a full turn of it
+ * is another configuration. */
 extern const int ur5e_turns[UR5E_JOINTS];
 /* Radians and metres, rad/s and m/s, N m and N; infinite where the robot file has none. */
 extern const double ur5e_lower_limits[UR5E_JOINTS];

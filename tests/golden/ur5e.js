@@ -294,8 +294,8 @@ const $correct = (linearize, size, q, evaluations) => {
 /* Of the values of joint i that are q but for full turns the one inside its limits and nearest
  * to a seed, and how far it is beyond a stop. */
 const $next_inside = (arm, i, q, seed) => {
-    const { lower, upper, turns } = arm.joints[i];
-    const turn = turns ? 6.283185307179586 : 0.0;
+    const { lower, upper, repeats } = arm.joints[i];
+    const turn = repeats ? 6.283185307179586 : 0.0;
     const middle = 0.5 * (lower + upper);
     /* Without stops the middle is no number and not taken. */
     let first = lower - 5e-10 + Math.PI;
@@ -515,7 +515,7 @@ const $whole = (arm, solved, given) => {
     const q = new Array(arm.joints.length);
     arm.form.solved.forEach((joint, i) => (q[joint] = solved[i]));
     arm.form.locked.forEach((joint, i) => {
-        q[joint] = arm.joints[joint].turns ? $wrap(given[i]) : given[i];
+        q[joint] = arm.joints[joint].repeats ? $wrap(given[i]) : given[i];
     });
     return q;
 };
@@ -524,7 +524,7 @@ const $whole = (arm, solved, given) => {
 const $insert = (arm, found, solutions) => {
     const same = (known) => found.q.every((q, i) => {
         const off = q - known.q[i];
-        return Math.abs(arm.joints[i].turns ? $wrap(off) : off) < 1e-6;
+        return Math.abs(arm.joints[i].repeats ? $wrap(off) : off) < 1e-6;
     });
     const known = solutions.findIndex(same);
     if (known >= 0) {
@@ -541,7 +541,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
-    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].turns ? $wrap(x) : x));
+    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
         residual: found.residual,
@@ -676,6 +676,7 @@ return $arm({
     joints: [{
         name: "shoulder_pan_joint",
         turns: true,
+        repeats: true,
         lower: -6.283185307179586,
         upper: 6.283185307179586,
         velocity: 3.141592653589793,
@@ -684,6 +685,7 @@ return $arm({
     }, {
         name: "shoulder_lift_joint",
         turns: true,
+        repeats: true,
         lower: -6.283185307179586,
         upper: 6.283185307179586,
         velocity: 3.141592653589793,
@@ -692,6 +694,7 @@ return $arm({
     }, {
         name: "elbow_joint",
         turns: true,
+        repeats: true,
         lower: -6.283185307179586,
         upper: 6.283185307179586,
         velocity: 3.141592653589793,
@@ -700,6 +703,7 @@ return $arm({
     }, {
         name: "wrist_1_joint",
         turns: true,
+        repeats: true,
         lower: -6.283185307179586,
         upper: 6.283185307179586,
         velocity: 3.141592653589793,
@@ -708,6 +712,7 @@ return $arm({
     }, {
         name: "wrist_2_joint",
         turns: true,
+        repeats: true,
         lower: -6.283185307179586,
         upper: 6.283185307179586,
         velocity: 3.141592653589793,
@@ -716,6 +721,7 @@ return $arm({
     }, {
         name: "wrist_3_joint",
         turns: true,
+        repeats: true,
         lower: -6.283185307179586,
         upper: 6.283185307179586,
         velocity: 3.141592653589793,

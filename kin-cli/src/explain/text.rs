@@ -1,6 +1,6 @@
 //! An explanation as text for a terminal.
 
-use super::singular::NOT_SQUARE;
+use super::singular::{COUPLED, NOT_SQUARE};
 use super::{
     ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, KeptJoint, Step,
     Weighed, write_warnings,
@@ -38,6 +38,9 @@ impl Display for ArmExplanation {
         writeln!(f, "Singularities")?;
         match &self.singularities {
             Some(singularities) => writeln!(f, "{singularities}")?,
+            None if self.chain.joints.iter().any(|joint| joint.mimic.is_some()) => {
+                writeln!(f, "{COUPLED}\n")?;
+            }
             None => writeln!(f, "{NOT_SQUARE}\n")?,
         }
         writeln!(f, "Inverse kinematics")?;

@@ -91,9 +91,13 @@ pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
     let given = case.given(&outcome.q);
     let found = case.chain.ik_all(&outcome.target, &options(case, &given));
     let told = found.into_iter().map(|found| told(case, found));
-    let reached = |it: &ChainSolution| case.is_sound(case.residual(&it.q, &outcome.target));
+    // Joints that move by themselves reach more targets.
     let is_coupled = case.form.given.coupling.is_some();
-    told.filter(|it| !is_coupled || reached(it)).collect()
+    let reaches = |it: &ChainSolution| {
+        let tolerance = it.residual + CONVERGED * case.size;
+        case.residual(&it.q, &outcome.target) <= 10.0 * tolerance
+    };
+    told.filter(|it| !is_coupled || reaches(it)).collect()
 }
 
 /// A solution by the coordinates that its joints tell.

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 use std::fmt;
 
 /// Neighbours that differ by more are not one joint: radians, and relative to the arm's size.
-const SAME: f64 = 1e-13;
+const SAME: f64 = 1e-11;
 /// By so much less than a full turn limits are apart at least between which an angle is told.
 const ROUNDING: f64 = 1e-9;
 
