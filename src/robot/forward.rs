@@ -72,7 +72,8 @@ impl Robot {
         self.arm.target()
     }
 
-    /// The same arm as a product of exponentials, for its numerical search.
+    /// The same arm as a product of exponentials, for its numerical search. Where joints mimic
+    /// others it has all of them, and they move by themselves.
     pub fn chain(&self) -> &Chain {
         &self.chain
     }

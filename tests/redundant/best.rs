@@ -107,15 +107,18 @@ fn no_sample_is_better<K: RedundantKinematics<N>, const N: usize>(robot: &Subjec
     for q in robot.random(7) {
         let target: Pose = robot.chain.fk(&q);
         let seed = std::array::from_fn(|i| K::LIMITS[i].nearest(0.3, 0.3).unwrap_or(-0.5));
+        let values = (0..600).map(|i| from + (to - from) * (f64::from(i) + 0.5) / 600.0);
+        let all = values.flat_map(|value| robot.arm.ik_at(&target, value));
+        let all: Vec<Solution<N>> = all.collect();
         for criterion in [
             Criterion::Nearest(seed),
             Criterion::FarthestFromLimits,
             Criterion::Manipulability,
         ] {
-            let values = (0..600).map(|i| from + (to - from) * (f64::from(i) + 0.5) / 600.0);
-            let all = values.flat_map(|value| robot.arm.ik_at(&target, value));
-            let sampled = all.filter_map(|found| cost(&robot.arm, &criterion, &found));
-            let sampled = sampled.fold(f64::INFINITY, f64::min);
+            let costs = all
+                .iter()
+                .filter_map(|found| cost(&robot.arm, &criterion, found));
+            let sampled = costs.fold(f64::INFINITY, f64::min);
             let best = robot.arm.ik_best(&target, &criterion);
             let Some(best) = best else {
                 assert!(

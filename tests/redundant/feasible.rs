@@ -113,7 +113,7 @@ fn ends_are_where_solutions_meet<K: RedundantKinematics<N>, const N: usize>(robo
 
 fn limits_are_kept<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K, N>) {
     let mut held_at_all = 0;
-    for q in robot.random(8) {
+    for q in robot.random(5) {
         let target: Pose = robot.chain.fk(&q);
         let intervals = robot.arm.feasible_within(&target, &K::LIMITS);
         for value in values::<K, N>(250).filter(|&v| !is_near_end(&intervals, v, CLOSE)) {

@@ -197,7 +197,7 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// The arm as the file has it.
+    /// The arm as the file has it; where joints mimic others, that whose joints move by themselves.
     pub fn model(&self) -> &Model {
         self.model
     }

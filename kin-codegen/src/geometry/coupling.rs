@@ -74,13 +74,12 @@ impl Coupling {
             // Those that are not known yet are 0, and have no weight.
             let weight = row.weights[told.coordinate];
             q[told.coordinate] = told.about.unwrap_or(0.0);
-            let beside = joints[told.joint] - row.value(&q);
-            let beside = if told.about.is_some() {
-                wrap(beside)
-            } else {
-                beside
+            let beside = (joints[told.joint] - row.value(&q)) * weight.signum();
+            let within = match told.about {
+                Some(_) => wrap(beside),
+                None => beside,
             };
-            q[told.coordinate] += beside / weight;
+            q[told.coordinate] += within / weight.abs();
         }
         q
     }

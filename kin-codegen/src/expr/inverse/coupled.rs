@@ -17,12 +17,19 @@ impl Writer<'_> {
             let about = self.g.constant(told.about.unwrap_or(0.0));
             q[coordinate] = about;
             let there = forward::combination(&mut self.g, row, &q);
-            let mut beside = self.g.sub(value, there);
-            if told.about.is_some() {
-                beside = self.g.wrap(beside);
-            }
-            let share = self.g.constant(1.0 / row.weights[coordinate]);
-            let beside = self.g.mul(share, beside);
+            let beside = self.g.sub(value, there);
+            // Of one that turns backwards, too, in (−π, π].
+            let weight = row.weights[coordinate];
+            let forwards = if weight < 0.0 {
+                self.g.neg(beside)
+            } else {
+                beside
+            };
+            let within = match told.about {
+                Some(_) => self.g.wrap(forwards),
+                None => forwards,
+            };
+            let beside = self.scaled(1.0 / weight.abs(), within);
             let own = self.g.add(about, beside);
             q[coordinate] = self.g.named(own, format!("q{}", coordinate + 1));
         }
