@@ -131,6 +131,9 @@ impl Arm {
             for (i, solution) in solutions.iter().enumerate() {
                 let miss = self.target.distance(&self.fk(&solution.q), &pose, length);
                 assert!(miss < 1e-9 * length, "{q:?}: {miss:e}");
+                let turns = (0..q.len()).filter(|&i| self.model.repeats(i));
+                let turns = turns.map(|i| solution.q[i]).collect::<Vec<_>>();
+                assert!(turns.iter().all(|x| (-PI..=PI).contains(x)), "{turns:?}");
                 let same = |other: &&_| self.is_same(&solution.q, other, 1e-9);
                 let before = solutions[..i].iter().map(|other| &other.q);
                 assert_eq!(
