@@ -56,8 +56,8 @@ pub fn inverse(
     writer.finish(free_angle)
 }
 
-/// What all branches of a plan cost, by [`Operations::weight`], but for their residuals: these
-/// take about as much after every plan of an arm.
+/// What all branches of a plan cost, by [weight](super::Operations::weight), but for their
+/// residuals: these take about as much after every plan of an arm.
 pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
     let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
     writer.write_all(plan, FreeAngles::Seeded);
