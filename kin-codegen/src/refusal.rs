@@ -1,7 +1,7 @@
 //! Why a sound robot file has no inverse kinematics, and what its owner can do.
 
 use crate::compiled::Compiled;
-use crate::geometry::{Untold, rank, structure};
+use crate::geometry::{Undetermined, rank, structure};
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -38,7 +38,7 @@ impl Refusal {
                  the chain by another base or tip, or stay free (`free`). `ik = none` generates \
                  forward kinematics and Jacobians alone"
             }
-            Reason::Arm(NoClosedForm::Mimic(Coupled::Untold(Untold::Range(_)))) => {
+            Reason::Arm(NoClosedForm::Mimic(Coupled::Undetermined(Undetermined::Range(_)))) => {
                 "give it limits that are less than a full turn of the joints apart; `ik = none` generates forward \
                  kinematics and Jacobians alone"
             }
@@ -213,10 +213,10 @@ fn mimics(model: &Model) -> String {
 /// Why a chain whose joints mimic each other is not solved.
 fn why_coupled(model: &Model, coupled: &Coupled) -> String {
     match coupled {
-        Coupled::Untold(Untold::Coordinate(name)) => {
+        Coupled::Undetermined(Undetermined::Coordinate(name)) => {
             format!(", and no joint tells the value of `{name}` from a target")
         }
-        Coupled::Untold(Untold::Range(name)) => format!(
+        Coupled::Undetermined(Undetermined::Range(name)) => format!(
             ", and the limits of `{name}` are so wide that several values of it are one angle of a joint"
         ),
         Coupled::Joints { joints, target } => {

@@ -4,7 +4,7 @@ use super::Settings;
 use super::draw::Ranges;
 use kin_codegen::certificate::{Failure, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm};
-use kin_codegen::geometry::{SINGULAR, apart, size};
+use kin_codegen::geometry::{SINGULAR, size, uncoupled};
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};
 use std::borrow::Cow;
@@ -41,9 +41,9 @@ impl<'a> Case<'a> {
     pub(super) fn new(model: &'a Model, form: &'a ClosedForm) -> Self {
         let size = size(model);
         let ranges = Ranges::new(model, size);
-        // An arm that is solved was taken apart before.
-        let apart = apart(model).ok().filter(|_| model.is_coupled());
-        let model = apart.map_or(Cow::Borrowed(model), |(apart, _)| Cow::Owned(apart));
+        // Of an arm that is solved its coordinates follow from the joints.
+        let uncoupled = uncoupled(model).ok().filter(|_| model.is_coupled());
+        let model = uncoupled.map_or(Cow::Borrowed(model), |(model, _)| Cow::Owned(model));
         Self {
             chain: model.chain(),
             model,
@@ -133,10 +133,7 @@ impl<'a> Case<'a> {
         conditioning: f64,
     ) -> bool {
         let given = &self.form.given;
-        let by_joints = |solution: &BranchSolution| BranchSolution {
-            q: given.joints_at(&solution.q).into_owned(),
-            ..solution.clone()
-        };
+        let by_joints = |solution: &BranchSolution| solution.by_joints(given);
         let solutions: Vec<BranchSolution> = solutions.iter().map(by_joints).collect();
         let outcome = recovered(&self.model, &given.joints_at(q), &solutions, conditioning);
         !matches!(outcome, Err(Failure::Lost(_)))

@@ -90,18 +90,19 @@ impl Comparison {
 pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
     let given = case.given(&outcome.q);
     let found = case.chain.ik_all(&outcome.target, &options(case, &given));
-    let told = found.into_iter().map(|found| told(case, found));
+    let found = found.into_iter();
+    let found = found.map(|found| by_coordinates(case, found));
     // Joints that move by themselves reach more targets.
     let is_coupled = case.form.given.coupling.is_some();
     let reaches = |it: &ChainSolution| {
         let tolerance = it.residual + CONVERGED * case.size;
         case.residual(&it.q, &outcome.target) <= 10.0 * tolerance
     };
-    told.filter(|it| !is_coupled || reaches(it)).collect()
+    found.filter(|it| !is_coupled || reaches(it)).collect()
 }
 
-/// A solution by the coordinates that its joints tell.
-fn told(case: &Case, found: ChainSolution) -> ChainSolution {
+/// A solution by the coordinates that follow from its joints.
+fn by_coordinates(case: &Case, found: ChainSolution) -> ChainSolution {
     match &case.form.given.coupling {
         Some(coupling) => {
             let q = coupling.coordinates(&found.q);
@@ -134,7 +135,7 @@ fn is_confirmed(
     let options = options(case, &given);
     let start = case.form.given.joints_at(&solution.q);
     let landed = case.chain.ik_from(&outcome.target, &options, &start);
-    let landed = landed.map(|landed| told(case, landed));
+    let landed = landed.map(|landed| by_coordinates(case, landed));
     landed.is_some_and(|landed| case.is_among(&solution.q, &[as_solution(&landed)], conditioning))
 }
 

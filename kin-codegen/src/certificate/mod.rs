@@ -21,7 +21,6 @@ use crate::model::{Model, anywhere, configurations};
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
-use std::borrow::Cow;
 use std::cell::{OnceCell, RefCell};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -397,9 +396,10 @@ impl Held {
         solutions: &[BranchSolution],
         conditioning: f64,
     ) -> Result<(), Failure> {
-        let by_joints = by_joints(linkage, solutions);
+        let solutions = solutions.iter().map(|solution| solution.by_joints(linkage));
+        let solutions: Vec<BranchSolution> = solutions.collect();
         let joints = linkage.joints_at(q);
-        let outcome = recovered(&self.model, &joints, &by_joints, conditioning);
+        let outcome = recovered(&self.model, &joints, &solutions, conditioning);
         outcome.map_err(|failure| match failure {
             Failure::Lost(_) => Failure::Lost(q.to_vec()),
             Failure::Doubled(_) => Failure::Doubled(q.to_vec()),
@@ -596,11 +596,11 @@ impl Certificate {
         }
         self.most_solutions = self.most_solutions.max(solutions.len());
         let flagged = solutions.iter().filter(|solution| solution.singular);
-        let flagged: Vec<BranchSolution> = flagged.cloned().collect();
         let linkage = run.trials.linkage;
+        let flagged = flagged.map(|solution| solution.by_joints(linkage));
+        let flagged: Vec<BranchSolution> = flagged.collect();
         let is_flagged = || {
             let tolerance = 10.0 * model.scalar.tolerances().same;
-            let flagged = by_joints(linkage, &flagged);
             is_among(model, &linkage.joints_at(q), &flagged, tolerance)
         };
         match run.held.recovered(linkage, q, solutions, *conditioning) {
@@ -643,18 +643,6 @@ pub fn recovered(
         }
     }
     Ok(())
-}
-
-/// The same with the values of joints in place of the coordinates that they depend on.
-fn by_joints<'a>(linkage: &Linkage, solutions: &'a [BranchSolution]) -> Cow<'a, [BranchSolution]> {
-    let by_joints = |solution: &BranchSolution| BranchSolution {
-        q: linkage.joints_at(&solution.q).into_owned(),
-        ..solution.clone()
-    };
-    match &linkage.coupling {
-        Some(_) => solutions.iter().map(by_joints).collect(),
-        None => solutions.into(),
-    }
 }
 
 fn is_among(model: &Model, q: &[f64], solutions: &[BranchSolution], tolerance: f64) -> bool {

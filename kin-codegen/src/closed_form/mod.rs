@@ -99,6 +99,14 @@ impl BranchSolution {
             singular: found.singular,
         }
     }
+
+    /// The same with the values of joints in place of the coordinates that they depend on.
+    pub fn by_joints(&self, linkage: &Linkage) -> Self {
+        Self {
+            q: linkage.joints_at(&self.q).into_owned(),
+            ..self.clone()
+        }
+    }
 }
 
 impl ClosedForm {

@@ -11,7 +11,7 @@ use crate::certificate::Certificate;
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::Multiplicative;
 use crate::expr::inverse::FreeAngles;
-use crate::geometry::{Linkage, apart, idealize};
+use crate::geometry::{Linkage, idealize, uncoupled};
 use crate::model::Model;
 use crate::plan::{Plan, Step, Subproblem};
 use crate::redundancy::Redundancy;
@@ -67,9 +67,8 @@ impl Found {
     /// expressions than were certified, because it was changed since.
     pub fn built(&self, model: &Model, linkage: &Linkage) -> Option<Certified> {
         if model.is_coupled() {
-            let (apart, coupling) = apart(model).ok()?;
-            let linkage = Linkage::new(&apart).with_coupling(Some(coupling));
-            return self.built(&apart, &linkage);
+            let (uncoupled, linkage) = uncoupled(model).ok()?;
+            return self.built(&uncoupled, &linkage);
         }
         let given = match &self.redundancy {
             Some(redundancy) => linkage

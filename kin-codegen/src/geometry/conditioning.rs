@@ -1,6 +1,6 @@
 //! How far an arm is from singular: the rank and conditioning of its Jacobian.
 
-use super::{Coupling, along, apart, cross, dot, size};
+use super::{Coupling, along, cross, dot, size, uncoupled};
 use crate::model::{Model, configurations};
 use kin_runtime::__private::SingularValues;
 use kin_runtime::{Chain, Target, Twist};
@@ -18,10 +18,10 @@ pub const SINGULAR: f64 = 1e-5;
 /// otherwise the whole pose.
 pub fn natural_target(model: &Model) -> Target {
     if model.is_coupled() {
-        // Joints that have to agree with others are told by the rest of a pose.
-        return match apart(model) {
-            Ok((apart, coupling)) if coupling.rows.len() == coupling.told.len() => {
-                natural_target(&apart)
+        // Dependent joints have to agree with the rest of a pose.
+        return match uncoupled(model) {
+            Ok((uncoupled, _)) if uncoupled.joints.len() == model.variables.len() => {
+                natural_target(&uncoupled)
             }
             _ => Target::Pose,
         };

@@ -2,9 +2,9 @@
 //!
 //! Neighbours that turn about one line, or slide along one direction, become one joint, whose value
 //! is a linear function of the coordinates of q: behind a parallelogram, that of an elbow is q₃ − q₂.
-//! Such a chain is solved as any other, and the values of its joints tell the coordinates, one after
-//! the other. Joints that tell none have to agree with those that do, as the wrist of a palletizer
-//! that keeps its tool level.
+//! Such a chain is solved as any other, and the coordinates follow from the values of its joints, one
+//! after the other. Dependent joints, from which none follows, have to agree with those: the wrist
+//! of a palletizer, which keeps its tool level.
 
 use super::{AxisRelation, Line, Linkage, cross, dot, norm, relate, size};
 use crate::model::{Joint, JointKind, Model, Variable};
@@ -15,7 +15,8 @@ use std::fmt;
 
 /// Neighbours that differ by more are not one joint: radians, and relative to the arm's size.
 const SAME: f64 = 1e-11;
-/// By so much less than a full turn limits are apart at least between which an angle is told.
+/// By so much at least limits are less than a full turn apart where a coordinate follows from an
+/// angle.
 const ROUNDING: f64 = 1e-9;
 
 /// How the joints of a chain depend on the coordinates of q.
@@ -25,8 +26,9 @@ pub struct Coupling {
     pub whole: Box<Linkage>,
     /// By joint.
     pub rows: Vec<Combination>,
-    /// Which joint tells which coordinate, in an order in which each needs those before it alone.
-    pub told: Vec<Told>,
+    /// The coordinates by the values of joints, in an order in which each needs those before it
+    /// alone.
+    pub inverse: Vec<InverseRow>,
     /// By coordinate; none of one that is the same a full turn further.
     pub limits: Vec<Option<[f64; 2]>>,
 }
@@ -40,23 +42,24 @@ pub struct Combination {
     pub offset: f64,
 }
 
-/// A coordinate, and the joint by which it is told.
+/// A coordinate, and the joint whose value it follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Told {
+pub struct InverseRow {
     /// From 0.
     pub coordinate: usize,
     /// From 0.
     pub joint: usize,
-    /// Of a joint that turns, the value of the coordinate within half a turn of which it is told.
+    /// Of a joint that turns, the value about which the coordinate is, within half a turn of the
+    /// joint.
     pub about: Option<f64>,
 }
 
-/// Why the values of joints do not tell the coordinates.
+/// Why the coordinates do not follow from the values of joints.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Untold {
-    /// No joint tells this one, by name.
+pub enum Undetermined {
+    /// This one, by name, from no joint.
     Coordinate(String),
-    /// Several values of this one within its limits are one angle of the joint that tells it.
+    /// Several values of this one within its limits are one angle of its joint.
     Range(String),
 }
 
@@ -66,20 +69,20 @@ impl Coupling {
         self.rows.iter().map(|row| row.value(q)).collect()
     }
 
-    /// The coordinates that joints of some values tell.
+    /// The coordinates from the values of the joints that they follow from.
     pub fn coordinates(&self, joints: &[f64]) -> Vec<f64> {
         let mut q = vec![0.0; self.limits.len()];
-        for told in &self.told {
-            let row = &self.rows[told.joint];
+        for inverse in &self.inverse {
+            let row = &self.rows[inverse.joint];
             // Those that are not known yet are 0, and have no weight.
-            let weight = row.weights[told.coordinate];
-            q[told.coordinate] = told.about.unwrap_or(0.0);
-            let beside = (joints[told.joint] - row.value(&q)) * weight.signum();
-            let within = match told.about {
+            let weight = row.weights[inverse.coordinate];
+            q[inverse.coordinate] = inverse.about.unwrap_or(0.0);
+            let beside = (joints[inverse.joint] - row.value(&q)) * weight.signum();
+            let within = match inverse.about {
                 Some(_) => wrap(beside),
                 None => beside,
             };
-            q[told.coordinate] += within / weight.abs();
+            q[inverse.coordinate] += within / weight.abs();
         }
         q
     }
@@ -110,9 +113,9 @@ impl Coupling {
         )
     }
 
-    /// Whether a coordinate is told by a joint.
-    pub fn tells(&self, joint: usize) -> bool {
-        self.told.iter().any(|told| told.joint == joint)
+    /// Whether a coordinate follows from a joint. The others have to agree with those that do.
+    pub fn is_independent(&self, joint: usize) -> bool {
+        self.inverse.iter().any(|inverse| inverse.joint == joint)
     }
 }
 
@@ -178,13 +181,13 @@ impl Combination {
     }
 }
 
-/// The chain whose joints move by themselves, and how they depend on the coordinates of an arm whose
-/// joints mimic each other.
+/// Of an arm whose joints mimic each other, the chain whose joints move by themselves, with its
+/// linkage, which has the [`Coupling`].
 ///
 /// # Errors
 ///
-/// Why its joints do not tell its coordinates.
-pub fn apart(model: &Model) -> Result<(Model, Coupling), Untold> {
+/// Which coordinate does not follow from the values of joints.
+pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
     let same = SAME * size(model);
     let line = |joint: &Joint| Line {
         direction: joint.axis,
@@ -233,27 +236,32 @@ pub fn apart(model: &Model) -> Result<(Model, Coupling), Untold> {
     let limits = limits.collect();
     let coupling = Coupling {
         whole: Box::new(Linkage::new(model)),
-        told: told(model, &joints, &rows)?,
+        inverse: inverse(model, &joints, &rows)?,
         rows,
         limits,
     };
-    let apart = Model {
+    let uncoupled = Model {
         joints,
         variables,
         frames: Vec::new(),
         warnings: Vec::new(),
         ..model.clone()
     };
-    Ok((apart, coupling))
+    let linkage = Linkage::new(&uncoupled).with_coupling(Some(coupling));
+    Ok((uncoupled, linkage))
 }
 
-/// Which joint tells which coordinate: a length tells any, an angle one that turns with it within
-/// less than a full turn, or once for a full turn that changes nothing.
-fn told(model: &Model, joints: &[Joint], rows: &[Combination]) -> Result<Vec<Told>, Untold> {
+/// From which joint which coordinate follows: from a length any, from an angle one that turns with
+/// it within less than a full turn, or once for a full turn that changes nothing.
+fn inverse(
+    model: &Model,
+    joints: &[Joint],
+    rows: &[Combination],
+) -> Result<Vec<InverseRow>, Undetermined> {
     let n = model.variables.len();
-    let mut told: Vec<Told> = Vec::new();
-    while told.len() < n {
-        let is_known = |i: usize| told.iter().any(|told| told.coordinate == i);
+    let mut inverse: Vec<InverseRow> = Vec::new();
+    while inverse.len() < n {
+        let is_known = |i: usize| inverse.iter().any(|row| row.coordinate == i);
         let only = |joint: usize| {
             let mut unknown = (0..n).filter(|&i| rows[joint].weights[i] != 0.0 && !is_known(i));
             let i = unknown.next().filter(|_| unknown.next().is_none())?;
@@ -265,29 +273,29 @@ fn told(model: &Model, joints: &[Joint], rows: &[Combination]) -> Result<Vec<Tol
                 JointKind::Prismatic => None,
                 JointKind::Revolute => Some(middle(model, i, rows[joint].weights[i])?),
             };
-            Some(Told {
+            Some(InverseRow {
                 coordinate: i,
                 joint,
                 about,
             })
         });
         // By a length at best.
-        let Some(next) = all.min_by_key(|told| told.about.is_some()) else {
+        let Some(next) = all.min_by_key(|row| row.about.is_some()) else {
             let wide = alone.iter().find(|&&(_, i)| !model.repeats(i));
-            let untold = (0..n).find(|&i| !is_known(i)).unwrap_or(0);
+            let unknown = (0..n).find(|&i| !is_known(i)).unwrap_or(0);
             let name = |i: usize| model.variables[i].name.clone();
             return Err(match wide {
-                Some(&(_, i)) => Untold::Range(name(i)),
-                None => Untold::Coordinate(name(untold)),
+                Some(&(_, i)) => Undetermined::Range(name(i)),
+                None => Undetermined::Coordinate(name(unknown)),
             });
         };
-        told.push(next);
+        inverse.push(next);
     }
-    Ok(told)
+    Ok(inverse)
 }
 
-/// The value of a coordinate that the angle of a joint tells it about; none where several of its
-/// values have that angle.
+/// The value of a coordinate about which it follows from the angle of a joint; none where several
+/// of its values have that angle.
 fn middle(model: &Model, i: usize, weight: f64) -> Option<f64> {
     if model.repeats(i) {
         return (weight.abs() == 1.0).then_some(0.0);

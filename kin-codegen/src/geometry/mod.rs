@@ -15,7 +15,7 @@ pub use crate::vector::{Vec3, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
 pub use carried::Carried;
 pub use conditioning::{SINGULAR, conditioning, coupled_rank, natural_target, rank, weak_motion};
-pub use coupling::{Combination, Coupling, Told, Untold, apart};
+pub use coupling::{Combination, Coupling, InverseRow, Undetermined, uncoupled};
 pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use linkage::without_noise;
 pub use linkage::{Link, Linkage, Run};

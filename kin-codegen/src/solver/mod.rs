@@ -8,8 +8,8 @@ mod search;
 use crate::certificate::{Certificate, Failure, SOMEWHERE, Trials};
 use crate::closed_form::{ClosedForm, Inverse, tip_shift};
 use crate::geometry::{
-    AxisRelation, Linkage, Moved, Untold, apart, axes, coupled_rank, cross, dot, idealize, norm,
-    rank, relate,
+    AxisRelation, Linkage, Moved, Undetermined, axes, coupled_rank, cross, dot, idealize, norm,
+    rank, relate, uncoupled,
 };
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -36,8 +36,8 @@ pub(crate) const DESIGNED: f64 = 1e-2;
 /// Why a chain whose joints mimic each other is not solved.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Coupled {
-    /// The values of its joints do not tell the coordinates.
-    Untold(Untold),
+    /// The coordinates do not follow from the values of its joints.
+    Undetermined(Undetermined),
     /// More joints than targets have coordinates, neighbours about one line taken as one.
     Joints {
         /// How many.
@@ -51,9 +51,9 @@ pub enum Coupled {
     Unsolved(Box<NoClosedForm>),
 }
 
-impl From<Untold> for Coupled {
-    fn from(untold: Untold) -> Self {
-        Self::Untold(untold)
+impl From<Undetermined> for Coupled {
+    fn from(undetermined: Undetermined) -> Self {
+        Self::Undetermined(undetermined)
     }
 }
 
@@ -185,13 +185,13 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
 
 /// The same of an arm whose joints mimic each other, as one whose joints move by themselves.
 fn solve_coupled(model: &Model, target: Target) -> Result<Certified, NoClosedForm> {
-    let (apart, coupling) = apart(model).map_err(|untold| NoClosedForm::Mimic(untold.into()))?;
-    let joints = apart.joints.len();
+    let uncoupled = uncoupled(model).map_err(|reason| NoClosedForm::Mimic(reason.into()))?;
+    let (model, linkage) = uncoupled;
+    let joints = model.joints.len();
     if joints > target.coordinates() {
         return Err(NoClosedForm::Mimic(Coupled::Joints { joints, target }));
     }
-    let linkage = Linkage::new(&apart).with_coupling(Some(coupling));
-    match solve(&apart, &linkage, target) {
+    match solve(&model, &linkage, target) {
         Err(reason @ (NoClosedForm::NoPlan(_) | NoClosedForm::Uncertified { .. })) => {
             Err(NoClosedForm::Mimic(Coupled::Unsolved(Box::new(reason))))
         }

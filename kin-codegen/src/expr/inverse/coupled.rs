@@ -6,15 +6,15 @@ use crate::expr::forward;
 use crate::geometry::Coupling;
 
 impl Writer<'_> {
-    /// The coordinates that the joints tell; angles in (−π, π], or about the middle of their limits
-    /// where they do not repeat.
-    pub(super) fn told(&mut self, coupling: &Coupling) -> Vec<Expr> {
+    /// The coordinates from the values of the joints; angles in (−π, π], or about the middle of
+    /// their limits where they do not repeat.
+    pub(super) fn coordinates(&mut self, coupling: &Coupling) -> Vec<Expr> {
         let mut q = vec![self.g.zero(); coupling.limits.len()];
-        for told in &coupling.told {
-            let (row, coordinate) = (&coupling.rows[told.joint], told.coordinate);
-            let value = self.joint_value(told.joint);
+        for inverse in &coupling.inverse {
+            let (row, coordinate) = (&coupling.rows[inverse.joint], inverse.coordinate);
+            let value = self.joint_value(inverse.joint);
             // Those that are not known yet have no weight.
-            let about = self.g.constant(told.about.unwrap_or(0.0));
+            let about = self.g.constant(inverse.about.unwrap_or(0.0));
             q[coordinate] = about;
             let there = forward::combination(&mut self.g, row, &q);
             let beside = self.g.sub(value, there);
@@ -25,7 +25,7 @@ impl Writer<'_> {
             } else {
                 beside
             };
-            let within = match told.about {
+            let within = match inverse.about {
                 Some(_) => self.g.wrap(forwards),
                 None => forwards,
             };
@@ -36,7 +36,7 @@ impl Writer<'_> {
         q
     }
 
-    /// How far joints that tell no coordinate are from where the coordinates have them, by how far
+    /// How far dependent joints are from where the coordinates have them, by how far
     /// that moves the tip at most, with orientation as a length.
     pub(super) fn disagreement(&mut self) -> Expr {
         let linkage = self.linkage;
@@ -44,13 +44,13 @@ impl Writer<'_> {
         let Some(coupling) = &linkage.coupling else {
             return sum;
         };
-        let silent = (0..coupling.rows.len()).filter(|&joint| !coupling.tells(joint));
-        let silent: Vec<usize> = silent.collect();
-        if silent.is_empty() {
+        let joints = 0..coupling.rows.len();
+        let dependent: Vec<usize> = joints.filter(|&it| !coupling.is_independent(it)).collect();
+        if dependent.is_empty() {
             return sum;
         }
-        let q = self.told(coupling);
-        for joint in silent {
+        let q = self.coordinates(coupling);
+        for joint in dependent {
             let found = self.joint_value(joint);
             let wanted = forward::combination(&mut self.g, &coupling.rows[joint], &q);
             let mut apart = self.g.sub(found, wanted);

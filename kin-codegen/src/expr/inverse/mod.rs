@@ -395,7 +395,7 @@ impl<'a> Writer<'a> {
     /// Angles from sines and cosines; the last of a sum as a difference.
     fn angles(&mut self) -> Vec<Expr> {
         if let Some(coupling) = &self.linkage.coupling {
-            return self.told(coupling);
+            return self.coordinates(coupling);
         }
         let zero = self.g.zero();
         let mut q = vec![zero; self.linkage.variables()];
