@@ -23,10 +23,10 @@ pub struct GeneratedJs {
 
 /// Compiles a robot file to JavaScript: of an arm the functions `fk`, `fk_links`, `fk_frame`,
 /// `spatial_jacobian`, `body_jacobian`, `geometric_jacobian`, `within_limits` and `approach`, and of
-/// one that is solved by a closed form or an elimination `ik`, `ik_seeded` and `ik_nearest`, or `ik_at`
-/// and `redundancy` where it has parameters; of a parallel mechanism `fk`, `gap`, `close` and `ik`. Joint values are
-/// in radians and metres, poses are twelve numbers, three rows of `[R | p]`, Jacobians six rows
-/// (v, ω).
+/// one that is solved by a closed form or an elimination `ik`, `ik_seeded` and `ik_nearest`, or where it
+/// has parameters `ik_at`, `ik_seeded_at`, `ik_nearest_at` and `redundancy`; of a parallel mechanism
+/// `fk`, `gap`, `close` and `ik`. Joint values are in radians and metres, poses are twelve numbers,
+/// three rows of `[R | p]`, Jacobians six rows (v, ω).
 ///
 /// ```
 /// use kin_codegen::{Options, Source, generate_js};

@@ -129,6 +129,22 @@ impl Robot {
         .unwrap_or_default()
     }
 
+    /// The same; an angle that a singular target leaves free keeps its value in `seed` (radians,
+    /// metres).
+    ///
+    /// # Panics
+    ///
+    /// As [`Robot::ik_at`], or `seed` has not a value for each joint.
+    pub fn ik_seeded_at(&self, pose: &Pose, parameters: &[f64], seed: &[f64]) -> Answers {
+        self.check(seed);
+        let joints = self.joints();
+        with_capacity!(joints, N => {
+            let seed: [f64; N] = std::array::from_fn(|i| seed.get(i).copied().unwrap_or_default());
+            Answers::of(joints, &self.solutions::<N>(pose, parameters, Some(&seed)))
+        })
+        .unwrap_or_default()
+    }
+
     /// As [`Robot::ik_nearest`], among the solutions with these parameters.
     pub fn ik_nearest_at(
         &self,
@@ -210,12 +226,19 @@ impl Robot {
         };
         let (pose, parameters) = self.turned(pose, parameters);
         if redundancy.swivel.is_some() {
-            return self.with_given(&form.solved_at_swivel(&pose, parameters), &[]);
+            let seed = seed.map_or([0.0; 7], |seed| std::array::from_fn(|i| seed[i]));
+            let solutions = form.solved_at_swivel(&pose, parameters, &seed);
+            return self.with_given(&solutions, &[]);
         }
         let solved = self.joints() - redundancy.joints.len();
         with_constant!(solved, M => {
+            let seed: Option<[f64; M]> = seed.map(|seed| {
+                let is_given = |i: &usize| redundancy.joints.contains(i);
+                let mut others = (0..N).filter(|i| !is_given(i)).map(|i| seed[i]);
+                std::array::from_fn(|_| others.next().unwrap_or_default())
+            });
             let given: Vec<(usize, f64)> = redundancy.joints.iter().copied().zip(parameters.iter().copied()).collect();
-            self.with_given(&form.solved::<M>(&pose, parameters), &given)
+            self.with_given(&form.solved_near::<M>(&pose, parameters, seed.as_ref()), &given)
         })
         .unwrap_or_default()
     }

@@ -233,6 +233,11 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
         self.robot.solutions(target, &self.with(parameter), None)
     }
 
+    fn ik_seeded_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Solutions<N> {
+        let parameters = self.with(parameter);
+        self.robot.solutions(target, &parameters, Some(seed))
+    }
+
     fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
         let Some((form, domain)) = self.robot.arm.form().zip(self.robot.domain.as_ref()) else {
             return [[f64::INFINITY; 16]; 4];

@@ -639,15 +639,22 @@ const $arm = (arm) => {
         return { q: found.q, residual: found.residual };
     };
     if (form) {
-        /* Of a polynomial all roots are found without a seed. */
-        const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
-        arm.ik_at = (pose, parameters, seed = zeros) => {
+        const solve = (pose, parameters, seed) => {
             if (!parameters.every(Number.isFinite)) {
                 return [];
             }
             const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
             const target = form.turns_tool ? $turned(pose, turn) : pose;
             return form.solve(arm, target, seed, parameters);
+        };
+        /* Of a polynomial all roots are found without a seed. */
+        const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
+        arm.ik_at = (pose, parameters) => solve(pose, parameters, zeros);
+        arm.ik_seeded_at = (pose, parameters, seed) => {
+            return solve(pose, parameters, form.solved.map((joint) => seed[joint]));
+        };
+        arm.ik_nearest_at = (pose, parameters, seed) => {
+            return $nearest(arm, arm.ik_seeded_at(pose, parameters, seed), seed);
         };
         arm.redundancy = (pose, q) => {
             const parameters = form.locked.map((joint) => q[joint]);
@@ -663,8 +670,8 @@ const $arm = (arm) => {
     }
     if (form && form.parameters.length === 0) {
         arm.ik = (pose) => arm.ik_at(pose, []);
-        arm.ik_seeded = (pose, seed) => arm.ik_at(pose, [], seed);
-        arm.ik_nearest = (pose, seed) => $nearest(arm, arm.ik_at(pose, [], seed), seed);
+        arm.ik_seeded = (pose, seed) => arm.ik_seeded_at(pose, [], seed);
+        arm.ik_nearest = (pose, seed) => arm.ik_nearest_at(pose, [], seed);
     }
     return Object.freeze(arm);
 };

@@ -230,8 +230,19 @@ mod __Panda {
         /// Solved by SP3(q4) SP2(q5,q6) SP2(q1,q2) SP1(q3).
         #[must_use]
         pub fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<7> {
+            self.ik_seeded_at(pose, parameter, &[0.0; 7])
+        }
+
+        /// As [`Self::ik_at`]; an angle that a singular target leaves free keeps its value in `seed` (radians).
+        #[must_use]
+        pub fn ik_seeded_at(
+            &self,
+            pose: &Pose,
+            parameter: f64,
+            seed: &[f64; 7],
+        ) -> Solutions<7> {
             let locked = Locked::new([6], [parameter], 0);
-            let branches = self.branches(pose, &[0.0; 6], &[parameter]);
+            let branches = self.branches(pose, &locked.others(seed), &[parameter]);
             locked
                 .corrected(
                     &branches,
@@ -1085,6 +1096,16 @@ mod __Panda {
         #[inline]
         fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<7> {
             Panda::ik_at(self, pose, parameter)
+        }
+
+        #[inline]
+        fn ik_seeded_at(
+            &self,
+            pose: &Pose,
+            parameter: f64,
+            seed: &[f64; 7],
+        ) -> Solutions<7> {
+            Panda::ik_seeded_at(self, pose, parameter, seed)
         }
 
         const ROOTS: usize = 2;

@@ -44,13 +44,11 @@ static void run_kin_robot(void)
         read_numbers(pose, 12);
         read_numbers(q, KIN_JOINTS);
 #ifdef KIN_PARAMETERS
-        {
-            double parameters[KIN_PARAMETERS];
-            kin_redundancy(pose, q, parameters);
-            write_numbers(parameters, KIN_PARAMETERS);
-            read_numbers(parameters, KIN_PARAMETERS);
-            found = kin_ik_at(pose, parameters, solutions);
-        }
+        double parameters[KIN_PARAMETERS];
+        kin_redundancy(pose, q, parameters);
+        write_numbers(parameters, KIN_PARAMETERS);
+        read_numbers(parameters, KIN_PARAMETERS);
+        found = kin_ik_at(pose, parameters, solutions);
 #else
         found = kin_ik(pose, solutions);
 #endif
@@ -59,13 +57,15 @@ static void run_kin_robot(void)
             printf("%d %d %.17g\n", solutions[i].branch, solutions[i].singular, solutions[i].residual);
             write_numbers(solutions[i].q, KIN_JOINTS);
         }
-#ifndef KIN_PARAMETERS
+#ifdef KIN_PARAMETERS
+        found = kin_ik_nearest_at(pose, parameters, q, solutions);
+#else
         found = kin_ik_nearest(pose, q, solutions);
+#endif
         printf("%d\n", found);
         if (found == 1) {
             write_numbers(solutions[0].q, KIN_JOINTS);
         }
-#endif
     }
 #endif
     puts("end");

@@ -41,19 +41,22 @@ function inverse(robot, { numbers }, write) {
     const pose = numbers(12);
     const seed = numbers(robot.joints.length);
     write(robot.redundancy(pose, seed));
-    const solutions = robot.ik_at(pose, numbers(parameters.length));
+    const given = numbers(parameters.length);
+    const solutions = robot.ik_at(pose, given);
     write([solutions.length > 0 ? solutions.length : reasons[robot.why_none(pose)]]);
     for (const { q, residual, branch, singular } of solutions) {
         write([branch, singular ? 1 : 0, residual]);
         write(q);
     }
-    if (parameters.length === 0) {
-        const nearest = robot.ik_nearest(pose, seed);
-        const none = solutions.length > 0 ? -3 : reasons[robot.why_none(pose)];
-        write([nearest ? 1 : none]);
-        if (nearest) {
-            write(nearest.q);
-        }
+    const nearest =
+        parameters.length === 0
+            ? robot.ik_nearest(pose, seed)
+            : robot.ik_nearest_at(pose, given, seed);
+    const seeded = robot.ik_seeded_at(pose, given, seed);
+    const none = seeded.length > 0 ? -3 : reasons[robot.why_none(pose)];
+    write([nearest ? 1 : none]);
+    if (nearest) {
+        write(nearest.q);
     }
 }
 

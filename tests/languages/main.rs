@@ -286,9 +286,7 @@ fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) 
             written.same(solution.q, 1e-9, of);
         }
     }
-    if parameters.is_empty() {
-        nearest_is_the_same(subject, pose, seed, !expected.is_empty(), written);
-    }
+    nearest_is_the_same(subject, pose, seed, written);
 }
 
 /// The same of an arm that is solved by a polynomial in one joint: the regular solutions are those
@@ -329,27 +327,25 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
     assert!(regular.is_empty(), "{of:?}: {regular:?}");
     let has_singular = expected.iter().any(|it| it.singular);
     assert_eq!(singular > 0, has_singular, "{of:?}: {expected:?}");
-    if parameters.is_empty() {
-        nearest_is_the_same(subject, pose, seed, !expected.is_empty(), written);
-    }
+    nearest_is_the_same(subject, pose, seed, written);
 }
 
 /// The solution nearest to the seed, of a target that has solutions or none.
-fn nearest_is_the_same(
-    subject: &Subject,
-    pose: &Pose,
-    seed: &[f64],
-    is_reached: bool,
-    written: &mut Written,
-) {
+fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) {
     let of = &(subject.path, pose, seed);
-    let nearest = subject.rust.ik_nearest(pose, seed);
+    let rust = &subject.rust;
+    let parameters = &rust.redundancy(pose, seed);
+    let nearest = match parameters.is_empty() {
+        true => rust.ik_nearest(pose, seed),
+        false => rust.ik_nearest_at(pose, parameters, seed),
+    };
     let found = written.integer();
     assert_eq!(found == 1, nearest.is_some(), "{of:?}");
     if let Some(nearest) = nearest {
         written.same(&nearest.q, MET, of);
     } else {
         // None at all, or none within limits.
+        let is_reached = !rust.ik_seeded_at(pose, parameters, seed).is_empty();
         assert_eq!(found == -3, is_reached, "{of:?}");
     }
 }

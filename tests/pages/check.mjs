@@ -69,7 +69,7 @@ for (const robot of robots) {
     const way = await browser.evaluate(`(() => {
         const { robot, subject } = window.kin;
         const moved = (by) => subject.target.map((x, i) => (i === 11 ? x + by : x));
-        const reached = (by) => robot.ik_at(moved(by), subject.parameters, subject.q).length > 0;
+        const reached = (by) => robot.ik_seeded_at(moved(by), subject.parameters, subject.q).length > 0;
         return reached(-0.1) ? -1 : 1;
     })()`);
     await browser.evaluate(`document.getElementById("home-view").click()`);

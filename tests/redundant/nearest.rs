@@ -2,7 +2,9 @@
 //! there is none.
 
 use crate::random::Random;
-use kinematics::{Criterion, JointLimit, Nearest, NoSolution, Pose, RedundantKinematics};
+use crate::subject::Subject;
+use kin_codegen::Target;
+use kinematics::{Criterion, Follow, JointLimit, Nearest, NoSolution, Pose, RedundantKinematics};
 
 fn anywhere(random: &mut Random) -> [f64; 7] {
     std::array::from_fn(|_| random.angle())
@@ -115,4 +117,60 @@ fn the_nearest_of_all_parameters_is_the_best() {
         compared += 1;
     }
     assert!(compared > 4, "{compared}");
+}
+
+for_every_robot! { a_seed_that_reaches_a_singular_target_is_the_answer }
+
+/// With the parameter given, along a path, and of all parameters; also where an angle is free.
+fn a_seed_that_reaches_a_singular_target_is_the_answer<
+    K: RedundantKinematics<N>,
+    const N: usize,
+>(
+    robot: &Subject<K, N>,
+) {
+    // Off its design an arm has isolated solutions there, which may be 1e-4 rad away.
+    if robot.path.contains("stray") {
+        return;
+    }
+    let arm = &robot.arm;
+    let mut singular = 0;
+    for q in robot.structured() {
+        let stops = q.map(|x| JointLimit::Revolute {
+            lower: x - 3.0,
+            upper: x + 3.0,
+        });
+        let target = arm.fk(&q);
+        let parameter = arm.parameter_of(&target, &q);
+        let nearest = Nearest::new(q, &stops);
+        let is_seed = |found: &[f64; N]| (0..N).all(|i| (found[i] - q[i]).abs() < 1e-6);
+        let found = arm.try_ik_nearest_at(&target, parameter, &nearest);
+        assert!(
+            found.is_ok_and(|found| is_seed(&found.q)),
+            "{q:?} at {parameter}: {found:?}"
+        );
+        singular += usize::from(found.unwrap().singular);
+        let step = arm.ik_follow(&target, &q, &Follow::new(&stops, 0.0));
+        assert!(
+            step.is_some_and(|step| is_seed(&step.solution.q)),
+            "{q:?}: {step:?}"
+        );
+    }
+    assert!(singular > 10, "{}: {singular}", robot.path);
+}
+
+/// Its second joint straight up, a Panda can share the turn between the first and the third as it
+/// likes, an iiwa with its elbow out.
+#[test]
+fn a_seed_that_reaches_a_singular_target_is_the_best() {
+    let best = |arm: &dyn Fn(&[f64; 7]) -> Option<[f64; 7]>, q: [f64; 7]| {
+        let found = arm(&q).unwrap();
+        let apart = (0..7).map(|i| (found[i] - q[i]).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-6, "{q:?}: {found:?}");
+    };
+    let panda = |q: &[f64; 7]| crate::Panda.ik_best(&crate::Panda.fk(q), &Criterion::Nearest(*q));
+    best(&panda, [-0.6, 0.0, 0.4, -1.57, 0.3, 1.2, -0.4]);
+    best(&panda, [1.5, 0.0, 0.0, -1.57, -2.8, 0.17, -1.57]);
+    let iiwa = |q: &[f64; 7]| crate::Iiwa14.ik_best(&crate::Iiwa14.fk(q), &Criterion::Nearest(*q));
+    best(&iiwa, [-0.6, 0.0, 0.3, 0.0, 1.57, 0.31, -1.57]);
+    best(&iiwa, [-0.9, 0.0, -1.3, 1.57, -1.57, -1.57, -0.3]);
 }

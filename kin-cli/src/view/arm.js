@@ -45,7 +45,7 @@ class ArmView {
     }
 
     solutionsAt(parameters) {
-        return this.arm.ik_at(this.target, parameters, this.form.solved.map((joint) => this.q[joint]));
+        return this.arm.ik_seeded_at(this.target, parameters, this.q);
     }
 
     /** All solutions, with how far they are from where the arm is. */

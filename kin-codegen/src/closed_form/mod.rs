@@ -194,11 +194,9 @@ impl ClosedForm {
             3 => self.solved_each::<3>(targets, |found| all.push(told(&found))),
             4 => self.solved_each::<4>(targets, |found| all.push(told(&found))),
             5 => self.solved_each::<5>(targets, |found| all.push(told(&found))),
-            7 => all.extend(
-                targets
-                    .into_iter()
-                    .map(|(target, parameters)| told(&self.solved_at_swivel(target, parameters))),
-            ),
+            7 => all.extend(targets.into_iter().map(|(target, parameters)| {
+                told(&self.solved_at_swivel(target, parameters, &[0.0; 7]))
+            })),
             _ => self.solved_each::<6>(targets, |found| all.push(told(&found))),
         }
         all
@@ -336,8 +334,13 @@ impl ClosedForm {
         }
     }
 
-    /// The same from the branches at a swivel angle.
-    pub fn solved_at_swivel(&self, target: &Pose, parameters: &[f64]) -> Solutions<7> {
+    /// The same as [`Self::solved_near`] at a swivel angle.
+    pub fn solved_at_swivel(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: &[f64; 7],
+    ) -> Solutions<7> {
         let (Some(swivel), &[angle]) = (self.given.swivel, parameters) else {
             return Solutions::new();
         };
@@ -352,7 +355,7 @@ impl ClosedForm {
             Refinement::Branches(steps) => Some(steps),
             _ => None,
         };
-        let branches = self.branches::<7>(target, parameters, &[0.0; 7]);
+        let branches = self.branches::<7>(target, parameters, seed);
         arm.refined(target, branches.into_iter(), steps, &self.acceptance())
     }
 

@@ -4,7 +4,7 @@ use super::curve::{Curve, Part};
 use super::limits::is_within;
 use super::task::Task;
 use crate::scalar::golden_section::GoldenSection;
-use crate::{JointLimit, RedundantKinematics};
+use crate::{JointLimit, Nearest, RedundantKinematics};
 use alloc::vec::Vec;
 
 /// Configurations of a part that are looked at before the least is refined, for each
@@ -85,7 +85,27 @@ pub(super) fn best<'a, K: RedundantKinematics<N> + ?Sized, const N: usize>(
             }
         }
     }
-    best.map(|(_, q)| q)
+    let seeded = seeded(task, stops, criterion);
+    best.into_iter()
+        .chain(seeded)
+        .min_by(|(a, _), (b, _)| a.total_cmp(b))
+        .map(|(_, q)| q)
+}
+
+/// What is nearest with the parameter of a seed, with its angle where a singular target leaves one
+/// free.
+fn seeded<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+    stops: &[JointLimit; N],
+    criterion: &Criterion<N>,
+) -> Option<(f64, [f64; N])> {
+    let Criterion::Nearest(seed) = criterion else {
+        return None;
+    };
+    let parameter = task.robot.parameter_of(task.target, seed);
+    let solutions = task.robot.ik_seeded_at(task.target, parameter, seed);
+    let q = solutions.nearest_by(&Nearest::new(*seed, stops))?.q;
+    Some((criterion.cost(task.robot, &q, stops), q))
 }
 
 /// The minima of a part.

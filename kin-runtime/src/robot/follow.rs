@@ -71,7 +71,9 @@ pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
 ) -> Option<PathStep<N>> {
     let nearest = Nearest::new(*from, &follow.limits);
     let at = |parameter: f64| {
-        let solution = robot.ik_at(target, parameter).nearest_by(&nearest)?;
+        let solution = robot
+            .ik_seeded_at(target, parameter, from)
+            .nearest_by(&nearest)?;
         let moves = |i: usize| (solution.q[i] - from[i]).abs() > follow.step[i];
         Some(PathStep {
             parameter: robot.parameter_of(target, &solution.q),

@@ -93,6 +93,11 @@ macro_rules! placed {
                 self.robot.ik_at(&self.$own_target(target), parameter)
             }
 
+            fn ik_seeded_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Solutions<N> {
+                let target = self.$own_target(target);
+                self.robot.ik_seeded_at(&target, parameter, seed)
+            }
+
             fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {
                 self.robot.margins_at(&self.$own_target(target), parameter)
             }

@@ -112,9 +112,17 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// reach.
     fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N>;
 
+    /// The same; an angle that a singular target leaves free keeps its value in `seed` (radians,
+    /// metres), so that solutions along a path are continuous.
+    fn ik_seeded_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Solutions<N> {
+        let _ = seed;
+        self.ik_at(target, parameter)
+    }
+
     /// Of the solutions at this parameter, the one that moves the joints least from a seed,
-    /// inside the limits and steps of `nearest`, with full turns where these lead there: what a
-    /// controller asks for that chooses the parameter itself.
+    /// inside the limits and steps of `nearest`, with full turns where these lead there; an angle
+    /// that a singular target leaves free keeps its value in the seed. What a controller asks for
+    /// that chooses the parameter itself.
     ///
     /// # Errors
     ///
@@ -128,7 +136,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         parameter: f64,
         nearest: &Nearest<N>,
     ) -> Result<Solution<N>, NoSolution<N>> {
-        let solutions = self.ik_at(target, parameter);
+        let solutions = self.ik_seeded_at(target, parameter, &nearest.seed);
         solutions.nearest_by(nearest).ok_or_else(|| {
             NoSolution::among(&solutions, nearest)
                 .unwrap_or_else(|| NoSolution::of_target(self.counting_at(), target, || None))
@@ -138,7 +146,8 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// The same within the robot's own limits, by steps of every length; none if there is none.
     fn ik_nearest_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Option<Solution<N>> {
         let nearest = Nearest::new(*seed, &self.own_limits());
-        self.ik_at(target, parameter).nearest_by(&nearest)
+        self.ik_seeded_at(target, parameter, seed)
+            .nearest_by(&nearest)
     }
 
     /// By branch, how far its plan is from having no root at this parameter: a continuous
@@ -253,6 +262,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// The best configuration for a target within the robot's limits, of all values of the
     /// parameter: the least minimum over the feasible intervals. None if there is none
     /// within limits.
+    ///
+    /// An angle that a singular target leaves free has the value that solutions have, but for
+    /// [`Criterion::Nearest`], which looks at those with the seed's parameter and angle as well: it
+    /// answers with the seed where that reaches the target.
     #[cfg(feature = "alloc")]
     fn ik_best(&self, target: &Pose, criterion: &Criterion<N>) -> Option<[f64; N]> {
         best(self, target, &self.own_limits(), criterion)

@@ -24,6 +24,12 @@ pub trait HighlyRedundantKinematics<const N: usize, const P: usize>: Kinematics<
     /// target counts: every isolated one once, and none if the target is out of reach.
     fn ik_at(&self, target: &Pose, parameters: &[f64; P]) -> Solutions<N>;
 
+    /// As [`RedundantKinematics::ik_seeded_at`].
+    fn ik_seeded_at(&self, target: &Pose, parameters: &[f64; P], seed: &[f64; N]) -> Solutions<N> {
+        let _ = seed;
+        self.ik_at(target, parameters)
+    }
+
     /// As [`RedundantKinematics::root_arguments`].
     fn root_arguments(&self, target: &Pose, parameters: &[f64; P]) -> [[f64; 16]; 4] {
         let _ = (target, parameters);
@@ -150,6 +156,11 @@ where
 
     fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N> {
         self.robot.ik_at(target, &self.with(parameter))
+    }
+
+    fn ik_seeded_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Solutions<N> {
+        let parameters = self.with(parameter);
+        self.robot.ik_seeded_at(target, &parameters, seed)
     }
 
     fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {

@@ -322,13 +322,28 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
         ),
         false => "    (void)pose;\n".into(),
     };
+    let others = (0..solver.given.variables() + redundancy.joints.len())
+        .filter(|joint| !redundancy.joints.contains(joint));
+    let others: Vec<String> = others.map(|joint| format!("seed[{joint}]")).collect();
+    let others = others.join(", ");
+    let at = "\n    const double pose[12], const double parameters[KIN_PARAMETERS],\n    ";
+    let solutions = "kin_solution solutions[KIN_MAX_SOLUTIONS])\n{\n";
     format!(
-        "int kin_ik_at(\n    const double pose[12], const double parameters[KIN_PARAMETERS],\n    \
-         kin_solution solutions[KIN_MAX_SOLUTIONS])\n{{\n{seeds}{turned}    \
+        "static int kin_solve_at({at}const double *seed, {solutions}{turned}    \
          for (int i = 0; i < KIN_PARAMETERS; ++i) {{\n        \
          if (!(fabs(parameters[i]) <= 1.7976931348623157e308)) {{\n            return kin_why_none(&kin_own_metric, pose);\n        }}\n    }}\n    \
-         return kin_solve({target}, {seed}, parameters, solutions);\n}}\n\n\
+         return kin_solve({target}, seed, parameters, solutions);\n}}\n\n\
+         int kin_ik_at({at}{solutions}{seeds}    \
+         return kin_solve_at(pose, parameters, {seed}, solutions);\n}}\n\n\
+         int kin_ik_seeded_at({at}const double seed[KIN_JOINTS], {solutions}    \
+         const double solved[KIN_SOLVED] = {{{others}}};\n    \
+         return kin_solve_at(pose, parameters, solved, solutions);\n}}\n\n{}\n\
+         int kin_ik_nearest_at({at}const double seed[KIN_JOINTS], kin_solution *solution)\n{{\n    \
+         kin_solution solutions[KIN_MAX_SOLUTIONS];\n    \
+         const int count = kin_ik_seeded_at(pose, parameters, seed, solutions);\n    \
+         return count > 0 ? kin_choose(solutions, count, seed, solution) : count;\n}}\n\n\
          void kin_redundancy(\n    const double pose[12], const double q[KIN_JOINTS], \
-         double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{told}}}\n"
+         double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{told}}}\n",
+        runtime::NEAREST
     )
 }

@@ -21,7 +21,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
     let n = usize_literal(model.variables.len());
     let (argument, value) = argument(redundancy);
     let constants = constants(model, solver, redundancy);
-    let solve = solve(model, solver, redundancy);
+    let [solve, seeded] = solve(model, solver, redundancy);
     let private = match &solver.inverse {
         Inverse::Expressions(_) => {
             let accept = inverse::acceptance(solver);
@@ -38,6 +38,14 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
     let assumes = inverse::assumes(solver);
     let plan = format!(" Solved by {}.", solver.plan);
     let told = told(redundancy, &n, &value);
+    let keeps = match solver.inverse {
+        Inverse::Univariate(_) => {
+            " As [`Self::ik_at`]; if `seed` (radians, metres) is a singular solution, it is among them."
+        }
+        Inverse::Expressions(_) => {
+            " As [`Self::ik_at`]; an angle that a singular target leaves free keeps its value in `seed` (radians)."
+        }
+    };
     quote! {
         #constants
 
@@ -56,6 +64,14 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
         #[doc = #plan]
         #[must_use]
         pub fn ik_at(&self, pose: &Pose, #argument) -> Solutions<#n> { #solve }
+
+        #[doc = #keeps]
+        #[must_use]
+        pub fn ik_seeded_at(
+            &self, pose: &Pose, #argument, seed: &[f64; #n]
+        ) -> Solutions<#n> {
+            #seeded
+        }
 
         #told
 
@@ -150,8 +166,8 @@ fn parameter(redundancy: &Redundancy, i: usize) -> TokenStream {
     }
 }
 
-/// The body of `ik_at`.
-fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenStream {
+/// The bodies of `ik_at` and `ik_seeded_at`.
+fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> [TokenStream; 2] {
     let parameter = |i: usize| parameter(redundancy, i);
     let k = redundancy.joints.len();
     let seen = solver.given.parameters();
@@ -163,20 +179,38 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
     let prismatic = Literal::u64_unsuffixed(prismatic.fold(0, |mask, i| mask | 1 << i));
     let locked = (k > 0)
         .then(|| quote!(let locked = Locked::new([#(#joints),*], [#(#given),*], #prismatic);));
-    let answer = match &solver.inverse {
+    let answer = |answer: TokenStream| {
+        quote! {
+            #turned
+            #locked
+            #answer
+        }
+    };
+    let seed = match k {
+        0 => quote!(seed),
+        _ => quote!(&locked.others(seed)),
+    };
+    match &solver.inverse {
         Inverse::Univariate(_) => {
             let target = carried(solver, &given);
             let arm = at_given(solver, &given);
-            match k {
-                0 => quote!(#arm.solutions(#target)),
-                _ => {
-                    let solved = usize_literal(solver.given.variables());
-                    quote!(locked.all(&#arm.solutions::<#solved>(#target)))
-                }
-            }
+            let solved = usize_literal(solver.given.variables());
+            let all = |solutions: TokenStream| match k {
+                0 => solutions,
+                _ => quote!(locked.all(&#solutions)),
+            };
+            [
+                quote!(#arm.solutions::<#solved>(#target)),
+                quote!(#arm.solutions_near::<#solved>(#target, #seed)),
+            ]
+            .map(|solutions| answer(all(solutions)))
         }
         Inverse::Expressions(_) => {
-            let seeds = usize_literal(solver.given.variables());
+            let n = usize_literal(model.variables.len());
+            let name = match redundancy.parameters() {
+                1 => quote!(parameter),
+                _ => quote!(parameters),
+            };
             let swivel = (seen > k).then(|| parameter(k));
             let given: Vec<TokenStream> = given.into_iter().chain(swivel.clone()).collect();
             let sorted = match &swivel {
@@ -184,16 +218,14 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> TokenSt
                 None => sorted(solver, &given),
             };
             let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
-            quote! {
-                let branches = self.branches(pose, &[0.0; #seeds] #given);
-                #sorted
-            }
+            [
+                quote!(self.ik_seeded_at(pose, #name, &[0.0; #n])),
+                answer(quote! {
+                    let branches = self.branches(pose, #seed #given);
+                    #sorted
+                }),
+            ]
         }
-    };
-    quote! {
-        #turned
-        #locked
-        #answer
     }
 }
 
@@ -347,6 +379,13 @@ pub fn kinematics(
                 fn ik_at(&self, pose: &Pose, parameters: &[f64; #count]) -> Solutions<#n> {
                     #name::ik_at(self, pose, parameters)
                 }
+
+                #[inline]
+                fn ik_seeded_at(
+                    &self, pose: &Pose, parameters: &[f64; #count], seed: &[f64; #n]
+                ) -> Solutions<#n> {
+                    #name::ik_seeded_at(self, pose, parameters, seed)
+                }
                 #arguments
                 #margins
             }
@@ -360,6 +399,13 @@ pub fn kinematics(
             #[inline]
             fn ik_at(&self, pose: &Pose, parameter: f64) -> Solutions<#n> {
                 #name::ik_at(self, pose, parameter)
+            }
+
+            #[inline]
+            fn ik_seeded_at(
+                &self, pose: &Pose, parameter: f64, seed: &[f64; #n]
+            ) -> Solutions<#n> {
+                #name::ik_seeded_at(self, pose, parameter, seed)
             }
             #arguments
             #margins

@@ -115,10 +115,16 @@ impl Found {
         in_order(&all, |solution| f64::from(solution.branch))
     }
 
-    /// The regular solutions, then the singular ones as far as there is room, each in
-    /// the order of a joint.
+    /// The regular solutions, then the singular ones that were found first, as far as there is
+    /// room, each in the order of a joint.
     pub fn by_joint(&self, joint: usize) -> Solutions<6> {
-        let ordered = [&self.regular, &self.singular].map(|some| in_order(some, |s| s.q[joint]));
+        let room = Solutions::<6>::CAPACITY - self.regular.len();
+        let singular = Solutions::build_with_prismatic(self.singular.prismatic(), |first| {
+            for solution in self.singular.iter().take(room) {
+                first.push_if(true, *solution);
+            }
+        });
+        let ordered = [&self.regular, &singular].map(|some| in_order(some, |s| s.q[joint]));
         Solutions::build_with_prismatic(self.regular.prismatic(), |out| {
             for solution in ordered.iter().flat_map(Solutions::iter) {
                 out.push_if(true, *solution);
