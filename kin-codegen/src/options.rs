@@ -33,8 +33,9 @@ pub struct Options {
     /// The joints, by name, whose values `ik_at` takes beside a target, where an arm has
     /// more joints than its targets have coordinates, or `swivel` for the swivel angle of an arm
     /// with a spherical shoulder and a spherical wrist; by default that angle where there is
-    /// one, otherwise the joints that give the cheapest closed form, of long chains first those
-    /// that leave some next to the tip.
+    /// one, otherwise the joints that give the cheapest closed form that has a solution to all
+    /// singular targets that are tried, of long chains first those that leave some next to the
+    /// tip.
     pub free: Vec<String>,
     /// The type of numbers in generated code.
     pub scalar: Scalar,

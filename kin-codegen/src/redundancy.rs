@@ -24,6 +24,8 @@ const CHOICES: usize = 64;
 const NEARLY_SINGULAR: f64 = 1e-3;
 /// Random configurations that tell.
 const TRIED: usize = 16;
+/// Choices that are solved in search of one that has a solution at every singular target.
+const SOLVED: usize = 8;
 
 /// What the option `free` calls the swivel angle, where no joint has this name.
 pub const SWIVEL: &str = "swivel";
@@ -330,9 +332,12 @@ impl Wanted {
             }
             match solve(model, &linkage.clone().with_locked(joints), self.target) {
                 Ok(certified) => {
-                    let done = certified.certificate.lost == 0;
+                    let (lost, unanswered) = certified.missing();
+                    // An elimination looks for solutions of each infinite family.
+                    let tried = found.len() + 1;
+                    let may_be_better = certified.form.elimination().is_none() && tried < SOLVED;
                     found.push((certified, joints.clone()));
-                    if done {
+                    if lost == 0 && !(may_be_better && unanswered > 0) {
                         break;
                     }
                 }

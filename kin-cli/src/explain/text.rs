@@ -212,11 +212,18 @@ impl Inverse {
                 ". No joint leaves the others a closed form; of those at the ends of the chain \
                  it leaves the best polynomial."
             ),
-            (_, weights) => writeln!(
-                f,
-                ". That leaves the others the cheapest plan, by operations of all branches, residuals aside: {}.",
-                weights.join("; ")
-            ),
+            (_, weights) => {
+                let is_given = |joint: &String| self.free.contains(joint);
+                let why = match self.weighed[0].free.iter().all(is_given) {
+                    true => "leaves the others the cheapest plan",
+                    false => "leaves the others the cheapest of the plans that lose least",
+                };
+                writeln!(
+                    f,
+                    ". That {why}, by operations of all branches, residuals aside: {}.",
+                    weights.join("; ")
+                )
+            }
         }
     }
 }
