@@ -249,8 +249,10 @@ impl ClosedForm {
                 if !self.is_exact() || branches.iter().any(|branch| branch.singular) =>
             {
                 let (carried, between) = self.carried(target, parameters);
+                let seed = seed.unwrap_or(&[0.0; N]);
+                let count = self.plan.branches();
                 arm.at(between)
-                    .refined(&carried, starts, self.plan.branches(), self.untold())
+                    .refined(&carried, starts, seed, count, self.untold())
             }
             _ => self.refined(target, parameters, starts),
         }

@@ -152,10 +152,11 @@ impl Arm {
         &self,
         target: &Pose,
         branches: impl Iterator<Item = Solution<N>>,
+        seed: &[f64; N],
         count: usize,
         near_singular: f64,
     ) -> Solutions<N> {
-        self.with(|arm| arm.refined(target, branches, count, near_singular))
+        self.with(|arm| arm.refined(target, branches, seed, count, near_singular))
     }
 
     /// What generated code computes for a target.

@@ -50,7 +50,7 @@ pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
     let parts = [&search(arm), found, runtime::REFINE, &carry];
     let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     let refined = format!(
-        "{carrying}    kin_refine({target}, &lanes, &search);\n    count = {};\n    \
+        "{carrying}    kin_refine({target}, seed, &lanes, &search);\n    count = {};\n    \
          return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n",
         to_solutions(solver, arm)
     );

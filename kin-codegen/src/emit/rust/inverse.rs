@@ -316,11 +316,11 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
         }
         Refinement::Univariate(_) if solver.is_exact() => quote! {
             branches.completed(
-                |q| self.fk_jacobian(q), &Self::UNIVARIATE, pose, &Self::ACCEPT
+                |q| self.fk_jacobian(q), &Self::UNIVARIATE, pose, seed, &Self::ACCEPT
             )
         },
         Refinement::Univariate(_) => quote! {
-            branches.refined_onto(&Self::UNIVARIATE, pose, &Self::ACCEPT)
+            branches.refined_onto(&Self::UNIVARIATE, pose, seed, &Self::ACCEPT)
         },
     }
 }

@@ -215,7 +215,7 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> [TokenS
             let given: Vec<TokenStream> = given.into_iter().chain(swivel.clone()).collect();
             let sorted = match &swivel {
                 Some(angle) => at_swivel(solver, angle),
-                None => sorted(solver, &given),
+                None => sorted(solver, &given, &seed),
             };
             let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
             [
@@ -230,7 +230,7 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> [TokenS
 }
 
 /// How the branches become solutions.
-fn sorted(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
+fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> TokenStream {
     if given.is_empty() {
         return inverse::sorted(solver);
     }
@@ -248,7 +248,7 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream]) -> TokenStream {
         Refinement::Univariate(_) => {
             let (arm, target) = (at_given(solver, given), carried(solver, given));
             quote! {
-                locked.all(&branches.refined_onto(&#arm, #target, &Self::ACCEPT))
+                locked.all(&branches.refined_onto(&#arm, #target, #seed, &Self::ACCEPT))
             }
         }
         _ => quote!(locked.corrected(&branches, #arm, &Self::ACCEPT)),

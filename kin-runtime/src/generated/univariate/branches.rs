@@ -13,9 +13,10 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         &self,
         arm: &Univariate,
         target: &Pose,
+        seed: &[f64; N],
         accept: &Acceptance,
     ) -> Solutions<N> {
-        arm.refined(target, self.existing(), L, accept.near_singular)
+        arm.refined(target, self.existing(), seed, L, accept.near_singular)
     }
 
     /// As [`Self::corrected`], and where a step degenerates, [`Univariate::refined`].
@@ -25,6 +26,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
         arm: &Univariate,
         target: &Pose,
+        seed: &[f64; N],
         accept: &Acceptance,
     ) -> Solutions<N> {
         let mut degenerates = false;
@@ -32,7 +34,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             degenerates |= (self.invalid[k] <= 0.0) & (self.singular[k] > 0.0);
         }
         match degenerates {
-            true => self.refined_onto(arm, target, accept),
+            true => self.refined_onto(arm, target, seed, accept),
             false => self.corrected(fk_jacobian, target, Target::Pose, accept),
         }
     }

@@ -88,10 +88,19 @@ impl Found {
         place.is_some()
     }
 
-    /// Adds the configuration in a lane if it is a singular solution.
-    pub fn insert_singular(&mut self, arrived: &Polished, lane: usize) {
-        if arrived.independence[lane] < SINGULAR {
-            self.insert(arrived, lane, 0);
+    /// Adds the configuration in the first lane if it is a singular solution, in front of the others
+    /// and in place of one that is next to it.
+    pub fn keep(&mut self, arrived: &Polished, branch: u32) {
+        if arrived.independence[0] < SINGULAR {
+            let prismatic = self.singular.prismatic();
+            let others =
+                core::mem::replace(&mut self.singular, Solutions::with_prismatic(prismatic));
+            self.insert(arrived, 0, branch);
+            let kept = self.singular.first().copied();
+            for other in &others {
+                let replaces = |it: Solution<6>| within(FAMILY, prismatic, &it.q, &other.q);
+                self.singular.push_if(!kept.is_some_and(replaces), *other);
+            }
         }
     }
 

@@ -102,18 +102,20 @@ impl Univariate<'_> {
     /// one: Newton's method from that one's branches, and the eliminations, until one is sure of
     /// its answer, where these do not tell all, because one is flagged singular, leads nowhere or where another one
     /// does, or to a solution whose Jacobian has a least pivot of less than
-    /// `near_singular` times the largest. What it adds is numbered from `count` on, of
-    /// which all branches are below.
+    /// `near_singular` times the largest. What it adds, `seed` among it if that is a singular
+    /// solution, is numbered from `count` on, of which all branches are below.
     pub fn refined<const N: usize>(
         &self,
         target: &Pose,
         branches: impl Iterator<Item = Solution<N>>,
+        seed: &[f64; N],
         count: usize,
         near_singular: f64,
     ) -> Solutions<N> {
         let branches = branches.map(|it| with(&it, self.lengthened(&it.q), it.residual));
-        let found =
-            Search::new(self, target).refine(branches, count, near_singular, self.moving(N));
+        let (seed, moving) = (self.lengthened(seed), self.moving(N));
+        let search = Search::new(self, target);
+        let found = search.refine(branches, &seed, count, near_singular, moving);
         shortened(self, target, &found)
     }
 

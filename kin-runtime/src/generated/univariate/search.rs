@@ -146,10 +146,12 @@ impl<'a> Search<'a> {
 
     /// Moves the branches of an idealized arm to solutions of this one. Where one is lost,
     /// or too near to another one to tell them apart, the eliminations are asked in turn for the
-    /// others, which are numbered from `count` on.
+    /// others, which are numbered from `count` on; `seed` is the first of them if it is a singular
+    /// solution.
     pub fn refine(
         mut self,
         branches: impl Iterator<Item = Solution<6>>,
+        seed: &[f64; 6],
         count: usize,
         near_singular: f64,
         moving: usize,
@@ -180,6 +182,10 @@ impl<'a> Search<'a> {
         }
         let is_solution = |it: &Solution<6>| it.q[moving..].iter().all(|q| q.abs() < AT_ZERO);
         clear &= !some || self.found.regular.iter().any(is_solution);
+        if !clear {
+            self.keep(seed);
+            self.branch += 1;
+        }
         for elimination in self.arm.eliminations {
             clear = clear || self.ask(elimination).certain;
         }
@@ -205,7 +211,7 @@ impl<'a> Search<'a> {
     /// Takes a configuration in if it is singular, and nearly a solution.
     pub fn keep(&mut self, seed: &[f64; 6]) {
         let arrived = self.polished(&seed.map(|q| [q; LANES]), STEPS);
-        self.found.insert_singular(&arrived, 0);
+        self.found.keep(&arrived, self.branch);
     }
 
     /// Adds what one elimination finds.

@@ -36,8 +36,10 @@ static double kin_branch_of(const kin_six *solution)
 
 /* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers.
  * Where one is flagged, lost, or too near to another one to tell them apart, eliminations are asked
- * for the others, which are numbered from KIN_BRANCHES on. */
-static void kin_refine(const double target[12], const kin_lanes *lanes, kin_search *search)
+ * for the others, which are numbered from KIN_BRANCHES on; the seed is the first of them if it is a
+ * singular solution. */
+static void kin_refine(
+    const double target[12], const double *seed, const kin_lanes *lanes, kin_search *search)
 {
     kin_found *found = &search->found;
     int numbers[KIN_LANES], certain[KIN_LANES], clear = 1, some = 0;
@@ -73,6 +75,10 @@ static void kin_refine(const double target[12], const kin_lanes *lanes, kin_sear
         clear = kin_refine_some(search, numbers, certain) && clear;
     }
     clear = clear && (!some || kin_has_solution(found));
+    if (!clear) {
+        kin_keep(search, seed);
+        ++search->branch;
+    }
     for (int i = 0; i < KIN_ASKED && !clear; ++i) {
         kin_asked asked;
         kin_ask(search, &kin_eliminations[i], &asked);

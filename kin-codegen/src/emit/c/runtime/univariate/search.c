@@ -118,6 +118,37 @@ static int kin_insert_new(kin_search *search, const kin_arrived *arrived, int la
     return reached;
 }
 
+/* Takes the seed in if it is a singular solution, in front of the others and in place of one that is
+ * next to it. */
+static void kin_keep(kin_search *search, const double *seed)
+{
+    kin_found *found = &search->found;
+    kin_six others[KIN_MOST_FOUND];
+    const int count = found->singular_count;
+    int kept;
+    kin_pack from[6];
+    kin_arrived arrived;
+    for (int i = 0; i < 6; ++i) {
+        const double unit = kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
+        kin_fill(from[i], i < KIN_SOLVED ? unit * seed[i % KIN_SOLVED] : 0.0);
+    }
+    kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+    if (!(arrived.independence[0] < KIN_SINGULAR)) {
+        return;
+    }
+    for (int k = 0; k < count; ++k) {
+        others[k] = found->singular[k];
+    }
+    found->singular_count = 0;
+    kin_insert_arrived(found, &arrived, 0, search->branch);
+    kept = found->singular_count;
+    for (int k = 0; k < count && found->singular_count < KIN_MOST_FOUND; ++k) {
+        if (!kept || !kin_are_within(KIN_FAMILY, found->singular[0].q, others[k].q)) {
+            found->singular[found->singular_count++] = others[k];
+        }
+    }
+}
+
 /* Keeps where Newton's method has come near to a target that it converges to slowly, or that is out
  * of reach by little. */
 static void kin_stick(kin_search *search, kin_arrived *arrived, int lane)

@@ -38,16 +38,7 @@ static void kin_search_target(const double target[12], const double *seed, kin_s
     kin_found *found = &search->found;
     kin_begin(target, search);
     if (seed) {
-        kin_pack from[6];
-        kin_arrived arrived;
-        for (int i = 0; i < 6; ++i) {
-            const double unit = kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
-            kin_fill(from[i], i < KIN_SOLVED ? unit * seed[i] : 0.0);
-        }
-        kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
-        if (arrived.independence[0] < KIN_SINGULAR) {
-            kin_insert_arrived(found, &arrived, 0, 0);
-        }
+        kin_keep(search, seed);
     }
     if (found->gap <= 1e-9) {
         kin_search_all(search);

@@ -1,7 +1,8 @@
 /* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers. Where
  * one is flagged, lost, or too near to another one to tell them apart, eliminations are asked for the
- * others, which are numbered from the number of branches on. */
-const $refined = (form, target, lanes) => {
+ * others, which are numbered from the number of branches on; the seed is the first of them if it is a
+ * singular solution. */
+const $refined = (form, target, seed, lanes) => {
     const { size, near_singular } = form.search;
     const search = $begin(form, target);
     if (!(search.gap <= 1e-9)) {
@@ -34,6 +35,10 @@ const $refined = (form, target, lanes) => {
      * shorter arm may be farther from zero. */
     const is_solution = (it) => $is_at_zero(form, it.q, 1e-6);
     is_clear = is_clear && (!some || search.regular.some(is_solution));
+    if (!is_clear) {
+        $keep(form, search, seed);
+        search.branch += 1;
+    }
     for (const elimination of form.search.eliminations.slice(0, $ASKED)) {
         is_clear = is_clear || $answer(search, $ask(search, elimination));
     }
@@ -49,6 +54,6 @@ const $solve_refining = (arm, target, seed, given) => {
     if (form.search.is_exact && !degenerates) {
         return $reaching(arm, target, given, lanes);
     }
-    const found = $refined(form, $carried(form.search, target, given), lanes);
+    const found = $refined(form, $carried(form.search, target, given), seed, lanes);
     return $to_solutions(arm, target, given, found);
 };

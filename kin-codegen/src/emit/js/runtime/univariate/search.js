@@ -340,16 +340,27 @@ const $search_all = (search) => {
 const $in_units = ({ size, slides }, q) =>
     slides.map((slide, i) => (i < q.length ? q[i] : 0.0) * (slide ? 2.0 / size : 1.0));
 
+/* Takes the seed in if it is a singular solution, in front of the others and in place of one that is
+ * next to it. */
+const $keep = (form, search, seed) => {
+    const from = $in_units(form.search, seed);
+    const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
+    if (!(arrived.independence < $SINGULAR)) {
+        return;
+    }
+    const others = search.singular.splice(0);
+    $insert_arrived(search, arrived, search.branch);
+    const [kept] = search.singular;
+    const is_other = ({ q }) => !kept || !$are_within(search, $FAMILY, kept.q, q);
+    search.singular.push(...others.filter(is_other));
+};
+
 /* The solutions of a target as the joints that are solved for see it: the regular ones, then the
  * singular ones. If the seed is a singular solution, it is among them. */
 const $search_target = (form, target, seed) => {
     const search = $begin(form, target);
     if (seed) {
-        const from = $in_units(form.search, seed);
-        const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
-        if (arrived.independence < $SINGULAR) {
-            $insert_arrived(search, arrived, 0);
-        }
+        $keep(form, search, seed);
     }
     if (search.gap <= 1e-9) {
         $search_all(search);
