@@ -9,7 +9,7 @@ use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::solver::solve;
 use kin_codegen::spec::{ArmSpec, Source};
-use kin_runtime::{Chain, Target};
+use kin_runtime::{Chain, Pose, Target};
 use std::f64::consts::{PI, TAU};
 
 /// How far from where something vanishes it is tried.
@@ -181,15 +181,23 @@ impl Attack {
                 if conditioning < 1e-5 {
                     continue;
                 }
-                let solutions = self.form.solutions(&self.chain.fk(&q));
+                let target = self.chain.fk(&q);
                 tried += 1;
-                if recovered(&self.model, &q, &solutions, conditioning).is_err() {
-                    return (tried, Some(q));
+                for target in [target, rounded(&target)] {
+                    let solutions = self.form.solutions(&target);
+                    if recovered(&self.model, &q, &solutions, conditioning).is_err() {
+                        return (tried, Some(q));
+                    }
                 }
             }
         }
         (tried, None)
     }
+}
+
+/// By its quaternion.
+fn rounded(pose: &Pose) -> Pose {
+    Pose::from_quaternion(pose.quaternion(), pose.translation)
 }
 
 const DESK: &str = include_str!("../../tests/robots/targets/five_joints.yaml");
@@ -257,6 +265,33 @@ fn a_slide_at_home_loses_nothing() {
 #[test]
 fn a_spherical_wrist_loses_nothing() {
     assert!(Attack::on(WRIST).loses_nothing() > 0);
+}
+
+/// The elbow of an arm with offsets, between its upper arm and its forearm: folded, the directions
+/// of the outer axes are opposite but for the file's rounding, and tell no angle to a rounded target.
+#[test]
+fn a_folded_elbow_loses_no_rounded_target() {
+    let elbow = model(
+        "robot: elbow
+units: {angle: rad, length: m}
+joints:
+  - {name: upper_arm, xyz: [0, -0.316, 0], rpy: [1.57079632679, 0, 0], axis: [0, 0, 1]}
+  - {name: elbow, xyz: [0.0825, 0, 0], rpy: [1.57079632679, 0, 0], axis: [0, 0, 1]}
+  - {name: forearm, xyz: [-0.0825, 0.384, 0], rpy: [-1.57079632679, 0, 0], axis: [0, 0, 1]}
+tip: {link: wrist}
+",
+    );
+    let (attack, _) = Attack::of(&elbow, Target::Pose).unwrap();
+    let mut random = Random(0xe1b0);
+    for _ in 0..100 {
+        let [first, last] = [0; 2].map(|_| random.between(-PI, PI));
+        for off in [0.0, 1e-12, 1e-9, 1e-6] {
+            let q = [first, PI - off, last];
+            let solutions = attack.form.solutions(&rounded(&attack.chain.fk(&q)));
+            let found = recovered(&attack.model, &q, &solutions, 0.1);
+            assert_eq!(found, Ok(()), "{q:?} by {}", attack.form.plan);
+        }
+    }
 }
 
 /// A short arm along the axes, with slides among its joints, in a frame turned anyhow, and what of

@@ -58,7 +58,7 @@ mod __Xarm6 {
     ///
     /// No sequence of subproblems solves the chain. All joints but q6 are eliminated, which leaves a trigonometric polynomial of degree 8 in it; where that is not sure to tell all solutions, q4, then q1 is kept.
     ///
-    /// 16 branches. Verified on 304 configurations: all recovered, 2512 solutions, the worst 7.1e-14 m from its target.
+    /// 16 branches. Verified on 608 configurations: all recovered, 4852 solutions, the worst 7.1e-14 m from its target.
     ///
     /// # Branches
     ///

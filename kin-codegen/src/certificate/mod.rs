@@ -160,6 +160,7 @@ struct Held {
     all: Vec<Rc<Trial>>,
 }
 
+#[derive(Clone)]
 struct Trial {
     q: Vec<f64>,
     /// What comes with the target.
@@ -173,6 +174,21 @@ struct Trial {
     /// Whether it is next to a round configuration, or a step may degenerate: on an idealized
     /// arm near singular it is not tried.
     is_attack: bool,
+}
+
+impl Trial {
+    /// The same with a target that has been rounded again, as those that come by a quaternion: what
+    /// is left of a sine in the sum that makes an entry is then no more than chance.
+    fn rounded(&self, random: &mut Random) -> Rc<Self> {
+        let mut rounded = |x: f64| x + f64::EPSILON * random.between(-1.0, 1.0);
+        Rc::new(Self {
+            pose: Pose {
+                rotation: self.pose.rotation.map(|row| row.map(&mut rounded)),
+                ..self.pose
+            },
+            ..self.clone()
+        })
+    }
 }
 
 impl<'a> Trials<'a> {
@@ -300,8 +316,10 @@ impl<'a> Trials<'a> {
             let beside = alignment::neighbours(&found);
             let trials = found.into_iter().chain(beside);
             let trials = trials.map(|q| held.trial(self.linkage, self.target, q, true, true));
-            let regular = trials.filter(|trial| trial.conditioning > NEARLY_SINGULAR);
-            all.extend(regular.map(|trial| (number, trial)));
+            for trial in trials.filter(|trial| trial.conditioning > NEARLY_SINGULAR) {
+                all.push((number, trial.rounded(&mut random)));
+                all.push((number, trial));
+            }
         }
         all
     }
@@ -356,6 +374,10 @@ impl Held {
             .chain(aligned.into_iter().map(|q| trial(q, true, true)))
             .chain(nearly.into_iter().map(|q| trial(q, true, true)))
             .collect();
+        let mut random = Random(0x6c62_272e_07bb_0142);
+        let exact = held.all.clone();
+        let rounded = exact.iter().map(|trial| trial.rounded(&mut random));
+        held.all.extend(rounded);
         held
     }
 
