@@ -253,6 +253,7 @@ fn explain_tells_why_there_is_no_plan() {
     let explained = kin(&["explain", SINGULAR]);
     assert!(stdout(&explained).contains("no closed-form inverse kinematics"));
     assert!(stdout(&explained).contains("turn about one line"));
+    assert!(stdout(&explained).contains("\n  help: check axes and origins"));
 }
 
 #[test]

@@ -281,3 +281,34 @@ fn a_target_without_answers_is_told_from_a_lost_configuration() {
     let expected = [[Kind::Unanswered; 5], [Kind::Missing; 5]].concat();
     assert_eq!(kinds, expected, "{tally}");
 }
+
+/// Of a finger whose joints do not turn alike, a target that it reaches beyond its stops alone is
+/// none that it has to answer.
+#[test]
+fn coordinates_that_do_not_repeat_are_drawn_within_their_limits() {
+    let joint = |name: &str, parent: &str, child: &str, mimic: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{parent}\"/>\
+             <child link=\"{child}\"/><origin xyz=\"0.04 0 0\"/><axis xyz=\"0 0 1\"/>\
+             <limit lower=\"0\" upper=\"2.094\" effort=\"0\" velocity=\"0\"/>{mimic}</joint>"
+        )
+    };
+    let text = format!(
+        "<robot name=\"finger\"><link name=\"palm\"/><link name=\"near\"/><link name=\"far\"/>\
+         {}{}</robot>",
+        joint("knuckle", "palm", "near", ""),
+        joint(
+            "middle",
+            "near",
+            "far",
+            "<mimic joint=\"knuckle\" multiplier=\"1.3\"/>"
+        ),
+    );
+    let path = "finger.urdf".into();
+    let finger = compiled(&Source { path, text }, None);
+    for draw in [Draw::Anywhere, Draw::Aligned] {
+        let settings = Settings { draw, ..SETTINGS };
+        let tally = sweep(&finger.0, &finger.1, &settings, &|_| {});
+        assert!(tally.is_clean(), "{tally}");
+    }
+}

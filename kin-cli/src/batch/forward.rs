@@ -2,7 +2,7 @@
 
 use super::pose::{Written, list};
 use super::task::{Tally, Task};
-use crate::table::{Column, Fault, Header, Values};
+use crate::table::{Column, Fault, Header, Values, number_for_name};
 use kinematics::Robot;
 use std::path::Path;
 
@@ -58,11 +58,13 @@ pub fn joint(path: &Path, names: &[String], wanted: &str) -> Result<usize, Fault
             format!("two columns are called `{wanted}`"),
             "leave one of them out",
         )),
-        (None, _) => Err(Fault::whole(
-            path,
-            format!("no column `{wanted}`; there are {}", list(names)),
-            "name the columns after the joints in the robot file (`kin explain` lists them)",
-        )),
+        (None, _) => Err(number_for_name(path, names).unwrap_or_else(|| {
+            Fault::whole(
+                path,
+                format!("no column `{wanted}`; there are {}", list(names)),
+                "name the columns after the joints in the robot file (`kin explain` lists them)",
+            )
+        })),
     }
 }
 

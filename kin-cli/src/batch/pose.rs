@@ -1,6 +1,6 @@
 //! Poses as columns.
 
-use crate::table::{Column, Fault, Header, Kind};
+use crate::table::{Column, Fault, Header, Kind, number_for_name};
 use kin_runtime::{Pose, Target};
 use std::path::Path;
 
@@ -263,8 +263,10 @@ fn missing<'a>(
     forms: impl Iterator<Item = &'a [&'a str]>,
 ) -> Fault {
     let forms: Vec<String> = forms.map(|form| format!("`{}`", form.join(","))).collect();
-    let reason = format!("no columns for the {what}; there are {}", list(names));
-    Fault::whole(path, reason, format!("name them {}", forms.join(" or ")))
+    number_for_name(path, names).unwrap_or_else(|| {
+        let reason = format!("no columns for the {what}; there are {}", list(names));
+        Fault::whole(path, reason, format!("name them {}", forms.join(" or ")))
+    })
 }
 
 /// Names for a message, not too many.

@@ -4,6 +4,7 @@ use super::{Chain, Inverse, SCHEMA, Singularities, Warning};
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::Operations;
 use kin_codegen::geometry::Axes;
+use kin_codegen::spec::Diagnostic;
 use serde::Serialize;
 
 /// All that there is to tell about the file of an arm.
@@ -35,10 +36,12 @@ pub struct ArmExplanation {
     pub inverse: Option<Inverse>,
     /// Why there is no closed form, if one was asked for.
     pub refusal: Option<String>,
+    /// What to do about that.
+    pub remedy: Option<String>,
 }
 
 impl ArmExplanation {
-    pub(super) fn of(arm: &CompiledArm, refusal: Option<String>) -> Self {
+    pub(super) fn of(arm: &CompiledArm, refusal: Option<Diagnostic>) -> Self {
         let (model, forward) = (&arm.model, arm.forward());
         let singular = arm.singular();
         Self {
@@ -52,7 +55,8 @@ impl ArmExplanation {
             fk_jacobian: forward.tip_and_jacobian_cost(),
             singularities: singular.map(|singular| Singularities::of(model, singular)),
             inverse: arm.inverse.as_ref().map(|found| Inverse::of(arm, found)),
-            refusal,
+            refusal: refusal.as_ref().map(|it| it.reason.clone()),
+            remedy: refusal.map(|it| it.remedy),
         }
     }
 }

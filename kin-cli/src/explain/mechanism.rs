@@ -1,8 +1,8 @@
 //! What was found in a mechanism's file and decided about it.
 
-use super::{Chain, SCHEMA, Warning, write_warnings};
+use super::{Chain, SCHEMA, Warning, write_refusal, write_warnings};
 use kin_codegen::mechanism::{CompiledMechanism, LegForm};
-use kin_codegen::spec::one_line;
+use kin_codegen::spec::{Diagnostic, one_line};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -32,6 +32,8 @@ pub struct MechanismExplanation {
     pub inverse: Option<InverseExplanation>,
     /// Why there is none, if it was asked for.
     pub refusal: Option<String>,
+    /// What to do about that.
+    pub remedy: Option<String>,
     /// How forward kinematics is found.
     pub forward: ForwardExplanation,
 }
@@ -101,7 +103,7 @@ pub struct ForwardExplanation {
 }
 
 impl MechanismExplanation {
-    pub(super) fn of(compiled: &CompiledMechanism, refusal: Option<String>) -> Self {
+    pub(super) fn of(compiled: &CompiledMechanism, refusal: Option<Diagnostic>) -> Self {
         let CompiledMechanism {
             mechanism, freedom, ..
         } = compiled;
@@ -140,7 +142,8 @@ impl MechanismExplanation {
                 branches: inverse.legs.iter().map(LegForm::branches).collect(),
                 verified: inverse.verified,
             }),
-            refusal,
+            refusal: refusal.as_ref().map(|it| it.reason.clone()),
+            remedy: refusal.map(|it| it.remedy),
             forward: ForwardExplanation {
                 method: compiled.forward.method(),
                 assembly_modes: compiled.forward.assembly_modes(),
@@ -209,8 +212,7 @@ impl Display for MechanismExplanation {
         writeln!(f, "Inverse kinematics, chain by chain")?;
         match (&self.inverse, &self.refusal) {
             (Some(inverse), _) => self.write_inverse(inverse, f)?,
-            (None, Some(reason)) => writeln!(f, "  {reason}")?,
-            (None, None) => writeln!(f, "  not asked for")?,
+            (None, refusal) => write_refusal(refusal, &self.remedy, f)?,
         }
         writeln!(
             f,

@@ -106,6 +106,22 @@ fn write_warnings(warnings: &[Warning], f: &mut fmt::Formatter<'_>) -> fmt::Resu
     writeln!(f)
 }
 
+/// Why there is no inverse kinematics, and what to do.
+fn write_refusal(
+    refusal: &Option<String>,
+    remedy: &Option<String>,
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    match refusal {
+        Some(reason) => writeln!(f, "  {reason}")?,
+        None => writeln!(f, "  not asked for")?,
+    }
+    match remedy {
+        Some(remedy) => writeln!(f, "  help: {remedy}"),
+        None => Ok(()),
+    }
+}
+
 /// Explains a robot file. A robot without a closed form is explained too.
 ///
 /// ```
@@ -135,8 +151,8 @@ pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Error>
     let (robot, refusal) = match compile(source, options) {
         Ok(robot) => (robot, None),
         Err(Error::Refused(refusal)) => {
-            let text = refusal.text();
-            (refusal.robot, Some(text))
+            let told = refusal.diagnostic();
+            (refusal.robot, Some(told))
         }
         Err(error) => return Err(error),
     };

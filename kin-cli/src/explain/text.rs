@@ -3,7 +3,7 @@
 use super::singular::{COUPLED, NOT_SQUARE};
 use super::{
     ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, KeptJoint, Step,
-    Weighed, write_warnings,
+    Weighed, write_refusal, write_warnings,
 };
 use kin_codegen::spec::one_line;
 use std::fmt::{self, Display, Formatter};
@@ -46,8 +46,7 @@ impl Display for ArmExplanation {
         writeln!(f, "Inverse kinematics")?;
         match (&self.inverse, &self.refusal) {
             (Some(inverse), _) => write!(f, "{inverse}"),
-            (None, Some(reason)) => writeln!(f, "  {reason}"),
-            (None, None) => writeln!(f, "  not asked for"),
+            (None, refusal) => write_refusal(refusal, &self.remedy, f),
         }
     }
 }

@@ -21,21 +21,23 @@ pub enum Draw {
 /// How far the coordinates of a configuration go.
 pub(super) struct Ranges {
     ranges: Vec<[f64; 2]>,
-    turns: Vec<bool>,
+    /// Whether a full turn changes nothing.
+    repeats: Vec<bool>,
 }
 
 impl Ranges {
     pub(super) fn new(model: &Model, size: f64) -> Self {
         let range = |i: usize| match model.variables[i].travel() {
             // From above, so that the end that is left out is −π.
-            _ if model.turns(i) => [PI, -PI],
+            _ if model.repeats(i) => [PI, -PI],
             Some(limits) => limits,
+            None if model.turns(i) => [PI, -PI],
             None => [-size, size],
         };
         let variables = 0..model.variables.len();
         Self {
             ranges: variables.clone().map(range).collect(),
-            turns: variables.map(|i| model.turns(i)).collect(),
+            repeats: variables.map(|i| model.repeats(i)).collect(),
         }
     }
 
@@ -47,7 +49,7 @@ impl Ranges {
             .collect();
         if draw == Draw::Aligned {
             let joints = q.len() as f64;
-            let turning = q.iter_mut().zip(&self.turns).filter(|(_, turns)| **turns);
+            let turning = (q.iter_mut().zip(&self.repeats)).filter(|(_, repeats)| **repeats);
             for (value, _) in turning {
                 if random.between(0.0, joints) < 1.0 {
                     *value = aligned(&mut random);

@@ -76,8 +76,8 @@ impl Settings {
 }
 
 /// Runs a closed form of an arm on the targets of random configurations, on all
-/// processors. Angles are drawn from (−π, π], whatever the limits; slides
-/// within their limits, or to the arm's size both ways.
+/// processors. Angles are drawn from (−π, π], whatever the limits; slides, and angles of which
+/// a full turn changes the pose, within their limits, or slides to the arm's size both ways.
 ///
 /// `progress` is told how many targets are done since it was told last; from
 /// several threads.

@@ -58,6 +58,13 @@ impl CsvReader {
 const NAMES: &str = "let the first line have the names of the columns, \
                      for example `x,y,z,qx,qy,qz,qw` or the names of the joints";
 
+/// Of names among which those that are looked for are not: one of them is a number.
+pub fn number_for_name(path: &Path, names: &[String]) -> Option<Fault> {
+    let number = names.iter().find(|name| name.parse::<f64>().is_ok())?;
+    let reason = format!("the first line has the number {number} in place of a name");
+    Some(Fault::whole(path, reason, NAMES))
+}
+
 /// What separates fields, and the names of the columns.
 fn names(path: &Path, line: &[u8]) -> Result<(u8, Vec<String>), Fault> {
     const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
@@ -77,10 +84,6 @@ fn names(path: &Path, line: &[u8]) -> Result<(u8, Vec<String>), Fault> {
     }
     let name = |field: &[u8]| String::from_utf8_lossy(field.trim_ascii()).into_owned();
     let names: Vec<String> = record.iter().map(name).collect();
-    if let Some(number) = names.iter().find(|name| name.parse::<f64>().is_ok()) {
-        let reason = format!("the first line has the number {number} in place of a name");
-        return Err(Fault::whole(path, reason, NAMES));
-    }
     Ok((separator, names))
 }
 

@@ -11,6 +11,7 @@ mod npy;
 mod parquet_read;
 mod parquet_write;
 
+pub use csv::number_for_name;
 pub use fault::{Fault, Place};
 pub use npy::head as npy_head;
 

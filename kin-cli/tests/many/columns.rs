@@ -321,3 +321,28 @@ fn names_of_arrays_are_those_of_the_joints() {
     let done = succeeds(kin("fk", file.to_str().unwrap(), &solutions, &again, &[]));
     assert!(done.stdout.contains("of 2 rows"), "{}", done.stdout);
 }
+
+/// Robots whose joints are numbers have tables that begin with these.
+#[test]
+fn numbers_may_be_names_of_joints() {
+    let folder = folder("columns_numbers");
+    let arm = folder.join("arm.yaml");
+    let joint = |name: u8| format!("  - {{name: \"{name}\", xyz: [0.3, 0, 0], axis: [0, 0, 1]}}\n");
+    let joints = [8, 0].map(joint).concat();
+    let head = "robot: arm\nunits: {angle: rad, length: m}\njoints:\n";
+    let tip = "tip: {link: tool, xyz: [0.2, 0, 0]}\n";
+    fs::write(&arm, format!("{head}{joints}{tip}")).unwrap();
+    let [values, poses, solutions, again] =
+        ["q.csv", "p.csv", "s.csv", "again.csv"].map(|name| folder.join(name));
+    fs::write(&values, "8,0\n0.3,0.4\n").unwrap();
+    let arm = arm.to_str().unwrap();
+    succeeds(kin("fk", arm, &values, &poses, &[]));
+    succeeds(kin("ik", arm, &poses, &solutions, &[]));
+    succeeds(kin("fk", arm, &solutions, &again, &[]));
+    assert_eq!(csv(&solutions)[0].split(',').nth(2), Some("8"));
+    let target = read(&poses, &[0, 1]).unwrap();
+    for (reached, wanted) in read(&again, &[0, 1]).unwrap().iter().zip(target) {
+        assert_eq!(reached.len(), 2);
+        assert!(reached.iter().all(|x| (x - wanted[0]).abs() < 1e-12));
+    }
+}

@@ -42,7 +42,7 @@ impl Source {
 }
 
 /// The text of a file, or why it is none.
-fn text(bytes: Vec<u8>) -> Result<String, Diagnostic> {
+fn text(mut bytes: Vec<u8>) -> Result<String, Diagnostic> {
     const UTF_16: [&[u8]; 2] = [&[0xff, 0xfe], &[0xfe, 0xff]];
     if UTF_16.iter().any(|mark| bytes.starts_with(mark)) {
         return Err(Diagnostic::whole(
@@ -50,6 +50,9 @@ fn text(bytes: Vec<u8>) -> Result<String, Diagnostic> {
             "save it in UTF-8",
         ));
     }
+    // Some programs write the zero that ends a string.
+    let end = bytes.iter().rposition(|byte| *byte != 0);
+    bytes.truncate(end.map_or(0, |last| last + 1));
     if bytes.contains(&0) {
         return Err(Diagnostic::whole(
             "the file is binary",
@@ -120,6 +123,12 @@ mod tests {
     }
 
     #[test]
+    fn zeros_at_the_end_are_left_out() {
+        assert_eq!(text(b"<robot/>\n\0\0".to_vec()).unwrap(), "<robot/>\n");
+        assert_eq!(text(b"\0".to_vec()).unwrap(), "");
+    }
+
+    #[test]
     fn other_encodings_are_told() {
         let message = |bytes: &[u8]| {
             let diagnostic = text(bytes.to_vec()).unwrap_err();
@@ -131,6 +140,6 @@ mod tests {
              help: save the file in UTF-8"
         );
         assert!(message(b"\xff\xfe<\0").starts_with("arm.urdf: the file is in UTF-16"));
-        assert!(message(b"solid \0").starts_with("arm.urdf: the file is binary"));
+        assert!(message(b"solid \0\x01").starts_with("arm.urdf: the file is binary"));
     }
 }

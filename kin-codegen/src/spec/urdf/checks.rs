@@ -11,7 +11,8 @@ pub(super) fn place(node: Node, diagnostics: &Collector) -> Location {
 }
 
 /// Reports a child that may be a misspelling of one in the vocabulary of its
-/// parent, or belongs elsewhere; warns of what only a vendor knows.
+/// parent, or belongs elsewhere; warns of what only a vendor knows, and of any in a link, of
+/// which none moves a frame.
 pub(super) fn refuse_unknown(
     child: Node,
     parent: &str,
@@ -27,7 +28,11 @@ pub(super) fn refuse_unknown(
     if vocabulary::STRUCTURE.contains(&name) {
         diagnostics.at(at, reason, format!("move it out, next to the <{parent}>"));
     } else if let Some(meant) = suggest::nearest(name, known.iter().copied()) {
-        diagnostics.at(at, reason, format!("did you mean <{meant}>?"));
+        let remedy = format!("did you mean <{meant}>?");
+        match parent {
+            "link" => diagnostics.warn(at, reason, remedy),
+            _ => diagnostics.at(at, reason, remedy),
+        }
     } else {
         let remedy = "remove it, or give it an XML namespace of its own if another program needs \
                       it; it is not read here";
