@@ -299,9 +299,10 @@ impl<L: Lanes> Triangle<L> {
     }
 
     /// An orthonormal basis of what Q R nearly takes to zero: the least right singular
-    /// vectors, by subspace iteration on Rᵀ R.
+    /// vectors, by subspace iteration on Rᵀ R; and about how long what they are taken to is.
     #[inline(always)]
-    pub fn null_space<const N: usize>(&self) -> [Vectors<L>; N] {
+    pub fn null_space<const N: usize>(&self) -> ([Vectors<L>; N], [L; N]) {
+        let mut lengths = [L::ZERO; N];
         let mut space = [[L::ZERO; SIZE]; N];
         for (n, x) in space.iter_mut().enumerate() {
             for (i, x) in x.iter_mut().enumerate() {
@@ -322,10 +323,13 @@ impl<L: Lanes> Triangle<L> {
                         space[n][i] = space[n][i].minus(along, space[m][i]);
                     }
                 }
-                space[n] = unit(&space[n]);
+                lengths[n] = dot(&space[n], &space[n]).sqrt().inverse();
+                for entry in &mut space[n] {
+                    *entry *= lengths[n];
+                }
             }
         }
-        space
+        (space, lengths)
     }
 }
 

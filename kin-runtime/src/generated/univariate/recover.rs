@@ -1,17 +1,20 @@
 //! The other joints from a value of the kept one.
 
 use super::determinant::{Factors, Triangle};
-use super::elimination::{AtValues, Elimination, Equations, Loop, none};
+use super::elimination::{AtValues, Elimination, Equations, Loop, SIZE, none};
 use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
-use super::sharing::{RATIOS, Ratio, SHARING, monomial_vectors};
+use super::sharing::{Ratio, monomial_vectors};
 use crate::Pose;
 use crate::generated::dispatch::{Dispatched, dispatch};
 
 /// A null vector that misses zero by more than this was spoilt by a small pivot.
 const SPOILT: f64 = 1e-9;
+
+/// What is taken to less may be of solutions next to a value of the kept joint.
+const NULL: f64 = 1e-2;
 
 /// Configurations in lanes, by joint of the arm.
 #[derive(Clone, Copy)]
@@ -20,6 +23,25 @@ pub(super) struct Starts {
     /// How far two cosines and sines are from being of an angle, or powers of a slide: what an
     /// extraneous root shows itself by.
     pub inconsistency: [f64; LANES],
+}
+
+/// What is nearly taken to zero at values of the kept joint, in lanes: the first vectors are those
+/// of a space of fewer.
+pub(super) struct NullSpace<const N: usize> {
+    pub vectors: [InAll; N],
+    /// About how long what they are taken to is.
+    lengths: [[f64; LANES]; N],
+}
+
+/// A vector in every lane.
+pub(super) type InAll = [[f64; LANES]; SIZE];
+
+impl<const N: usize> NullSpace<N> {
+    /// How many vectors are taken to nearly nothing in a lane.
+    pub fn dimension(&self, lane: usize) -> usize {
+        let is_null = |length: &&[f64; LANES]| length[lane] < NULL;
+        self.lengths.iter().filter(is_null).count()
+    }
 }
 
 /// One elimination at one target.
@@ -50,15 +72,20 @@ impl<'a> Recovery<'a> {
         in_lanes::<One, _>((self, kept))
     }
 
-    /// Two configurations at each of some values of the kept joint, which share it or
-    /// have nearly met there: of what is nearly taken to zero, the vectors that are monomials.
-    pub fn pairs(&self, kept: &[f64; LANES]) -> [Starts; 2] {
-        in_lanes::<Pairs, _>((self, kept))
+    /// N vectors at each of some values of the kept joint.
+    pub fn null_space<const N: usize>(&self, kept: &[f64; LANES]) -> NullSpace<N> {
+        in_lanes::<Nearly<N>, _>((self, kept))
     }
 
-    /// The same, and of more that share it up to [`SHARING`], told apart by one of [`RATIOS`].
-    pub fn sharing(&self, kept: &[f64; LANES], ratio: Ratio) -> ([Starts; 2], [Starts; SHARING]) {
-        in_lanes::<Sharing, _>((self, kept, ratio))
+    /// The configurations that share a value of the kept joint or have nearly met there: those of
+    /// the vectors in its null space that are monomials, told apart by a ratio.
+    pub fn sharing<const N: usize>(
+        &self,
+        kept: &[f64; LANES],
+        space: &[InAll; N],
+        ratio: Ratio,
+    ) -> [Starts; N] {
+        in_lanes::<Sharing<N>, _>((self, kept, space, ratio))
     }
 
     /// Where a monomial of the half tangents stands.
@@ -151,35 +178,8 @@ impl<'a> Recovery<'a> {
         if miss.numbers().iter().all(|&x| x < SPOILT) {
             return null;
         }
-        let [null] = Triangle::new(places, equations).null_space();
+        let ([null], _) = Triangle::new(places, equations).null_space();
         null
-    }
-
-    /// Of what is nearly taken to zero at values of the kept joint.
-    #[inline(always)]
-    fn null_space<L: Lanes, const N: usize>(&self, kept: L) -> [Vectors<L>; N] {
-        let [sine, cosine] = kept.scaled(0.5).sin_cos();
-        let mut equations = none();
-        self.equations.write(cosine, sine, &mut equations);
-        Triangle::new(&self.places, &equations).null_space()
-    }
-
-    /// The configurations of the vectors in a space that are monomials.
-    #[inline(always)]
-    fn of_space<L: Lanes, const N: usize>(
-        &self,
-        kept: L,
-        space: &[Vectors<L>; N],
-        ratio: Ratio,
-    ) -> [Starts; N] {
-        let [last, before] = self.elimination.powers;
-        let powers = [usize::from(last.min(3)), usize::from(before.min(3))];
-        let vectors = monomial_vectors(space, &|i, j| self.column(i, j), powers, ratio);
-        let mut out = [self.of_null_vectors(kept, &vectors[0]); N];
-        for n in 1..N {
-            out[n] = self.of_null_vectors(kept, &vectors[n]);
-        }
-        out
     }
 
     #[inline(always)]
@@ -312,8 +312,8 @@ impl<'a> Recovery<'a> {
 /// The far side of the loop, and the equations.
 struct Opened;
 struct One;
-struct Pairs;
-struct Sharing;
+struct Nearly<const N: usize>;
+struct Sharing<const N: usize>;
 
 impl Dispatched<(&Elimination, &Loop)> for Opened {
     type Output = (Lines<9>, Equations);
@@ -340,29 +340,53 @@ impl InLanes<(&Recovery<'_>, &[f64; LANES])> for One {
     }
 }
 
-impl InLanes<(&Recovery<'_>, &[f64; LANES])> for Pairs {
-    type Output = [Starts; 2];
+impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES])> for Nearly<N> {
+    type Output = NullSpace<N>;
 
     #[inline(always)]
-    fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> [Starts; 2] {
-        let kept = L::of(*kept);
-        let space = recovery.null_space::<L, 2>(kept);
-        recovery.of_space(kept, &space, RATIOS[0])
+    fn run<L: Lanes>((recovery, kept): (&Recovery, &[f64; LANES])) -> NullSpace<N> {
+        let [sine, cosine] = L::of(*kept).scaled(0.5).sin_cos();
+        let mut equations = none();
+        recovery.equations.write(cosine, sine, &mut equations);
+        let (space, lengths) = Triangle::new(&recovery.places, &equations).null_space::<N>();
+        let mut out = NullSpace {
+            vectors: [[[0.0; LANES]; SIZE]; N],
+            lengths: [[0.0; LANES]; N],
+        };
+        for n in 0..N {
+            out.lengths[n] = lengths[n].numbers();
+            for (out, entry) in out.vectors[n].iter_mut().zip(&space[n]) {
+                *out = entry.numbers();
+            }
+        }
+        out
     }
 }
 
-impl InLanes<(&Recovery<'_>, &[f64; LANES], Ratio)> for Sharing {
-    type Output = ([Starts; 2], [Starts; SHARING]);
+impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES], &[InAll; N], Ratio)> for Sharing<N> {
+    type Output = [Starts; N];
 
     #[inline(always)]
     fn run<L: Lanes>(
-        (recovery, kept, ratio): (&Recovery, &[f64; LANES], Ratio),
-    ) -> ([Starts; 2], [Starts; SHARING]) {
+        (recovery, kept, space, ratio): (&Recovery, &[f64; LANES], &[InAll; N], Ratio),
+    ) -> [Starts; N] {
         let kept = L::of(*kept);
-        let space = recovery.null_space::<L, SHARING>(kept);
-        // The first of more are those of fewer.
-        let pairs = recovery.of_space(kept, &[space[0], space[1]], ratio);
-        (pairs, recovery.of_space(kept, &space, ratio))
+        let mut vectors = [[L::ZERO; SIZE]; N];
+        for (out, x) in vectors
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(space.as_flattened())
+        {
+            *out = L::of(*x);
+        }
+        let [last, before] = recovery.elimination.powers;
+        let powers = [usize::from(last.min(3)), usize::from(before.min(3))];
+        let vectors = monomial_vectors(&vectors, &|i, j| recovery.column(i, j), powers, ratio);
+        let mut out = [recovery.of_null_vectors(kept, &vectors[0]); N];
+        for n in 1..N {
+            out[n] = recovery.of_null_vectors(kept, &vectors[n]);
+        }
+        out
     }
 }
 

@@ -6,7 +6,7 @@ use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, MOST, Roots, roots};
-use super::sharing::RATIOS;
+use super::sharing::{RATIOS, SHARING};
 use super::{LANES, Told, Univariate};
 use crate::linear::vector::norm;
 use crate::{Pose, Solution, Solutions, Target, math};
@@ -39,6 +39,9 @@ const BLURRED: f64 = 1e-7;
 /// in units of half the arm's size.
 const BESIDE: f64 = 1e-4;
 const BESIDE_BY: [f64; 3] = [3e-5, -5e-5, 8e-5];
+
+/// Values of the kept joint that are nearer to each other, radians, are one.
+const SAME: f64 = 1e-9;
 
 /// Steps of Newton's method at most; twice as many where it converges slowly.
 const STEPS: usize = 6;
@@ -339,19 +342,20 @@ impl<'a> Search<'a> {
             let at = |k: usize| roots.angles[usize::from(chunk[k.min(chunk.len() - 1)])];
             let kept = core::array::from_fn(at);
             let shared = |k: &usize| is_noisy || roots.is_several(chunk[*k].into());
-            if !(0..chunk.len()).any(|k| shared(&k)) {
-                for starts in recovery.pairs(&kept) {
-                    (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
+            let (pairs, space) = match (0..chunk.len()).any(|k| shared(&k)) {
+                true => {
+                    let space = recovery.null_space::<SHARING>(&kept);
+                    let [first, second, ..] = space.vectors;
+                    ([first, second], Some(space.vectors))
                 }
-                continue;
-            }
-            let (pairs, more) = recovery.sharing(&kept, RATIOS[0]);
-            for starts in pairs {
+                false => (recovery.null_space(&kept).vectors, None),
+            };
+            for starts in recovery.sharing(&kept, &pairs, RATIOS[0]) {
                 (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
             }
+            let more = space.map(|space| recovery.sharing(&kept, &space, RATIOS[0]));
             for k in (0..chunk.len()).filter(shared) {
-                more.iter()
-                    .for_each(|starts| self.start_of(starts, k, MIXED));
+                (more.iter().flatten()).for_each(|starts| self.start_of(starts, k, MIXED));
             }
         }
         self.arrive();
@@ -359,21 +363,33 @@ impl<'a> Search<'a> {
     }
 
     /// A root of several is known to a quarter of its digits, and what is nearly taken to zero there
-    /// mixes the solutions that share it. Those that are found have all digits of it.
+    /// mixes the solutions that share it. Those that are found have all digits of it, and there what
+    /// is taken to zero tells whether some are missing, which other ratios may tell apart.
     fn share_exactly(&mut self, recovery: &Recovery, roots: &Roots, unclear: &Candidates) {
+        let elimination = recovery.elimination;
         let several = unclear.all().filter(|&i| roots.is_several(i));
-        let known = several.flat_map(|i| self.kept_near(recovery.elimination, roots.angles[i]));
         let (mut kept, mut count) = ([0.0; LANES], 0);
-        for (place, known) in kept.iter_mut().zip(known) {
-            *place = known;
-            count += 1;
+        for known in several.flat_map(|i| self.kept_near(elimination, roots.angles[i])) {
+            let is_new = kept[..count].iter().all(|it| !is_same(*it, known));
+            if is_new && count < LANES && self.sharing(elimination, known) < SHARING {
+                kept[count] = known;
+                count += 1;
+            }
         }
         if count == 0 {
             return;
         }
-        for ratio in RATIOS {
-            let (_, all) = recovery.sharing(&kept, ratio);
+        let space = recovery.null_space::<SHARING>(&kept);
+        for (i, ratio) in RATIOS.into_iter().enumerate() {
+            let mut missing = [false; LANES];
             for k in 0..count {
+                missing[k] = i == 0 || space.dimension(k) > self.sharing(elimination, kept[k]);
+            }
+            if !missing.contains(&true) {
+                return;
+            }
+            let all = recovery.sharing(&kept, &space.vectors, ratio);
+            for k in (0..count).filter(|&k| missing[k]) {
                 all.iter()
                     .for_each(|starts| self.start_of(starts, k, MIXED));
             }
@@ -389,6 +405,12 @@ impl<'a> Search<'a> {
             .regular
             .iter()
             .map(move |found| sign * found.q[joint])
+    }
+
+    /// How many of them are this one.
+    fn sharing(&self, elimination: &Elimination, value: f64) -> usize {
+        let same = |kept: &f64| is_same(*kept, value);
+        self.kept(elimination).filter(same).count()
     }
 
     /// Those of them that are near a root.
@@ -501,6 +523,11 @@ impl<'a> Search<'a> {
     fn polished(&self, start: &[[f64; LANES]; 6], steps: usize) -> Polished {
         polished(&self.arm.frames, &self.target, start, steps)
     }
+}
+
+/// Whether two values of the kept joint are one.
+fn is_same(a: f64, b: f64) -> bool {
+    math::wrap(a - b).abs() < SAME
 }
 
 /// What one elimination says of the target, before any solution is computed.

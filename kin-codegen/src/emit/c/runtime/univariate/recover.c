@@ -280,25 +280,27 @@ KIN_BY_PROCESSOR(kin_find_null_vector,
     (const kin_recovery *of, const double *kept, kin_pack null[16], double *miss),
     (of, kept, null, miss))
 
-/* What is nearly taken to zero at values of the kept joint: so many vectors of a basis. */
-KIN_INLINE void kin_find_null_space_of(
-    const kin_recovery *of, const double *kept, int count, kin_pack space[][16])
+/* What is nearly taken to zero at values of the kept joint: so many vectors of a basis, of which
+ * the first are those of fewer, and about how long what they are taken to is. */
+KIN_INLINE void kin_find_null_space_of(const kin_recovery *of, const double *kept, int count,
+    kin_pack space[][16], kin_pack lengths[])
 {
     kin_pack cosine, sine;
     kin_triangle triangle;
     kin_halves(kept, cosine, sine);
     kin_matrices(of, cosine, sine, triangle.rows);
     kin_triangulate(&triangle);
-    kin_null_space(&triangle, count, space);
+    kin_null_space(&triangle, count, space, lengths);
 }
 KIN_BY_PROCESSOR(kin_find_null_space,
-    (const kin_recovery *of, const double *kept, int count, kin_pack space[][16]),
-    (of, kept, count, space))
+    (const kin_recovery *of, const double *kept, int count, kin_pack space[][16],
+        kin_pack lengths[]),
+    (of, kept, count, space, lengths))
 
 /* The joints that go with values of the kept one. */
 static void kin_recover(const kin_recovery *of, const double *kept, kin_starts *out)
 {
-    kin_pack null[1][16], miss;
+    kin_pack null[1][16], miss, length[1];
     int is_good = 1;
     kin_find_null_vector(of, kept, null[0], miss);
     for (int k = 0; k < KIN_LANES; ++k) {
@@ -306,23 +308,19 @@ static void kin_recover(const kin_recovery *of, const double *kept, kin_starts *
         is_good = is_good && miss[k] < 1e-9;
     }
     if (!is_good) {
-        kin_find_null_space(of, kept, 1, null);
+        kin_find_null_space(of, kept, 1, null, length);
     }
     kin_joints_of_vectors(of, kept, null[0], out);
 }
 
-/* Two configurations at values of the kept joint, which share it or have nearly met there: of what
- * is nearly taken to zero, the vectors that are monomials; and of four behind them those of four. */
-static void kin_recover_several(
-    const kin_recovery *of, const double *kept, int count, int ratio, kin_starts *out)
+/* The configurations that share values of the kept joint or have nearly met there: those of the
+ * vectors in so many dimensions of what is nearly taken to zero that are monomials. */
+static void kin_recover_sharing(const kin_recovery *of, const double *kept, kin_pack space[][16],
+    int count, int ratio, kin_starts *out)
 {
-    kin_pack space[KIN_SHARING][16], vectors[KIN_SHARING][16];
-    kin_find_null_space(of, kept, count, space);
-    /* The first of more are those of fewer. */
-    for (int n = 2; n <= count; n += 2) {
-        kin_monomial_vectors(of->elimination, space, n, ratio, vectors);
-        for (int i = 0; i < n; ++i) {
-            kin_joints_of_vectors(of, kept, vectors[i], out++);
-        }
+    kin_pack vectors[KIN_SHARING][16];
+    kin_monomial_vectors(of->elimination, space, count, ratio, vectors);
+    for (int i = 0; i < count; ++i) {
+        kin_joints_of_vectors(of, kept, vectors[i], &out[i]);
     }
 }

@@ -6,6 +6,8 @@
 #define KIN_EXTRANEOUS 0.05
 #define KIN_MIXED 0.5
 #define KIN_PURE 1e-3
+/* What is taken to less may be of solutions next to a value of the kept joint. */
+#define KIN_NULL 1e-2
 /* Below this another solution may be so near that roots of the polynomial do not tell the two
  * apart. */
 #define KIN_MEETING 3e-3
@@ -275,35 +277,74 @@ typedef struct kin_asked {
     kin_roots roots;
 } kin_asked;
 
+/* The kept joint's value at a regular solution. */
+static double kin_kept_at(
+    const kin_search *search, const kin_elimination *elimination, int solution)
+{
+    const double q = search->found.regular[solution].q[elimination->joints[0]];
+    return elimination->backwards ? -q : q;
+}
+
+/* Whether two of them are one. */
+static int kin_is_same(double a, double b) { return fabs(kin_wrap(a - b)) < 1e-9; }
+
+/* How many regular solutions share a value of the kept joint. */
+static int kin_sharing(const kin_search *search, const kin_elimination *elimination, double value)
+{
+    int count = 0;
+    for (int i = 0; i < search->found.regular_count; ++i) {
+        count += kin_is_same(kin_kept_at(search, elimination, i), value);
+    }
+    return count;
+}
+
 /* A root of several is known to a quarter of its digits, and what is nearly taken to zero there mixes
- * the solutions that share it. Those that are found have all digits of it. */
+ * the solutions that share it. Those that are found have all digits of it, and there what is taken to
+ * zero tells whether some are missing, which other ratios may tell apart. */
 static void kin_share_exactly(
     kin_search *search, const kin_asked *asked, const kin_candidates *unclear)
 {
     const kin_roots *roots = &asked->roots;
-    const kin_elimination *elimination = asked->recovery.elimination;
-    const double sign = elimination->backwards ? -1.0 : 1.0;
-    kin_pack kept = {0.0};
-    kin_starts starts[2 + KIN_SHARING];
+    const kin_recovery *recovery = &asked->recovery;
+    const kin_elimination *elimination = recovery->elimination;
+    kin_pack kept = {0.0}, space[KIN_SHARING][16], lengths[KIN_SHARING];
+    kin_starts starts[KIN_SHARING];
     int count = 0;
     for (int i = 0; i < unclear->count; ++i) {
         const int candidate = unclear->numbers[i];
         for (int j = 0; j < search->found.regular_count && count < KIN_LANES; ++j) {
-            const double q = sign * search->found.regular[j].q[elimination->joints[0]];
-            if ((roots->several >> candidate & 1)
-                && fabs(kin_wrap(q - roots->angles[candidate])) < KIN_CLUSTER) {
-                kept[count++] = q;
+            const double value = kin_kept_at(search, elimination, j);
+            int is_new = (roots->several >> candidate & 1)
+                && fabs(kin_wrap(value - roots->angles[candidate])) < KIN_CLUSTER;
+            for (int k = 0; k < count; ++k) {
+                is_new = is_new && !kin_is_same(kept[k], value);
+            }
+            if (is_new && kin_sharing(search, elimination, value) < KIN_SHARING) {
+                kept[count++] = value;
             }
         }
     }
     if (count == 0) {
         return;
     }
+    kin_find_null_space(recovery, kept, KIN_SHARING, space, lengths);
     for (int ratio = 0; ratio < KIN_RATIOS; ++ratio) {
-        kin_recover_several(&asked->recovery, kept, KIN_SHARING, ratio, starts);
+        int missing[KIN_LANES], any = 0;
         for (int k = 0; k < count; ++k) {
+            int dimension = 0;
             for (int i = 0; i < KIN_SHARING; ++i) {
-                kin_start_unknown(search, &starts[2 + i], k, KIN_MIXED);
+                dimension += lengths[i][k] < KIN_NULL;
+            }
+            missing[k] = ratio == 0 || dimension > kin_sharing(search, elimination, kept[k]);
+            any |= missing[k];
+        }
+        if (!any) {
+            return;
+        }
+        kin_recover_sharing(recovery, kept, space, KIN_SHARING, ratio, starts);
+        for (int k = 0; k < count; ++k) {
+            for (int i = 0; i < KIN_SHARING && missing[k]; ++i) {
+                kin_start_unknown(search, &starts[i], k, KIN_MIXED);
             }
         }
         kin_arrive(search);
@@ -322,8 +363,8 @@ static void kin_several_each(
     for (int first = 0; first < unclear->count; first += KIN_LANES) {
         const int rest = unclear->count - first, count = rest < KIN_LANES ? rest : KIN_LANES;
         const int *numbers = unclear->numbers + first;
-        kin_pack kept;
-        kin_starts starts[2 + KIN_SHARING];
+        kin_pack kept, space[KIN_SHARING][16], lengths[KIN_SHARING];
+        kin_starts starts[KIN_SHARING];
         unsigned any = 0;
         for (int k = 0; k < KIN_LANES; ++k) {
             kept[k] = roots->angles[numbers[k < count ? k : count - 1]];
@@ -331,17 +372,20 @@ static void kin_several_each(
         for (int k = 0; k < count; ++k) {
             any |= shared >> numbers[k];
         }
-        kin_recover_several(recovery, kept, any & 1 ? KIN_SHARING : 2, 0, starts);
+        kin_find_null_space(recovery, kept, any & 1 ? KIN_SHARING : 2, space, lengths);
+        kin_recover_sharing(recovery, kept, space, 2, 0, starts);
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < count; ++k) {
                 kin_start_unknown(search, &starts[i], k, KIN_EXTRANEOUS);
             }
         }
+        if (!(any & 1)) {
+            continue;
+        }
+        kin_recover_sharing(recovery, kept, space, KIN_SHARING, 0, starts);
         for (int k = 0; k < count; ++k) {
-            if (shared >> numbers[k] & 1) {
-                for (int i = 0; i < KIN_SHARING; ++i) {
-                    kin_start_unknown(search, &starts[2 + i], k, KIN_MIXED);
-                }
+            for (int i = 0; i < KIN_SHARING && (shared >> numbers[k] & 1); ++i) {
+                kin_start_unknown(search, &starts[i], k, KIN_MIXED);
             }
         }
     }

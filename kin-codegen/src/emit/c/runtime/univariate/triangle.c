@@ -58,8 +58,9 @@ KIN_INLINE void kin_improve(kin_triangle *t, kin_pack x[16])
 }
 
 /* An orthonormal basis of what Q R nearly takes to zero: the least right singular vectors, by
- * subspace iteration. */
-KIN_INLINE void kin_null_space(kin_triangle *t, int count, kin_pack space[][16])
+ * subspace iteration; and about how long what they are taken to is. */
+KIN_INLINE void kin_null_space(
+    kin_triangle *t, int count, kin_pack space[][16], kin_pack lengths[])
 {
     for (int n = 0; n < count; ++n) {
         for (int i = 0; i < 16; ++i) {
@@ -79,7 +80,13 @@ KIN_INLINE void kin_null_space(kin_triangle *t, int count, kin_pack space[][16])
                     kin_minus(space[n][i], along, space[before][i]);
                 }
             }
-            kin_normalize(space[n], 16);
+            kin_dot(lengths[n], space[n], space[n], 16);
+            for (int k = 0; k < KIN_LANES; ++k) {
+                lengths[n][k] = 1.0 / sqrt(lengths[n][k]);
+            }
+            for (int i = 0; i < 16; ++i) {
+                kin_times(space[n][i], lengths[n]);
+            }
         }
     }
 }

@@ -171,7 +171,7 @@ const $improve = ({ rows, inverses }, x) => {
 };
 
 /* An orthonormal basis of what Q R nearly takes to zero: the least right singular vectors, by
- * subspace iteration. */
+ * subspace iteration; and about how long what they are taken to is. */
 const $null_space = (triangle, count) => {
     const space = Array.from({ length: count }, (_, n) => new Float64Array(16).map((__, i) => {
         /* Starts that no arm is square to: the fractional parts of multiples of the golden ratio,
@@ -179,6 +179,7 @@ const $null_space = (triangle, count) => {
         const x = ((((n + 1) * i) % 61) + 1) * 0.6180339887498948;
         return x - Math.trunc(x) - 0.48;
     }));
+    const lengths = new Float64Array(count);
     for (let round = 0; round < 3; ++round) {
         space.forEach((vector, n) => {
             $improve(triangle, vector);
@@ -188,10 +189,11 @@ const $null_space = (triangle, count) => {
                     vector[i] -= along * before[i];
                 }
             }
+            lengths[n] = 1.0 / Math.sqrt($dot(vector, vector));
             $normalize(vector);
         });
     }
-    return space;
+    return { space, lengths };
 };
 
 /* The determinant as a polynomial in the joint that is kept: by reflections, or with the pivots that

@@ -300,17 +300,17 @@ const $recover = (loop, kept) => {
     const vector = $null_vector($factorize(loop, half));
     /* Not a number is not less. */
     const is_good = $miss(loop, half, vector) < 1e-9;
-    const [found] = is_good ? [vector] : $null_space($triangulate(loop, half), 1);
+    const [found] = is_good ? [vector] : $null_space($triangulate(loop, half), 1).space;
     return $joints_of_vector(loop, kept, found);
 };
 
-/* Two configurations at a value of the kept joint, which share it or have nearly met there: of what is
- * nearly taken to zero, the vectors that are monomials; and of four behind them those of four. */
-const $recover_several = (loop, kept, count, ratio) => {
-    const space = $null_space($triangulate(loop, $sin_cos(0.5 * kept)), count);
-    const vectors = $monomial_vectors(loop.elimination, space.slice(0, 2), ratio);
-    if (count > 2) {
-        vectors.push(...$monomial_vectors(loop.elimination, space, ratio));
-    }
-    return vectors.map((vector) => $joints_of_vector(loop, kept, vector));
-};
+/* What is nearly taken to zero at a value of the kept joint: so many vectors of a basis, of which the
+ * first are those of fewer, and about how long what they are taken to is. */
+const $null_space_at = (loop, kept, count) =>
+    $null_space($triangulate(loop, $sin_cos(0.5 * kept)), count);
+
+/* The configurations that share a value of the kept joint or have nearly met there: those of the
+ * vectors in what is nearly taken to zero that are monomials. */
+const $recover_sharing = (loop, kept, space, ratio) =>
+    $monomial_vectors(loop.elimination, space, ratio)
+        .map((vector) => $joints_of_vector(loop, kept, vector));

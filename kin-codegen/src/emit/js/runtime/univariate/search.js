@@ -16,6 +16,8 @@ const $ASKED = 3;
 const $EXTRANEOUS = 0.05;
 const $MIXED = 0.5;
 const $PURE = 1e-3;
+/* What is taken to less may be of solutions next to a value of the kept joint. */
+const $NULL = 1e-2;
 /* Below this another solution may be so near that roots of the polynomial do not tell the two apart. */
 const $MEETING = 3e-3;
 /* Steps of Newton's method at most; twice as many where it converges slowly. */
@@ -211,24 +213,44 @@ const $one_each = (search, loop, roots) => {
 const $kept = (search, { elimination: { joints, backwards } }) =>
     search.regular.map(({ q }) => (backwards ? -q[joints[0]] : q[joints[0]]));
 
+/* Whether two of them are one. */
+const $is_same = (a, b) => Math.abs($wrap(a - b)) < 1e-9;
+
+/* A root of several is known to a quarter of its digits, and what is nearly taken to zero there mixes
+ * the solutions that share it. Those that are found have all digits of it, and there what is taken to zero
+ * tells whether some are missing, which other ratios may tell apart. */
+const $share_exactly = (search, loop, unclear) => {
+    const several = unclear.filter(({ is_several }) => is_several).map(({ angle }) => angle);
+    const sharing = (kept) => $kept(search, loop).filter((it) => $is_same(it, kept)).length;
+    const is_near = (kept) => several.some((angle) => Math.abs($wrap(kept - angle)) < $CLUSTER);
+    const known = [];
+    for (const kept of $kept(search, loop).filter(is_near)) {
+        if (known.length < $MOST_WAITING && !known.some((it) => $is_same(it, kept)) && sharing(kept) < $SHARING) {
+            known.push(kept);
+        }
+    }
+    const spaces = known.map((kept) => ({ kept, ...$null_space_at(loop, kept, $SHARING) }));
+    $RATIOS.forEach((ratio, i) => {
+        const are_missing = ({ kept, lengths }) =>
+            i === 0 || lengths.filter((it) => it < $NULL).length > sharing(kept);
+        spaces.filter(are_missing).flatMap(({ kept, space }) => $recover_sharing(loop, kept, space, ratio))
+            .forEach((start) => $start_unknown(search, start, $MIXED));
+    });
+};
+
 /* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
  * values, as next to a target with a family of solutions, so is what it leaves alone, and the space of
  * two solutions has more dimensions. */
 const $several_each = (search, { loop, noise }, unclear) => {
     for (const { angle, is_several } of unclear) {
         const count = noise >= $NOISY || is_several ? $SHARING : 2;
-        const starts = $recover_several(loop, angle, count, $RATIOS[0]);
-        starts.forEach((start, i) => $start_unknown(search, start, i < 2 ? $EXTRANEOUS : $MIXED));
+        const { space } = $null_space_at(loop, angle, count);
+        const pairs = $recover_sharing(loop, angle, space.slice(0, 2), $RATIOS[0]);
+        pairs.forEach((start) => $start_unknown(search, start, $EXTRANEOUS));
+        const more = count === 2 ? [] : $recover_sharing(loop, angle, space, $RATIOS[0]);
+        more.forEach((start) => $start_unknown(search, start, $MIXED));
     }
-    /* A root of several is known to a quarter of its digits, and what is nearly taken to zero there
-     * mixes the solutions that share it. Those that are found have all digits of it. */
-    const several = unclear.filter(({ is_several }) => is_several).map(({ angle }) => angle);
-    const all = $kept(search, loop);
-    const near = several.flatMap((angle) => all.filter((kept) => Math.abs($wrap(kept - angle)) < $CLUSTER));
-    for (const ratio of $RATIOS) {
-        near.slice(0, $MOST_WAITING).flatMap((kept) => $recover_several(loop, kept, $SHARING, ratio).slice(2))
-            .forEach((start) => $start_unknown(search, start, $MIXED));
-    }
+    $share_exactly(search, loop, unclear);
 };
 
 /* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's method
