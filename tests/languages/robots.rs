@@ -65,6 +65,7 @@ const BY_DEFAULT: &[&str] = &[
 const ELIMINATED: &[(&str, Option<Target>)] = &[
     ("robots/sawyer.yaml", None),
     ("robots/xarm6.yaml", None),
+    ("tests/robots/folding.yaml", None),
     ("tests/robots/table/one_slide.yaml", None),
     ("tests/robots/targets/five_skew.yaml", None),
     (

@@ -5,7 +5,7 @@ use kinematics::{JointLimit, Pose, Robot};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Configurations: random ones, and those with joints at quarter turns, where many arms are
-/// singular, and next to that; one joint that is far out.
+/// singular, and next to that; one joint that is far out; folded ones.
 pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(7);
     let mut all: Vec<Vec<f64>> = (0..6)
@@ -31,6 +31,10 @@ pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
     let mut far = all[0].clone();
     far[0] += 6.0 * PI;
     all.push(far);
+    for turn in [0.0, FRAC_PI_2, PI] {
+        let folded = [turn, FRAC_PI_2, PI, FRAC_PI_2, 0.0, 0.0];
+        all.push((0..joints).map(|joint| folded[joint % 6]).collect());
+    }
     all
 }
 

@@ -73,3 +73,27 @@ fn real_solutions_part_from_complex_ones() {
     let arm = arms.find(|arm| arm.kept[0].elimination.joints[0] == 0);
     assert_eq!(arm.unwrap().solutions::<6>(&target).len(), 4);
 }
+
+/// Folded until the fifth axis is the first one: the two turn against each other, and beside the
+/// target no solution is near the family.
+#[test]
+fn a_family_that_leads_nowhere_else_is_found() {
+    let model = read(include_str!("../../../tests/robots/folding.yaml"));
+    let form = solve(&model, &Linkage::new(&model), Target::Pose)
+        .unwrap()
+        .form;
+    let chain = model.chain();
+    let mut lost = Vec::new();
+    for k in 0..4096 {
+        let q: [f64; 6] = std::array::from_fn(|i| f64::from(k >> (2 * i) & 3) * FRAC_PI_2);
+        let target = chain.fk(&q);
+        let solutions = form.solutions(&target);
+        if conditioning(&chain, &q, size(&model), Target::Pose) > 1e-9 {
+            continue;
+        }
+        if !solutions.iter().any(|solution| solution.singular) {
+            lost.push(q);
+        }
+    }
+    assert!(lost.is_empty(), "{}: {:?}", lost.len(), lost.first());
+}

@@ -181,6 +181,10 @@ impl Waiting {
         }
     }
 
+    pub fn iter(&self) -> impl Iterator<Item = &[f64; 6]> {
+        self.q[..self.count].iter()
+    }
+
     pub fn is_full(&self) -> bool {
         self.count == LANES
     }

@@ -265,7 +265,7 @@ impl<'a> Search<'a> {
     }
 
     /// Where a family of solutions makes a polynomial of zeros, those of targets beside this
-    /// one are none, and the regular solutions there are beside those here.
+    /// one are none, and the solutions there are beside those here.
     #[cold]
     fn ask_beside(&mut self, elimination: &Elimination) {
         if self.is_beside {
@@ -283,6 +283,10 @@ impl<'a> Search<'a> {
             beside.ask(elimination);
             for solution in beside.found.regular.iter().chain(&beside.found.singular) {
                 self.start(&solution.q.map(|q| [q; LANES]), 0);
+            }
+            // Of a family that leads nowhere else these are next to its members.
+            for q in beside.stuck.iter() {
+                self.start(&q.map(|q| [q; LANES]), 0);
             }
         }
         self.arrive();
@@ -443,7 +447,9 @@ impl<'a> Search<'a> {
             }
             self.arrive();
         }
-        self.stuck = Waiting::default();
+        if !self.is_beside {
+            self.stuck = Waiting::default();
+        }
     }
 
     /// Starts Newton's method from the configuration in a lane, as soon as there are

@@ -427,7 +427,9 @@ static void kin_meet(kin_search *search)
         }
         kin_arrive(search);
     }
-    search->stuck.count = 0;
+    if (!search->is_beside) {
+        search->stuck.count = 0;
+    }
 }
 
 static void kin_ask(
@@ -499,6 +501,10 @@ static void kin_ask_beside(kin_search *search, const kin_elimination *eliminatio
         }
         for (int i = 0; i < beside.found.singular_count; ++i) {
             kin_start(search, beside.found.singular[i].q);
+        }
+        /* Of a family that leads nowhere else these are next to its members. */
+        for (int i = 0; i < beside.stuck.count; ++i) {
+            kin_start(search, beside.stuck.q[i]);
         }
     }
     kin_arrive(search);

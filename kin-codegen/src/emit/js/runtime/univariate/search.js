@@ -275,7 +275,9 @@ const $meet = (search) => {
         points.flatMap((q) => $split(of, target, q)).forEach((q) => $start(search, q));
         points = [];
     }
-    search.stuck = [];
+    if (!search.is_beside) {
+        search.stuck = [];
+    }
 };
 
 /* What one elimination says of the target, before any solution is computed; without roots where nothing
@@ -316,6 +318,8 @@ const $ask_beside = (search, elimination) => {
         const beside = { ...$search_of(search.of, $product(search.target, by)), is_beside: true };
         $answer(beside, $ask(beside, elimination));
         [...beside.regular, ...beside.singular].forEach(({ q }) => $start(search, q));
+        /* Of a family that leads nowhere else these are next to its members. */
+        beside.stuck.forEach((q) => $start(search, q));
     }
     $meet(search);
 };
@@ -378,7 +382,8 @@ const $keep = (form, search, seed) => {
 };
 
 /* The solutions of a target as the joints that are solved for see it: the regular ones, then the
- * singular ones. If the seed is a singular solution, it is among them. */
+ * singular ones that were found first, as far as there is room. If the seed is a singular solution, it
+ * is among them. */
 const $search_target = (form, target, seed) => {
     const search = $begin(form, target);
     if (seed) {
@@ -389,7 +394,8 @@ const $search_target = (form, target, seed) => {
     }
     const [kept] = form.search.eliminations[0].joints;
     const by_kept = (a, b) => a.q[kept] - b.q[kept];
-    return [...search.regular.sort(by_kept), ...search.singular.sort(by_kept)];
+    const singular = search.singular.slice(0, $MOST_FOUND - search.regular.length);
+    return [...search.regular.sort(by_kept), ...singular.sort(by_kept)];
 };
 
 /* Whether the joints behind the tip are at zero. A turn about the tip's axis, where it is free, is one
