@@ -230,6 +230,14 @@ fn check_gives_every_file_a_line() {
         let compared = line.contains("solutions of 5 targets found");
         assert_eq!(compared, expected == "solved", "{line}");
     }
+    for file in [SINGULAR, BROKEN] {
+        let mut told = stderr(&checked).split("\n\n");
+        let told = told.find(|it| it.starts_with(file)).unwrap();
+        assert!(
+            told.contains("\n  = help: ") || told.contains("help: "),
+            "{told}"
+        );
+    }
 }
 
 #[test]

@@ -99,6 +99,8 @@ fn a_sweep_serves_programs() {
         (&refused["verdict"], &refused["sweep"]),
         (&"refused".into(), &Value::Null)
     );
+    let remedy = refused["diagnostics"][0]["remedy"].as_str().unwrap();
+    assert!(remedy.contains("`ik = none`"), "{remedy}");
 }
 
 #[test]

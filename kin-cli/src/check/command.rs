@@ -24,7 +24,9 @@ pub fn run(arguments: &arguments::Check) -> Done {
         }
         // The line names the first diagnostic; here are all, with their places.
         match &checked.check.verdict {
-            Verdict::Broken(diagnostics) | Verdict::Ambiguous(diagnostics) => {
+            Verdict::Refused(diagnostics)
+            | Verdict::Broken(diagnostics)
+            | Verdict::Ambiguous(diagnostics) => {
                 done.stderr += &format!("{diagnostics}\n\n");
             }
             Verdict::Solved { robot, .. } => {
@@ -33,7 +35,6 @@ pub fn run(arguments: &arguments::Check) -> Done {
                     done.stderr += &format!("{warnings}\n\n");
                 }
             }
-            Verdict::Refused(_) => {}
         }
         done.exit = worse(done.exit, checked.exit());
         all.push(checked);

@@ -61,8 +61,10 @@ fn file(checked: &Checked) -> Value {
         _ => (None, None, None, None),
     };
     let diagnostics: Vec<Value> = match &checked.check.verdict {
-        Verdict::Ambiguous(all) | Verdict::Broken(all) => all.iter().map(diagnostic).collect(),
-        _ => Vec::new(),
+        Verdict::Refused(all) | Verdict::Ambiguous(all) | Verdict::Broken(all) => {
+            all.iter().map(diagnostic).collect()
+        }
+        Verdict::Solved { .. } => Vec::new(),
     };
     json!({
         "file": checked.check.path,

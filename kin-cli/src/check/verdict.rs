@@ -35,7 +35,7 @@ pub enum Verdict {
         robot: Box<Compiled>,
     },
     /// The file is sound, and the robot has no closed form.
-    Refused(String),
+    Refused(Diagnostics),
     /// The file is sound, and has several robots.
     Ambiguous(Diagnostics),
     /// The file or the options cannot be used.
@@ -79,7 +79,9 @@ pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
     let verdict = match compile(source, options) {
         Err(Error::Broken(diagnostics)) => Verdict::Broken(diagnostics),
         Err(Error::Ambiguous(diagnostics)) => Verdict::Ambiguous(diagnostics),
-        Err(Error::Refused(refusal)) => Verdict::Refused(refusal.text()),
+        Err(Error::Refused(refusal)) => {
+            Verdict::Refused(Diagnostics::one(&source.path, refusal.diagnostic()))
+        }
         Ok(robot) => Verdict::Solved {
             structure: match &robot {
                 Compiled::Arm(arm) => structure(&arm.model),
@@ -202,7 +204,7 @@ impl fmt::Display for Verdict {
                     .iter()
                     .try_for_each(|completeness| write!(f, "; {completeness}"))
             }
-            Verdict::Refused(reason) => write!(f, "refused: {reason}"),
+            Verdict::Refused(diagnostics) => write!(f, "refused: {}", diagnostics.first().reason),
             Verdict::Ambiguous(diagnostics) => {
                 let reason = diagnostics.first().reason.lines().next();
                 write!(f, "ambiguous: {}", reason.unwrap_or_default())
