@@ -66,6 +66,7 @@ const ELIMINATED: &[(&str, Option<Target>)] = &[
     ("robots/sawyer.yaml", None),
     ("robots/xarm6.yaml", None),
     ("tests/robots/folding.yaml", None),
+    ("tests/robots/crx10ial.yaml", None),
     ("tests/robots/table/one_slide.yaml", None),
     ("tests/robots/targets/five_skew.yaml", None),
     (

@@ -62,9 +62,11 @@ pub const SEARCH: [&str; 16] = [
 ];
 /// All eliminations in turn, as in `search.rs`.
 pub const SOLVE: &str = include_str!("runtime/univariate/solve.c");
-/// Solutions of six joints, as in `short.rs`.
+/// Where Levenberg's method leads from what was found, as in `short.rs`, behind [`SEEN`] and [`INSERT`].
+pub const ARRIVE: &str = include_str!("runtime/univariate/arrive.c");
+/// Solutions of six joints, as there, behind this.
 pub const WHOLE: &str = include_str!("runtime/univariate/whole.c");
-/// Solutions of fewer, as there, behind [`SEEN`] and [`INSERT`].
+/// Solutions of fewer, as there.
 pub const SHORT: &str = include_str!("runtime/univariate/short.c");
 /// From branches of an idealized arm to solutions of the arm as given, as in `search.rs`.
 pub const REFINE: &str = include_str!("runtime/univariate/refine.c");

@@ -27,12 +27,7 @@ fn is_whole(solver: &ClosedForm, arm: &Arm) -> bool {
 }
 
 /// The call that makes solutions of what was found.
-fn to_solutions(solver: &ClosedForm, arm: &Arm) -> &'static str {
-    match is_whole(solver, arm) {
-        true => "kin_to_solutions(&search.found, given, solutions)",
-        false => "kin_to_solutions(target, &search.found, given, solutions)",
-    }
-}
+const TO_SOLUTIONS: &str = "kin_to_solutions(target, &search.found, given, solutions)";
 
 /// What makes solutions of what was found.
 fn from_found(solver: &ClosedForm, arm: &Arm) -> &'static str {
@@ -47,12 +42,18 @@ fn from_found(solver: &ClosedForm, arm: &Arm) -> &'static str {
 pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
     let (carry, carrying, target) = carry(solver);
     let found = from_found(solver, arm);
-    let parts = [&search(arm), found, runtime::REFINE, &carry];
+    let parts = [
+        &search(arm),
+        runtime::ARRIVE,
+        found,
+        runtime::REFINE,
+        &carry,
+    ];
     let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     let refined = format!(
         "{carrying}    kin_refine({target}, seed, &lanes, &search);\n    count = {};\n    \
          return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n",
-        to_solutions(solver, arm)
+        TO_SOLUTIONS
     );
     (parts.join("\n"), refined)
 }
@@ -60,10 +61,10 @@ pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
 /// From what is found to solutions, and `kin_solve`; behind [`search`].
 pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
     let (carry, carrying, target) = carry(solver);
-    let found = to_solutions(solver, arm);
     let parts = [
         runtime::SEEN,
         runtime::INSERT,
+        runtime::ARRIVE,
         from_found(solver, arm),
         runtime::SOLVE,
     ];
@@ -72,7 +73,7 @@ pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
          static int kin_solve(\n    const double target[12], const double *seed, \
          const double *given,\n    kin_solution *solutions)\n{{\n    kin_search search;\n    \
          int count;\n{carrying}    kin_search_target({target}, seed, &search);\n    \
-         count = {found};\n    \
+         count = {TO_SOLUTIONS};\n    \
          for (int i = 0; i < count; ++i) {{\n        solutions[i].branch = i;\n    }}\n    \
          return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
     );

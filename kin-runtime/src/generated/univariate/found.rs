@@ -18,6 +18,17 @@ const FAMILY: f64 = 1e-4;
 /// From so near, in the same units, Newton's method leads to a regular solution.
 const BESIDE: f64 = 1e-4;
 
+/// What comes no nearer than this to a target, in units of the arm's size, is not next to a solution.
+const NEXT_TO: f64 = 1e-6;
+
+/// What a search has come to, in the units of the arm's frames.
+pub(super) struct Answer {
+    pub solutions: Solutions<6>,
+    /// What has come near without being one: where the Jacobian has lost two ranks, or one next to a
+    /// family of solutions, Newton's steps are at a loss.
+    pub nearest: Option<Solution<6>>,
+}
+
 /// The solutions so far, in the units of the arm's frames.
 pub(super) struct Found {
     /// The arm's size, metres.
@@ -30,6 +41,8 @@ pub(super) struct Found {
     /// Where the Jacobian loses rank: these may be members of families, and must not
     /// take the place of others.
     pub singular: Solutions<6>,
+    /// Of what is no solution, what comes nearest to the target, if that is near.
+    pub nearest: Option<Solution<6>>,
     /// Bit i is set where regular solution i was found again since this was cleared.
     pub again: u32,
 }
@@ -43,6 +56,7 @@ impl Found {
             regular: none,
             independence: [0.0; Solutions::<6>::CAPACITY],
             singular: none,
+            nearest: None,
             again: 0,
         }
     }
@@ -50,7 +64,8 @@ impl Found {
     /// Adds the configuration in a lane, if it is a solution; whether it is one.
     pub fn insert(&mut self, arrived: &Polished, lane: usize, branch: u32) -> bool {
         let residual = arrived.residual[lane];
-        if residual > REACHED || residual.is_nan() {
+        // Not a number is not near.
+        if !(residual <= NEXT_TO) {
             return false;
         }
         let independence = arrived.independence[lane];
@@ -60,6 +75,13 @@ impl Found {
             branch,
             singular: independence < SINGULAR,
         };
+        if residual > REACHED {
+            let is_nearer = |nearest: Solution<6>| solution.residual < nearest.residual;
+            if self.nearest.is_none_or(is_nearer) {
+                self.nearest = Some(solution);
+            }
+            return false;
+        }
         if !solution.singular {
             if let Some(place) = self.regular.insert_distinct(solution) {
                 self.again |= 1 << place;

@@ -1,7 +1,7 @@
 //! The search for the solutions of one target.
 
 use super::elimination::Elimination;
-use super::found::{Found, Waiting};
+use super::found::{Answer, Found, Waiting};
 use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
@@ -119,25 +119,31 @@ impl<'a> Search<'a> {
 
     /// Asks the eliminations in turn until one is sure of its answer. Where roots are not told
     /// apart that costs more than the next polynomial, which is looked at before.
-    pub fn run(mut self) -> Solutions<6> {
-        if !self.is_rotation {
-            return self.found();
+    pub fn run(mut self) -> Answer {
+        if self.is_rotation {
+            self.ask_in_turn();
         }
+        Answer {
+            solutions: self.found(),
+            nearest: self.found.nearest,
+        }
+    }
+
+    fn ask_in_turn(&mut self) {
         let mut unclear = [const { None }; ASKED];
         for (elimination, unclear) in self.arm.eliminations.iter().zip(&mut unclear) {
             let asked = self.asked(elimination);
             if !asked.is_clear() {
                 *unclear = Some(asked);
             } else if self.answered(&asked).certain {
-                return self.found();
+                return;
             }
         }
         for asked in unclear.iter().flatten() {
             if self.answered(asked).certain {
-                break;
+                return;
             }
         }
-        self.found()
     }
 
     /// What was found so far.
@@ -158,9 +164,12 @@ impl<'a> Search<'a> {
         count: usize,
         near_singular: f64,
         moving: usize,
-    ) -> Solutions<6> {
+    ) -> Answer {
         if !self.is_rotation {
-            return Solutions::new();
+            return Answer {
+                solutions: Solutions::new(),
+                nearest: None,
+            };
         }
         self.meeting = math::max(MEETING, MEETING_BRANCHES * near_singular);
         self.branch = count as u32;
@@ -192,7 +201,10 @@ impl<'a> Search<'a> {
         for elimination in self.arm.eliminations {
             clear = clear || self.ask(elimination).certain;
         }
-        self.found.by_branch()
+        Answer {
+            solutions: self.found.by_branch(),
+            nearest: self.found.nearest,
+        }
     }
 
     /// Starts Newton's method from branches of the ideal arm; whether all that are `certain` to

@@ -1,10 +1,11 @@
-//! Arms of fewer than six joints.
+//! The solutions of an arm, from those of six joints.
 //!
-//! Joints behind the tip make six of them; the solutions with these at zero are those of
+//! Of an arm of fewer, joints behind the tip make six; the solutions with these at zero are those of
 //! the arm itself. The turn about the tip's axis, where it is free, is one that need not be.
 
 use super::Univariate;
 use super::closest::Task;
+use super::found::Answer;
 use crate::generated::refinement::{Problem, levenberg};
 use crate::{Jacobian, Pose, Solution, Solutions, Target, math};
 
@@ -17,24 +18,45 @@ const REACHED: f64 = 1e-9;
 
 /// Evaluations at most; a regular solution takes two.
 const STEPS: usize = 24;
+/// The same from what comes nearest, where singularities lie within 1e-6 of each other.
+const STEPS_FROM_NEAREST: usize = 96;
 
-/// The solutions of the first N joints, among those of all six.
+/// The solutions of the first N joints, among those of all six; where there are none, what comes
+/// nearest, if Levenberg's method leads on from there.
 pub(super) fn shortened<const N: usize>(
     arm: &Univariate,
     target: &Pose,
-    found: &Solutions<6>,
+    found: &Answer,
 ) -> Solutions<N> {
     let moving = arm.moving(N);
-    if moving == 6 {
-        return Solutions::build_with_prismatic(arm.frames.prismatic, |out| {
-            for solution in found {
-                out.push_if(
-                    true,
-                    with(solution, arm.metres(&solution.q), solution.residual),
-                );
+    let at_zero = |solution: &&Solution<6>| solution.q[moving..].iter().all(|q| q.abs() < ZERO);
+    Solutions::build_with_prismatic(arm.frames.prismatic, |out| {
+        for solution in found.solutions.iter().filter(at_zero) {
+            if moving == 6 {
+                let q = arm.metres(&solution.q);
+                out.push_if(true, with(solution, q, solution.residual));
+            } else if let Some(arrived) = arrived(arm, target, solution, STEPS) {
+                out.insert_distinct(arrived);
             }
-        });
-    }
+        }
+        if out.is_empty() {
+            let nearest = found.nearest.iter().find(at_zero);
+            if let Some(arrived) =
+                nearest.and_then(|it| arrived(arm, target, it, STEPS_FROM_NEAREST))
+            {
+                out.push_if(true, arrived);
+            }
+        }
+    })
+}
+
+/// Where Levenberg's method leads of the first N joints, if it reaches the target.
+fn arrived<const N: usize>(
+    arm: &Univariate,
+    target: &Pose,
+    from: &Solution<6>,
+    steps: usize,
+) -> Option<Solution<N>> {
     let task = Task::new(arm, target, N);
     let problem = Problem {
         fk_jacobian: |q: &[f64; N]| {
@@ -47,22 +69,14 @@ pub(super) fn shortened<const N: usize>(
         size: arm.size,
         counts: arm.counts,
     };
-    let at_zero = |solution: &&Solution<6>| solution.q[moving..].iter().all(|q| q.abs() < ZERO);
-    Solutions::build_with_prismatic(arm.frames.prismatic, |out| {
-        for solution in found.iter().filter(at_zero) {
-            let arrived = levenberg(&problem, arm.metres(&solution.q), STEPS);
-            if arrived.residual <= REACHED * arm.size {
-                let q = core::array::from_fn(|i| match arm.frames.slides(i) {
-                    true => arrived.q[i],
-                    false => math::wrap(arrived.q[i]),
-                });
-                let solution = with(solution, q, arrived.residual);
-                out.insert_distinct(Solution {
-                    singular: arrived.singular(),
-                    ..solution
-                });
-            }
-        }
+    let arrived = levenberg(&problem, arm.metres(&from.q), steps);
+    let q = core::array::from_fn(|i| match arm.frames.slides(i) {
+        true => arrived.q[i],
+        false => math::wrap(arrived.q[i]),
+    });
+    (arrived.residual <= REACHED * arm.size).then(|| Solution {
+        singular: arrived.singular(),
+        ..with(from, q, arrived.residual)
     })
 }
 

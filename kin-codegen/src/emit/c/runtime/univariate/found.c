@@ -17,6 +17,9 @@ typedef struct kin_found {
      * of others. */
     kin_six singular[KIN_MOST_FOUND];
     int singular_count;
+    /* What has come near without being a solution, and how near, in units of the arm's size. */
+    kin_six nearest;
+    double nearest_by;
     /* Bit i is set where regular solution i was found again since this was cleared. */
     unsigned again;
 } kin_found;
@@ -67,13 +70,15 @@ static int kin_place_of(kin_found *found, const kin_six *solution)
 /* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
  * members of a family; from so near, Newton's method leads to a regular solution. */
 #define KIN_FAMILY 1e-4
+/* What comes no nearer than this to a target, in units of the arm's size, is not next to a solution. */
+#define KIN_NEXT_TO 1e-6
 
 /* Adds one of the configurations that have arrived, if it is a solution; whether it is one. */
 static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int lane, int branch)
 {
     const double residual = arrived->residual[lane], gap = found->gap;
     kin_six solution;
-    if (!(residual <= 1e-13)) {
+    if (!(residual <= KIN_NEXT_TO)) {
         return 0;
     }
     for (int i = 0; i < 6; ++i) {
@@ -82,6 +87,13 @@ static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int 
     solution.residual = KIN_ARM_SIZE * sqrt(residual * residual + gap * gap);
     solution.branch = branch;
     solution.singular = arrived->independence[lane] < KIN_SINGULAR;
+    if (!(residual <= 1e-13)) {
+        if (residual < found->nearest_by) {
+            found->nearest = solution;
+            found->nearest_by = residual;
+        }
+        return 0;
+    }
     if (!solution.singular) {
         const int place = kin_place_of(found, &solution);
         if (place >= 0) {

@@ -79,6 +79,7 @@ static void kin_forget(kin_search *search)
     search->found.gap = 0.0;
     search->found.regular_count = search->found.singular_count = 0;
     search->found.again = 0;
+    search->found.nearest_by = HUGE_VAL;
     search->branch = search->is_beside = 0;
     search->starts.count = search->stuck.count = 0;
     search->looked_at = search->looked_at_singular = 0;
@@ -523,6 +524,7 @@ static int kin_answer(kin_search *search, const kin_asked *asked)
         return 0;
     }
     search->found.again = 0;
+    search->found.nearest_by = HUGE_VAL;
     kin_one_each(search, &asked->recovery, roots, &unclear);
     kin_several_each(search, asked, &unclear);
     if (roots->incomplete || asked->noise > 1e-7) {

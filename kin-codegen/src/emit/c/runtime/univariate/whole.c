@@ -1,5 +1,6 @@
 /* The solutions that were found, lengths in metres, with what is given. How many there are. */
-static int kin_to_solutions(const kin_found *found, const double *given, kin_solution *solutions)
+static int kin_to_solutions(
+    const double target[12], const kin_found *found, const double *given, kin_solution *solutions)
 {
     int count = 0;
     for (int i = 0; i < found->regular_count + found->singular_count; ++i) {
@@ -18,5 +19,5 @@ static int kin_to_solutions(const kin_found *found, const double *given, kin_sol
         solutions[count].singular = six->singular;
         ++count;
     }
-    return count;
+    return count > 0 ? count : kin_lead_nearest(target, found, given, solutions);
 }

@@ -6,7 +6,7 @@ const $refined = (form, target, seed, lanes) => {
     const { size, near_singular } = form.search;
     const search = $begin(form, target);
     if (!(search.gap <= 1e-9)) {
-        return [];
+        return { solutions: [], nearest: null };
     }
     /* Where a root of the plan is flagged, the two solutions that differ by its sign may be as far from
      * each other. */
@@ -42,7 +42,8 @@ const $refined = (form, target, seed, lanes) => {
     for (const elimination of form.search.eliminations.slice(0, $ASKED)) {
         is_clear = is_clear || $answer(search, $ask(search, elimination));
     }
-    return [...search.regular, ...search.singular].slice(0, $MOST_FOUND).sort((a, b) => a.branch - b.branch);
+    const found = [...search.regular, ...search.singular].slice(0, $MOST_FOUND);
+    return { solutions: found.sort((a, b) => a.branch - b.branch), nearest: search.nearest };
 };
 
 /* The solutions of a target by the branches of a plan and eliminations beside them: of an arm off its

@@ -8,6 +8,8 @@ const $SINGULAR = 1e-5;
 /* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
  * members of a family; from so near, Newton's method leads to a regular solution. */
 const $FAMILY = 1e-4;
+/* What comes no nearer than this to a target, in units of the arm's size, is not next to a solution. */
+const $NEXT_TO = 1e-6;
 /* Eliminations that are asked at most: where one is not sure of its answer, the next is. */
 const $ASKED = 3;
 /* Cosines and sines that are off by more are those of an extraneous root; by more than the second, they
@@ -49,7 +51,7 @@ const $place_of = (search, solution) => {
 const $insert_arrived = (search, arrived, branch) => {
     const { residual, independence } = arrived;
     const { of, gap, regular, singular } = search;
-    if (!(residual <= 1e-13)) {
+    if (!(residual <= $NEXT_TO)) {
         return false;
     }
     const solution = {
@@ -59,6 +61,11 @@ const $insert_arrived = (search, arrived, branch) => {
         singular: independence < $SINGULAR,
         independence,
     };
+    if (!(residual <= 1e-13)) {
+        search.nearest = residual < search.nearest_by ? solution : search.nearest;
+        search.nearest_by = Math.min(residual, search.nearest_by);
+        return false;
+    }
     if (!solution.singular) {
         const place = $place_of(search, solution);
         if (place >= 0) {
@@ -127,6 +134,9 @@ const $search_of = (of, target) => ({
     gap: 0.0,
     regular: [],
     singular: [],
+    /* What has come near without being a solution, and how near, in units of the arm's size. */
+    nearest: null,
+    nearest_by: Infinity,
     /* Bit i is set where regular solution i was found again since this was cleared. */
     again: 0,
     /* The branch of the next solution. */
@@ -395,7 +405,8 @@ const $search_target = (form, target, seed) => {
     const [kept] = form.search.eliminations[0].joints;
     const by_kept = (a, b) => a.q[kept] - b.q[kept];
     const singular = search.singular.slice(0, $MOST_FOUND - search.regular.length);
-    return [...search.regular.sort(by_kept), ...singular.sort(by_kept)];
+    const solutions = [...search.regular.sort(by_kept), ...singular.sort(by_kept)];
+    return { solutions, nearest: search.nearest };
 };
 
 /* Whether the joints behind the tip are at zero. A turn about the tip's axis, where it is free, is one
@@ -406,28 +417,35 @@ const $is_at_zero = (form, q, within) => {
 };
 
 /* The solutions among those that were found, with what is given: of an arm of fewer than six joints
- * those that have the ones behind its tip at zero. */
-const $to_solutions = (arm, target, given, found) => {
+ * those that have the ones behind its tip at zero. Where there are none, what comes nearest is led on:
+ * where the Jacobian has lost two ranks, or one next to a family of solutions, Newton's steps are at a
+ * loss. */
+const $to_solutions = (arm, target, given, { solutions: found, nearest }) => {
     const { form } = arm;
     const { size, slides } = form.search;
-    const n = form.solved.length;
+    const solved = ({ q }) =>
+        q.slice(0, form.solved.length).map((x, i) => (slides[i] ? 0.5 * size * x : x));
+    /* Where six joints are nearly singular, a target that is off by rounding is reached with the joints
+     * behind the tip this far from zero. */
+    const may_be = ({ q }) => $is_at_zero(form, q, 1e-2);
     const solutions = [];
-    for (const { q, residual, branch, singular } of found.slice(0, $MOST_FOUND)) {
-        const solved = q.slice(0, n).map((x, i) => (slides[i] ? 0.5 * size * x : x));
-        if (form.search.is_whole) {
-            solutions.push({ q: $whole(arm, solved, given), residual, branch, singular });
-            continue;
-        }
-        /* Where six joints are nearly singular, a target that is off by rounding is reached with the
-         * joints behind the tip this far from zero. */
-        if (!$is_at_zero(form, q, 1e-2)) {
-            continue;
-        }
-        /* A regular solution takes two evaluations. */
-        const corrected = $corrected(arm, target, given, solved, branch, false, 24);
+    const arrive_from = (it, evaluations) => {
+        const corrected = $corrected(arm, target, given, solved(it), it.branch, false, evaluations);
         if (corrected.residual <= 1e-9 * size) {
             $insert(arm, corrected, solutions);
         }
+    };
+    for (const it of found.slice(0, $MOST_FOUND).filter(may_be)) {
+        if (form.search.is_whole) {
+            const { residual, branch, singular } = it;
+            solutions.push({ q: $whole(arm, solved(it), given), residual, branch, singular });
+        } else {
+            /* A regular solution takes two evaluations. */
+            arrive_from(it, 24);
+        }
+    }
+    if (solutions.length === 0 && nearest && may_be(nearest)) {
+        arrive_from(nearest, 96);
     }
     return solutions;
 };
