@@ -1,6 +1,7 @@
 //! Many configurations or targets at once: one in each lane, where vectors have more
 //! than two; otherwise one after the other, which is as fast.
 
+mod entries;
 mod forward;
 mod inverse;
 
