@@ -7,8 +7,14 @@ use std::hint::black_box;
 kinematics::kinematics!("../../robots/ur5e.urdf");
 kinematics::kinematics!("../../robots/kr6_r900.yaml");
 kinematics::kinematics!("../../robots/irb6640.yaml");
+kinematics::kinematics!("../../robots/xarm6.yaml");
+kinematics::kinematics!("../robots/noisy/calibrated.yaml");
 
-pub const ROBOTS: [&str; 3] = ["ur5e", "kr6_r900", "irb6640"];
+/// With an exact closed form, of which nothing that is executed depends on the target.
+pub const EXACT: [&str; 3] = ["ur5e", "kr6_r900", "irb6640"];
+
+/// With an elimination, alone and beside the branches of a design.
+pub const ELIMINATED: [&str; 2] = ["xarm6", "calibrated"];
 
 /// The kinds of calls, in the order in which they are made.
 pub const KINDS: [&str; 8] = [
@@ -22,6 +28,14 @@ pub const KINDS: [&str; 8] = [
     "ik_nearest, singular wrist",
 ];
 
+/// The same of eliminations.
+pub const KINDS_OF_ELIMINATIONS: [&str; 4] = [
+    "ik, regular",
+    "ik, out of reach",
+    "ik, near round",
+    "ik, round",
+];
+
 /// How many calls there are of each kind.
 pub const CALLS: usize = 64;
 
@@ -31,6 +45,8 @@ pub fn make(robot: &str) {
         "ur5e" => all(&Ur5e),
         "kr6_r900" => all(&Kr6R900),
         "irb6640" => all(&Irb6640),
+        "xarm6" => eliminations(&Xarm6),
+        "calibrated" => eliminations(&Calibrated),
         _ => panic!("no robot is called {robot}"),
     }
 }
@@ -53,6 +69,33 @@ fn all<K: Kinematics<6>>(robot: &K) {
     }
     for targets in [&regular, &out_of_reach, &singular] {
         each(targets, |target| robot.ik_nearest(target, &seed));
+    }
+}
+
+/// Of round targets solutions meet, or share the value of the joint that is kept, so that more than one
+/// elimination is asked; near them joints are off by 1e-6 to 1e-1.
+fn eliminations<K: Kinematics<6>>(robot: &K) {
+    let configurations: Vec<[f64; 6]> = (0..CALLS).map(configuration).collect();
+    let regular: Vec<Pose> = configurations.iter().map(|q| robot.fk(q)).collect();
+    let away = Pose::from_translation([0.0, 0.0, 10.0]);
+    let out_of_reach: Vec<Pose> = regular.iter().map(|target| away * *target).collect();
+    let to_quarters = |q: f64| (q / FRAC_PI_2).round() * FRAC_PI_2;
+    let near_round = (0..CALLS).map(|call| {
+        let mut q = configurations[call];
+        let off = 10_f64.powi(-1 - (call % 6) as i32);
+        for joint in [call % 6, (call + 1 + call / 6) % 6] {
+            q[joint] = to_quarters(q[joint]) + off;
+        }
+        robot.fk(&q)
+    });
+    let near_round: Vec<Pose> = near_round.collect();
+    let round = configurations.iter().map(|q| robot.fk(&q.map(to_quarters)));
+    let round: Vec<Pose> = round.collect();
+
+    // The first call asks the processor what instructions it has.
+    black_box(robot.ik(&regular[0]));
+    for targets in [&regular, &out_of_reach, &near_round, &round] {
+        each(targets, |target| robot.ik(target));
     }
 }
 

@@ -5,7 +5,7 @@ mod calls;
 mod counts;
 mod valgrind;
 
-use calls::{CALLS, KINDS, ROBOTS};
+use calls::{CALLS, ELIMINATED, EXACT, KINDS, KINDS_OF_ELIMINATIONS};
 use counts::{Counts, Table};
 use std::process::ExitCode;
 
@@ -35,22 +35,25 @@ fn main() -> ExitCode {
 /// Of each robot and kind.
 fn counted() -> Table {
     let mut rows = Vec::new();
-    for robot in ROBOTS {
-        let calls = valgrind::instructions(robot, KINDS.len() * CALLS);
-        for (kind, calls) in KINDS.iter().zip(calls.chunks(CALLS)) {
+    let exact = EXACT.iter().map(|robot| (robot, &KINDS[..]));
+    let eliminated = ELIMINATED.iter();
+    let eliminated = eliminated.map(|robot| (robot, &KINDS_OF_ELIMINATIONS[..]));
+    for (robot, kinds) in exact.chain(eliminated) {
+        let calls = valgrind::instructions(robot, kinds.len() * CALLS);
+        for (kind, calls) in kinds.iter().zip(calls.chunks(CALLS)) {
             rows.push(Counts::of(robot, kind, calls));
         }
     }
     Table(rows)
 }
 
-/// Where what is executed depends on what is given: by a single instruction, and of
+/// Where what an exact closed form executes depends on what is given: by a single instruction, and of
 /// `ik_nearest` by more than [`WRITTEN`]. Singular targets take more where an angle
 /// that they leave free is asked for anew; most of them take no more than others, and of
 /// `ik_nearest`, which runs again with the seed's angle, than two of these.
 fn jumps(table: &Table) -> Vec<String> {
     let mut faults = Vec::new();
-    for robot in ROBOTS {
+    for robot in EXACT {
         let row = |kind: &str| table.row(robot, kind).expect("each kind was counted");
         for (call, may_differ_by) in [("ik", 0), ("ik_nearest", WRITTEN)] {
             let [regular, away, singular] = ["regular", "out of reach", "singular wrist"]
