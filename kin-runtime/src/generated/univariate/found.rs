@@ -64,8 +64,7 @@ impl Found {
     /// Adds the configuration in a lane, if it is a solution; whether it is one.
     pub fn insert(&mut self, arrived: &Polished, lane: usize, branch: u32) -> bool {
         let residual = arrived.residual[lane];
-        // Not a number is not near.
-        if !(residual <= NEXT_TO) {
+        if residual > NEXT_TO || residual.is_nan() {
             return false;
         }
         let independence = arrived.independence[lane];
