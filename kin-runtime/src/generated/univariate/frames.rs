@@ -1,5 +1,6 @@
 //! An arm of six joints as constant motions with the joints between them.
 
+use crate::linear::vector::norm;
 use crate::{Pose, Twist, math};
 
 /// A₀ J₁ A₁ … J₆ A₆, where a joint J turns about z or slides along it.
@@ -42,6 +43,14 @@ impl Frames {
         within(distance, self.prismatic, a, b)
     }
 
+    /// The tip is never farther from the base.
+    pub fn reach(&self) -> f64 {
+        match self.prismatic {
+            0 => self.fixed.iter().map(|it| norm(it.translation)).sum(),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// The pose of the tip.
     pub fn forward(&self, q: &[f64; 6]) -> Pose {
         (0..6).fold(self.fixed[0], |pose, i| {
@@ -79,4 +88,43 @@ pub(super) fn within(distance: f64, prismatic: u64, a: &[f64; 6], b: &[f64; 6]) 
     let apart = core::array::from_fn(|i| a[i] - b[i]);
     let apart = wrapped(prismatic, apart);
     apart.iter().all(|apart| apart.abs() <= distance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of motions in all directions, and of those along one line, where the tip is as far away.
+    #[test]
+    fn the_tip_is_never_farther_than_the_reach() {
+        let mut farthest = 0.0_f64;
+        for k in 0..2000 {
+            // Fractions of multiples of irrational numbers.
+            let at = |n: usize, by: f64| ((7 * k + n) as f64 * by).fract() - 0.5;
+            let is_straight = k % 4 == 0;
+            let fixed = core::array::from_fn(|i| match is_straight {
+                true => Pose::from_translation([at(i, 0.618_034) + 0.5, 0.0, 0.0]),
+                false => {
+                    let axis = [at(i, 0.414_214), at(i, 0.732_051), at(i, 0.236_068)];
+                    let shift = [at(i, 0.645_751), at(i, 0.316_625), at(i, 0.605_551)];
+                    Pose::from_axis_angle(axis.map(|x| x / norm(axis)), 2.0, shift)
+                }
+            });
+            let frames = Frames {
+                fixed,
+                prismatic: 0,
+            };
+            let turn = if is_straight { 0.0 } else { 6.0 };
+            let q = core::array::from_fn(|i| turn * at(i, 0.854_102));
+            let share = norm(frames.forward(&q).translation) / frames.reach();
+            assert!(share < 1.0 + 1e-12, "{share}: {frames:?}");
+            farthest = farthest.max(share);
+        }
+        assert!(farthest > 1.0 - 1e-12);
+        let slides = Frames {
+            fixed: [Pose::IDENTITY; 7],
+            prismatic: 1,
+        };
+        assert_eq!(slides.reach(), f64::INFINITY);
+    }
 }

@@ -25,6 +25,10 @@ const PURE: f64 = 1e-3;
 /// The rotation of a target may be off an orthonormal one by this.
 const ORTHONORMAL: f64 = 1e-9;
 
+/// In units of half the arm's size, a target that is farther away than the arm is long by no more may be
+/// one that is reached.
+const BEYOND_REACH: f64 = 1e-6;
+
 /// So many eliminations are asked at most: where one is not sure of its answer,
 /// the next is.
 const ASKED: usize = 3;
@@ -71,8 +75,8 @@ pub(super) struct Search<'a> {
     arm: &'a Univariate<'a>,
     /// Orthonormal; lengths in units of half the arm's size.
     target: Pose,
-    /// Whether the given one was so nearly.
-    is_rotation: bool,
+    /// Whether the given one was so nearly, and is no farther away than the arm is long.
+    may_be_reached: bool,
     found: Found,
     /// The branch of the next solution.
     branch: u32,
@@ -97,10 +101,11 @@ impl<'a> Search<'a> {
             translation: target.translation.map(|x| x * (2.0 / arm.size)),
             ..rotated
         };
+        let is_too_far = norm(target.translation) > arm.frames.reach() + BEYOND_REACH;
         Self {
             arm,
             target,
-            is_rotation: gap <= ORTHONORMAL,
+            may_be_reached: gap <= ORTHONORMAL && !is_too_far,
             found: Found::new(arm, gap),
             branch: 0,
             starts: Waiting::default(),
@@ -120,7 +125,7 @@ impl<'a> Search<'a> {
     /// Asks the eliminations in turn until one is sure of its answer. Where roots are not told
     /// apart that costs more than the next polynomial, which is looked at before.
     pub fn run(mut self) -> Answer {
-        if self.is_rotation {
+        if self.may_be_reached {
             self.ask_in_turn();
         }
         Answer {
@@ -165,7 +170,7 @@ impl<'a> Search<'a> {
         near_singular: f64,
         moving: usize,
     ) -> Answer {
-        if !self.is_rotation {
+        if !self.may_be_reached {
             return Answer {
                 solutions: Solutions::new(),
                 nearest: None,

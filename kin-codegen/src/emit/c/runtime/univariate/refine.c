@@ -44,7 +44,7 @@ static void kin_refine(
     kin_found *found = &search->found;
     int numbers[KIN_LANES], certain[KIN_LANES], clear = 1, some = 0;
     kin_begin(target, search);
-    if (!(found->gap <= 1e-9)) {
+    if (!(found->gap <= 1e-9) || kin_is_too_far(search->target)) {
         return;
     }
     /* Where a root of the plan is flagged, the two solutions that differ by its sign may be as far

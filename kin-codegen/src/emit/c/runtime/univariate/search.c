@@ -73,6 +73,25 @@ static void kin_complete_axis(double target[12])
     }
 }
 
+/* Whether a target is farther away than the arm is long. */
+static int kin_is_too_far(const double target[12])
+{
+    double squares[8] = {0.0}, reach = 1e-6;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 7; ++j) {
+            squares[j] += kin_fixed[j][4 * i + 3] * kin_fixed[j][4 * i + 3];
+        }
+        squares[7] += target[4 * i + 3] * target[4 * i + 3];
+    }
+    for (int j = 0; j < 7; ++j) {
+        reach += sqrt(squares[j]);
+    }
+    for (int joint = 0; joint < 6; ++joint) {
+        reach = kin_slides[joint] ? HUGE_VAL : reach;
+    }
+    return sqrt(squares[7]) > reach;
+}
+
 /* Nothing is known of the target yet, which is a rotation. */
 static void kin_forget(kin_search *search)
 {

@@ -40,7 +40,7 @@ static void kin_search_target(const double target[12], const double *seed, kin_s
     if (seed) {
         kin_keep(search, seed);
     }
-    if (found->gap <= 1e-9) {
+    if (found->gap <= 1e-9 && !kin_is_too_far(search->target)) {
         kin_search_all(search);
     }
     kin_sort(found->regular, found->regular_count, kin_kept_joint);

@@ -5,7 +5,7 @@
 const $refined = (form, target, seed, lanes) => {
     const { size, near_singular } = form.search;
     const search = $begin(form, target);
-    if (!(search.gap <= 1e-9)) {
+    if (!(search.gap <= 1e-9) || $is_too_far(form.search, search.target)) {
         return { solutions: [], nearest: null };
     }
     /* Where a root of the plan is flagged, the two solutions that differ by its sign may be as far from

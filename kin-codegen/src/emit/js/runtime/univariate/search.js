@@ -163,6 +163,13 @@ const $begin = (form, given) => {
     return { ...$search_of(form.search, target), gap };
 };
 
+/* Whether a target is farther away than the arm is long. */
+const $is_too_far = ({ fixed, slides }, target) => {
+    const length = (pose) => Math.sqrt(pose[3] * pose[3] + pose[7] * pose[7] + pose[11] * pose[11]);
+    const reach = fixed.reduce((sum, pose) => sum + length(pose), 1e-6);
+    return !slides.some(Boolean) && length(target) > reach;
+};
+
 /* Keeps where Newton's method has come near to a target that it converges to slowly, or that is out of
  * reach by little. */
 const $stick = (search, { q, residual }) => {
@@ -399,7 +406,7 @@ const $search_target = (form, target, seed) => {
     if (seed) {
         $keep(form, search, seed);
     }
-    if (search.gap <= 1e-9) {
+    if (search.gap <= 1e-9 && !$is_too_far(form.search, search.target)) {
         $search_all(search);
     }
     const [kept] = form.search.eliminations[0].joints;
