@@ -342,11 +342,12 @@ fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &m
     let found = written.integer();
     assert_eq!(found == 1, nearest.is_some(), "{of:?}");
     if let Some(nearest) = nearest {
-        if !(nearest.singular && subject.eliminates) {
+        let is_alone = rust.ik_seeded_at(pose, parameters, seed).len() == 1;
+        if !(subject.eliminates && nearest.singular && is_alone) {
             written.same(&nearest.q, MET, of);
             return;
         }
-        // Of a family it is a member.
+        // Where nothing else is found it was led along a family, how far depends on rounding.
         let q: Vec<f64> = seed.iter().map(|_| written.number()).collect();
         let missed = rust.target().distance(&rust.fk(&q), pose, 1.0);
         assert!(missed <= REACHED, "{of:?}: {q:?}");

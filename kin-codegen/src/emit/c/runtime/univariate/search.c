@@ -543,7 +543,6 @@ static int kin_answer(kin_search *search, const kin_asked *asked)
         return 0;
     }
     search->found.again = 0;
-    search->found.nearest_by = HUGE_VAL;
     kin_one_each(search, &asked->recovery, roots, &unclear);
     kin_several_each(search, asked, &unclear);
     if (roots->incomplete || asked->noise > 1e-7) {
