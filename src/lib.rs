@@ -1,3 +1,6 @@
+// In the repository, links of README.md and of the guides lead to files, here to modules: of two
+// definitions of a link the first counts. Examples are named after the first file, and need no links.
+#![cfg_attr(not(doctest), doc = include_str!("links.md"))]
 #![doc = include_str!("../README.md")]
 #![cfg_attr(not(feature = "runtime"), no_std)]
 
@@ -53,4 +56,23 @@ pub use robot::{AlongParameter, Answer, Answers, Arm, Interval, NamedPosture, Of
 #[cfg(docsrs)]
 pub mod sample {
     crate::kinematics!("robots/ur5e.urdf");
+}
+
+/// A guide for each name, whose text is the file in `docs`. Its examples are tested as those here.
+#[cfg(doc)]
+macro_rules! guides {
+    ($($name:ident)*) => {$(
+        #[cfg_attr(not(doctest), doc = include_str!("links.md"))]
+        #[doc = include_str!(concat!("../docs/", stringify!($name), ".md"))]
+        pub mod $name {}
+    )*};
+}
+
+/// Guides, one subject each, for what the front page only mentions: in this documentation alone.
+#[cfg(doc)]
+pub mod guide {
+    guides! {
+        methods solutions redundancy singularities closed_forms single_precision
+        files mechanisms noise verification speed tables run_time c pictures
+    }
 }
