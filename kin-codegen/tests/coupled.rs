@@ -2,7 +2,7 @@
 //! file has, and against the numerical search of the chain whose joints move by themselves.
 
 use kin_codegen::closed_form::ClosedForm;
-use kin_codegen::geometry::{Linkage, natural_target, size, uncoupled};
+use kin_codegen::geometry::{Linkage, cross, dot, natural_target, size, uncoupled};
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::solver::{Certified, solve};
@@ -17,6 +17,16 @@ const PALLETIZER: &str = include_str!("../../tests/robots/coupled/palletizer.yam
 const TELESCOPE: &str = include_str!("../../tests/robots/coupled/telescope.yaml");
 const FINGER: &str = include_str!("../../tests/robots/coupled/finger.yaml");
 const RACK: &str = include_str!("../../tests/robots/coupled/rack.yaml");
+const REMOTE_CENTRE: &str = include_str!("../../tests/robots/coupled/remote_centre.yaml");
+
+const ARMS: [&str; 6] = [
+    PARALLELOGRAM,
+    PALLETIZER,
+    TELESCOPE,
+    FINGER,
+    RACK,
+    REMOTE_CENTRE,
+];
 
 fn source(text: &str) -> Source {
     Source {
@@ -171,8 +181,7 @@ impl Arm {
 
 #[test]
 fn arms_are_solved_whose_joints_mimic_each_other() {
-    let arms = [PARALLELOGRAM, PALLETIZER, TELESCOPE, FINGER, RACK];
-    for text in arms {
+    for text in ARMS {
         let arm = Arm::new(text, None).unwrap();
         assert_eq!(arm.found.certificate.lost, 0, "{}", arm.model.name);
         let regular = arm.is_right(300);
@@ -183,7 +192,7 @@ fn arms_are_solved_whose_joints_mimic_each_other() {
 /// Dependent joints, and what is left of a target's six numbers, agree to rounding alone.
 #[test]
 fn no_answer_is_lost_to_a_digit() {
-    for text in [PARALLELOGRAM, PALLETIZER, TELESCOPE, FINGER, RACK] {
+    for text in ARMS {
         let arm = Arm::new(text, None).unwrap();
         let mut random = Random(0xd161);
         for k in 0..600 {
@@ -196,6 +205,24 @@ fn no_answer_is_lost_to_a_digit() {
             assert!(!solutions.is_empty(), "{}: {q:?} by {by:e}", arm.model.name);
         }
     }
+}
+
+/// Three joints about parallel axes, by θ, −θ and θ, are one about a fourth axis.
+#[test]
+fn a_remote_centre_is_one_joint() {
+    let arm = Arm::new(REMOTE_CENTRE, None).unwrap();
+    let joints = [&arm.model, &arm.uncoupled].map(|model| model.joints.len());
+    assert_eq!(joints, [8, 6]);
+    // That of the first joint goes through it, as the file has it, to the digits of its angles.
+    let [yaw, pitch] = [0, 1].map(|i| &arm.uncoupled.joints[i]);
+    let between = [0, 1, 2].map(|i| pitch.point[i] - yaw.point[i]);
+    let across = cross(yaw.axis, pitch.axis);
+    let distance = dot(across, between);
+    assert!(distance.abs() < 1e-3, "{distance}");
+    // Of other angles three are no one.
+    let other = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1.5");
+    let said = Arm::new(&other, None).err().unwrap();
+    assert!(said.contains("the 8 joints are more than the 6"), "{said}");
 }
 
 #[test]

@@ -13,6 +13,7 @@ kinematics::kinematics!("robots/coupled/finger.yaml");
 kinematics::kinematics!("robots/coupled/palletizer.yaml", name = LevelPalletizer);
 kinematics::kinematics!("robots/coupled/parallelogram.yaml");
 kinematics::kinematics!("robots/coupled/rack.yaml");
+kinematics::kinematics!("robots/coupled/remote_centre.yaml");
 kinematics::kinematics!("robots/coupled/telescope.yaml");
 
 struct Subject<K, const N: usize> {
@@ -108,6 +109,12 @@ fn a_palletizer_whose_tool_is_level() {
 fn a_parallelogram() {
     let several = Subject::new(Parallelogram, "robots/coupled/parallelogram.yaml").is_right();
     assert_eq!(several, 200);
+}
+
+#[test]
+fn a_remote_centre() {
+    let several = Subject::new(RemoteCentre, "robots/coupled/remote_centre.yaml").is_right();
+    assert!(several > 100);
 }
 
 #[test]

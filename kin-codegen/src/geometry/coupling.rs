@@ -2,6 +2,8 @@
 //!
 //! Neighbours that turn about one line, or slide along one direction, become one joint, whose value
 //! is a linear function of the coordinates of q: behind a parallelogram, that of an elbow is q₃ − q₂.
+//! So do three that turn about parallel axes by θ, −θ and θ, as two sides of a parallelogram do and
+//! what it carries: that turns by θ about a fourth axis, a remote centre of motion.
 //! Such a chain is solved as any other, and the coordinates follow from the values of its joints, one
 //! after the other. Dependent joints, from which none follows, have to agree with those: the wrist
 //! of a palletizer, which keeps its tool level.
@@ -87,6 +89,15 @@ impl Coupling {
         q
     }
 
+    /// Whether the joints are the coordinates, one by one.
+    fn is_none(&self) -> bool {
+        let is_own = |(i, row): (usize, &Combination)| {
+            let own = |(k, &weight): (usize, &f64)| weight == f64::from(u8::from(k == i));
+            row.offset == 0.0 && row.weights.iter().enumerate().all(own)
+        };
+        self.rows.len() == self.limits.len() && self.rows.iter().enumerate().all(is_own)
+    }
+
     /// Whether a coordinate is the same a full turn further.
     pub fn repeats(&self, coordinate: usize) -> bool {
         self.limits[coordinate].is_none()
@@ -106,8 +117,8 @@ impl Coupling {
     pub fn sentence(&self) -> String {
         let rows: Vec<String> = self.rows.iter().map(Combination::to_string).collect();
         format!(
-            "Solved as a chain whose joints move by themselves, neighbours on one line being one: in \
-             the plan q1 to q{} are {} of this arm.",
+            "Solved as a chain whose joints move by themselves, those that do the same as one being \
+             one: in the plan q1 to q{} are {} of this arm.",
             rows.len(),
             rows.join(", ")
         )
@@ -160,6 +171,15 @@ impl Combination {
         moved.sum::<f64>() + self.offset
     }
 
+    fn times(&self, sign: f64) -> Self {
+        // Not −0.
+        let times = |x: f64| sign * x + 0.0;
+        Self {
+            weights: self.weights.iter().map(|&weight| times(weight)).collect(),
+            offset: times(self.offset),
+        }
+    }
+
     fn add(&mut self, other: &Combination, sign: f64) {
         for (weight, other) in self.weights.iter_mut().zip(&other.weights) {
             *weight += sign * other;
@@ -182,43 +202,26 @@ impl Combination {
 }
 
 /// Of an arm whose joints mimic each other, the chain whose joints move by themselves, with its
-/// linkage, which has the [`Coupling`].
+/// linkage, which has the [`Coupling`] unless its joints are the coordinates themselves.
 ///
 /// # Errors
 ///
 /// Which coordinate does not follow from the values of joints.
 pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
-    let same = SAME * size(model);
-    let line = |joint: &Joint| Line {
-        direction: joint.axis,
-        point: joint.point,
+    let mut chain = Merged {
+        same: SAME * size(model),
+        joints: Vec::new(),
+        rows: Vec::new(),
     };
-    let is_one = |a: &Joint, b: &Joint| {
-        let relation = relate(&line(a), &line(b), SAME, same);
-        a.kind == b.kind
-            && match a.kind {
-                JointKind::Revolute => relation == AxisRelation::Coincident,
-                JointKind::Prismatic => norm(cross(a.axis, b.axis)) < SAME,
-            }
-    };
-    let mut joints: Vec<Joint> = Vec::new();
-    let mut rows: Vec<Combination> = Vec::new();
     for joint in &model.joints {
+        chain.joints.push(joint.clone());
         let row = Combination::of(joint, model.variables.len());
-        match joints.last_mut().zip(rows.last_mut()) {
-            Some((last, sum)) if is_one(last, joint) => {
-                sum.add(&row, dot(last.axis, joint.axis).signum());
-                (last.link, last.frame) = (joint.link.clone(), joint.frame);
-                if joint.is_coordinate(joint.variable) {
-                    last.name = joint.name.clone();
-                }
-            }
-            _ => {
-                joints.push(joint.clone());
-                rows.push(row);
-            }
-        }
+        chain.rows.push(row);
+        while chain.merges_two() || chain.merges_three() {}
     }
+    let Merged {
+        mut joints, rows, ..
+    } = chain;
     let mut variables = Vec::new();
     for (i, (joint, row)) in joints.iter_mut().zip(&rows).enumerate() {
         (joint.variable, joint.multiplier, joint.offset) = (i, 1.0, 0.0);
@@ -247,8 +250,86 @@ pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
         warnings: Vec::new(),
         ..model.clone()
     };
-    let linkage = Linkage::new(&uncoupled).with_coupling(Some(coupling));
+    let coupling = Some(coupling).filter(|coupling| !coupling.is_none());
+    let linkage = Linkage::new(&uncoupled).with_coupling(coupling);
     Ok((uncoupled, linkage))
+}
+
+/// A chain in which joints that do the same as one are one.
+struct Merged {
+    /// Neighbours that differ by less are one joint, metres.
+    same: f64,
+    joints: Vec<Joint>,
+    rows: Vec<Combination>,
+}
+
+impl Merged {
+    /// Makes one of the last two joints if these turn about one line or slide along one direction.
+    fn merges_two(&mut self) -> bool {
+        let [.., a, b] = &self.joints[..] else {
+            return false;
+        };
+        let line = |joint: &Joint| Line {
+            direction: joint.axis,
+            point: joint.point,
+        };
+        let is_one = a.kind == b.kind
+            && match a.kind {
+                JointKind::Revolute => {
+                    relate(&line(a), &line(b), SAME, self.same) == AxisRelation::Coincident
+                }
+                JointKind::Prismatic => are_parallel(a, b),
+            };
+        if is_one {
+            let sign = dot(a.axis, b.axis).signum();
+            if let Some(row) = self.drop_last()
+                && let Some(sum) = self.rows.last_mut()
+            {
+                sum.add(&row, sign);
+            }
+        }
+        is_one
+    }
+
+    /// Makes one of the last three joints if these turn about parallel axes by θ, −θ and θ. With axes
+    /// through p₁, p₂ and p₃ the last one turns by θ about that through p₁ − p₂ + p₃.
+    fn merges_three(&mut self) -> bool {
+        let ([.., a, b, c], [.., first, second, third]) = (&self.joints[..], &self.rows[..]) else {
+            return false;
+        };
+        let turn = |joint: &&Joint| joint.kind == JointKind::Revolute && are_parallel(a, joint);
+        let by = |joint: &Joint, row: &Combination| row.times(dot(a.axis, joint.axis).signum());
+        let is_one = [a, b, c].iter().all(turn)
+            && [first, second, third].iter().all(|row| row.offset == 0.0)
+            && by(b, second) == first.times(-1.0)
+            && by(c, third) == *first;
+        if is_one {
+            let [p, minus, plus] = [a, b, c].map(|joint| joint.point);
+            let centre = [0, 1, 2].map(|i| p[i] - minus[i] + plus[i]);
+            self.drop_last();
+            self.drop_last();
+            if let Some(last) = self.joints.last_mut() {
+                last.point = centre;
+            }
+        }
+        is_one
+    }
+
+    /// Takes the last joint away; the one before it has its link, and its name if that is of a
+    /// coordinate.
+    fn drop_last(&mut self) -> Option<Combination> {
+        let (dropped, row) = self.joints.pop().zip(self.rows.pop())?;
+        let last = self.joints.last_mut()?;
+        if dropped.is_coordinate(dropped.variable) {
+            last.name = dropped.name;
+        }
+        (last.link, last.frame) = (dropped.link, dropped.frame);
+        Some(row)
+    }
+}
+
+fn are_parallel(a: &Joint, b: &Joint) -> bool {
+    norm(cross(a.axis, b.axis)) < SAME
 }
 
 /// From which joint which coordinate follows: from a length any, from an angle one that turns with
