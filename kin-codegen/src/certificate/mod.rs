@@ -13,11 +13,12 @@ mod parameters;
 mod vanishing;
 
 pub(crate) use parameters::SOMEWHERE;
-use vanishing::OnBranch;
+use vanishing::{Driven, OnBranch, Quantity};
 
 use crate::closed_form::{BranchSolution, ClosedForm};
+use crate::expr::inverse::InverseGraph;
 use crate::geometry::{self, Linkage, SINGULAR};
-use crate::model::{Model, anywhere, configurations};
+use crate::model::{Model, anywhere, configurations, spread};
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
@@ -51,6 +52,10 @@ const TRIED: usize = 30;
 /// Starts from which what a plan divides by is driven to zero; one less for each value of the locked
 /// joints.
 const STARTS: usize = 3;
+
+/// Where a step degenerates and the arm is singular, so many configurations of its other joints are
+/// tried: an angle that is free may leave later steps a root for some of them alone.
+const SINGULAR_ONES: usize = 12;
 
 /// Above this conditioning the arm is not singular where a step degenerates.
 const NEARLY_SINGULAR: f64 = 1e-5;
@@ -297,31 +302,74 @@ impl<'a> Trials<'a> {
         [lost.clone(), all.filter(is_new).collect()]
     }
 
-    /// Configurations in which what a plan divides by vanishes and the arm is not singular, and next
-    /// to these.
+    /// Configurations in which what a plan divides by vanishes, and next to these; where the arm is
+    /// singular there, with the joints elsewhere that do not matter for it.
     fn vanishing(&self, form: &ClosedForm) -> Vec<(usize, Rc<Trial>)> {
         let mut random = Random(0x1b87_3593_cc9e_2d51);
-        let starts = STARTS - usize::from(!self.linkage.locked.is_empty());
+        let quantities = form.expressions().map(InverseGraph::divisors);
+        let quantities = quantities.unwrap_or_default();
         let mut all = Vec::new();
         for (number, held) in self.held.iter().enumerate() {
-            let starts = (0..starts).map(|_| anywhere(&held.model, &mut random));
-            let starts = starts.map(|joints| self.linkage.coordinates_at(joints));
-            let on = OnBranch {
-                form,
-                model: &held.model,
-                // Differences of a target in single precision would be its rounding.
-                asked: |q: &[f64]| (held.fk(self.linkage, q), held.parameters(self.linkage, q)),
-            };
-            let found = on.vanishing(&starts.collect::<Vec<_>>());
-            let beside = alignment::neighbours(&found);
-            let trials = found.into_iter().chain(beside);
-            let trials = trials.map(|q| held.trial(self.linkage, self.target, q, true, true));
+            let trial = |q| held.trial(self.linkage, self.target, q, true, true);
+            let (mut exact, mut singular) = (Vec::new(), Vec::new());
+            for Driven { q, is_moved } in self.driven(form, held, &quantities, &mut random) {
+                if trial(q.clone()).conditioning < SINGULAR {
+                    let elsewhere = |_| {
+                        let other = anywhere(&held.model, &mut random);
+                        let other = self.linkage.coordinates_at(other).into_iter();
+                        let each = other.zip(&q).zip(&is_moved);
+                        each.map(|((other, &q), is_moved)| if *is_moved { q } else { other })
+                            .collect()
+                    };
+                    singular.extend((0..SINGULAR_ONES).map(elsewhere).map(trial));
+                }
+                exact.push(q);
+            }
+            let beside = alignment::neighbours(&exact);
+            let trials = exact.into_iter().chain(beside).map(trial);
             for trial in trials.filter(|trial| trial.conditioning > NEARLY_SINGULAR) {
                 all.push((number, trial.rounded(&mut random)));
                 all.push((number, trial));
             }
+            all.extend(singular.into_iter().map(|trial| (number, trial)));
         }
         all
+    }
+
+    /// Whether what a step of a plan divides by vanishes where the arm is singular, and a later root
+    /// depends on the angle that this leaves free.
+    pub fn leaves_free(&self, form: &ClosedForm, step: usize) -> bool {
+        let mut random = Random(0x5851_f42d_4c95_7f2d);
+        let quantities = form.expressions().map(|graph| graph.divisors_of(step));
+        let quantities = quantities.unwrap_or_default();
+        self.held.iter().any(|held| {
+            let found = self.driven(form, held, &quantities, &mut random);
+            found.iter().any(|Driven { q, .. }| {
+                let target = held.fk(self.linkage, q);
+                self.linkage.conditioning(&held.chain, q, self.target) < SINGULAR
+                    && form.turning_matters(&target, &held.parameters(self.linkage, q))
+            })
+        })
+    }
+
+    /// Configurations to which what a plan divides by is driven to zero.
+    fn driven(
+        &self,
+        form: &ClosedForm,
+        held: &Held,
+        quantities: &[Quantity],
+        random: &mut Random,
+    ) -> Vec<Driven> {
+        let starts = STARTS - usize::from(!self.linkage.locked.is_empty());
+        let starts = spread(&held.model, starts, random).into_iter();
+        let starts = starts.map(|joints| self.linkage.coordinates_at(joints));
+        let on = OnBranch {
+            form,
+            model: &held.model,
+            // Differences of a target in single precision would be its rounding.
+            asked: |q: &[f64]| (held.fk(self.linkage, q), held.parameters(self.linkage, q)),
+        };
+        on.vanishing(quantities, &starts.collect::<Vec<_>>())
     }
 
     /// The share of random configurations of less conditioning.

@@ -4,7 +4,6 @@
 use super::joint_distance;
 use crate::closed_form::ClosedForm;
 use crate::expr::Expr;
-use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use kin_runtime::Pose;
 
@@ -27,12 +26,21 @@ const SHARE: f64 = 1e-2;
 const QUARTER: std::ops::Range<f64> = 0.2..0.3;
 /// The farthest that a joint goes in a step, radians or metres.
 const FARTHEST: f64 = 0.5;
+/// What has moved no farther, radians or metres, is where it was.
+const MOVED: f64 = 1e-6;
 /// What keeps the normal equations regular, relative to their trace: of a sine and a cosine one
 /// may be zero throughout.
 const DAMPING: f64 = 1e-9;
 
 /// A divisor, or a sine and a cosine of some length.
-type Quantity = (Expr, Option<Expr>);
+pub(super) type Quantity = (Expr, Option<Expr>);
+
+/// A configuration in which a quantity vanishes.
+pub(super) struct Driven {
+    pub q: Vec<f64>,
+    /// By joint: the others do not matter for it.
+    pub is_moved: Vec<bool>,
+}
 
 /// The expressions of a plan, on the branch of a configuration.
 pub(super) struct OnBranch<'a, F> {
@@ -44,17 +52,23 @@ pub(super) struct OnBranch<'a, F> {
 }
 
 impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> OnBranch<'_, F> {
-    /// Configurations to which Newton's method goes from some.
-    pub fn vanishing(&self, starts: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let quantities = self.form.expressions().map(InverseGraph::divisors);
+    /// Configurations to which Newton's method goes from some, where one of these quantities vanishes.
+    pub fn vanishing(&self, quantities: &[Quantity], starts: &[Vec<f64>]) -> Vec<Driven> {
         let mut all = Vec::new();
-        for of in quantities.into_iter().flatten() {
+        for &of in quantities {
             let length_at = |q: &Vec<f64>| Some(length(self.at(of, q, self.branch(q)?)));
             let lengths: Vec<f64> = starts.iter().filter_map(length_at).collect();
             let usual = lengths.iter().copied().fold(0.0, f64::max);
             let least = lengths.iter().copied().fold(usual, f64::min);
             if usual - least > CONSTANT * usual {
-                let driven = |q: &Vec<f64>| self.driven(of, q.clone(), usual);
+                let driven = |from: &Vec<f64>| {
+                    let q = self.driven(of, from.clone(), usual)?;
+                    let is_moved = from.iter().zip(&q).map(|(a, b)| (a - b).abs() > MOVED);
+                    Some(Driven {
+                        is_moved: is_moved.collect(),
+                        q,
+                    })
+                };
                 all.extend(starts.iter().filter_map(driven));
             }
         }
@@ -91,12 +105,16 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> OnBranch<'_, F> {
     fn driven(&self, of: Quantity, mut q: Vec<f64>, usual: f64) -> Option<Vec<f64>> {
         let (mut slow, mut before, mut difference) = (0, f64::INFINITY, DIFFERENCE[0]);
         let mut multiplicity = 1.0;
+        let mut nearest = (f64::INFINITY, q.clone());
         for _ in 0..STEPS {
             let Some(branch) = self.branch(&q) else {
                 break;
             };
             let here = self.at(of, &q, branch);
             let left = length(here);
+            if left < nearest.0 {
+                nearest = (left, q.clone());
+            }
             if left <= NOTHING * usual {
                 return Some(q);
             }
@@ -131,7 +149,8 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> OnBranch<'_, F> {
             let [most, least] = DIFFERENCE;
             difference = (SHARE * farthest).clamp(least, most);
         }
-        (before <= VANISHED * usual).then_some(q)
+        let (left, q) = nearest;
+        (left <= VANISHED * usual).then_some(q)
     }
 }
 

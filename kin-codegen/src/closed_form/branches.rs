@@ -4,6 +4,7 @@ use super::{ClosedForm, Inverse, Refinement};
 use crate::expr::Lanes;
 use crate::expr::inverse::{FreeAngle, InverseGraph};
 use crate::scalar::Scalar;
+use kin_runtime::__private::free_angle::SAMPLES;
 use kin_runtime::{Pose, Solution, Solutions};
 
 /// Lanes that are computed at once for a target: most plans have so many branches.
@@ -11,6 +12,9 @@ const LANES: usize = 8;
 /// Targets that are computed side by side.
 const TARGETS: usize = 4;
 const WIDTH: usize = LANES * TARGETS;
+
+/// What a root is of differs by less than this share of itself where that is rounding.
+const SAME_LEVEL: f64 = 1e-9;
 
 /// Outputs of [`InverseGraph::outputs`] behind the joint values.
 const RESIDUAL: usize = 0;
@@ -105,6 +109,25 @@ impl ClosedForm {
                 .evaluate_first(count, &inputs, branch, &mut values);
         }
         values
+    }
+
+    /// Whether on some branch the root behind an angle that a target leaves free depends on it.
+    pub(crate) fn turning_matters(&self, target: &Pose, parameters: &[f64]) -> bool {
+        let seed = vec![0.0; self.given.variables()];
+        let question = self.question(target, parameters, &seed);
+        let free = |at: &Question| at.inverse.free_angle;
+        let Some((at, free)) = question.and_then(|at| free(&at).map(|free| (at, free))) else {
+            return false;
+        };
+        let nearly_free = self.tolerances().nearly_free;
+        let turned =
+            SAMPLES.map(|turn| at.evaluate_with(nearly_free, Some((free.coordinate, turn))));
+        let matters = |branch| {
+            let levels = turned.each_ref().map(|values| values.at(LEVEL, branch));
+            let apart = |level: &f64| (level - levels[0]).abs() > SAME_LEVEL * levels[0].abs();
+            levels.iter().any(apart)
+        };
+        (0..at.branches).any(matters)
     }
 
     fn question<'a>(

@@ -2,6 +2,7 @@
 
 use super::Model;
 use crate::random::Random;
+use kin_runtime::__private::math::wrap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Random configurations.
@@ -44,6 +45,19 @@ pub fn anywhere(model: &Model, random: &mut Random) -> Vec<f64> {
     (0..n)
         .map(|i| place(model, i, random.between(-PI, PI)))
         .collect()
+}
+
+/// Some configurations of which each joint is anywhere, and equally far apart in two that follow each other: so
+/// of three one is always nearer to an angle, and one to the opposite.
+pub fn spread(model: &Model, count: usize, random: &mut Random) -> Vec<Vec<f64>> {
+    let n = model.variables.len();
+    let first: Vec<f64> = (0..n).map(|_| random.between(-PI, PI)).collect();
+    let apart = 2.0 * PI / count as f64;
+    // Of neighbours one goes the other way round.
+    let way = |i: usize| if i.is_multiple_of(2) { apart } else { -apart };
+    let at = |i: usize, k: usize| wrap(first[i] + k as f64 * way(i));
+    let configuration = |k| (0..n).map(|i| place(model, i, at(i, k))).collect();
+    (0..count).map(configuration).collect()
 }
 
 /// Where a joint is at an angle: a quarter turn of a sliding one is a quarter of its travel.

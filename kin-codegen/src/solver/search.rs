@@ -86,8 +86,7 @@ pub(super) fn solve_idealized(
         let Some(plan) = next else {
             break;
         };
-        // To turn a free angle costs operations: only where it is seen to lose
-        // targets, and not for plans that cost more than one that stands.
+        // To turn a free angle costs operations: not for plans that cost more than one that stands.
         let may_turn = !search.stands() || tried < COMPARED;
         if search.is_complete_with(&plan, may_turn) {
             break;
@@ -182,14 +181,21 @@ impl<'a> Search<'a> {
         best.is_some_and(|best| best.certificate.loses_much())
     }
 
-    /// Tries a plan, with free angles as they are and turned; tells whether nothing is left to be
-    /// improved.
+    /// Tries a plan, with a free angle turned where there may be one, and as it is; tells whether
+    /// nothing is left to be improved.
     fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
         let steps = if may_turn { plan.steps.len() } else { 0 };
         let turned = (0..steps).map(FreeAngles::TurnedAt);
         let turned = turned.filter(|free| free.may_help(plan));
-        for free in std::iter::once(FreeAngles::Seeded).chain(turned) {
+        for free in turned.chain([FreeAngles::Seeded]) {
             let form = self.reading.form(plan, free);
+            if let FreeAngles::TurnedAt(step) = free {
+                let turns = |graph: &InverseGraph| graph.free_angle.is_some();
+                let may_be_free = form.expressions().is_some_and(turns);
+                if !(may_be_free && self.trials.leaves_free(&form, step)) {
+                    continue;
+                }
+            }
             let has = |what: fn(&InverseGraph) -> bool| form.expressions().is_some_and(what);
             if form.single.is_some() && has(InverseGraph::has_quartic) {
                 self.refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);

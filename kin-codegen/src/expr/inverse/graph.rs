@@ -2,6 +2,7 @@
 
 use super::FreeAngle;
 use crate::expr::{Choice, Expr, Graph, Node, Operations, Tape};
+use std::ops::Range;
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
 /// rotation by rows, then the translation), the seed, by coordinate of q, the values of
@@ -73,11 +74,21 @@ impl InverseGraph {
     /// What its steps divide by, and the lengths of the vectors that they tell angles by: sines and
     /// cosines.
     pub(crate) fn divisors(&self) -> Vec<(Expr, Option<Expr>)> {
+        self.divisors_among(0..self.graph.nodes().len())
+    }
+
+    /// Of these, those of a step.
+    pub(crate) fn divisors_of(&self, step: usize) -> Vec<(Expr, Option<Expr>)> {
+        let begins = self.parts.steps.iter().map(|part| part.begins);
+        let bounds: Vec<usize> = begins.chain([self.parts.residual]).collect();
+        self.divisors_among(bounds[step]..bounds[step + 1])
+    }
+
+    fn divisors_among(&self, places: Range<usize>) -> Vec<(Expr, Option<Expr>)> {
         let needed = self.graph.reachable(&self.outputs());
-        let nodes = self.graph.nodes().iter().zip(needed);
-        let divided = nodes.filter(|(_, needed)| *needed);
-        let mut all: Vec<(Expr, Option<Expr>)> = divided
-            .filter_map(|(node, _)| match *node {
+        let nodes = places.filter(|&i| needed[i]).map(|i| self.graph.nodes()[i]);
+        let mut all: Vec<(Expr, Option<Expr>)> = nodes
+            .filter_map(|node| match node {
                 Node::Div(_, by) if self.graph.value(by).is_none() => Some(self.vector(by)),
                 Node::Atan2(sine, cosine) => Some((sine, Some(cosine))),
                 _ => None,
