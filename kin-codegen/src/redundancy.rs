@@ -494,8 +494,20 @@ fn planned(
     }
     let is_noisy = shift >= linkage.scalar.tolerances().unmoved * linkage.size;
     let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);
-    weighed.sort_by_key(|choice| (is_dear(&choice.joints), choice.weight));
+    weighed.sort_by_key(|choice| {
+        let joints = &choice.joints;
+        (is_dear(joints), !carries(model, joints), choice.weight)
+    });
     (weighed, left)
+}
+
+/// Whether some joints are what carries the others: rails, or the slides and the turn of a platform.
+/// Whoever stands an arm on these means to say where they are.
+fn carries(model: &Model, joints: &[usize]) -> bool {
+    let is_slide = |&&joint: &&usize| model.joints[joint].kind == JointKind::Prismatic;
+    let slides = joints.iter().filter(is_slide).count();
+    let is_first = joints.iter().copied().eq(0..joints.len());
+    is_first && slides > 0 && slides >= joints.len().min(2)
 }
 
 /// Whether the joints that are not locked stand in a row, for which all others can be
@@ -536,6 +548,7 @@ fn between(
     };
     let mut rows: Vec<([f64; 3], Vec<usize>)> = rows.map(|row| (quality(&row), row)).collect();
     rows.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(std::cmp::Ordering::Equal));
+    rows.sort_by_key(|(_, joints)| !carries(model, joints));
     let weighed = rows.into_iter().map(|(_, joints)| Weighed {
         joints,
         weight: None,

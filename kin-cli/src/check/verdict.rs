@@ -124,8 +124,14 @@ fn of_arm(arm: &CompiledArm) -> String {
             if certificate.lost > 0 {
                 let all = certificate.configurations;
                 line += &format!(
-                    ", {} of {all} lost or misjudged where a step degenerates",
+                    ", {} of {all} lost or flagged as singular where a step degenerates",
                     certificate.lost
+                );
+            }
+            if certificate.unanswered > 0 {
+                line += &format!(
+                    ", {} singular ones without a representative",
+                    certificate.unanswered
                 );
             }
             line

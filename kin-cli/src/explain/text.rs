@@ -180,9 +180,11 @@ impl Display for Inverse {
             seen.solutions,
             seen.worst_residual,
             seen.most_solutions,
-            match seen.unanswered {
-                0 => "every configuration was recovered".into(),
-                unanswered => format!("{unanswered} of the singular ones got no representative"),
+            match (seen.unanswered, seen.lost) {
+                (0, 0) => "every configuration was recovered".into(),
+                (0, lost) => format!("all but {lost} were recovered"),
+                (unanswered, _) =>
+                    format!("{unanswered} of the singular ones got no representative"),
             }
         )?;
         let mut reservations = seen.reservations().into_iter();
@@ -213,8 +215,11 @@ impl Inverse {
             ),
             (_, weights) => {
                 let is_given = |joint: &String| self.free.contains(joint);
-                let why = match self.weighed[0].free.iter().all(is_given) {
-                    true => "leaves the others the cheapest plan",
+                let first = &self.weighed[0];
+                let least = self.weighed.iter().filter_map(|it| it.weight).min();
+                let why = match first.free.iter().all(is_given) {
+                    true if first.weight == least => "leaves the others the cheapest plan",
+                    true => "stands at an end of the chain",
                     false => "leaves the others the cheapest of the plans that lose least",
                 };
                 writeln!(
