@@ -569,6 +569,52 @@ fn a_wrist_may_carry_a_jaw() {
     assert_eq!(tip(&finger), "finger");
 }
 
+/// Fingers on an arm of fewer joints than those that carry a hand elsewhere were told as two arms,
+/// the same in every word.
+#[test]
+fn an_arm_that_is_found_twice_is_one() {
+    let stroke = r#"<limit lower="0" upper="0.04"/>"#;
+    let grip = |parents: [&str; 2]| {
+        [
+            joint("j1", "continuous", "base", "a", ""),
+            joint("j2", "continuous", "a", "palm", ""),
+            joint("mount", "fixed", "palm", "plate", ""),
+            joint("open_l", "prismatic", parents[0], "l", stroke),
+            joint("open_r", "prismatic", parents[1], "r", stroke),
+        ]
+        .concat()
+    };
+    for (parents, carrier) in [
+        (["palm", "palm"], "palm"),
+        (["plate", "plate"], "plate"),
+        (["plate", "palm"], "palm"),
+    ] {
+        let model = accept(&urdf("base a palm plate l r", &grip(parents)));
+        assert_eq!((model.tip.as_str(), model.joints.len()), (carrier, 2));
+        let warned = &model.warnings[0].reason;
+        assert!(
+            warned.contains(
+                "the joints `open_l`, `open_r` look like those of a gripper and are left out"
+            ),
+            "{warned}"
+        );
+    }
+    // Beside another arm it is listed once.
+    let beside = grip(["palm", "palm"]) + &joint("pan", "continuous", "base", "camera", "");
+    let refused = model(
+        "arm.urdf",
+        &urdf("base a palm plate l r camera", &beside),
+        None,
+        None,
+    );
+    let said = refused.unwrap_err().to_string();
+    assert!(
+        said.contains("2 chains of joints begin at `base`"),
+        "{said}"
+    );
+    assert_eq!(said.matches("tip `palm`").count(), 1, "{said}");
+}
+
 #[test]
 fn of_very_many_ends_some_are_listed() {
     let names: Vec<String> = (0..150).map(|i| format!("leg{i}")).collect();

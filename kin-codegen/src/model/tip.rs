@@ -71,6 +71,14 @@ struct Below<'s> {
     followed: Vec<Followed>,
 }
 
+/// What may be meant by the arm.
+struct Arm {
+    /// The joints that move, from the base on; not empty.
+    joints: Vec<usize>,
+    /// The joints that are left out behind them, in the order of the file.
+    fingers: Vec<usize>,
+}
+
 /// The tip of the arm on `base`; none after reporting why.
 pub(super) fn default_tip(
     spec: &ArmSpec,
@@ -90,10 +98,15 @@ pub(super) fn default_tip(
         followed: followed(spec),
     };
     let ends = below.without_followers(below.ends(base));
-    match &ends[..] {
-        [] => Some(below.rigid_tip(base, false, diagnostics)),
-        [end] => Some(below.single(base, end, diagnostics)),
-        _ => below.forked(base, &ends, diagnostics),
+    if ends.is_empty() {
+        return Some(below.rigid_tip(base, false, diagnostics));
+    }
+    match &below.arms(&ends)[..] {
+        [arm] => Some(below.tip(base, arm, diagnostics)),
+        arms => {
+            below.report_ambiguous(base, arms, ends.len() >= MOST_ENDS, diagnostics);
+            None
+        }
     }
 }
 
@@ -180,18 +193,6 @@ impl Below<'_> {
         })
     }
 
-    /// One line of moving joints, perhaps with a finger at its end.
-    fn single(&self, base: usize, end: &[usize], diagnostics: &mut Collector) -> usize {
-        let arm = self.without_fingers(end);
-        if arm == end.len() {
-            return self.rigid_tip(self.spec.joints[end[arm - 1]].child, false, diagnostics);
-        }
-        let carrier = self.spec.joints[end[arm]].parent;
-        let tip = self.rigid_tip(carrier, true, diagnostics);
-        self.warn_of_fingers(base, tip, &end[arm..], diagnostics);
-        tip
-    }
-
     /// How many joints of a line are the arm's.
     fn without_fingers(&self, end: &[usize]) -> usize {
         let mut arm = end.len();
@@ -230,27 +231,10 @@ impl Below<'_> {
         (arm >= ARM_JOINTS && fingers).then_some(arm)
     }
 
-    /// Several lines of moving joints: fingers on one arm, or several arms.
-    fn forked(
-        &self,
-        base: usize,
-        ends: &[Vec<usize>],
-        diagnostics: &mut Collector,
-    ) -> Option<usize> {
-        let Some(arm) = self.hand(ends) else {
-            self.report_ambiguous(base, ends, diagnostics);
-            return None;
-        };
-        let moving = fingers(ends, arm);
-        let tip = self.rigid_tip(self.carrier(&moving), true, diagnostics);
-        self.warn_of_fingers(base, tip, &moving, diagnostics);
-        Some(tip)
-    }
-
-    /// The arms among lines of moving joints: their joints, and the link that they end with. Of
-    /// lines that begin alike, the most that are fingers on one arm are that arm.
-    fn arms(&self, ends: &[Vec<usize>]) -> Vec<(Vec<usize>, usize)> {
-        let mut arms = Vec::new();
+    /// The arms among lines of moving joints, each once. Of lines that begin alike, the most that
+    /// are fingers on one arm are that arm.
+    fn arms(&self, ends: &[Vec<usize>]) -> Vec<Arm> {
+        let mut arms: Vec<Arm> = Vec::new();
         let mut rest = ends;
         while let Some(first) = rest.first() {
             // Sorted, those that begin alike stand together.
@@ -259,19 +243,41 @@ impl Below<'_> {
                 rest.iter().take_while(|end| end.starts_with(begin)).count()
             };
             let groups = (ARM_JOINTS..=first.len()).map(|depth| &rest[..alike(depth)]);
-            let hands = groups.filter(|group| group.len() > 1);
-            let hand = hands
+            let hand = groups
+                .take_while(|group| group.len() > 1)
                 .filter_map(|group| Some((group, self.hand(group)?)))
                 .next();
             let (group, arm) = hand.unwrap_or_else(|| (&rest[..1], self.without_fingers(first)));
-            let last = match &fingers(group, arm)[..] {
-                [] => self.spec.joints[first[arm - 1]].child,
-                moving => self.carrier(moving),
-            };
-            arms.push((first[..arm].to_vec(), last));
+            let (joints, fingers) = (&first[..arm], fingers(group, arm));
+            // Lines may differ in their fingers alone.
+            match arms.iter_mut().find(|arm| arm.joints == joints) {
+                Some(arm) => arm.fingers = sorted([&arm.fingers[..], &fingers].concat()),
+                None => arms.push(Arm {
+                    joints: joints.to_vec(),
+                    fingers,
+                }),
+            }
             rest = &rest[group.len()..];
         }
         arms
+    }
+
+    /// The link that an arm ends with: what its last joint moves, or what carries the fingers.
+    fn last(&self, arm: &Arm) -> usize {
+        match (&arm.fingers[..], &arm.joints[..]) {
+            ([], [.., joint]) => self.spec.joints[*joint].child,
+            (fingers, _) => self.carrier(fingers),
+        }
+    }
+
+    /// The tip of an arm, with a warning of what is left out behind it.
+    fn tip(&self, base: usize, arm: &Arm, diagnostics: &mut Collector) -> usize {
+        let has_fingers = !arm.fingers.is_empty();
+        let tip = self.rigid_tip(self.last(arm), has_fingers, diagnostics);
+        if has_fingers {
+            self.warn_of_fingers(base, tip, &arm.fingers, diagnostics);
+        }
+        tip
     }
 
     /// The link on which all of some joints hang, the first that is above all.
@@ -369,30 +375,35 @@ impl Below<'_> {
         diagnostics.warn_whole(reason, "name the tip if you mean another one (tip)");
     }
 
-    fn report_ambiguous(&self, base: usize, ends: &[Vec<usize>], diagnostics: &mut Collector) {
+    fn report_ambiguous(
+        &self,
+        base: usize,
+        arms: &[Arm],
+        or_more: bool,
+        diagnostics: &mut Collector,
+    ) {
         /// More are no help.
         const SHOWN: usize = 8;
         let name = |link: usize| self.spec.links[link].name.as_str();
-        let arms = self.arms(ends);
-        let arm = |(joints, last): &(Vec<usize>, usize)| {
+        let line = |arm: &Arm| {
             // What a robot stands on may go anywhere: no chain has such joints.
             let roams = |&j: &usize| {
                 let kind = self.spec.joints[j].kind;
                 matches!(kind, JointType::Floating | JointType::Planar)
             };
-            let below = joints.iter().rposition(roams);
-            let (base, joints) = match below.map(|place| joints.split_at(place + 1)) {
+            let below = arm.joints.iter().rposition(roams);
+            let (base, joints) = match below.map(|place| arm.joints.split_at(place + 1)) {
                 Some(([.., last], joints)) if !joints.is_empty() => {
                     (self.spec.joints[*last].child, joints)
                 }
-                _ => (base, &joints[..]),
+                _ => (base, &arm.joints[..]),
             };
             let joints: Vec<&str> = joints
                 .iter()
                 .map(|&j| self.spec.joints[j].name.as_str())
                 .collect();
-            let rigid = self.rigid(*last);
-            let tip = self.named(&rigid).unwrap_or(*last);
+            let last = self.last(arm);
+            let tip = self.named(&self.rigid(last)).unwrap_or(last);
             format!(
                 "base `{}`, tip `{}`: {} moving {}, {}",
                 name(base),
@@ -402,22 +413,18 @@ impl Below<'_> {
                 crate::spec::list_names(&joints)
             )
         };
-        let mut listed: Vec<String> = arms.iter().take(SHOWN).map(arm).collect();
-        let or_more = if ends.len() < MOST_ENDS {
-            ""
-        } else {
-            " or more"
-        };
+        let mut listed: Vec<String> = arms.iter().take(SHOWN).map(line).collect();
         if arms.len() > SHOWN {
             listed.push(match or_more {
-                "" => format!("and {} more", arms.len() - SHOWN),
-                _ => "and more".into(),
+                false => format!("and {} more", arms.len() - SHOWN),
+                true => "and more".into(),
             });
         }
         diagnostics.choice(
             format!(
-                "{}{or_more} chains of joints begin at `{}`, and any could be the arm:",
+                "{}{} chains of joints begin at `{}`, and any could be the arm:",
                 arms.len(),
+                if or_more { " or more" } else { "" },
                 name(base)
             ),
             listed,
@@ -428,10 +435,14 @@ impl Below<'_> {
 
 /// The joints behind so many of each line, in the order of the file.
 fn fingers(ends: &[Vec<usize>], arm: usize) -> Vec<usize> {
-    let mut moving: Vec<usize> = ends.iter().flat_map(|end| end[arm..].to_vec()).collect();
-    moving.sort_unstable();
-    moving.dedup();
-    moving
+    sorted(ends.iter().flat_map(|end| end[arm..].to_vec()).collect())
+}
+
+/// In the order of the file, each once.
+fn sorted(mut joints: Vec<usize>) -> Vec<usize> {
+    joints.sort_unstable();
+    joints.dedup();
+    joints
 }
 
 /// Whether a link has a name, perhaps behind a prefix.
