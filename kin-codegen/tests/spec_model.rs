@@ -615,6 +615,81 @@ fn an_arm_that_is_found_twice_is_one() {
     assert_eq!(said.matches("tip `palm`").count(), 1, "{said}");
 }
 
+/// A robot of limbs: the link that each begins at, what it is called, and its joints.
+fn limbs(limbs: &[(&str, &str, usize)]) -> String {
+    let mut links = vec!["base".to_owned()];
+    let mut joints = String::new();
+    for (base, limb, count) in limbs {
+        let mut parent = (*base).to_owned();
+        for i in 1..=*count {
+            let child = format!("{limb}{i}");
+            joints += &joint(&format!("to_{child}"), "continuous", &parent, &child, "");
+            links.push(child.clone());
+            parent = child;
+        }
+    }
+    urdf(&links.join(" "), &joints)
+}
+
+/// Wheels in front of it in the file once hid the arm behind "and 1 more".
+#[test]
+fn one_arm_on_a_mobile_robot_is_the_arm() {
+    let robot = limbs(&[
+        ("base", "caster", 2),
+        ("base", "torso", 1),
+        ("torso1", "head", 2),
+        ("torso1", "arm", 5),
+        ("base", "wheel", 1),
+    ]);
+    let model = accept(&robot);
+    assert_eq!((model.tip.as_str(), model.joints.len()), ("arm5", 6));
+    let [warning] = &model.warnings[..] else {
+        panic!("{:?}", model.warnings)
+    };
+    assert_eq!(
+        warning.reason,
+        "the arm is taken from `base` to `arm5`, the only chain of 5 moving joints or more: \
+         those to `head2`, `caster2`, `wheel1` are passed over"
+    );
+    assert_eq!(
+        warning.remedy,
+        "name the end of another one if you mean it (tip), and where it begins (base)"
+    );
+}
+
+#[test]
+fn what_may_be_another_arm_is_not_passed_over() {
+    for (robot, first) in [
+        (limbs(&[("base", "arm", 6), ("base", "other", 6)]), "arm6"),
+        (limbs(&[("base", "leg", 3), ("base", "arm", 6)]), "arm6"),
+        (limbs(&[("base", "arm", 6), ("arm2", "other", 2)]), "arm6"),
+        (limbs(&[("base", "wheel", 1), ("base", "arm", 4)]), "arm4"),
+        // A hand.
+        (
+            limbs(&[("base", "finger", 2), ("base", "thumb", 5)]),
+            "thumb5",
+        ),
+        // Which stands on what roams: the base has to be named as well.
+        (
+            limbs(&[("base", "arm", 6), ("base", "wheel", 1)])
+                .replace("\"base\"", "\"cart\"")
+                .replace("</robot>", "<link name=\"ground\"/></robot>")
+                .replace(
+                    "</robot>",
+                    &(joint("drive", "planar", "ground", "cart", "") + "</robot>"),
+                ),
+            "arm6",
+        ),
+    ] {
+        let said = model("arm.urdf", &robot, None, None)
+            .unwrap_err()
+            .to_string();
+        let listed = said.lines().nth(1).unwrap();
+        assert!(said.contains("2 chains of joints begin at"), "{said}");
+        assert!(listed.contains(&format!("tip `{first}`")), "{said}");
+    }
+}
+
 #[test]
 fn of_very_many_ends_some_are_listed() {
     let names: Vec<String> = (0..150).map(|i| format!("leg{i}")).collect();

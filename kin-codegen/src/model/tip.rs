@@ -13,10 +13,13 @@
 //!    or on which the fingers hang.
 //!
 //! Chains that fork otherwise (two arms in one file) are ambiguous; what is listed of them are the
-//! arms, fingers left out.
+//! arms, fingers left out, those of most joints first. But where one has five joints or more, and
+//! every other no more than three, no more than two of them its own, that one is the arm, and the
+//! others are wheels, casters and heads: a warning says so.
 
 use super::mimic::{Followed, followed};
 use crate::spec::{ArmSpec, Collector, JointType, Limits};
+use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
 
 /// What the field calls the tip, the first choice first: as a whole name, or
@@ -59,6 +62,12 @@ const FINGER_JOINTS: usize = 4;
 const MOST_ENDS: usize = 100;
 /// An arm that carries fingers has no fewer joints.
 const ARM_JOINTS: usize = 3;
+/// An arm that is the only one on what drives and looks has no fewer joints,
+const CARRIED_JOINTS: usize = 5;
+/// and a wheel, a caster or a head, with what lifts it, no more,
+const OTHER_JOINTS: usize = 3;
+/// nor more of its own: three carry a point anywhere, as arms and legs do.
+const OWN_JOINTS: usize = 2;
 
 /// Links below a base, each with the moving joints that lead to it.
 struct Below<'s> {
@@ -73,7 +82,9 @@ struct Below<'s> {
 
 /// What may be meant by the arm.
 struct Arm {
-    /// The joints that move, from the base on; not empty.
+    /// The link that it stands on.
+    base: usize,
+    /// The joints that move, from that link on; not empty.
     joints: Vec<usize>,
     /// The joints that are left out behind them, in the order of the file.
     fingers: Vec<usize>,
@@ -101,10 +112,17 @@ pub(super) fn default_tip(
     if ends.is_empty() {
         return Some(below.rigid_tip(base, false, diagnostics));
     }
-    match &below.arms(&ends)[..] {
+    let arms = below.arms(base, &ends);
+    let or_more = ends.len() >= MOST_ENDS;
+    match &arms[..] {
         [arm] => Some(below.tip(base, arm, diagnostics)),
-        arms => {
-            below.report_ambiguous(base, arms, ends.len() >= MOST_ENDS, diagnostics);
+        [arm, others @ ..] if !or_more && below.is_carried(base, arm, others) => {
+            let tip = below.tip(base, arm, diagnostics);
+            below.warn_of_others(base, tip, others, diagnostics);
+            Some(tip)
+        }
+        _ => {
+            below.report_ambiguous(base, &arms, or_more, diagnostics);
             None
         }
     }
@@ -231,9 +249,9 @@ impl Below<'_> {
         (arm >= ARM_JOINTS && fingers).then_some(arm)
     }
 
-    /// The arms among lines of moving joints, each once. Of lines that begin alike, the most that
-    /// are fingers on one arm are that arm.
-    fn arms(&self, ends: &[Vec<usize>]) -> Vec<Arm> {
+    /// The arms among lines of moving joints, each once, those of most joints first. Of lines that
+    /// begin alike, the most that are fingers on one arm are that arm.
+    fn arms(&self, base: usize, ends: &[Vec<usize>]) -> Vec<Arm> {
         let mut arms: Vec<Arm> = Vec::new();
         let mut rest = ends;
         while let Some(first) = rest.first() {
@@ -248,18 +266,50 @@ impl Below<'_> {
                 .filter_map(|group| Some((group, self.hand(group)?)))
                 .next();
             let (group, arm) = hand.unwrap_or_else(|| (&rest[..1], self.without_fingers(first)));
-            let (joints, fingers) = (&first[..arm], fingers(group, arm));
+            let (base, joints) = self.standing(base, &first[..arm]);
+            let fingers = fingers(group, arm);
             // Lines may differ in their fingers alone.
             match arms.iter_mut().find(|arm| arm.joints == joints) {
                 Some(arm) => arm.fingers = sorted([&arm.fingers[..], &fingers].concat()),
                 None => arms.push(Arm {
+                    base,
                     joints: joints.to_vec(),
                     fingers,
                 }),
             }
             rest = &rest[group.len()..];
         }
+        arms.sort_by_key(|arm| Reverse(arm.joints.len()));
         arms
+    }
+
+    /// Where joints begin of which a chain can be made, and these. What a robot stands on may go
+    /// anywhere: no chain has such joints.
+    fn standing<'j>(&self, base: usize, joints: &'j [usize]) -> (usize, &'j [usize]) {
+        let roams = |&j: &usize| {
+            let kind = self.spec.joints[j].kind;
+            matches!(kind, JointType::Floating | JointType::Planar)
+        };
+        let below = joints.iter().rposition(roams);
+        match below.map(|place| joints.split_at(place + 1)) {
+            Some(([.., last], joints)) if !joints.is_empty() => {
+                (self.spec.joints[*last].child, joints)
+            }
+            _ => (base, joints),
+        }
+    }
+
+    /// Whether the first of several arms is the only one: the others drive, as wheels and casters,
+    /// or look. The longest finger of a hand is no arm.
+    fn is_carried(&self, base: usize, arm: &Arm, others: &[Arm]) -> bool {
+        let is_no_limb = |other: &Arm| {
+            let own = other.joints.iter().filter(|j| !arm.joints.contains(j));
+            other.joints.len() <= OTHER_JOINTS && own.count() <= OWN_JOINTS
+        };
+        arm.base == base
+            && arm.joints.len() >= CARRIED_JOINTS
+            && others.iter().all(is_no_limb)
+            && !self.is_finger(&arm.joints)
     }
 
     /// The link that an arm ends with: what its last joint moves, or what carries the fingers.
@@ -375,6 +425,29 @@ impl Below<'_> {
         diagnostics.warn_whole(reason, "name the tip if you mean another one (tip)");
     }
 
+    /// The name of the tip of an arm that is not taken.
+    fn listed_tip(&self, arm: &Arm) -> &str {
+        let last = self.last(arm);
+        let tip = self.named(&self.rigid(last)).unwrap_or(last);
+        &self.spec.links[tip].name
+    }
+
+    fn warn_of_others(&self, base: usize, tip: usize, others: &[Arm], diagnostics: &mut Collector) {
+        let names: Vec<&str> = others.iter().map(|arm| self.listed_tip(arm)).collect();
+        let [base, tip] = [base, tip].map(|link| &self.spec.links[link].name);
+        let (subject, verb) = match names.len() {
+            1 => ("that", "is"),
+            _ => ("those", "are"),
+        };
+        let reason = format!(
+            "the arm is taken from `{base}` to `{tip}`, the only chain of {CARRIED_JOINTS} moving \
+             joints or more: {subject} to {} {verb} passed over",
+            crate::spec::list_names(&names)
+        );
+        let remedy = "name the end of another one if you mean it (tip), and where it begins (base)";
+        diagnostics.warn_whole(reason, remedy);
+    }
+
     fn report_ambiguous(
         &self,
         base: usize,
@@ -386,28 +459,15 @@ impl Below<'_> {
         const SHOWN: usize = 8;
         let name = |link: usize| self.spec.links[link].name.as_str();
         let line = |arm: &Arm| {
-            // What a robot stands on may go anywhere: no chain has such joints.
-            let roams = |&j: &usize| {
-                let kind = self.spec.joints[j].kind;
-                matches!(kind, JointType::Floating | JointType::Planar)
-            };
-            let below = arm.joints.iter().rposition(roams);
-            let (base, joints) = match below.map(|place| arm.joints.split_at(place + 1)) {
-                Some(([.., last], joints)) if !joints.is_empty() => {
-                    (self.spec.joints[*last].child, joints)
-                }
-                _ => (base, &arm.joints[..]),
-            };
-            let joints: Vec<&str> = joints
+            let joints: Vec<&str> = arm
+                .joints
                 .iter()
                 .map(|&j| self.spec.joints[j].name.as_str())
                 .collect();
-            let last = self.last(arm);
-            let tip = self.named(&self.rigid(last)).unwrap_or(last);
             format!(
                 "base `{}`, tip `{}`: {} moving {}, {}",
-                name(base),
-                name(tip),
+                name(arm.base),
+                self.listed_tip(arm),
                 joints.len(),
                 if joints.len() == 1 { "joint" } else { "joints" },
                 crate::spec::list_names(&joints)

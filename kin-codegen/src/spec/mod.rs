@@ -54,7 +54,9 @@ use kin_runtime::Pose;
 /// `grasp_link`, `grasp_frame`, `gripper_frame_link` or `gripper_frame`;
 /// without these the only leaf; otherwise the link that the joint moves or that
 /// carries the fingers. A file with several arms is ambiguous, and the error
-/// lists them.
+/// lists them, those of most joints first. Wheels, casters and heads make no file ambiguous: where
+/// one chain has five joints or more, and every other no more than three, of which no more than two
+/// are its own, that one is the arm, with a warning.
 ///
 /// # Errors and warnings
 ///
