@@ -690,6 +690,61 @@ fn what_may_be_another_arm_is_not_passed_over() {
     }
 }
 
+/// The last slide of a SCARA or a gantry is often as short as that of a finger.
+#[test]
+fn a_short_slide_may_be_the_arms() {
+    let turn = |rpy: &str| format!(r#"<origin xyz="0.2 0 0" rpy="{rpy}"/><axis xyz="0 0 1"/>"#);
+    let slide = |axis: &str, upper: f64| {
+        format!(r#"<axis xyz="{axis}"/><limit lower="0" upper="{upper}" effort="1" velocity="1"/>"#)
+    };
+    let tip = |joints: &[(&str, String)], rest: &str| {
+        let mut links = "base l1".to_owned();
+        let mut text = joint("j1", "continuous", "base", "l1", &turn("0 0 0"));
+        for (i, (kind, rest)) in (2..).zip(joints) {
+            let [parent, child] = [i - 1, i].map(|i| format!("l{i}"));
+            text += &joint(&format!("j{i}"), kind, &parent, &child, rest);
+            links += &format!(" {child}");
+        }
+        for link in ["tool0", "left", "right"] {
+            if rest.contains(&format!("\"{link}\"")) {
+                links += &format!(" {link}");
+            }
+        }
+        let model = accept(&urdf(&links, &(text + rest)));
+        (model.tip, model.joints.len())
+    };
+    let flat = ("continuous", turn("0 0 1"));
+    let tilted = ("continuous", turn("1.5708 0 0"));
+    let quill = ("prismatic", slide("0 0 -1", 0.1));
+    let across = ("prismatic", slide("1 0 0", 0.1));
+    let tool = joint("hold", "fixed", "l3", "tool0", "");
+    // By the link that it moves.
+    let line = [tilted.clone(), quill.clone()];
+    assert_eq!(tip(&line, &tool), ("tool0".into(), 3));
+    assert_eq!(tip(&line, ""), ("l2".into(), 2));
+    // By the axes before it.
+    assert_eq!(
+        tip(&[flat.clone(), quill.clone()], ""),
+        ("l3".into(), 3),
+        "a SCARA"
+    );
+    assert_eq!(tip(&[flat.clone(), across], ""), ("l2".into(), 2));
+    let about_x = "1.5708 0 0";
+    let turned = format!(r#"<origin rpy="{about_x}"/>"#) + &slide("0 1 0", 0.1);
+    let line = [flat.clone(), flat.clone(), ("prismatic", turned)];
+    assert_eq!(tip(&line, ""), ("l4".into(), 4), "in a turned frame");
+    assert_eq!(
+        tip(std::slice::from_ref(&quill), ""),
+        ("l1".into(), 1),
+        "one joint has no parallel"
+    );
+    // With a gripper behind it.
+    let grip = ["left", "right"]
+        .map(|side| joint(side, "prismatic", "l3", side, &slide("0 1 0", 0.02)))
+        .concat();
+    assert_eq!(tip(&[flat, quill], &grip), ("l3".into(), 3));
+}
+
 #[test]
 fn of_very_many_ends_some_are_listed() {
     let names: Vec<String> = (0..150).map(|i| format!("leg{i}")).collect();

@@ -6,7 +6,8 @@
 //! 2. Fingers are left out: what moves behind a link at which a longer chain
 //!    forks, joints that mimic others than those before them, short slides and joints that are named
 //!    as a gripper's at the end of the chain, and a last joint beside which a
-//!    link hangs under one of the [`NAMES`]. A warning says so. A wrist that carries a jaw may move a
+//!    link hangs under one of the [`NAMES`]. A short slide is no finger's where it moves a link under
+//!    one of the [`NAMES`], or is the quill of a SCARA. A warning says so. A wrist that carries a jaw may move a
 //!    link named as one; of a robot that is a finger nothing is left out.
 //! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
@@ -17,8 +18,10 @@
 //! every other no more than three, no more than two of them its own, that one is the arm, and the
 //! others are wheels, casters and heads: a warning says so.
 
+mod finger;
+
 use super::mimic::{Followed, followed};
-use crate::spec::{ArmSpec, Collector, JointType, Limits};
+use crate::spec::{ArmSpec, Collector, JointType};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
 
@@ -46,16 +49,6 @@ const NAMES: [&str; 19] = [
     "gripper_frame",
 ];
 
-/// A joint of such a name, or one that moves a link of such a name other than
-/// the first (which is often all that the wrist carries), belongs to a gripper.
-const GRIPPERS: [&str; 6] = ["gripper", "finger", "jaw", "knuckle", "claw", "thumb"];
-
-/// A joint of such a name turns what a jaw hangs on, whatever that is called.
-const WRISTS: [&str; 4] = ["wrist", "roll", "rotat", "twist"];
-
-/// A slide at the end of a chain that is shorter than this is a finger's,
-/// metres.
-const FINGER_STROKE: f64 = 0.12;
 /// A finger has no more joints.
 const FINGER_JOINTS: usize = 4;
 /// Of a robot with more ends than this no arm is the one that is meant.
@@ -370,36 +363,6 @@ impl Below<'_> {
         );
         diagnostics.warn_whole(reason, "name another one if you mean it (tip)");
         link
-    }
-
-    /// Whether the last joint of a chain moves a finger.
-    fn is_finger(&self, chain: &[usize]) -> bool {
-        let Some((&last, before)) = chain.split_last() else {
-            return false;
-        };
-        let joint = &self.spec.joints[last];
-        // The last joint of a palletizer mimics those of its arm.
-        let mimics_finger = joint.mimic.is_some() && !before.contains(&self.followed[last].leader);
-        let stroke = match joint.limits {
-            Limits::Range { lower, upper, .. } => (upper - lower).abs(),
-            Limits::Missing | Limits::Unlimited => f64::INFINITY,
-        };
-        let link = self.spec.links[joint.child].name.to_lowercase();
-        let name = joint.name.to_lowercase();
-        mimics_finger
-            || (joint.kind == JointType::Prismatic && stroke < FINGER_STROKE)
-            || GRIPPERS.iter().any(|word| name.contains(word))
-            || GRIPPERS[1..].iter().any(|word| link.contains(word))
-    }
-
-    /// Whether a joint that carries a jaw turns the wrist: it is named so, or not as a gripper's,
-    /// which the link that it moves, the other jaw, may be.
-    fn is_wrist(&self, joint: usize) -> bool {
-        let joint = &self.spec.joints[joint];
-        let name = joint.name.to_lowercase();
-        let is_named = |words: &[&str]| words.iter().any(|word| name.contains(word));
-        let turns = joint.kind != JointType::Prismatic && joint.mimic.is_none();
-        turns && (is_named(&WRISTS) || !is_named(&GRIPPERS))
     }
 
     fn warn_of_fingers(
