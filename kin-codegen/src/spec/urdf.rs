@@ -58,11 +58,13 @@ fn read(source: &Source, diagnostics: &mut Collector) -> Option<Spec> {
 }
 
 /// Children in the namespace of an element that is in the root's, usually
-/// none: other namespaces are extensions, which say nothing about kinematics.
+/// none: other namespaces are extensions, which say nothing about kinematics. Nor does what is left
+/// over from xacro.
 fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
     let namespace = node.tag_name().namespace();
+    let is_own = move |child: &Node| child.tag_name().namespace() == namespace;
     node.children()
-        .filter(move |child| child.is_element() && child.tag_name().namespace() == namespace)
+        .filter(move |child| child.is_element() && is_own(child) && xacro::name(child).is_none())
 }
 
 /// The text is no XML at all.

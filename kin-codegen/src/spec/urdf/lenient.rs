@@ -5,7 +5,7 @@
 //! stays where it is, and warned of.
 
 use super::markup::{Part, parts};
-use super::vocabulary;
+use super::{vocabulary, xacro};
 use crate::spec::Collector;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -43,7 +43,10 @@ pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, 
                 if let Some(prefix) = prefix(name).filter(|it| !declared.contains(it)) {
                     let at = start + 1 + slash;
                     overwrite(&mut strict, at + prefix.len(), "_");
-                    warn(prefix, at);
+                    // Elements of xacro are looked at one by one.
+                    if prefix != xacro::PREFIX {
+                        warn(prefix, at);
+                    }
                 }
                 // No attribute of another namespace is the robot's.
                 for (range, name) in attributes(within, 1 + slash + name.len()) {
@@ -113,11 +116,10 @@ fn attributes(tag: &str, mut at: usize) -> impl Iterator<Item = (Range<usize>, &
     })
 }
 
-/// The prefix of a name. `xacro` has a message of its own.
+/// The prefix of a name.
 fn prefix(name: &str) -> Option<&str> {
     let (prefix, rest) = name.split_once(':')?;
-    let is_prefix =
-        !prefix.is_empty() && !rest.is_empty() && !["xacro", "xml", "xmlns"].contains(&prefix);
+    let is_prefix = !prefix.is_empty() && !rest.is_empty() && !["xml", "xmlns"].contains(&prefix);
     is_prefix.then_some(prefix)
 }
 

@@ -8,6 +8,9 @@ use roxmltree::{Document, Node};
 pub(super) const EXPAND: &str =
     "expand it first: `xacro arm.urdf.xacro > arm.urdf`, and use the result";
 
+/// What the elements have before their names. Where it is not declared, xacro itself expands nothing.
+pub(super) const PREFIX: &str = "xacro";
+
 /// Definitions, which add nothing by themselves.
 const DEFINITIONS: [&str; 3] = ["property", "arg", "macro"];
 
@@ -15,22 +18,21 @@ const DEFINITIONS: [&str; 3] = ["property", "arg", "macro"];
 /// every `${...}` and `$(...)` where kinematics is written. Warns of what an
 /// expansion left over: definitions, and what looks belong to.
 pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
-    let xacros = document.descendants().filter(is_xacro);
+    let xacros = document.descendants().filter(|it| name(it).is_some());
     let mut left_over = None;
-    for element in xacros.filter(|element| element.ancestors().skip(1).all(|it| !is_xacro(&it))) {
-        if is_harmless(element) {
-            left_over.get_or_insert(element);
+    for element in xacros.filter(|it| it.ancestors().skip(1).all(|above| name(&above).is_none())) {
+        let Some(name) = name(&element) else { continue };
+        if is_harmless(element, name) {
+            left_over.get_or_insert((element, name));
             continue;
         }
-        let name = element.tag_name().name();
         let reason = format!(
             "<xacro:{name}>: this file is xacro, a program that writes a URDF, and has not been expanded"
         );
         diagnostics.at(diagnostics.place(element.range().start), reason, EXPAND);
         return;
     }
-    if let Some(element) = left_over {
-        let name = element.tag_name().name();
+    if let Some((element, name)) = left_over {
         let reason = format!("<xacro:{name}> is left over from xacro, and means nothing here");
         let at = diagnostics.place(element.range().start);
         diagnostics.warn(
@@ -48,18 +50,23 @@ pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
     }
 }
 
-fn is_xacro(node: &Node) -> bool {
-    let namespace = node.tag_name().namespace();
-    namespace.is_some_and(|uri| uri.contains("xacro"))
+/// What an element of xacro is called: by its namespace, or by the prefix where that is not
+/// declared, of which `lenient` has written the colon over.
+pub(super) fn name<'a>(node: &Node<'a, '_>) -> Option<&'a str> {
+    let name = node.tag_name();
+    match name.namespace() {
+        Some(uri) if uri.contains("xacro") => Some(name.name()),
+        _ => name.name().strip_prefix(PREFIX)?.strip_prefix('_'),
+    }
 }
 
 /// A definition, or something about how a link looks or what it weighs.
-fn is_harmless(element: Node) -> bool {
+fn is_harmless(element: Node, name: &str) -> bool {
     let within = |node: Node| {
         let name = node.tag_name().name();
         vocabulary::IN_LINK.contains(&name) || vocabulary::IN_JOINT.contains(&name)
     };
-    DEFINITIONS.contains(&element.tag_name().name()) || element.ancestors().skip(1).any(within)
+    DEFINITIONS.contains(&name) || element.ancestors().skip(1).any(within)
 }
 
 fn refuse_expressions(node: Node, diagnostics: &mut Collector) {
