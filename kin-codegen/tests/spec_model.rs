@@ -657,6 +657,48 @@ fn one_arm_on_a_mobile_robot_is_the_arm() {
     );
 }
 
+/// A thumb of five joints beside fingers of four once made each finger an arm.
+#[test]
+fn a_hand_may_have_a_long_thumb() {
+    let robot = limbs(&[
+        ("base", "arm", 6),
+        ("arm6", "index", 4),
+        ("arm6", "middle", 4),
+        ("arm6", "thumb", 5),
+    ]);
+    let read = accept(&robot);
+    assert_eq!((read.tip.as_str(), read.joints.len()), ("arm6", 6));
+    assert!(read.warnings[0].reason.contains("left out"));
+    for (robot, chains) in [
+        // Two limbs are no hand, nor are those of a torso shorter than they are.
+        (
+            limbs(&[
+                ("base", "arm", 6),
+                ("arm6", "left", 5),
+                ("arm6", "right", 5),
+            ]),
+            2,
+        ),
+        (
+            limbs(&[
+                ("base", "torso", 4),
+                ("torso4", "left", 5),
+                ("torso4", "right", 5),
+                ("torso4", "head", 2),
+            ]),
+            3,
+        ),
+    ] {
+        let said = model("arm.urdf", &robot, None, None)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            said.contains(&format!("{chains} chains of joints")),
+            "{said}"
+        );
+    }
+}
+
 #[test]
 fn what_may_be_another_arm_is_not_passed_over() {
     for (robot, first) in [

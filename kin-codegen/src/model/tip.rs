@@ -6,9 +6,9 @@
 //! 2. Fingers are left out: what moves behind a link at which a longer chain
 //!    forks, joints that mimic others than those before them, short slides and joints that are named
 //!    as a gripper's at the end of the chain, and a last joint beside which a
-//!    link hangs under one of the [`NAMES`]. A short slide is no finger's where it moves a link under
-//!    one of the [`NAMES`], or is the quill of a SCARA. A warning says so. A wrist that carries a jaw may move a
-//!    link named as one; of a robot that is a finger nothing is left out.
+//!    link hangs under one of the [`NAMES`]. A warning says so. A wrist that carries a jaw may move a
+//!    link named as one; a short slide is the arm's if it moves a link under one of the [`NAMES`] or
+//!    is the quill of a SCARA; of a robot that is a finger nothing is left out.
 //! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
 //!    or on which the fingers hang.
@@ -49,8 +49,12 @@ const NAMES: [&str; 19] = [
     "gripper_frame",
 ];
 
-/// A finger has no more joints.
+/// A finger has no more joints,
 const FINGER_JOINTS: usize = 4;
+/// unless it is one of a hand, of which the thumb often has one more, and the little finger.
+const HAND_JOINTS: usize = 5;
+/// Fewer fingers are no hand.
+const HAND: usize = 3;
 /// Of a robot with more ends than this no arm is the one that is meant.
 const MOST_ENDS: usize = 100;
 /// An arm that carries fingers has no fewer joints.
@@ -237,7 +241,11 @@ impl Below<'_> {
         while arm > 1 && self.is_finger(&ends[0][..arm]) {
             arm -= 1;
         }
-        let most = FINGER_JOINTS.min(arm);
+        let most = match ends.len() {
+            HAND.. => HAND_JOINTS,
+            _ => FINGER_JOINTS,
+        };
+        let most = most.min(arm);
         let fingers = ends.iter().all(|end| end.len() - arm <= most);
         (arm >= ARM_JOINTS && fingers).then_some(arm)
     }

@@ -44,9 +44,10 @@ use kin_runtime::Pose;
 /// option `tip`. Without it the joints that move decide: the chain ends with
 /// the last of them, and what hangs beside it without moving (cameras,
 /// collision links) does not count. Fingers are left out, with a warning: what
-/// forks off behind an arm of three joints or more, and at the end of a chain
-/// joints that mimic others than those before them, slides of less than 12 cm and joints named as a
-/// gripper's, or move a link named so, unless they turn the wrist that carries a jaw. Such a slide is
+/// forks off behind an arm of three joints or more, in lines of no more joints than the arm has, nor
+/// than four, or five where there are three lines or more; and at the end of a chain joints that
+/// mimic others than those before them, slides of less than 12 cm and joints named as a gripper's, or
+/// that move a link named so, unless they turn the wrist that carries a jaw. Such a slide is
 /// the arm's where it moves a link that is called as a tip is, or, in a chain of up to five joints, is
 /// parallel to the axes of all that turn before it, two at least, with nothing beside it that moves,
 /// as the quill of a SCARA.
