@@ -213,12 +213,12 @@ fn a_remote_centre_is_one_joint() {
     let arm = Arm::new(REMOTE_CENTRE, None).unwrap();
     let joints = [&arm.model, &arm.uncoupled].map(|model| model.joints.len());
     assert_eq!(joints, [8, 6]);
-    // That of the first joint goes through it, as the file has it, to the digits of its angles.
+    // The first axis goes through it.
     let [yaw, pitch] = [0, 1].map(|i| &arm.uncoupled.joints[i]);
     let between = [0, 1, 2].map(|i| pitch.point[i] - yaw.point[i]);
     let across = cross(yaw.axis, pitch.axis);
     let distance = dot(across, between);
-    assert!(distance.abs() < 1e-3, "{distance}");
+    assert!(distance.abs() < 1e-15, "{distance}");
     // Of other angles three are no one.
     let other = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1.5");
     let said = Arm::new(&other, None).err().unwrap();
