@@ -224,7 +224,7 @@ impl Inverse {
                 };
                 writeln!(
                     f,
-                    ". That {why}, by operations of all branches, residuals aside: {}.",
+                    ". That {why}; operations of all branches, residuals aside: {}.",
                     weights.join("; ")
                 )
             }

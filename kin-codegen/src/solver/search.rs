@@ -181,21 +181,16 @@ impl<'a> Search<'a> {
         best.is_some_and(|best| best.certificate.loses_much())
     }
 
-    /// Tries a plan, with a free angle turned where there may be one, and as it is; tells whether
-    /// nothing is left to be improved.
+    /// Tries a plan, with a free angle turned where one is seen to matter, as it is, and turned
+    /// elsewhere; tells whether nothing is left to be improved.
     fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
         let steps = if may_turn { plan.steps.len() } else { 0 };
-        let turned = (0..steps).map(FreeAngles::TurnedAt);
-        let turned = turned.filter(|free| free.may_help(plan));
-        for free in turned.chain([FreeAngles::Seeded]) {
+        let turned = (0..steps).filter(|&step| FreeAngles::TurnedAt(step).may_help(plan));
+        let (matter, others): (Vec<usize>, Vec<usize>) =
+            turned.partition(|&step| self.leaves_free(plan, step));
+        let [matter, others] = [matter, others].map(|it| it.into_iter().map(FreeAngles::TurnedAt));
+        for free in matter.chain([FreeAngles::Seeded]).chain(others) {
             let form = self.reading.form(plan, free);
-            if let FreeAngles::TurnedAt(step) = free {
-                let turns = |graph: &InverseGraph| graph.free_angle.is_some();
-                let may_be_free = form.expressions().is_some_and(turns);
-                if !(may_be_free && self.trials.leaves_free(&form, step)) {
-                    continue;
-                }
-            }
             let has = |what: fn(&InverseGraph) -> bool| form.expressions().is_some_and(what);
             if form.single.is_some() && has(InverseGraph::has_quartic) {
                 self.refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
@@ -221,6 +216,13 @@ impl<'a> Search<'a> {
             }
         }
         false
+    }
+
+    /// Whether a step leaves an angle free on which a later root depends.
+    fn leaves_free(&self, plan: &Plan, step: usize) -> bool {
+        let form = self.reading.form(plan, FreeAngles::TurnedAt(step));
+        let turns = |graph: &InverseGraph| graph.free_angle.is_some();
+        form.expressions().is_some_and(turns) && self.trials.leaves_free(&form, step)
     }
 
     /// Runs a closed form. What one elimination loses another may find.
