@@ -14,16 +14,16 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const CONFIGURATIONS: usize = 100;
 
 /// An arm of the build of Universal Robots, its lengths drawn at random and where its second and fourth
-/// joints are at zero, with this for a right angle.
-fn arm(right_angle: &str, random: &mut Random) -> (Model, ClosedForm) {
+/// joints are at zero, with this for a right angle, and axes that are parallel but for another.
+fn arm(right_angle: &str, tilt: &str, random: &mut Random) -> (Model, ClosedForm) {
     let zeros = [(); 2].map(|()| random.between(-PI, PI));
     let mut length = |from, to| random.between(from, to);
     let (upper, lower) = (length(0.3, 0.6), length(0.3, 0.6));
     let offsets = [(); 3].map(|()| length(0.08, 0.2));
     let links = [
         (right_angle, 0.0, 0.0, length(0.1, 0.2)),
-        ("0", -upper, zeros[0], 0.0),
-        ("0", -lower, 0.0, 0.0),
+        (tilt, -upper, zeros[0], 0.0),
+        (tilt, -lower, 0.0, 0.0),
         (right_angle, 0.0, zeros[1], offsets[0]),
         (&format!("-{right_angle}"), 0.0, 0.0, offsets[1]),
         ("0", 0.0, 0.0, offsets[2]),
@@ -69,22 +69,26 @@ fn without_family(model: &Model, form: &ClosedForm, fifth: f64, random: &mut Ran
 fn a_stretched_wrist_is_answered_whatever_the_elbow_does() {
     let mut random = Random(0x0f_5eed);
     let exact = FRAC_PI_2.to_string();
-    for right_angle in [&exact, "1.57079632679", "1.5708"] {
+    let digits = [
+        (&exact[..], "0"),
+        (&exact, "1e-11"),
+        (&exact, "4e-11"),
+        ("1.57079632679", "0"),
+        ("1.5708", "0"),
+    ];
+    for (right_angle, tilt) in digits {
         for i in 0..4 {
-            let (model, form) = arm(right_angle, &mut random);
+            let (model, form) = arm(right_angle, tilt, &mut random);
+            assert!(form.is_exact());
             // Two right angles that are off by as much are none together where the fifth joint is at
             // a half turn, and the arm is singular no more.
-            let ends = if right_angle == exact {
-                &[0.0, PI][..]
-            } else {
-                &[0.0]
+            let ends = match right_angle == exact {
+                true => &[0.0, PI][..],
+                false => &[0.0],
             };
             for &fifth in ends {
                 let missing = without_family(&model, &form, fifth, &mut random);
-                assert_eq!(
-                    missing, 0,
-                    "arm {i}, right angles of {right_angle}, q5 = {fifth}"
-                );
+                assert_eq!(missing, 0, "arm {i}, {right_angle}, {tilt}, q5 = {fifth}");
             }
         }
     }

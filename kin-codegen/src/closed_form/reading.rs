@@ -1,7 +1,7 @@
 //! An arm with relations read into its axes, and the closed forms of the plans for it.
 
 use super::{ClosedForm, Inverse, Refinement};
-use crate::expr::inverse::{FreeAngles, TipShift, inverse};
+use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{Idealized, Linkage, Swivel, size};
 use crate::model::Model;
 use crate::plan::{Plan, Target};
@@ -68,12 +68,14 @@ impl Reading {
 
     /// The closed form by a plan.
     pub fn form(&self, plan: &Plan, free: FreeAngles) -> ClosedForm {
-        let refinement = match self.is_exact() {
-            true => Refinement::None,
-            false => Refinement::Branches(REFINEMENT),
+        let (margin, refinement) = match self.is_exact() {
+            true => (0.0, Refinement::None),
+            false => (
+                self.tip_shift / self.linkage.size,
+                Refinement::Branches(REFINEMENT),
+            ),
         };
-        let shift = TipShift(self.tip_shift / self.linkage.size);
-        let inverse = inverse(&self.linkage, plan, shift, free);
+        let inverse = inverse(&self.linkage, plan, DomainMargin(margin), free);
         ClosedForm {
             idealized: self.idealized.clone(),
             linkage: self.linkage.clone(),

@@ -47,8 +47,8 @@ pub fn anywhere(model: &Model, random: &mut Random) -> Vec<f64> {
         .collect()
 }
 
-/// Some configurations of which each joint is anywhere, and equally far apart in two that follow each other: so
-/// of three one is always nearer to an angle, and one to the opposite.
+/// Some configurations of which each joint is anywhere, and equally far apart in two that follow
+/// each other: so of three one is always nearer to an angle, and one to the opposite.
 pub fn spread(model: &Model, count: usize, random: &mut Random) -> Vec<Vec<f64>> {
     let n = model.variables.len();
     let first: Vec<f64> = (0..n).map(|_| random.between(-PI, PI)).collect();

@@ -3,7 +3,7 @@
 use super::Certified;
 use crate::certificate::{NearSingular, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
-use crate::expr::inverse::{FreeAngles, TipShift, inverse};
+use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::plan::Target;
 use crate::univariate::{self, Kept, MOST};
 
@@ -36,7 +36,7 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     let flagged = inverse(
         &form.linkage,
         &form.plan,
-        TipShift(form.tip_shift / form.linkage.size),
+        DomainMargin(0.0),
         FreeAngles::Flagged,
     );
     let form = ClosedForm {

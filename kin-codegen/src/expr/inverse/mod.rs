@@ -38,21 +38,20 @@ use kin_runtime::Pose;
 /// How far the arm that the plan is for is from the given one: the shift of its tip by the
 /// arm's size.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TipShift(pub f64);
-
-impl TipShift {
-    /// Vectors whose square is less, relative to their scale, tell nothing but how the arms differ.
-    fn square(self) -> f64 {
-        (2.0 * self.0).powi(2)
-    }
-}
+pub struct DomainMargin(pub f64);
 
 /// Writes the plan for a linkage whose tip is at `tip` at home.
 ///
-/// On an idealized linkage roots out of domain by less than what the tip is shifted by stay alive,
-/// because refinement on the given arm may still reach them.
-pub fn inverse(linkage: &Linkage, plan: &Plan, shift: TipShift, free: FreeAngles) -> InverseGraph {
-    let mut writer = Writer::new(linkage, plan.target, shift);
+/// `margin` is 0 when the linkage is exact. On an idealized linkage it is the
+/// tolerance of the snapping: roots out of domain by less stay alive, because
+/// refinement on the given arm may still reach them.
+pub fn inverse(
+    linkage: &Linkage,
+    plan: &Plan,
+    margin: DomainMargin,
+    free: FreeAngles,
+) -> InverseGraph {
+    let mut writer = Writer::new(linkage, plan.target, margin);
     let free_angle = writer.write_all(plan, free);
     writer.finish(free_angle)
 }
@@ -60,7 +59,7 @@ pub fn inverse(linkage: &Linkage, plan: &Plan, shift: TipShift, free: FreeAngles
 /// What all branches of a plan cost, by [weight](super::Operations::weight), but for their
 /// residuals: these take about as much after every plan of an arm.
 pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
-    let mut writer = Writer::new(linkage, plan.target, TipShift(0.0));
+    let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
     writer.write_all(plan, FreeAngles::Seeded);
     let mut outputs = writer.angles();
     outputs.extend([writer.invalid, writer.singular]);
@@ -89,8 +88,6 @@ struct Writer<'a> {
     swivel: Option<Trig>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
-    /// See [`TipShift::square`]; 0 where branches are refined.
-    told_apart: f64,
     /// See [`FreeAngles::Flagged`].
     flags_badly_told: bool,
     /// By joint: the sine and cosine of its motion.
@@ -142,7 +139,7 @@ struct Level {
 }
 
 impl<'a> Writer<'a> {
-    fn new(linkage: &'a Linkage, target: Target, shift: TipShift) -> Self {
+    fn new(linkage: &'a Linkage, target: Target, margin: DomainMargin) -> Self {
         let mut g = Graph::new();
         let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
         let translation = ["px", "py", "pz"].map(|name| g.input(name));
@@ -154,9 +151,7 @@ impl<'a> Writer<'a> {
         let seed = linkage.solved_variables().into_iter();
         let seed = seed.map(|i| g.input(format!("seed{}", i + 1)));
         let seed = seed.collect();
-        let tolerances = linkage.scalar.tolerances();
-        let is_exact = shift.0 < tolerances.unmoved;
-        let deviation = (!is_exact).then(|| Deviation::new(&mut g, linkage, &given, shift.0));
+        let deviation = (margin.0 > 0.0).then(|| Deviation::new(&mut g, linkage, &given, margin.0));
         let zero = g.zero();
         let n = linkage.links.len();
         Self {
@@ -164,8 +159,7 @@ impl<'a> Writer<'a> {
             linkage,
             tip: linkage.tip_home(),
             target,
-            tolerances,
-            told_apart: if is_exact { shift.square() } else { 0.0 },
+            tolerances: linkage.scalar.tolerances(),
             given,
             pose,
             seed,
@@ -359,7 +353,10 @@ impl<'a> Writer<'a> {
             self.may_be_free = None;
             self.level = None;
             let turns = free == FreeAngles::TurnedAt(i);
-            self.free = self.threshold_of_free(turns);
+            self.free = match turns {
+                true => self.g.input("free"),
+                false => self.g.constant(self.tolerances.free_below),
+            };
             self.write(step);
             if turns {
                 turned = self.may_be_free;
@@ -370,21 +367,6 @@ impl<'a> Writer<'a> {
             self.parts.steps.push(StepPart { begins, relation });
         }
         free_angle
-    }
-
-    /// Below this a vector, squared and relative to its scale, leaves its angle free: of a step that
-    /// turns it what it is called with.
-    fn threshold_of_free(&mut self, turns: bool) -> Expr {
-        let least = self.tolerances.free_below;
-        let least_of_shift = self.g.constant(self.told_apart.max(least));
-        match turns {
-            true if self.told_apart > least => {
-                let asked = self.g.input("free");
-                self.g.max(asked, least_of_shift)
-            }
-            true => self.g.input("free"),
-            false => least_of_shift,
-        }
     }
 
     fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
