@@ -559,6 +559,35 @@ fn between(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::Source;
+
+    #[test]
+    fn rails_and_platforms_carry_an_arm() {
+        let carried_by = |kinds: &str, joints: &[usize]| {
+            let joint = |(i, kind)| {
+                let (kind, point) = match kind {
+                    's' => ("prismatic", String::new()),
+                    _ => ("revolute", format!(", point: [{i}, 0, 0]")),
+                };
+                format!("- {{name: q{i}, axis: [0, 0, 1]{point}, type: {kind}}}\n")
+            };
+            let screws: String = kinds.chars().enumerate().map(joint).collect();
+            let source = Source {
+                path: "arm.yaml".into(),
+                text: format!(
+                    "robot: arm\nunits: {{angle: rad, length: m}}\nscrews:\n{screws}home: {{xyz: [9, 0, 0]}}\n"
+                ),
+            };
+            let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+            carries(&model, joints)
+        };
+        assert!(carried_by("stttttt", &[0]));
+        assert!(carried_by("sstttttt", &[0, 1]) && carried_by("ssttttttt", &[0, 1, 2]));
+        // Turntables, slides within, and what a rail carries beside a turn.
+        assert!(!carried_by("ttttttt", &[0]) && !carried_by("tstttttt", &[1]));
+        assert!(!carried_by("stttttt", &[1]) && !carried_by("stttttttt", &[0, 1]));
+        assert!(!carried_by("tttttt", &[]));
+    }
 
     #[test]
     fn choices_are_all_sets_and_never_more_than_are_compared() {

@@ -219,6 +219,18 @@ fn a_remote_centre_is_one_joint() {
     let across = cross(yaw.axis, pitch.axis);
     let distance = dot(across, between);
     assert!(distance.abs() < 1e-15, "{distance}");
+    // About the opposite axis the same angle is the other one.
+    let backwards = REMOTE_CENTRE.replace(
+        "axis: [-1, 0, 0], mimic: {joint: pitch, multiplier: -1}",
+        "axis: [1, 0, 0], mimic: {joint: pitch}",
+    );
+    let arm = Arm::new(&backwards, None).unwrap();
+    assert_eq!(arm.uncoupled.joints.len(), 6);
+    assert!(arm.is_right(60) > 40);
+    // An angle that is another one at home turns what is carried about no axis.
+    let tilted = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1, offset: 10");
+    let said = Arm::new(&tilted, None).err().unwrap();
+    assert!(said.contains("the 8 joints are more than the 6"), "{said}");
     // Of other angles three are no one.
     let other = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1.5");
     let said = Arm::new(&other, None).err().unwrap();
