@@ -1,7 +1,9 @@
 //! The scalar that a robot is computed in, and what depends on its digits.
 
+use kin_runtime::__private::free_angle;
 use kin_runtime::__private::tolerance as double;
 use kin_runtime::Pose;
+use kin_runtime::single::__private::free_angle as free_angle_in_single;
 use kin_runtime::single::__private::tolerance as single;
 use std::fmt;
 
@@ -93,17 +95,23 @@ impl Scalar {
         }
     }
 
-    /// The turn of a free angle that leaves the next root the most room, radians, by its level at
-    /// some turns; see [`kin_runtime::__private::free_angle`].
-    pub fn roomiest_turn(self, level: impl Fn(f64) -> f64) -> f64 {
-        use kin_runtime::__private::free_angle as double;
-        use kin_runtime::single::__private::free_angle as single;
+    /// The turn of a free angle that leaves a later root the most room, radians, by its levels; see
+    /// [`kin_runtime::__private::free_angle::Levels`].
+    pub fn roomiest_turn(self, levels: [f64; 4]) -> f64 {
         match self {
-            Scalar::F64 => double::roomiest_turn(double::SAMPLES.map(level)),
-            Scalar::F32 => {
-                let level = |turn: f32| level(turn.into()) as f32;
-                single::roomiest_turn(single::SAMPLES.map(level)).into()
-            }
+            Scalar::F64 => free_angle::Levels::new(levels).roomiest(),
+            Scalar::F32 => free_angle_in_single::Levels::new(levels.map(|x| x as f32))
+                .roomiest()
+                .into(),
+        }
+    }
+
+    /// Whether these tell the level at a turn too, as there.
+    pub fn levels_tell(self, levels: [f64; 4], turn: f64, level: f64) -> bool {
+        match self {
+            Scalar::F64 => free_angle::Levels::new(levels).tell(turn, level),
+            Scalar::F32 => free_angle_in_single::Levels::new(levels.map(|x| x as f32))
+                .tell(turn as f32, level as f32),
         }
     }
 

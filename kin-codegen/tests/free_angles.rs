@@ -1,5 +1,5 @@
-//! Three parallel axes and a wrist, with the wrist stretched: a sum of angles is free then, but not every
-//! value of it leaves the elbow a root.
+//! Three parallel axes and a wrist, with the wrist stretched or over the first axis: a sum of angles or
+//! the first is free then, but not every value of it leaves the elbow a root.
 
 use kin_codegen::closed_form::ClosedForm;
 use kin_codegen::geometry::Linkage;
@@ -13,21 +13,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Of each arm, as many with the elbow anywhere and with the arm straight.
 const CONFIGURATIONS: usize = 100;
 
-/// An arm of the build of Universal Robots, its lengths drawn at random and where its second and fourth
-/// joints are at zero, with this for a right angle, and axes that are parallel but for another.
-fn arm(right_angle: &str, tilt: &str, random: &mut Random) -> (Model, ClosedForm) {
-    let zeros = [(); 2].map(|()| random.between(-PI, PI));
-    let mut length = |from, to| random.between(from, to);
-    let (upper, lower) = (length(0.3, 0.6), length(0.3, 0.6));
-    let offsets = [(); 3].map(|()| length(0.08, 0.2));
-    let links = [
-        (right_angle, 0.0, 0.0, length(0.1, 0.2)),
-        (tilt, -upper, zeros[0], 0.0),
-        (tilt, -lower, 0.0, 0.0),
-        (right_angle, 0.0, zeros[1], offsets[0]),
-        (&format!("-{right_angle}"), 0.0, 0.0, offsets[1]),
-        ("0", 0.0, 0.0, offsets[2]),
-    ];
+/// The arm of some lines of Denavit and Hartenberg's parameters: α, a, θ and d.
+fn arm_of(links: &[(&str, f64, f64, f64)]) -> (Model, ClosedForm) {
     let links = links.iter().enumerate().map(|(i, (alpha, a, theta, d))| {
         format!(
             "- {{name: q{}, alpha: {alpha}, a: {a}, theta: {theta}, d: {d}}}\n",
@@ -45,6 +32,24 @@ fn arm(right_angle: &str, tilt: &str, random: &mut Random) -> (Model, ClosedForm
         .unwrap()
         .form;
     (model, form)
+}
+
+/// An arm of the build of Universal Robots, its lengths drawn at random and where its second and fourth
+/// joints are at zero, with this for a right angle, and axes that are parallel but for another.
+fn arm(right_angle: &str, tilt: &str, random: &mut Random) -> (Model, ClosedForm) {
+    let zeros = [(); 2].map(|()| random.between(-PI, PI));
+    let mut length = |from, to| random.between(from, to);
+    let (upper, lower) = (length(0.3, 0.6), length(0.3, 0.6));
+    let offsets = [(); 3].map(|()| length(0.08, 0.2));
+    let links = [
+        (right_angle, 0.0, 0.0, length(0.1, 0.2)),
+        (tilt, -upper, zeros[0], 0.0),
+        (tilt, -lower, 0.0, 0.0),
+        (right_angle, 0.0, zeros[1], offsets[0]),
+        (&format!("-{right_angle}"), 0.0, 0.0, offsets[1]),
+        ("0", 0.0, 0.0, offsets[2]),
+    ];
+    arm_of(&links)
 }
 
 /// How many targets with the fifth joint at an angle have no solution with its first joint there and
@@ -91,5 +96,40 @@ fn a_stretched_wrist_is_answered_whatever_the_elbow_does() {
                 assert_eq!(missing, 0, "arm {i}, {right_angle}, {tilt}, q5 = {fifth}");
             }
         }
+    }
+}
+
+/// The fifth and sixth axes meet a little way off the fourth, and where they do may be over the first.
+#[test]
+fn a_wrist_over_the_base_is_answered_whatever_the_elbow_does() {
+    let mut random = Random(0xba5e);
+    let right_angle = FRAC_PI_2.to_string();
+    let back = format!("-{right_angle}");
+    for i in 0..6 {
+        let mut length = |from, to| random.between(from, to);
+        let [upper, lower, wrist] = [length(0.2, 0.5), length(0.2, 0.5), length(0.05, 0.15)];
+        // Of some the shoulder is off the first axis.
+        let shoulder = if i % 2 == 0 { 0.0 } else { length(-0.05, 0.05) };
+        let base = length(0.05, 0.2);
+        let (model, form) = arm_of(&[
+            (&right_angle, shoulder, 0.0, base),
+            ("0", upper, 0.0, 0.0),
+            ("0", lower, 0.0, 0.0),
+            (&right_angle, wrist, 0.0, 0.0),
+            (&back, 0.0, 0.0, 0.0),
+            ("0", 0.0, 0.0, 0.1),
+        ]);
+        let chain = model.chain();
+        let mut over = Vec::new();
+        while over.len() < CONFIGURATIONS {
+            let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
+            let reach = shoulder + upper * q[1].cos() + lower * (q[1] + q[2]).cos();
+            if reach.abs() < wrist {
+                q[3] = (-reach / wrist).acos() - q[1] - q[2];
+                over.push(q);
+            }
+        }
+        over.retain(|q| form.solutions(&chain.fk(q)).is_empty());
+        assert_eq!(over.len(), 0, "arm {i}: {over:?}");
     }
 }

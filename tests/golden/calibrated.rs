@@ -1378,10 +1378,10 @@ mod __Calibrated {
         }
     }
 
-    impl Inverse<6, 8, 0, 4> for Calibrated {
+    impl Inverse<6, 8, 0, 4, 0> for Calibrated {
         const ACCEPT: Acceptance = Calibrated::ACCEPT;
         const WIDTH: usize = 4;
-        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        const FREE: [usize; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 4] {
             let _ = (seed, locked);
@@ -1396,7 +1396,7 @@ mod __Calibrated {
             locked: &[f64; 0],
             sin_cos: impl SinCos<4>,
             free: f64,
-        ) -> Lanes<6, 8, { T }> {
+        ) -> Lanes<6, 8, { T }, 0> {
             let _ = locked;
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
@@ -2131,8 +2131,8 @@ mod __Calibrated {
                 residual: residual_.0,
                 invalid: invalid_.all(),
                 singular: singular_.all(),
-                level: [[0.0; T]; 8],
-                no_root: [[0.0; T]; 8],
+                level: [],
+                no_root: [],
             }
         }
     }

@@ -471,12 +471,20 @@ const $why_none = (form, target) => {
     return rotates ? "out of reach" : "not a rotation";
 };
 
-/* The turn of a free angle, radians, that leaves the next root the most room, from the level
- * d of its equation a cos x + b sin x = d at turns of 0, pi/2 and pi. */
-const $roomiest_turn = (here, quarter, half) => {
+/* What a later root says of a free angle at some turns of the seed's, radians: d of its equation
+ * a cos x + b sin x = d. Three tell mean + cosine cos x + sine sin x, and the fourth whether d is
+ * that. */
+const $level_turns = [0.0, 1.5707963267948966, Math.PI, 4.0];
+
+/* What the first three tell. */
+const $harmonics_of = ([here, quarter, half]) => {
     const mean = 0.5 * (here + half);
-    const cosine = 0.5 * (here - half);
-    const sine = quarter - mean;
+    return [mean, 0.5 * (here - half), quarter - mean];
+};
+
+/* The turn, radians, that leaves the root the most room. */
+const $roomiest_turn = (levels) => {
+    const [mean, cosine, sine] = $harmonics_of(levels);
     const amplitude = Math.sqrt(cosine * cosine + sine * sine);
     /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
     const near = Math.max(amplitude + mean, 0.0);
@@ -484,30 +492,76 @@ const $roomiest_turn = (here, quarter, half) => {
     return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
-/* The lanes, with an angle that is free turned where its own value leaves the next root none. */
+/* Whether d is as the three turns tell it, at the fourth and where it is known too. */
+const $levels_tell = (levels, turn, level) => {
+    const [mean, x, y] = $harmonics_of(levels);
+    const scale = Math.abs(mean) + Math.abs(x) + Math.abs(y);
+    /* Also where it is no number. */
+    const is_told = ([turn, level]) => {
+        const { sine, cosine } = $sin_cos(turn);
+        return Math.abs(mean + x * cosine + y * sine - level) <= 1e-9 * scale;
+    };
+    return [[$level_turns[3], levels[3]], [turn, level]].every(is_told);
+};
+
+/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+ * is left out. */
+const $leaves_none = (form, lanes, angle, left_out, k) =>
+    form.free_angles.some((coordinate, j) =>
+        coordinate === form.free_angles[angle] && j !== left_out && lanes.no_root[j][k] > 0.0);
+
+/* The lanes with the angles from the first one turned that are free and leave a later root none, as
+ * `said`: to where that has the most room. Where more than one is free, each turns after those before
+ * it. */
+const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
+    for (let angle = first; angle < form.free_angles.length; ++angle) {
+        const asked = open.filter((k) => said.no_root[angle][k] > 0.0);
+        if (asked.length === 0) {
+            continue;
+        }
+        open = open.filter((k) => !asked.includes(k));
+        const turned = (turn) => {
+            const other = seed.map((x, i) => (i === form.free_angles[angle] ? x + turn : x));
+            return { turn, seed: other, lanes: run(other) };
+        };
+        const samples = $level_turns.map(turned);
+        let all_round = null;
+        for (const k of asked) {
+            const level = (at) => at.lanes.level[angle][k];
+            const levels = samples.map(level);
+            let best = turned($roomiest_turn(levels));
+            const is_as_told = $levels_tell(levels, best.turn, level(best));
+            if ($leaves_none(form, best.lanes, angle, is_as_told ? angle : -1, k)) {
+                let step = 2.0 * Math.PI / 16.0;
+                all_round ??= Array.from({ length: 15 }, (_, i) => turned((i + 1) * step));
+                const has_roots = (at) => !$leaves_none(form, at.lanes, angle, -1, k);
+                const is_more = (at, than) => (has_roots(at) === has_roots(than)
+                    ? Math.abs(level(at)) < Math.abs(level(than))
+                    : has_roots(at));
+                const better = (one, other) => (is_more(other, one) ? other : one);
+                best = all_round.reduce(better);
+                for (let halving = 0; halving < 5 && !has_roots(best); ++halving) {
+                    step *= 0.5;
+                    best = [turned(best.turn - step), turned(best.turn + step)].reduce(better, best);
+                }
+            }
+            lanes.q.forEach((lane, i) => (lane[k] = best.lanes.q[i][k]));
+            lanes.residual[k] = best.lanes.residual[k];
+            lanes.invalid[k] = best.lanes.invalid[k];
+            lanes.singular[k] = best.lanes.singular[k];
+            $turn_free_angles(form, run, best.seed, best.lanes, angle + 1, [k], lanes);
+        }
+    }
+};
+
+/* The lanes, with angles that are free turned where their own values leave a later root none. */
 const $branches = (form, target, from, given) => {
     /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
     const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
     const lanes = form.lanes(target, seed, given, 1e-24);
-    if (form.free_angle === null || !lanes.no_root.some((x) => x > 0.0)) {
-        return lanes;
-    }
-    /* A free angle at the seed's value can leave a later step no root: it turns to where it
-     * leaves the most room. */
-    const turned = (turn) => {
-        const other = seed.map((x, i) => (i === form.free_angle ? x + turn : x));
-        return form.lanes(target, other, given, 2.5e-19);
-    };
-    const samples = [0.0, 1.5707963267948966, Math.PI].map(turned);
-    for (let k = 0; k < form.branches; ++k) {
-        if (lanes.no_root[k] > 0.0) {
-            const best = turned($roomiest_turn(...samples.map((sample) => sample.level[k])));
-            lanes.q.forEach((lane, i) => (lane[k] = best.q[i][k]));
-            lanes.residual[k] = best.residual[k];
-            lanes.invalid[k] = best.invalid[k];
-            lanes.singular[k] = best.singular[k];
-        }
-    }
+    const run = (seed) => form.lanes(target, seed, given, 1e-16);
+    const open = Array.from({ length: form.branches }, (_, k) => k);
+    $turn_free_angles(form, run, seed, lanes, 0, open, lanes);
     return lanes;
 };
 
@@ -1293,7 +1347,7 @@ return $mechanism({
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
                 nearly: 3.4399999999999963e-6,
-                free_angle: null,
+                free_angles: [],
                 counts_translation: true,
                 counts_rotation: false,
                 counts_axis: false,
@@ -1304,6 +1358,7 @@ return $mechanism({
                     const lanes = {
                         q: Array.from({ length: 3 }, () => new Float64Array(4)),
                         residual: new Float64Array(4), invalid: new Float64Array(4), singular: new Float64Array(4),
+                        level: Array.from({ length: 0 }, () => new Float64Array(4)), no_root: Array.from({ length: 0 }, () => new Float64Array(4)),
                     };
                     /* The seed, for an angle that the target leaves free */
                     const t1 = seed[1] - 2.0014839778199303;
@@ -1650,7 +1705,7 @@ return $mechanism({
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
                 nearly: 1.0239019559141966e-6,
-                free_angle: null,
+                free_angles: [],
                 counts_translation: false,
                 counts_rotation: true,
                 counts_axis: false,
@@ -1661,6 +1716,7 @@ return $mechanism({
                     const lanes = {
                         q: Array.from({ length: 2 }, () => new Float64Array(1)),
                         residual: new Float64Array(1), invalid: new Float64Array(1), singular: new Float64Array(1),
+                        level: Array.from({ length: 0 }, () => new Float64Array(1)), no_root: Array.from({ length: 0 }, () => new Float64Array(1)),
                     };
                     const r11 = target[0];
                     const r12 = target[1];
@@ -2407,7 +2463,7 @@ return $mechanism({
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
                 nearly: 3.4399999999999963e-6,
-                free_angle: null,
+                free_angles: [],
                 counts_translation: true,
                 counts_rotation: false,
                 counts_axis: false,
@@ -2418,6 +2474,7 @@ return $mechanism({
                     const lanes = {
                         q: Array.from({ length: 3 }, () => new Float64Array(4)),
                         residual: new Float64Array(4), invalid: new Float64Array(4), singular: new Float64Array(4),
+                        level: Array.from({ length: 0 }, () => new Float64Array(4)), no_root: Array.from({ length: 0 }, () => new Float64Array(4)),
                     };
                     /* The seed, for an angle that the target leaves free */
                     const t1 = seed[1] - 0.4306876510250337;
@@ -2810,7 +2867,7 @@ return $mechanism({
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
                 nearly: 1.0239019559141966e-6,
-                free_angle: null,
+                free_angles: [],
                 counts_translation: false,
                 counts_rotation: true,
                 counts_axis: false,
@@ -2821,6 +2878,7 @@ return $mechanism({
                     const lanes = {
                         q: Array.from({ length: 2 }, () => new Float64Array(2)),
                         residual: new Float64Array(2), invalid: new Float64Array(2), singular: new Float64Array(2),
+                        level: Array.from({ length: 0 }, () => new Float64Array(2)), no_root: Array.from({ length: 0 }, () => new Float64Array(2)),
                     };
                     /* The seed, for an angle that the target leaves free */
                     const { sine: t1, cosine: t2 } = $sin_cos(seed[0]);
@@ -3646,7 +3704,7 @@ return $mechanism({
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
                 nearly: 3.4399999999999963e-6,
-                free_angle: null,
+                free_angles: [],
                 counts_translation: true,
                 counts_rotation: false,
                 counts_axis: false,
@@ -3657,6 +3715,7 @@ return $mechanism({
                     const lanes = {
                         q: Array.from({ length: 3 }, () => new Float64Array(4)),
                         residual: new Float64Array(4), invalid: new Float64Array(4), singular: new Float64Array(4),
+                        level: Array.from({ length: 0 }, () => new Float64Array(4)), no_root: Array.from({ length: 0 }, () => new Float64Array(4)),
                     };
                     /* The seed, for an angle that the target leaves free */
                     const t1 = seed[1] - 0.4306876510250337;
@@ -4049,7 +4108,7 @@ return $mechanism({
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
                 nearly: 1.0239019559141966e-6,
-                free_angle: null,
+                free_angles: [],
                 counts_translation: false,
                 counts_rotation: true,
                 counts_axis: false,
@@ -4060,6 +4119,7 @@ return $mechanism({
                     const lanes = {
                         q: Array.from({ length: 2 }, () => new Float64Array(2)),
                         residual: new Float64Array(2), invalid: new Float64Array(2), singular: new Float64Array(2),
+                        level: Array.from({ length: 0 }, () => new Float64Array(2)), no_root: Array.from({ length: 0 }, () => new Float64Array(2)),
                     };
                     /* The seed, for an angle that the target leaves free */
                     const { sine: t1, cosine: t2 } = $sin_cos(seed[0]);

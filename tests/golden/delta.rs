@@ -333,10 +333,10 @@ mod __Delta {
             }
         }
 
-        impl Inverse<3, 4, 0, 2> for Head1 {
+        impl Inverse<3, 4, 0, 2, 0> for Head1 {
             const ACCEPT: Acceptance = Head1::ACCEPT;
             const WIDTH: usize = 4;
-            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            const FREE: [usize; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
                 let _ = (seed, locked);
@@ -351,7 +351,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<2>,
                 free: f64,
-            ) -> Lanes<3, 4, { T }> {
+            ) -> Lanes<3, 4, { T }, 0> {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
@@ -503,8 +503,8 @@ mod __Delta {
                     residual: residual_.0,
                     invalid: invalid_.0,
                     singular: singular_.0,
-                    level: [[0.0; T]; 4],
-                    no_root: [[0.0; T]; 4],
+                    level: [],
+                    no_root: [],
                 }
             }
         }
@@ -650,10 +650,10 @@ mod __Delta {
             }
         }
 
-        impl Inverse<2, 1, 0, 0> for Tail1 {
+        impl Inverse<2, 1, 0, 0, 0> for Tail1 {
             const ACCEPT: Acceptance = Tail1::ACCEPT;
             const WIDTH: usize = 1;
-            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            const FREE: [usize; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
                 let _ = (seed, locked);
@@ -667,7 +667,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<0>,
                 free: f64,
-            ) -> Lanes<2, 1, { T }> {
+            ) -> Lanes<2, 1, { T }, 0> {
                 let _ = seed;
                 let _ = locked;
                 let _ = free;
@@ -771,8 +771,8 @@ mod __Delta {
                     residual: [residual_.0; 1],
                     invalid: [[0.0; T]; 1],
                     singular: [[0.0; T]; 1],
-                    level: [[0.0; T]; 1],
-                    no_root: [[0.0; T]; 1],
+                    level: [],
+                    no_root: [],
                 }
             }
         }
@@ -1097,10 +1097,10 @@ mod __Delta {
             }
         }
 
-        impl Inverse<3, 4, 0, 2> for Head2 {
+        impl Inverse<3, 4, 0, 2, 0> for Head2 {
             const ACCEPT: Acceptance = Head2::ACCEPT;
             const WIDTH: usize = 4;
-            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            const FREE: [usize; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
                 let _ = (seed, locked);
@@ -1115,7 +1115,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<2>,
                 free: f64,
-            ) -> Lanes<3, 4, { T }> {
+            ) -> Lanes<3, 4, { T }, 0> {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
@@ -1269,8 +1269,8 @@ mod __Delta {
                     residual: residual_.0,
                     invalid: invalid_.0,
                     singular: singular_.0,
-                    level: [[0.0; T]; 4],
-                    no_root: [[0.0; T]; 4],
+                    level: [],
+                    no_root: [],
                 }
             }
         }
@@ -1435,10 +1435,10 @@ mod __Delta {
             }
         }
 
-        impl Inverse<2, 2, 0, 1> for Tail2 {
+        impl Inverse<2, 2, 0, 1, 0> for Tail2 {
             const ACCEPT: Acceptance = Tail2::ACCEPT;
             const WIDTH: usize = 2;
-            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            const FREE: [usize; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 1] {
                 let _ = (seed, locked);
@@ -1452,7 +1452,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<1>,
                 free: f64,
-            ) -> Lanes<2, 2, { T }> {
+            ) -> Lanes<2, 2, { T }, 0> {
                 let _ = locked;
                 let _ = free;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
@@ -1693,8 +1693,8 @@ mod __Delta {
                     residual: residual_.0,
                     invalid: invalid_.0,
                     singular: singular_.0,
-                    level: [[0.0; T]; 2],
-                    no_root: [[0.0; T]; 2],
+                    level: [],
+                    no_root: [],
                 }
             }
         }
@@ -2018,10 +2018,10 @@ mod __Delta {
             }
         }
 
-        impl Inverse<3, 4, 0, 2> for Head3 {
+        impl Inverse<3, 4, 0, 2, 0> for Head3 {
             const ACCEPT: Acceptance = Head3::ACCEPT;
             const WIDTH: usize = 4;
-            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            const FREE: [usize; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
                 let _ = (seed, locked);
@@ -2036,7 +2036,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<2>,
                 free: f64,
-            ) -> Lanes<3, 4, { T }> {
+            ) -> Lanes<3, 4, { T }, 0> {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
@@ -2190,8 +2190,8 @@ mod __Delta {
                     residual: residual_.0,
                     invalid: invalid_.0,
                     singular: singular_.0,
-                    level: [[0.0; T]; 4],
-                    no_root: [[0.0; T]; 4],
+                    level: [],
+                    no_root: [],
                 }
             }
         }
@@ -2356,10 +2356,10 @@ mod __Delta {
             }
         }
 
-        impl Inverse<2, 2, 0, 1> for Tail3 {
+        impl Inverse<2, 2, 0, 1, 0> for Tail3 {
             const ACCEPT: Acceptance = Tail3::ACCEPT;
             const WIDTH: usize = 2;
-            const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+            const FREE: [usize; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 1] {
                 let _ = (seed, locked);
@@ -2373,7 +2373,7 @@ mod __Delta {
                 locked: &[f64; 0],
                 sin_cos: impl SinCos<1>,
                 free: f64,
-            ) -> Lanes<2, 2, { T }> {
+            ) -> Lanes<2, 2, { T }, 0> {
                 let _ = locked;
                 let _ = free;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
@@ -2606,8 +2606,8 @@ mod __Delta {
                     residual: residual_.0,
                     invalid: invalid_.0,
                     singular: singular_.0,
-                    level: [[0.0; T]; 2],
-                    no_root: [[0.0; T]; 2],
+                    level: [],
+                    no_root: [],
                 }
             }
         }

@@ -834,10 +834,10 @@ mod __Kr6R900 {
         }
     }
 
-    impl Inverse<6, 8, 0, 3> for Kr6R900 {
+    impl Inverse<6, 8, 0, 3, 0> for Kr6R900 {
         const ACCEPT: Acceptance = Kr6R900::ACCEPT;
         const WIDTH: usize = 4;
-        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        const FREE: [usize; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 3] {
             let _ = (seed, locked);
@@ -851,7 +851,7 @@ mod __Kr6R900 {
             locked: &[f64; 0],
             sin_cos: impl SinCos<3>,
             free: f64,
-        ) -> Lanes<6, 8, { T }> {
+        ) -> Lanes<6, 8, { T }, 0> {
             let _ = locked;
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
@@ -1158,8 +1158,8 @@ mod __Kr6R900 {
                 residual: residual_.all(),
                 invalid: invalid_.0,
                 singular: singular_.all(),
-                level: [[0.0; T]; 8],
-                no_root: [[0.0; T]; 8],
+                level: [],
+                no_root: [],
             }
         }
     }

@@ -734,10 +734,10 @@ mod __Panda {
         }
     }
 
-    impl Inverse<6, 8, 1, 4> for Panda {
+    impl Inverse<6, 8, 1, 4, 0> for Panda {
         const ACCEPT: Acceptance = Panda::ACCEPT;
         const WIDTH: usize = 4;
-        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        const FREE: [usize; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 1]) -> [f64; 4] {
             let _ = (seed, locked);
@@ -751,7 +751,7 @@ mod __Panda {
             locked: &[f64; 1],
             sin_cos: impl SinCos<4>,
             free: f64,
-        ) -> Lanes<6, 8, { T }> {
+        ) -> Lanes<6, 8, { T }, 0> {
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
@@ -1080,8 +1080,8 @@ mod __Panda {
                 residual: residual_.all(),
                 invalid: invalid_.0,
                 singular: singular_.all(),
-                level: [[0.0; T]; 8],
-                no_root: [[0.0; T]; 8],
+                level: [],
+                no_root: [],
             }
         }
     }

@@ -468,10 +468,10 @@ mod __Scara {
         }
     }
 
-    impl Inverse<4, 2, 0, 1> for Scara {
+    impl Inverse<4, 2, 0, 1, 0> for Scara {
         const ACCEPT: Acceptance = Scara::ACCEPT;
         const WIDTH: usize = 2;
-        const FREE: ::core::option::Option<usize> = ::core::option::Option::None;
+        const FREE: [usize; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 4], locked: &[f64; 0]) -> [f64; 1] {
             let _ = (seed, locked);
@@ -485,7 +485,7 @@ mod __Scara {
             locked: &[f64; 0],
             sin_cos: impl SinCos<1>,
             free: f64,
-        ) -> Lanes<4, 2, { T }> {
+        ) -> Lanes<4, 2, { T }, 0> {
             let _ = locked;
             let _ = free;
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
@@ -657,8 +657,8 @@ mod __Scara {
                 residual: residual_.0,
                 invalid: invalid_.0,
                 singular: singular_.0,
-                level: [[0.0; T]; 2],
-                no_root: [[0.0; T]; 2],
+                level: [],
+                no_root: [],
             }
         }
     }

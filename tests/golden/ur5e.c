@@ -201,16 +201,50 @@ UR5E_INLINE double ur5e_angle(double y, double x)
     return ur5e_select(-pi, angle, angle, pi);
 }
 
-/* The turn of a free angle, radians, that leaves the next root the most room, from the level
- * d of its equation a cos x + b sin x = d at turns of 0, pi/2 and pi. */
-static double ur5e_roomiest_turn(double here, double quarter, double half)
+/* What a later root says of a free angle at some turns of the seed's, radians: d of its equation
+ * a cos x + b sin x = d. Three tell mean + cosine cos x + sine sin x, and the fourth whether d is
+ * that. */
+static const double ur5e_level_turns[4] = {0.0, 1.5707963267948966, 3.141592653589793, 4.0};
+
+/* What the first three tell. */
+typedef struct ur5e_first_harmonic {
+    double mean, cosine, sine;
+} ur5e_first_harmonic;
+
+static ur5e_first_harmonic ur5e_first_harmonic_of(const double levels[4])
 {
-    const double mean = 0.5 * (here + half);
-    const double cosine = 0.5 * (here - half), sine = quarter - mean;
-    const double amplitude = sqrt(cosine * cosine + sine * sine);
+    ur5e_first_harmonic of;
+    of.mean = 0.5 * (levels[0] + levels[2]);
+    of.cosine = 0.5 * (levels[0] - levels[2]);
+    of.sine = levels[1] - of.mean;
+    return of;
+}
+
+/* The turn, radians, that leaves the root the most room. */
+static double ur5e_roomiest_turn(const double levels[4])
+{
+    const ur5e_first_harmonic of = ur5e_first_harmonic_of(levels);
+    const double amplitude = sqrt(of.cosine * of.cosine + of.sine * of.sine);
     /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
-    const double near_ = ur5e_max(amplitude + mean, 0.0), far_ = ur5e_max(amplitude - mean, 0.0);
-    return ur5e_wrap(ur5e_atan2(sine, cosine) - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
+    const double near_ = ur5e_max(amplitude + of.mean, 0.0);
+    const double far_ = ur5e_max(amplitude - of.mean, 0.0);
+    return ur5e_wrap(ur5e_atan2(of.sine, of.cosine) - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
+}
+
+/* Whether d is as the three turns tell it, at the fourth and where it is known too. */
+static int ur5e_levels_tell(const double levels[4], double turn, double level)
+{
+    const ur5e_first_harmonic of = ur5e_first_harmonic_of(levels);
+    const double scale = fabs(of.mean) + fabs(of.cosine) + fabs(of.sine);
+    const double known[2][2] = {{ur5e_level_turns[3], levels[3]}, {turn, level}};
+    int tell = 1;
+    for (int i = 0; i < 2; ++i) {
+        double sine, cosine;
+        ur5e_sin_cos(known[i][0], &sine, &cosine);
+        /* Also where it is no number. */
+        tell &= fabs(of.mean + of.cosine * cosine + of.sine * sine - known[i][1]) <= 1e-9 * scale;
+    }
+    return tell;
 }
 
 /* Of the values of a joint that are q but for full turns, if it turns, the one inside its limits
@@ -992,6 +1026,11 @@ static void ur5e_whole(const double solved[UR5E_SOLVED], const double *given, do
     (void)given;
 }
 
+/* The joints whose seeds angles have that singular targets leave free, where their values can leave
+ * a later root none. */
+#define UR5E_FREE 1
+static const int ur5e_free[UR5E_FREE] = {3};
+
 /* All branches of the plan: lane k is the branch whose i-th choice is + where bit i of k is
  * clear. */
 typedef struct ur5e_lanes {
@@ -1001,10 +1040,10 @@ typedef struct ur5e_lanes {
     double invalid[8];
     /* Positive where a root is double or an angle is free. */
     double singular[8];
-    /* What the root behind an angle that may be free says: its level, and positive where it
-     * is none. */
-    double level[8];
-    double no_root[8];
+    /* What the roots behind angles that may be free say: their level, and positive where they
+     * are none. */
+    double level[UR5E_FREE][8];
+    double no_root[UR5E_FREE][8];
 } ur5e_lanes;
 
 UR5E_INLINE void ur5e_lanes_of(
@@ -1137,7 +1176,7 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t57 = 5.999340072592016 * t55;
         const double t58 = 5.999340072592016 * t56;
         const double c3 = -t58;
-        const double no_root = ur5e_select(t38, 2.5e-19, ur5e_select(t52, -2.778388922499999e-15, 1.0, 0.0), 0.0);
+        const double no_root = ur5e_select(t38, 1e-16, ur5e_select(t52, -2.778388922499999e-15, 1.0, 0.0), 0.0);
         /* 5. q2 by SP1, given q1, q3 and q6 (what several branches share) */
         const double t59 = c1 * t47 + s1 * t48;
         const double t60 = 2.3529411764705883 * t55;
@@ -1283,8 +1322,8 @@ UR5E_INLINE void ur5e_lanes_of(
         lanes->residual[k] = residual_[k];
         lanes->invalid[k] = invalid_[k];
         lanes->singular[k] = singular_[k];
-        lanes->level[k] = level_[k];
-        lanes->no_root[k] = no_root_[k];
+        lanes->level[0][k] = level_[k];
+        lanes->no_root[0][k] = no_root_[k];
     }
 }
 
@@ -1312,32 +1351,123 @@ static void ur5e_compute_lanes(
     ur5e_lanes_of(target, seed, given, free_below, lanes);
 }
 
-/* A free angle at the seed's value can leave a later step no root: it turns to where it leaves
- * the most room. */
-static void ur5e_turn_free_angles(
-    const double target[12], const double seed[UR5E_SOLVED], const double *given, ur5e_lanes *lanes)
+/* A lane as another run of the plan has it. */
+static void ur5e_set_lane(ur5e_lanes *lanes, const ur5e_lanes *other, int k)
 {
-    const double turns[3] = {0.0, 1.5707963267948966, 3.141592653589793};
-    ur5e_lanes turned[3], best;
-    double other[UR5E_SOLVED];
     for (int i = 0; i < UR5E_SOLVED; ++i) {
-        other[i] = seed[i];
+        lanes->q[i][k] = other->q[i][k];
     }
-    for (int s = 0; s < 3; ++s) {
-        other[3] = seed[3] + turns[s];
-        ur5e_compute_lanes(target, other, given, 2.5e-19, &turned[s]);
+    lanes->residual[k] = other->residual[k];
+    lanes->invalid[k] = other->invalid[k];
+    lanes->singular[k] = other->singular[k];
+}
+
+/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+ * is left out. */
+static int ur5e_leaves_none(const ur5e_lanes *lanes, int angle, int left_out, int k)
+{
+    int leaves = 0;
+    for (int j = 0; j < UR5E_FREE; ++j) {
+        const int is_asked = ur5e_free[j] == ur5e_free[angle] && j != left_out;
+        leaves |= is_asked && lanes->no_root[j][k] > 0.0;
     }
-    for (int k = 0; k < 8; ++k) {
-        if (lanes->no_root[k] > 0.0) {
-            other[3] = seed[3] + ur5e_roomiest_turn(
-                turned[0].level[k], turned[1].level[k], turned[2].level[k]);
-            ur5e_compute_lanes(target, other, given, 2.5e-19, &best);
-            for (int i = 0; i < UR5E_SOLVED; ++i) {
-                lanes->q[i][k] = best.q[i][k];
+    return leaves;
+}
+
+/* The lanes with an angle turned where it is free, and the seed that turns it. */
+static void ur5e_turn_by(
+    const double target[12], const double seed[UR5E_SOLVED], const double *given, int angle,
+    double turn, double turned[UR5E_SOLVED], ur5e_lanes *lanes)
+{
+    for (int i = 0; i < UR5E_SOLVED; ++i) {
+        turned[i] = seed[i];
+    }
+    turned[ur5e_free[angle]] += turn;
+    ur5e_compute_lanes(target, turned, given, 1e-16, lanes);
+}
+
+/* Takes a turn with its level if that leaves a lane more room than the best one so far. */
+static void ur5e_take_turn(
+    const ur5e_lanes *lanes, int angle, double turn, int k, double *best, double *least, int *has_roots)
+{
+    const double level = fabs(lanes->level[angle][k]);
+    const int has = !ur5e_leaves_none(lanes, angle, -1, k);
+    if (has != *has_roots ? has : level < *least) {
+        *best = turn;
+        *least = level;
+        *has_roots = has;
+    }
+}
+
+/* Of turns all round the one that leaves a lane the most room, or if none leaves it any the best next
+ * to it. */
+static double ur5e_turn_all_round(
+    const double target[12], const double seed[UR5E_SOLVED], const double *given, int angle,
+    const ur5e_lanes all_round[15], int k)
+{
+    double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, turned[UR5E_SOLVED];
+    int has_roots = 0;
+    for (int i = 0; i < 15; ++i) {
+        ur5e_take_turn(&all_round[i], angle, (i + 1) * step, k, &best, &least, &has_roots);
+    }
+    for (int halving = 0; halving < 5 && !has_roots; ++halving) {
+        const double from = best;
+        step *= 0.5;
+        for (int sign = -1; sign <= 1; sign += 2) {
+            ur5e_lanes lanes;
+            ur5e_turn_by(target, seed, given, angle, from + sign * step, turned, &lanes);
+            ur5e_take_turn(&lanes, angle, from + sign * step, k, &best, &least, &has_roots);
+        }
+    }
+    return best;
+}
+
+/* The lanes, or the only one, with the angles from the first one turned that are free and leave a
+ * later root none, as `said`: to where that has the most room. Where more than one is free, each
+ * turns after those before it. */
+static void ur5e_turn_free_angles(
+    const double target[12], const double seed[UR5E_SOLVED], const double *given,
+    const ur5e_lanes *said, int first, int only, ur5e_lanes *lanes)
+{
+    int open[UR5E_BRANCHES];
+    for (int k = 0; k < UR5E_BRANCHES; ++k) {
+        open[k] = only < 0 || k == only;
+    }
+    for (int angle = first; angle < UR5E_FREE; ++angle) {
+        double samples[4][UR5E_BRANCHES], turned[UR5E_SOLVED];
+        ur5e_lanes best, all_round[15];
+        int is_sampled = 0, is_round = 0;
+        for (int k = 0; k < UR5E_BRANCHES; ++k) {
+            double levels[4], turn;
+            int is_as_told;
+            if (!open[k] || !(said->no_root[angle][k] > 0.0)) {
+                continue;
             }
-            lanes->residual[k] = best.residual[k];
-            lanes->invalid[k] = best.invalid[k];
-            lanes->singular[k] = best.singular[k];
+            open[k] = 0;
+            for (int i = 0; i < 4 && !is_sampled; ++i) {
+                ur5e_turn_by(target, seed, given, angle, ur5e_level_turns[i], turned, &best);
+                for (int other = 0; other < UR5E_BRANCHES; ++other) {
+                    samples[i][other] = best.level[angle][other];
+                }
+            }
+            is_sampled = 1;
+            for (int i = 0; i < 4; ++i) {
+                levels[i] = samples[i][k];
+            }
+            turn = ur5e_roomiest_turn(levels);
+            ur5e_turn_by(target, seed, given, angle, turn, turned, &best);
+            is_as_told = ur5e_levels_tell(levels, turn, best.level[angle][k]);
+            if (ur5e_leaves_none(&best, angle, is_as_told ? angle : -1, k)) {
+                for (int i = 0; i < 15 && !is_round; ++i) {
+                    const double around = (i + 1) * (6.283185307179586 / 16.0);
+                    ur5e_turn_by(target, seed, given, angle, around, turned, &all_round[i]);
+                }
+                is_round = 1;
+                turn = ur5e_turn_all_round(target, seed, given, angle, all_round, k);
+                ur5e_turn_by(target, seed, given, angle, turn, turned, &best);
+            }
+            ur5e_set_lane(lanes, &best, k);
+            ur5e_turn_free_angles(target, turned, given, &best, angle + 1, k, lanes);
         }
     }
 }
@@ -1350,10 +1480,12 @@ static void ur5e_compute_branches(
         seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
     }
     ur5e_compute_lanes(target, seed, given, 1e-24, lanes);
-    for (int k = 0; k < 8; ++k) {
-        if (lanes->no_root[k] > 0.0) {
-            ur5e_turn_free_angles(target, seed, given, lanes);
-            return;
+    for (int i = 0; i < UR5E_FREE; ++i) {
+        for (int k = 0; k < UR5E_BRANCHES; ++k) {
+            if (lanes->no_root[i][k] > 0.0) {
+                ur5e_turn_free_angles(target, seed, given, lanes, 0, -1, lanes);
+                return;
+            }
         }
     }
 }

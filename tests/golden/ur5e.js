@@ -470,12 +470,20 @@ const $why_none = (form, target) => {
     return rotates ? "out of reach" : "not a rotation";
 };
 
-/* The turn of a free angle, radians, that leaves the next root the most room, from the level
- * d of its equation a cos x + b sin x = d at turns of 0, pi/2 and pi. */
-const $roomiest_turn = (here, quarter, half) => {
+/* What a later root says of a free angle at some turns of the seed's, radians: d of its equation
+ * a cos x + b sin x = d. Three tell mean + cosine cos x + sine sin x, and the fourth whether d is
+ * that. */
+const $level_turns = [0.0, 1.5707963267948966, Math.PI, 4.0];
+
+/* What the first three tell. */
+const $harmonics_of = ([here, quarter, half]) => {
     const mean = 0.5 * (here + half);
-    const cosine = 0.5 * (here - half);
-    const sine = quarter - mean;
+    return [mean, 0.5 * (here - half), quarter - mean];
+};
+
+/* The turn, radians, that leaves the root the most room. */
+const $roomiest_turn = (levels) => {
+    const [mean, cosine, sine] = $harmonics_of(levels);
     const amplitude = Math.sqrt(cosine * cosine + sine * sine);
     /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
     const near = Math.max(amplitude + mean, 0.0);
@@ -483,30 +491,76 @@ const $roomiest_turn = (here, quarter, half) => {
     return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
-/* The lanes, with an angle that is free turned where its own value leaves the next root none. */
+/* Whether d is as the three turns tell it, at the fourth and where it is known too. */
+const $levels_tell = (levels, turn, level) => {
+    const [mean, x, y] = $harmonics_of(levels);
+    const scale = Math.abs(mean) + Math.abs(x) + Math.abs(y);
+    /* Also where it is no number. */
+    const is_told = ([turn, level]) => {
+        const { sine, cosine } = $sin_cos(turn);
+        return Math.abs(mean + x * cosine + y * sine - level) <= 1e-9 * scale;
+    };
+    return [[$level_turns[3], levels[3]], [turn, level]].every(is_told);
+};
+
+/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+ * is left out. */
+const $leaves_none = (form, lanes, angle, left_out, k) =>
+    form.free_angles.some((coordinate, j) =>
+        coordinate === form.free_angles[angle] && j !== left_out && lanes.no_root[j][k] > 0.0);
+
+/* The lanes with the angles from the first one turned that are free and leave a later root none, as
+ * `said`: to where that has the most room. Where more than one is free, each turns after those before
+ * it. */
+const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
+    for (let angle = first; angle < form.free_angles.length; ++angle) {
+        const asked = open.filter((k) => said.no_root[angle][k] > 0.0);
+        if (asked.length === 0) {
+            continue;
+        }
+        open = open.filter((k) => !asked.includes(k));
+        const turned = (turn) => {
+            const other = seed.map((x, i) => (i === form.free_angles[angle] ? x + turn : x));
+            return { turn, seed: other, lanes: run(other) };
+        };
+        const samples = $level_turns.map(turned);
+        let all_round = null;
+        for (const k of asked) {
+            const level = (at) => at.lanes.level[angle][k];
+            const levels = samples.map(level);
+            let best = turned($roomiest_turn(levels));
+            const is_as_told = $levels_tell(levels, best.turn, level(best));
+            if ($leaves_none(form, best.lanes, angle, is_as_told ? angle : -1, k)) {
+                let step = 2.0 * Math.PI / 16.0;
+                all_round ??= Array.from({ length: 15 }, (_, i) => turned((i + 1) * step));
+                const has_roots = (at) => !$leaves_none(form, at.lanes, angle, -1, k);
+                const is_more = (at, than) => (has_roots(at) === has_roots(than)
+                    ? Math.abs(level(at)) < Math.abs(level(than))
+                    : has_roots(at));
+                const better = (one, other) => (is_more(other, one) ? other : one);
+                best = all_round.reduce(better);
+                for (let halving = 0; halving < 5 && !has_roots(best); ++halving) {
+                    step *= 0.5;
+                    best = [turned(best.turn - step), turned(best.turn + step)].reduce(better, best);
+                }
+            }
+            lanes.q.forEach((lane, i) => (lane[k] = best.lanes.q[i][k]));
+            lanes.residual[k] = best.lanes.residual[k];
+            lanes.invalid[k] = best.lanes.invalid[k];
+            lanes.singular[k] = best.lanes.singular[k];
+            $turn_free_angles(form, run, best.seed, best.lanes, angle + 1, [k], lanes);
+        }
+    }
+};
+
+/* The lanes, with angles that are free turned where their own values leave a later root none. */
 const $branches = (form, target, from, given) => {
     /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
     const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
     const lanes = form.lanes(target, seed, given, 1e-24);
-    if (form.free_angle === null || !lanes.no_root.some((x) => x > 0.0)) {
-        return lanes;
-    }
-    /* A free angle at the seed's value can leave a later step no root: it turns to where it
-     * leaves the most room. */
-    const turned = (turn) => {
-        const other = seed.map((x, i) => (i === form.free_angle ? x + turn : x));
-        return form.lanes(target, other, given, 2.5e-19);
-    };
-    const samples = [0.0, 1.5707963267948966, Math.PI].map(turned);
-    for (let k = 0; k < form.branches; ++k) {
-        if (lanes.no_root[k] > 0.0) {
-            const best = turned($roomiest_turn(...samples.map((sample) => sample.level[k])));
-            lanes.q.forEach((lane, i) => (lane[k] = best.q[i][k]));
-            lanes.residual[k] = best.residual[k];
-            lanes.invalid[k] = best.invalid[k];
-            lanes.singular[k] = best.singular[k];
-        }
-    }
+    const run = (seed) => form.lanes(target, seed, given, 1e-16);
+    const open = Array.from({ length: form.branches }, (_, k) => k);
+    $turn_free_angles(form, run, seed, lanes, 0, open, lanes);
     return lanes;
 };
 
@@ -774,7 +828,7 @@ return $arm({
         size: 1.3122999999999998,
         tolerance: 1.3123e-9,
         nearly: 1.3123e-5,
-        free_angle: 3,
+        free_angles: [3],
         counts_translation: true,
         counts_rotation: true,
         counts_axis: false,
@@ -784,7 +838,8 @@ return $arm({
         lanes: (target, seed, given, free_below) => {
             const lanes = {
                 q: Array.from({ length: 6 }, () => new Float64Array(8)),
-                residual: new Float64Array(8), invalid: new Float64Array(8), singular: new Float64Array(8), level: new Float64Array(8), no_root: new Float64Array(8),
+                residual: new Float64Array(8), invalid: new Float64Array(8), singular: new Float64Array(8),
+                level: Array.from({ length: 1 }, () => new Float64Array(8)), no_root: Array.from({ length: 1 }, () => new Float64Array(8)),
             };
             /* The seed, for an angle that the target leaves free */
             const t1 = seed[3] + (seed[1] + seed[2]);
@@ -903,7 +958,7 @@ return $arm({
                 const t57 = 5.999340072592016 * t55;
                 const t58 = 5.999340072592016 * t56;
                 const c3 = -t58;
-                const no_root = $select(t38, 2.5e-19, $select(t52, -2.778388922499999e-15, 1.0, 0.0), 0.0);
+                const no_root = $select(t38, 1e-16, $select(t52, -2.778388922499999e-15, 1.0, 0.0), 0.0);
                 /* 5. q2 by SP1, given q1, q3 and q6 (what several branches share) */
                 const t59 = c1 * t47 + s1 * t48;
                 const t60 = 2.3529411764705883 * t55;
@@ -1049,8 +1104,8 @@ return $arm({
                 lanes.residual[k] = residual_[k];
                 lanes.invalid[k] = invalid_[k];
                 lanes.singular[k] = singular_[k];
-                lanes.level[k] = level_[k];
-                lanes.no_root[k] = no_root_[k];
+                lanes.level[0][k] = level_[k];
+                lanes.no_root[0][k] = no_root_[k];
             }
             return lanes;
         },

@@ -93,10 +93,13 @@ impl Subject {
         let mut configurations = targets::configurations(rust.joints());
         configurations.extend(targets::at_limits(rust.limits()));
         let has_inverse = c.header.contains("_MAX_SOLUTIONS");
-        let targets = match has_inverse {
+        let mut targets = match has_inverse {
             true => reproducibly(|| targets::targets(&rust, &configurations)),
             false => Vec::new(),
         };
+        if asked.path == targets::OVER_THE_BASE {
+            targets.extend(reproducibly(|| targets::over_the_base(&rust)));
+        }
         let mut subject = Subject {
             path: asked.path,
             rust,

@@ -53,6 +53,32 @@ const OF_REFINEMENT: [[&str; 2]; 3] = [
     ["return solution->branch", "return -solution->branch"],
 ];
 
+/// The same of what turns angles that are free. Where more is tried than needed, as much is found.
+const OF_TURNING: [[&str; 2]; 5] = [
+    ["== mistaken_free[angle]", "!= mistaken_free[angle]"],
+    [
+        "(has != *has_roots ? has :",
+        "(has != *has_roots ? *has_roots :",
+    ],
+    ["halving < 5", "halving < 0"],
+    ["const double from = best;", "const double from = 0.0;"],
+    ["<= 1e-9 * scale", "<= 1e9 * scale"],
+];
+
+/// The same in JavaScript.
+const OF_TURNING_IN_JS: [[&str; 2]; 4] = [
+    [
+        "coordinate === form.free_angles[angle]",
+        "coordinate !== form.free_angles[angle]",
+    ],
+    [
+        "            : has_roots(at));",
+        "            : has_roots(than));",
+    ],
+    ["halving < 5", "halving < 0"],
+    ["<= 1e-9 * scale", "<= 1e9 * scale"],
+];
+
 /// The same of the search in JavaScript.
 const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
     ["- 2.0 * (across + ", "+ 2.0 * (across + "],
@@ -151,7 +177,16 @@ fn mistakes_of_the_refinement_are_found() {
 }
 
 #[test]
+fn mistakes_of_turning_are_found() {
+    let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_TURNING).collect();
+    each_is_found("mistakes_of_turning", &asked, &right, &all);
+}
+
+#[test]
 fn mistakes_in_javascript_are_found() {
+    let of_turning = Asked::of(targets::OVER_THE_BASE, Options::default());
     let of_search = Asked {
         eliminates: true,
         ..Asked::of("robots/xarm6.yaml", Options::default())
@@ -161,11 +196,12 @@ fn mistakes_in_javascript_are_found() {
         refines: true,
         ..Asked::of("tests/robots/noisy/calibrated.yaml", Options::default())
     };
-    let both = [
+    let each = [
+        (of_turning, &OF_TURNING_IN_JS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement, &OF_REFINEMENT_IN_JS[..]),
     ];
-    for (asked, mistakes) in both {
+    for (asked, mistakes) in each {
         let c = generated(asked.path, "mistaken", &asked.options);
         let source = read(asked.path);
         let right = GeneratedJs::of(c.robot.clone(), &source, &asked.options).source;

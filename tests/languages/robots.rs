@@ -54,6 +54,7 @@ const BY_DEFAULT: &[&str] = &[
     "tests/robots/table/slides_of_prp.yaml",
     "tests/robots/table/three_slides.yaml",
     "tests/robots/table/wrist_alone.yaml",
+    "tests/robots/table/wrist_over_base.yaml",
     "tests/robots/targets/antenna.yaml",
     "tests/robots/targets/crank.yaml",
     "tests/robots/targets/cylindrical.yaml",

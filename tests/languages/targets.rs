@@ -116,3 +116,22 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
     all.push((robot.fk(&beside), vec![0.0; robot.joints()]));
     all
 }
+
+/// The arm of [`over_the_base`].
+pub const OVER_THE_BASE: &str = "tests/robots/table/wrist_over_base.yaml";
+
+/// Its wrist over its base, which leaves the first joint free, but not everywhere the elbow in reach.
+pub fn over_the_base(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
+    let mut random = Random::new(31);
+    let mut all = Vec::new();
+    while all.len() < 40 {
+        let mut q: Vec<f64> = (0..6).map(|_| random.angle()).collect();
+        let (sine, cosine) = (q[1] + q[2]).sin_cos();
+        let reach = 0.35 * q[1].cos() + 0.22 * cosine + 0.07 * sine;
+        if reach.abs() < 0.07 {
+            q[3] = (-reach / 0.07).acos() - q[1] - q[2];
+            all.push((robot.fk(&q), vec![0.0; 6]));
+        }
+    }
+    all
+}

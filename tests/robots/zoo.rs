@@ -63,6 +63,7 @@ robots! {
     slides_of_prp SlidesOfPrp "robots/table/slides_of_prp.yaml"
     three_slides ThreeSlides "robots/table/three_slides.yaml"
     wrist_alone WristAlone "robots/table/wrist_alone.yaml"
+    wrist_over_base WristOverBase "robots/table/wrist_over_base.yaml"
 }
 
 robots! {

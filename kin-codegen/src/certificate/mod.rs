@@ -16,13 +16,14 @@ pub(crate) use parameters::SOMEWHERE;
 use vanishing::{Driven, OnBranch, Quantity};
 
 use crate::closed_form::{BranchSolution, ClosedForm};
-use crate::expr::inverse::InverseGraph;
+use crate::expr::inverse::{InverseGraph, Turn};
 use crate::geometry::{self, Linkage, SINGULAR};
 use crate::model::{Model, anywhere, configurations, spread};
 use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::{Chain, Pose};
 use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::rc::Rc;
@@ -336,20 +337,41 @@ impl<'a> Trials<'a> {
         all
     }
 
-    /// Whether what a step of a plan divides by vanishes where the arm is singular, and a later root
-    /// depends on the angle that this leaves free.
-    pub fn leaves_free(&self, form: &ClosedForm, step: usize) -> bool {
-        let mut random = Random(0x5851_f42d_4c95_7f2d);
-        let quantities = form.expressions().map(|graph| graph.divisors_of(step));
-        let quantities = quantities.unwrap_or_default();
-        self.held.iter().any(|held| {
-            let found = self.driven(form, held, &quantities, &mut random);
-            found.iter().any(|Driven { q, .. }| {
-                let target = held.fk(self.linkage, q);
-                self.linkage.conditioning(&held.chain, q, self.target) < SINGULAR
-                    && form.turning_matters(&target, &held.parameters(self.linkage, q))
-            })
-        })
+    /// Of the angles that may be free those that matter: what their steps divide by vanishes where
+    /// the arm is singular, and a later root depends on them there.
+    pub fn turns_that_matter(&self, form: &ClosedForm) -> Vec<Turn> {
+        let Some(graph) = form.expressions() else {
+            return Vec::new();
+        };
+        let turns: Vec<Turn> = graph.free_angles.iter().map(|it| it.turn).collect();
+        let mut matter = vec![false; turns.len()];
+        let steps: BTreeSet<usize> = turns.iter().map(|turn| turn.step).collect();
+        for step in steps {
+            let mut random = Random(0x5851_f42d_4c95_7f2d);
+            let quantities = graph.divisors_of(step);
+            let is_open = |matter: &[bool], i: &usize| turns[*i].step == step && !matter[*i];
+            for held in &self.held {
+                for Driven { q, .. } in self.driven(form, held, &quantities, &mut random) {
+                    if self.linkage.conditioning(&held.chain, &q, self.target) >= SINGULAR {
+                        continue;
+                    }
+                    let target = held.fk(self.linkage, &q);
+                    let parameters = held.parameters(self.linkage, &q);
+                    for i in (0..turns.len())
+                        .filter(|i| is_open(&matter, i))
+                        .collect::<Vec<_>>()
+                    {
+                        matter[i] = form.depends_on(i, &target, &parameters);
+                    }
+                }
+                if !(0..turns.len()).any(|i| is_open(&matter, &i)) {
+                    break;
+                }
+            }
+        }
+        let all = turns.into_iter().zip(matter);
+        all.filter_map(|(turn, matters)| matters.then_some(turn))
+            .collect()
     }
 
     /// Configurations to which what a plan divides by is driven to zero.

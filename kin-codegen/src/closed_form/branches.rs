@@ -2,9 +2,9 @@
 
 use super::{ClosedForm, Inverse, Refinement};
 use crate::expr::Lanes;
-use crate::expr::inverse::{FreeAngle, InverseGraph};
+use crate::expr::inverse::{InverseGraph, Turn};
 use crate::scalar::Scalar;
-use kin_runtime::__private::free_angle::SAMPLES;
+use kin_runtime::__private::free_angle::{Levels, Room, all_round};
 use kin_runtime::{Pose, Solution, Solutions};
 
 /// Lanes that are computed at once for a target: most plans have so many branches.
@@ -20,8 +20,8 @@ const SAME_LEVEL: f64 = 1e-9;
 const RESIDUAL: usize = 0;
 const INVALID: usize = 1;
 const SINGULAR: usize = 2;
-const LEVEL: usize = 3;
-const NO_ROOT: usize = 4;
+/// From here on two by free angle: the level, and whether it leaves no root.
+const FREE: usize = 3;
 
 impl ClosedForm {
     /// The branches of the plan that exist, if it is run by expressions.
@@ -111,23 +111,20 @@ impl ClosedForm {
         values
     }
 
-    /// Whether on some branch the root behind an angle that a target leaves free depends on it.
-    pub(crate) fn turning_matters(&self, target: &Pose, parameters: &[f64]) -> bool {
+    /// Whether on some branch what a later root says of an angle that a target leaves free depends
+    /// on it.
+    pub(crate) fn depends_on(&self, angle: usize, target: &Pose, parameters: &[f64]) -> bool {
         let seed = vec![0.0; self.given.variables()];
-        let question = self.question(target, parameters, &seed);
-        let free = |at: &Question| at.inverse.free_angle;
-        let Some((at, free)) = question.and_then(|at| free(&at).map(|free| (at, free))) else {
+        let Some(at) = self.question(target, parameters, &seed) else {
             return false;
         };
-        let nearly_free = self.tolerances().nearly_free;
-        let turned =
-            SAMPLES.map(|turn| at.evaluate_with(nearly_free, Some((free.coordinate, turn))));
-        let matters = |branch| {
-            let levels = turned.each_ref().map(|values| values.at(LEVEL, branch));
+        let turned = Levels::TURNS.map(|turn| at.turned_by(turn, angle, &seed).1);
+        let depends = |branch| {
+            let levels = turned.each_ref().map(|values| values.level(angle, branch));
             let apart = |level: &f64| (level - levels[0]).abs() > SAME_LEVEL * levels[0].abs();
             levels.iter().any(apart)
         };
-        (0..at.branches).any(matters)
+        (0..at.branches).any(depends)
     }
 
     fn question<'a>(
@@ -184,10 +181,17 @@ impl Values<'_> {
     fn at(&self, output: usize, branch: u32) -> f64 {
         self.joint(self.joints + output, branch)
     }
-}
 
-/// Where the seed begins in what expressions are computed from.
-const SEED: usize = 12;
+    /// What a later root says of an angle that may be free.
+    fn level(&self, angle: usize, branch: u32) -> f64 {
+        self.at(FREE + 2 * angle, branch)
+    }
+
+    /// Whether some of the angles that are free leave a later root none.
+    fn leaves_none(&self, mut angles: impl Iterator<Item = usize>, branch: u32) -> bool {
+        angles.any(|angle| self.at(FREE + 2 * angle + 1, branch) > 0.0)
+    }
+}
 
 /// What expressions are computed from; joints without a seed are at 0.
 pub(super) fn inputs(target: &Pose, seed: &[f64], parameters: &[f64], free_below: f64) -> Vec<f64> {
@@ -220,10 +224,7 @@ fn evaluate_each<'a>(all: &[Question<'a>; TARGETS], free_below: f64) -> Vec<Lane
 impl<'a> Question<'a> {
     /// Whether a branch exists, and what it is.
     fn told<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
-        let turned = self.inverse.free_angle.and_then(|free| {
-            let no_root = values.at(NO_ROOT, branch) > 0.0;
-            no_root.then(|| self.turned(branch, free))
-        });
+        let turned = self.turned(values, branch, self.seed, 0);
         let values = turned.as_ref().unwrap_or(values);
         let solution = Solution {
             q: std::array::from_fn(|i| values.joint(i, branch)),
@@ -242,26 +243,61 @@ impl<'a> Question<'a> {
         (0..self.branches).filter_map(exists).collect()
     }
 
-    /// The values with the free angle of a branch turned.
-    fn turned(&self, branch: u32, free: FreeAngle) -> Values<'a> {
+    /// The values with angles turned, from the `first` one, that are free and leave a later root of
+    /// a branch none at a seed's value; see [`kin_runtime::__private::free_angle`].
+    fn turned(
+        &self,
+        values: &Values,
+        branch: u32,
+        seed: &[f64],
+        first: usize,
+    ) -> Option<Values<'a>> {
+        let turns: Vec<Turn> = self.inverse.free_angles.iter().map(|it| it.turn).collect();
+        let angle = (first..turns.len()).find(|&i| values.leaves_none(i..=i, branch))?;
+        let level = |turn| self.turned_by(turn, angle, seed).1.level(angle, branch);
+        let levels = Levels::TURNS.map(level);
+        let turn = self.scalar.roomiest_turn(levels);
+        let mut best = self.turned_by(turn, angle, seed);
+        let level = best.1.level(angle, branch);
+        let is_as_told = self.scalar.levels_tell(levels, turn, level);
+        let is_of_angle = |&i: &usize| turns[i].coordinate == turns[angle].coordinate;
+        let roots = || (0..turns.len()).filter(is_of_angle);
+        let others = roots().filter(|&i| !(i == angle && is_as_told));
+        if best.1.leaves_none(others, branch) {
+            let room = |turn| {
+                let values = self.turned_by(turn, angle, seed).1;
+                Room {
+                    turn,
+                    has_roots: !values.leaves_none(roots(), branch),
+                    level: values.level(angle, branch).abs(),
+                }
+            };
+            let roomiest = all_round().map(room).fold(Room::NONE, Room::or);
+            best = self.turned_by(roomiest.or_between(room).turn, angle, seed);
+        }
+        let (seed, values) = best;
+        let further = self.turned(&values, branch, &seed, angle + 1);
+        Some(further.unwrap_or(values))
+    }
+
+    /// The values with an angle turned where it is free, and the seed that turns it.
+    fn turned_by(&self, turn: f64, angle: usize, seed: &[f64]) -> (Vec<f64>, Values<'a>) {
+        let mut seed = seed.to_vec();
+        seed[self.inverse.free_angles[angle].turn.coordinate] += turn;
         let nearly_free = self.scalar.tolerances().nearly_free;
-        let turned = |turn: f64| self.evaluate_with(nearly_free, Some((free.coordinate, turn)));
-        let level = |turn| turned(turn).at(LEVEL, branch);
-        turned(self.scalar.roomiest_turn(level))
+        let values = self.evaluate_at(&seed, nearly_free);
+        (seed, values)
     }
 
     /// The values with angles free below a threshold.
     fn evaluate(&self, free_below: f64) -> Values<'a> {
-        self.evaluate_with(free_below, None)
+        self.evaluate_at(self.seed, free_below)
     }
 
-    /// The same with one coordinate of the seed turned.
-    fn evaluate_with(&self, free_below: f64, turned: Option<(usize, f64)>) -> Values<'a> {
+    /// The same at another seed.
+    fn evaluate_at(&self, seed: &[f64], free_below: f64) -> Values<'a> {
         let inverse = self.inverse;
-        let mut inputs = inputs(self.target, self.seed, self.parameters, free_below);
-        if let Some((coordinate, turn)) = turned {
-            inputs[SEED + coordinate] += turn;
-        }
+        let inputs = inputs(self.target, seed, self.parameters, free_below);
         let blocks = (0..self.branches).step_by(LANES);
         Values {
             joints: inverse.q.len(),

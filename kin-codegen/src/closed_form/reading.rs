@@ -75,7 +75,7 @@ impl Reading {
                 Refinement::Branches(REFINEMENT),
             ),
         };
-        let inverse = inverse(&self.linkage, plan, DomainMargin(margin), free);
+        let inverse = inverse(&self.linkage, plan, DomainMargin(margin), &free);
         ClosedForm {
             idealized: self.idealized.clone(),
             linkage: self.linkage.clone(),

@@ -33,9 +33,9 @@ pub struct Lanes<L: Language> {
     pub invalid: Output<L::Text>,
     /// Positive where the branch is singular.
     pub singular: Output<L::Text>,
-    /// What the next root says of an angle that may be free: its level, and positive
-    /// where it has none.
-    pub free_angle: Option<[Output<L::Text>; 2]>,
+    /// What later roots say of each angle that may be free: their level, and positive
+    /// where they have none.
+    pub free_angles: Vec<[Output<L::Text>; 2]>,
     /// How many lanes there are.
     pub width: usize,
     /// How many lanes much of the arithmetic has.
@@ -214,9 +214,11 @@ pub fn lanes<L: Language>(
         residual: output(inverse.residual),
         invalid: output(inverse.invalid),
         singular: output(inverse.singular),
-        free_angle: inverse
-            .free_angle
-            .map(|free| [free.level, free.no_root].map(output)),
+        free_angles: inverse
+            .free_angles
+            .iter()
+            .map(|free| [free.level, free.no_root].map(output))
+            .collect(),
         width: 1 << before,
         busy,
         inputs: (0..inputs.len()).map(|k| writer.needs_input(k)).collect(),

@@ -2,7 +2,7 @@
 
 use super::Found;
 use crate::certificate::Certificate;
-use crate::expr::inverse::FreeAngles;
+use crate::expr::inverse::{FreeAngles, Turn};
 use crate::geometry::Swivel;
 use crate::plan::{Atom, Dependence, Invariant, Kind, Plan, Relation, Step, Subproblem};
 use crate::redundancy::{Redundancy, Weighed};
@@ -80,6 +80,7 @@ macro_rules! fields {
 fields! {
     Found { plan, free, tolerance, elimination, certificate, redundancy, expressions }
     Plan { steps, target }
+    Turn { step, coordinate, root }
     Step { subproblem, unknowns, relations, complement }
     Relation { from, to, depends, with, is_swivel }
     Invariant { kind, joints, point, direction }
@@ -155,25 +156,29 @@ impl Bytes for Atom {
 
 impl Bytes for FreeAngles {
     fn write(&self, to: &mut Vec<u8>) {
-        match *self {
-            FreeAngles::Seeded => (false, None::<usize>),
-            FreeAngles::Flagged => (true, None),
-            FreeAngles::TurnedAt(step) => (false, Some(step)),
-        }
-        .write(to);
+        let (word, turns) = match self {
+            FreeAngles::Seeded => (0_u8, Vec::new()),
+            FreeAngles::Flagged => (1, Vec::new()),
+            FreeAngles::AllTurned => (2, Vec::new()),
+            FreeAngles::Turned(turns) => (3, turns.clone()),
+        };
+        (word, turns).write(to);
     }
 
     fn read(from: &mut &[u8]) -> Option<Self> {
-        Some(match <(bool, Option<usize>)>::read(from)? {
-            (_, Some(step)) => FreeAngles::TurnedAt(step),
-            (true, None) => FreeAngles::Flagged,
-            (false, None) => FreeAngles::Seeded,
+        let (word, turns) = <(u8, Vec<Turn>)>::read(from)?;
+        Some(match word {
+            0 => FreeAngles::Seeded,
+            1 => FreeAngles::Flagged,
+            2 => FreeAngles::AllTurned,
+            3 => FreeAngles::Turned(turns),
+            _ => return None,
         })
     }
 
     fn layout(to: &mut String) {
         to.push_str("FreeAngles");
-        <(bool, Option<usize>)>::layout(to);
+        <(u8, Vec<Turn>)>::layout(to);
     }
 }
 

@@ -54,7 +54,7 @@ impl Found {
                 steps: form.plan.steps.iter().enumerate().map(written).collect(),
                 target: form.plan.target,
             },
-            free: form.free,
+            free: form.free.clone(),
             tolerance: form.idealized.tolerance,
             elimination: form.elimination().cloned(),
             certificate: *certificate,
@@ -87,7 +87,7 @@ impl Found {
             elimination => {
                 let idealized = idealize(model, self.tolerance);
                 let reading = Reading::new(model, &given, idealized, *target)?;
-                let form = reading.form(&self.plan, self.free);
+                let form = reading.form(&self.plan, self.free.clone());
                 let refinement = match elimination {
                     Some(arm) => Refinement::Univariate(Box::new(arm)),
                     None => form.refinement,

@@ -37,7 +37,7 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
         &form.linkage,
         &form.plan,
         DomainMargin(0.0),
-        FreeAngles::Flagged,
+        &FreeAngles::Flagged,
     );
     let form = ClosedForm {
         free: FreeAngles::Flagged,

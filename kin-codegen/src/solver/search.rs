@@ -4,7 +4,7 @@ use super::beside::eliminations_beside;
 use super::{CHOICES, Certified, Lack, NOISIEST, NoClosedForm, better, rank_without};
 use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
-use crate::expr::inverse::{FreeAngles, InverseGraph, weight};
+use crate::expr::inverse::{FreeAngles, InverseGraph, Turn, weight};
 use crate::geometry::{Idealized, Linkage, dot};
 use crate::model::JointKind;
 use crate::plan::{Plan, Plans, Target};
@@ -184,12 +184,16 @@ impl<'a> Search<'a> {
     /// Tries a plan, with a free angle turned where one is seen to matter, as it is, and turned
     /// elsewhere; tells whether nothing is left to be improved.
     fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
-        let steps = if may_turn { plan.steps.len() } else { 0 };
-        let turned = (0..steps).filter(|&step| FreeAngles::TurnedAt(step).may_help(plan));
-        let (matter, others): (Vec<usize>, Vec<usize>) =
-            turned.partition(|&step| self.leaves_free(plan, step));
-        let [matter, others] = [matter, others].map(|it| it.into_iter().map(FreeAngles::TurnedAt));
-        for free in matter.chain([FreeAngles::Seeded]).chain(others) {
+        let [matter, mut all] = match may_turn {
+            true => self.turns(plan),
+            false => [Vec::new(), Vec::new()],
+        };
+        if all == matter {
+            all.clear();
+        }
+        let turned = |turns: Vec<Turn>| (!turns.is_empty()).then_some(FreeAngles::Turned(turns));
+        let ways = [turned(matter), Some(FreeAngles::Seeded), turned(all)];
+        for free in ways.into_iter().flatten() {
             let form = self.reading.form(plan, free);
             let has = |what: fn(&InverseGraph) -> bool| form.expressions().is_some_and(what);
             if form.single.is_some() && has(InverseGraph::has_quartic) {
@@ -218,11 +222,16 @@ impl<'a> Search<'a> {
         false
     }
 
-    /// Whether a step leaves an angle free on which a later root depends.
-    fn leaves_free(&self, plan: &Plan, step: usize) -> bool {
-        let form = self.reading.form(plan, FreeAngles::TurnedAt(step));
-        let turns = |graph: &InverseGraph| graph.free_angle.is_some();
-        form.expressions().is_some_and(turns) && self.trials.leaves_free(&form, step)
+    /// The angles that singular targets are seen to leave free and on which a later root depends,
+    /// and all that may be so.
+    fn turns(&self, plan: &Plan) -> [Vec<Turn>; 2] {
+        let form = self.reading.form(plan, FreeAngles::AllTurned);
+        let all = form.expressions().into_iter();
+        let all = all.flat_map(|graph| &graph.free_angles);
+        [
+            self.trials.turns_that_matter(&form),
+            all.map(|it| it.turn).collect(),
+        ]
     }
 
     /// Runs a closed form. What one elimination loses another may find.

@@ -7,22 +7,23 @@ use super::acceptance::Acceptance;
 use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
-use super::free_angle::{FREE_BELOW, FreeAngle};
+use super::free_angle::{FREE_BELOW, FreeAngles, Turning};
 use super::sin_cos::{Known, SinCos};
 use core::marker::PhantomData;
 
 /// A closed form with L branches for N joints, of which P more are given, that takes the
-/// sines and cosines of M angles of these and of a seed.
-pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize> {
+/// sines and cosines of M angles of these and of a seed, with F angles that singular targets may
+/// leave free and that turn then.
+pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize, const F: usize> {
     /// What makes a branch a solution.
     const ACCEPT: Acceptance;
 
     /// How many branches much of the arithmetic is done for.
     const WIDTH: usize;
 
-    /// The coordinate whose seed an angle has that singular targets leave free, if
-    /// its value can leave a later root none.
-    const FREE: Option<usize>;
+    /// The coordinates whose seeds angles have that singular targets leave free, where their
+    /// values can leave a later root none; by root, in the order of the plan.
+    const FREE: [usize; F];
 
     /// The angles whose sines and cosines `lanes` asks for, radians.
     fn angles(seed: &[Real; N], locked: &[Real; P]) -> [Real; M];
@@ -36,12 +37,12 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize
         locked: &[Real; P],
         sin_cos: impl SinCos<M>,
         free: Real,
-    ) -> Lanes<N, L, T>;
+    ) -> Lanes<N, L, T, F>;
 }
 
-/// The branches of T targets; see [`Branches`] and [`FreeAngle`].
+/// The branches of T targets; see [`Branches`] and [`FreeAngles`].
 #[derive(Clone, Copy)]
-pub struct Lanes<const N: usize, const L: usize, const T: usize> {
+pub struct Lanes<const N: usize, const L: usize, const T: usize, const F: usize> {
     /// By joint, in (−π, π] radians or metres.
     pub q: [[[Real; T]; L]; N],
     /// The distance of each branch from its target, metres.
@@ -50,13 +51,13 @@ pub struct Lanes<const N: usize, const L: usize, const T: usize> {
     pub invalid: [[Real; T]; L],
     /// Positive where a root is double or an angle is free.
     pub singular: [[Real; T]; L],
-    /// d of the equation a cos θ + b sin θ = d of the root behind a free angle.
-    pub level: [[Real; T]; L],
-    /// Positive where the angle is free and its value leaves no real root.
-    pub no_root: [[Real; T]; L],
+    /// d of the equations a cos θ + b sin θ = d of the roots behind free angles.
+    pub level: [[[Real; T]; L]; F],
+    /// Positive where an angle is free and its value leaves no real root.
+    pub no_root: [[[Real; T]; L]; F],
 }
 
-impl<const N: usize, const L: usize, const T: usize> Lanes<N, L, T> {
+impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L, T, F> {
     /// Positive for targets that ask for more: with a free angle that leaves a later root
     /// none, or a branch that rounding may keep from the target.
     #[inline(always)]
@@ -67,8 +68,10 @@ impl<const N: usize, const L: usize, const T: usize> Lanes<N, L, T> {
                 let misses = self.residual[k][t] > accept.tolerance;
                 let little = self.residual[k][t] <= accept.nearly;
                 let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
-                let no_root = self.no_root[k][t];
-                unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, no_root));
+                unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, 0.0));
+                for no_root in &self.no_root {
+                    unsettled[t] = math::max(unsettled[t], no_root[k][t]);
+                }
             }
         }
         unsettled
@@ -95,11 +98,11 @@ impl<const N: usize, const L: usize, const T: usize> Lanes<N, L, T> {
     }
 }
 
-impl<const N: usize, const L: usize> Lanes<N, L, 1> {
+impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     /// Whether the lanes alone tell the solutions.
     #[inline(always)]
     fn settled(&self, accept: &Acceptance) -> bool {
-        !(self.free_angle().leaves_no_root() | self.branches().nearly(accept))
+        !(self.free_angles().leave_no_root() | self.branches().nearly(accept))
     }
 
     /// Whether of a branch that reaches the target a root is double or an angle free.
@@ -127,11 +130,16 @@ impl<const N: usize, const L: usize> Lanes<N, L, 1> {
     }
 
     #[inline(always)]
-    fn free_angle(&self) -> FreeAngle<L> {
-        FreeAngle {
-            level: alone(&self.level),
-            no_root: alone(&self.no_root),
+    fn free_angles(&self) -> FreeAngles<L, F> {
+        let mut free = FreeAngles {
+            level: [[0.0; L]; F],
+            no_root: [[0.0; L]; F],
+        };
+        for i in 0..F {
+            free.level[i] = alone(&self.level[i]);
+            free.no_root[i] = alone(&self.no_root[i]);
         }
+        free
     }
 }
 
@@ -152,7 +160,8 @@ enum Asked<'a, const N: usize> {
 }
 
 /// A target with what is given beside it; see [`Inverse::lanes`].
-struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usize> {
+struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
+{
     pose: &'a Pose,
     /// Of joints without one zero.
     seed: [Real; N],
@@ -164,12 +173,13 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     solver: PhantomData<R>,
 }
 
-/// The branches of one target, with what tells of an angle that may be free.
-type Found<const N: usize, const L: usize> = (Branches<N, L>, FreeAngle<L>);
+/// The branches of one target, with what tells of angles that may be free.
+type Found<const N: usize, const L: usize, const F: usize> = (Branches<N, L>, FreeAngles<L, F>);
 
-impl<'a, R, const N: usize, const L: usize, const P: usize, const M: usize> Given<'a, R, N, L, P, M>
+impl<'a, R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
+    Given<'a, R, N, L, P, M, F>
 where
-    R: Inverse<N, L, P, M>,
+    R: Inverse<N, L, P, M, F>,
 {
     #[inline(always)]
     fn new(pose: &'a Pose, seed: &[Real; N], locked: &'a [Real; P]) -> Self {
@@ -188,12 +198,12 @@ where
 
     /// Does what is asked, or gives the branches where these alone do not tell it.
     #[inline]
-    fn ask(&self, asked: Asked<'_, N>) -> Option<Found<N, L>> {
+    fn ask(&self, asked: Asked<'_, N>) -> Option<Found<N, L, F>> {
         dispatch::<Single, _>((self, asked))
     }
 
     #[inline(always)]
-    fn branches(&self) -> Found<N, L> {
+    fn branches(&self) -> Found<N, L, F> {
         self.ask(Asked::Themselves)
             .expect("nothing but the branches is asked for")
     }
@@ -201,23 +211,26 @@ where
     /// The branches, where the seed's value of a free angle leaves a later step no root with that
     /// angle turned to where it leaves the most room.
     #[inline(always)]
-    fn with_root(&self, (branches, free_angle): Found<N, L>) -> Branches<N, L> {
-        match R::FREE {
-            Some(coordinate) if free_angle.leaves_no_root() => {
-                let seeded = |seed: &[Real; N], free: Real| {
-                    let turned = Given::<R, N, L, P, M>::new(self.pose, seed, self.locked);
-                    Given { free, ..turned }.branches()
-                };
-                branches.with_free_angle(&free_angle, &self.seed, coordinate, seeded)
-            }
-            _ => branches,
+    fn with_root(&self, (branches, free): Found<N, L, F>) -> Branches<N, L> {
+        if F == 0 || !free.leave_no_root() {
+            return branches;
         }
+        let run = |seed: &[Real; N], free: Real| {
+            let turned = Given::<R, N, L, P, M, F>::new(self.pose, seed, self.locked);
+            Given { free, ..turned }.branches()
+        };
+        let turning = Turning {
+            coordinates: R::FREE,
+            run,
+        };
+        turning.turned(branches, &free, &self.seed)
     }
 }
 
-impl<R, const N: usize, const L: usize, const P: usize, const M: usize> Given<'_, R, N, L, P, M>
+impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
+    Given<'_, R, N, L, P, M, F>
 where
-    R: Inverse<N, L, P, M>,
+    R: Inverse<N, L, P, M, F>,
 {
     /// The solution that moves the joints least, angles that are free at the seed.
     #[cold]
@@ -242,17 +255,17 @@ where
 /// registers does not go through memory to another.
 struct Single;
 
-impl<R, const N: usize, const L: usize, const P: usize, const M: usize>
-    Dispatched<(&Given<'_, R, N, L, P, M>, Asked<'_, N>)> for Single
+impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
+    Dispatched<(&Given<'_, R, N, L, P, M, F>, Asked<'_, N>)> for Single
 where
-    R: Inverse<N, L, P, M>,
+    R: Inverse<N, L, P, M, F>,
 {
     const WIDTH: usize = R::WIDTH;
-    type Output = Option<Found<N, L>>;
+    type Output = Option<Found<N, L, F>>;
 
     #[inline(always)]
     fn run<const FUSED: bool>(
-        (given, asked): (&Given<'_, R, N, L, P, M>, Asked<'_, N>),
+        (given, asked): (&Given<'_, R, N, L, P, M, F>, Asked<'_, N>),
     ) -> Self::Output {
         let Given {
             pose, seed, locked, ..
@@ -270,7 +283,7 @@ where
                 *place = lanes.branches().choose(accept, motion);
                 None
             }
-            _ => Some((lanes.branches(), lanes.free_angle())),
+            _ => Some((lanes.branches(), lanes.free_angles())),
         }
     }
 }
@@ -278,7 +291,7 @@ where
 /// The solutions of a robot for one target; `otherwise` tells them where lanes do not: where rounding may
 /// keep a branch from the target, or a free angle leaves a later step no root.
 #[inline]
-pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize>(
+pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>(
     _: &R,
     pose: &Pose,
     seed: &[Real; N],
@@ -286,10 +299,10 @@ pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize>(
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Solutions<N>
 where
-    R: Inverse<N, L, P, M>,
+    R: Inverse<N, L, P, M, F>,
 {
     // Here, where the seed is known: of zeros the sines are constants.
-    let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
+    let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
     Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
         if let Some(found) = given.ask(Asked::Solutions(solutions)) {
             *solutions = otherwise(given.with_root(found));
@@ -304,7 +317,14 @@ where
 /// The branches do not wait for the sines of the seed, which count where an angle is free: they
 /// take those of zeros, which are constants, and run again for the few targets that have one.
 #[inline]
-pub fn solve_nearest<R, const N: usize, const L: usize, const P: usize, const M: usize>(
+pub fn solve_nearest<
+    R,
+    const N: usize,
+    const L: usize,
+    const P: usize,
+    const M: usize,
+    const F: usize,
+>(
     _: &R,
     pose: &Pose,
     locked: &[Real; P],
@@ -313,16 +333,16 @@ pub fn solve_nearest<R, const N: usize, const L: usize, const P: usize, const M:
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Option<Solution<N>>
 where
-    R: Inverse<N, L, P, M>,
+    R: Inverse<N, L, P, M, F>,
 {
     let given = Given {
         seeded: false,
-        ..Given::<R, N, L, P, M>::new(pose, &[0.0; N], locked)
+        ..Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked)
     };
     let motion = nearest.motion(seed, R::ACCEPT.prismatic);
     let mut solution = None;
     if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
-        let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
+        let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
         solution = given.nearest(nearest, seed, &motion, otherwise);
     }
     solution
@@ -331,16 +351,16 @@ where
 impl<const N: usize, const L: usize> Branches<N, L> {
     /// Those of a closed form for one target, with angles that are free at `seed`.
     #[inline]
-    pub fn of<R, const P: usize, const M: usize>(
+    pub fn of<R, const P: usize, const M: usize, const F: usize>(
         _: &R,
         pose: &Pose,
         seed: &[Real; N],
         locked: &[Real; P],
     ) -> Self
     where
-        R: Inverse<N, L, P, M>,
+        R: Inverse<N, L, P, M, F>,
     {
-        let given = Given::<R, N, L, P, M>::new(pose, seed, locked);
+        let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
         given.with_root(given.branches())
     }
 }

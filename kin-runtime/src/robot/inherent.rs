@@ -198,7 +198,7 @@ macro_rules! compute_in_batches {
         $crate::compute_in_batches! { $real of ($($root)*), $robot $n forward }
         #[inline]
         fn ik_batch(&self, targets: &[$($root)*::Pose], solutions: &mut [$($root)*::Solutions<$n>]) {
-            $($root)*::__private::batch::inverse::<$robot, $n, _, _>(
+            $($root)*::__private::batch::inverse::<$robot, $n, _, _, _>(
                 targets,
                 solutions,
                 |target| self.ik(target),

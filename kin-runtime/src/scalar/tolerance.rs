@@ -16,9 +16,13 @@ pub const RANK: Real = 1e-9;
 
 /// A vector whose square is below this, relative to its scale, tells no angle.
 pub const FREE_BELOW: Real = 1e-24;
-/// A vector whose square is below this moves the tip by half of what a solution may miss: the
-/// angle that it tells may be given up for any other.
-pub const NEARLY_FREE: Real = 2.5e-19;
+/// A vector whose square is below this moves the tip by no more than Newton's method mends: the angle
+/// that it tells may be given up for any other, since the target may be nearer than what a solution
+/// may miss to one that leaves it free, the more so the nearer the vector's point is to the axis.
+pub const NEARLY_FREE: Real = 1e-16;
+/// How far the level of a free angle is from a constant and a harmonic at most where it is their sum,
+/// relative to both.
+pub const AS_TOLD: Real = 1e-9;
 /// A vector whose square is below this, relative to its scale, tells an angle to a hundredth of
 /// what a solution may miss.
 pub const BADLY_TOLD: Real = 1e-10;

@@ -2,9 +2,12 @@
 //! found as precisely as it is determined, and at the singularity itself a
 //! representative is flagged.
 
+use crate::random::Random;
 use crate::subject::Subject;
-use crate::zoo::{Elbow, InverseElbow, Irb6640, Kr6R900, Puma560, Stanford, Tx60, Ur5e, Ur10e};
-use kinematics::Kinematics;
+use crate::zoo::{
+    Elbow, InverseElbow, Irb6640, Kr6R900, Puma560, Stanford, Tx60, Ur5e, Ur10e, WristOverBase,
+};
+use kinematics::{Kinematics, Solutions};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// How far from the singularity, radians.
@@ -108,4 +111,34 @@ fn wrist_on_the_shoulder_axis() {
     // The Stanford arm's, where its slide points up.
     let up = [0.3, FRAC_PI_2, 0.2, 0.4, 0.7, -0.9];
     approach(Subject::new(Stanford, "../robots/stanford.yaml"), up, 1);
+}
+
+/// With its wrist over the base the first joint is free, but not everywhere is the elbow in reach.
+#[test]
+fn wrist_over_the_base() {
+    let robot = Subject::new(WristOverBase, "robots/table/wrist_over_base.yaml");
+    let mut random = Random::new(19);
+    let mut over = Vec::new();
+    while over.len() < 400 {
+        let mut q: [f64; 6] = std::array::from_fn(|_| random.angle());
+        let (sine, cosine) = (q[1] + q[2]).sin_cos();
+        let reach = 0.35 * q[1].cos() + 0.22 * cosine + 0.07 * sine;
+        if reach.abs() < 0.07 {
+            q[3] = (-reach / 0.07).acos() - q[1] - q[2];
+            over.push(q);
+        }
+    }
+    let targets: Vec<_> = over.iter().map(|q| robot.chain.fk(q)).collect();
+    let mut all = vec![Solutions::new(); targets.len()];
+    WristOverBase.ik_batch(&targets, &mut all);
+    for ((q, target), batched) in over.iter().zip(&targets).zip(&all) {
+        let answers = robot.ik(target);
+        assert!(!answers.is_empty(), "{q:?}");
+        assert_eq!(answers.len(), batched.len(), "{q:?}");
+        for answer in &answers {
+            let miss = robot.miss(&answer.q, target);
+            assert!(miss <= SOUND, "{answer:?} misses that of {q:?} by {miss:e}");
+            assert!(answer.singular, "{answer:?} of {q:?}");
+        }
+    }
 }

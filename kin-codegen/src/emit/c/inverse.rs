@@ -54,9 +54,10 @@ fn by_expressions(
         _ => (String::new(), String::new()),
     };
     vec![
+        free_angles(inverse),
         lanes::function(solver, inverse),
         runtime::DISPATCH.to_owned(),
-        branches(solver, inverse),
+        branches(inverse),
         correction,
         search,
         solve(solver, &refined),
@@ -159,46 +160,40 @@ fn whole(model: &Model, solver: &ClosedForm) -> String {
     )
 }
 
-/// The lanes, with an angle that is free turned where its own value leaves the next root none.
-fn branches(solver: &ClosedForm, inverse: &InverseGraph) -> String {
+/// The lanes, with angles that are free turned where their own values leave a later root none.
+fn branches(inverse: &InverseGraph) -> String {
     // A joint without a seed takes no part in a choice.
     let heading = "static void kin_compute_branches(\n    const double target[12], \
                    const double from[KIN_SOLVED], const double *given, kin_lanes *lanes)\n{\n    \
                    double seed[KIN_SOLVED];\n    for (int i = 0; i < KIN_SOLVED; ++i) {\n        \
                    seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;\n    }\n    \
                    kin_compute_lanes(target, seed, given, 1e-24, lanes);\n";
-    let Some(free) = inverse.free_angle else {
+    if inverse.free_angles.is_empty() {
         return format!("{heading}}}\n");
-    };
-    let width = 1_usize << inverse.graph.choices();
-    let coordinate = free.coordinate;
-    let _ = solver;
+    }
     format!(
-        "/* A free angle at the seed's value can leave a later step no root: it turns to where it \
-         leaves\n * the most room. */\nstatic void kin_turn_free_angles(\n    \
-         const double target[12], const double seed[KIN_SOLVED], const double *given, \
-         kin_lanes *lanes)\n{{\n    \
-         const double turns[3] = {{0.0, 1.5707963267948966, 3.141592653589793}};\n    \
-         kin_lanes turned[3], best;\n    double other[KIN_SOLVED];\n    \
-         for (int i = 0; i < KIN_SOLVED; ++i) {{\n        other[i] = seed[i];\n    }}\n    \
-         for (int s = 0; s < 3; ++s) {{\n        \
-         other[{coordinate}] = seed[{coordinate}] + turns[s];\n        \
-         kin_compute_lanes(target, other, given, 2.5e-19, &turned[s]);\n    }}\n    \
-         for (int k = 0; k < {width}; ++k) {{\n        \
-         if (lanes->no_root[k] > 0.0) {{\n            \
-         other[{coordinate}] = seed[{coordinate}] + kin_roomiest_turn(\n                \
-         turned[0].level[k], turned[1].level[k], turned[2].level[k]);\n            \
-         kin_compute_lanes(target, other, given, 2.5e-19, &best);\n            \
-         for (int i = 0; i < KIN_SOLVED; ++i) {{\n                \
-         lanes->q[i][k] = best.q[i][k];\n            }}\n            \
-         lanes->residual[k] = best.residual[k];\n            \
-         lanes->invalid[k] = best.invalid[k];\n            \
-         lanes->singular[k] = best.singular[k];\n        }}\n    }}\n}}\n\n\
-         {heading}    for (int k = 0; k < {width}; ++k) {{\n        \
-         if (lanes->no_root[k] > 0.0) {{\n            \
-         kin_turn_free_angles(target, seed, given, lanes);\n            \
-         return;\n        }}\n    }}\n}}\n"
+        "{}\n{heading}    for (int i = 0; i < KIN_FREE; ++i) {{\n        \
+         for (int k = 0; k < KIN_BRANCHES; ++k) {{\n            \
+         if (lanes->no_root[i][k] > 0.0) {{\n                \
+         kin_turn_free_angles(target, seed, given, lanes, 0, -1, lanes);\n                \
+         return;\n            }}\n        }}\n    }}\n}}\n",
+        runtime::TURNING
     )
+}
+
+/// The coordinates whose seeds angles have that may be free.
+fn free_angles(inverse: &InverseGraph) -> String {
+    let turns = inverse.free_angles.iter();
+    let coordinates: Vec<String> = turns.map(|it| it.turn.coordinate.to_string()).collect();
+    match coordinates.len() {
+        0 => String::new(),
+        count => format!(
+            "/* The joints whose seeds angles have that singular targets leave free, where their \
+             values can leave\n * a later root none. */\n#define KIN_FREE {count}\n\
+             static const int kin_free[KIN_FREE] = {{{}}};\n",
+            coordinates.join(", ")
+        ),
+    }
 }
 
 /// The branches that reach their target, or what becomes of them by the statements `refined`: of all

@@ -23,6 +23,8 @@ const PIECES: [&str; 15] = [
 
 /// The lanes, by the instructions at hand.
 pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
+/// The lanes with free angles turned, behind this; as in `generated/free_angle.rs`.
+pub const TURNING: &str = include_str!("runtime/turning.c");
 /// The joints that are solved for, as a target sees them.
 pub const SEEN: &str = include_str!("runtime/seen.c");
 /// A solution among others.

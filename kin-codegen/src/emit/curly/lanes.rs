@@ -18,8 +18,8 @@ pub struct Body {
     pub width: usize,
     /// Those of its inputs that it does not read.
     pub unread: Vec<&'static str>,
-    /// Whether it tells of an angle that may be free.
-    pub has_free_angle: bool,
+    /// Of how many angles it tells that may be free.
+    pub free_angles: usize,
 }
 
 /// Writes all lanes of a closed form.
@@ -73,7 +73,7 @@ pub fn body<L: Curly>(solver: &ClosedForm, inverse: &InverseGraph) -> Body {
         statements,
         width,
         unread: unread.map(|(name, _)| name).collect(),
-        has_free_angle: found.free_angle.is_some(),
+        free_angles: found.free_angles.len(),
     }
 }
 
@@ -84,9 +84,9 @@ fn results<L: Curly>(found: &Lanes<L>) -> String {
     results.push(("residual".into(), &found.residual));
     results.push(("invalid".into(), &found.invalid));
     results.push(("singular".into(), &found.singular));
-    if let Some([level, no_root]) = &found.free_angle {
-        results.push(("level".into(), level));
-        results.push(("no_root".into(), no_root));
+    for (i, [level, no_root]) in found.free_angles.iter().enumerate() {
+        results.push((format!("level[{i}]"), level));
+        results.push((format!("no_root[{i}]"), no_root));
     }
     let written = |(field, output): &(String, &Output<String>)| {
         let value = match output {

@@ -25,8 +25,8 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
     let solved = (0..model.variables.len()).filter(|i| !locked.contains(i));
     let places = |places: Vec<usize>| array(places.iter().map(usize::to_string));
     let swivel = redundancy.and_then(|it| it.swivel);
-    let free_angle = inverse.and_then(|it| it.free_angle);
-    let free_angle = free_angle.map(|free| free.coordinate.to_string());
+    let free_angles = inverse.iter().flat_map(|it| &it.free_angles);
+    let free_angles = free_angles.map(|it| it.turn.coordinate);
     let most = match search {
         Some(_) => Solutions::<6>::CAPACITY,
         None => solver.plan.branches(),
@@ -62,7 +62,7 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
         ("size", signed(size)),
         ("tolerance", signed(accept.tolerance)),
         ("nearly", signed(accept.nearly)),
-        ("free_angle", free_angle.unwrap_or_else(none)),
+        ("free_angles", places(free_angles.collect())),
     ];
     fields.extend(counts(solver.plan.target));
     fields.push(("solve", solve.into()));
@@ -83,14 +83,11 @@ fn lanes(solver: &ClosedForm, inverse: &InverseGraph) -> String {
     let found = body::<JavaScript>(solver, inverse);
     let width = found.width;
     let array = format!("new Float64Array({width})");
-    let free_angle = match found.has_free_angle {
-        true => format!(", level: {array}, no_root: {array}"),
-        false => String::new(),
-    };
+    let all = |count: usize| format!("Array.from({{ length: {count} }}, () => {array})");
+    let (q, free) = (all(solver.given.variables()), all(found.free_angles));
     let room = format!(
-        "const lanes = {{\n    q: Array.from({{ length: {} }}, () => {array}),\n    \
-         residual: {array}, invalid: {array}, singular: {array}{free_angle},\n}};\n",
-        solver.given.variables()
+        "const lanes = {{\n    q: {q},\n    residual: {array}, invalid: {array}, \
+         singular: {array},\n    level: {free}, no_root: {free},\n}};\n"
     );
     let body = indented(&format!("{room}{}return lanes;\n", found.statements));
     format!("(target, seed, given, free_below) => {{\n{body}}}")

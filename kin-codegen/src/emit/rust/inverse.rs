@@ -166,22 +166,19 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
         let used = lanes.inputs[inputs].contains(&true);
         (!used).then(|| quote!(let _ = #name;))
     });
-    let free = match inverse.free_angle {
-        Some(free) => {
-            let coordinate = Literal::usize_unsuffixed(free.coordinate);
-            quote!(::core::option::Option::Some(#coordinate))
-        }
-        None => quote!(::core::option::Option::None),
-    };
+    let turns = inverse.free_angles.iter().map(|free| free.turn.coordinate);
+    let free: Vec<Literal> = turns.map(Literal::usize_unsuffixed).collect();
+    let free_angles = Literal::usize_unsuffixed(free.len());
     let busy = Literal::usize_unsuffixed(lanes.busy);
     let q = &lanes.q;
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
-    let [level, no_root] = &lanes.free_angle;
+    let level = lanes.free_angles.iter().map(|[level, _]| level);
+    let no_root = lanes.free_angles.iter().map(|[_, no_root]| no_root);
     Some(quote! {
-        impl Inverse<#n, #width, #locked, #count> for #robot {
+        impl Inverse<#n, #width, #locked, #count, #free_angles> for #robot {
             const ACCEPT: Acceptance = #robot::ACCEPT;
             const WIDTH: usize = #busy;
-            const FREE: ::core::option::Option<usize> = #free;
+            const FREE: [usize; #free_angles] = [#(#free),*];
 
             #[inline(always)]
             fn angles(seed: &[f64; #n], locked: &[f64; #locked]) -> [f64; #count] {
@@ -197,7 +194,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
                 locked: &[f64; #locked],
                 sin_cos: impl SinCos<#count>,
                 free: f64,
-            ) -> Lanes<#n, #width, { T }> {
+            ) -> Lanes<#n, #width, { T }, #free_angles> {
                 #(#unused)*
                 #without_angles
                 #statements
@@ -206,8 +203,8 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
                     residual: #residual,
                     invalid: #invalid,
                     singular: #singular,
-                    level: #level,
-                    no_root: #no_root,
+                    level: [#(#level),*],
+                    no_root: [#(#no_root),*],
                 }
             }
         }

@@ -24,8 +24,8 @@ pub struct Lanes {
     pub invalid: TokenStream,
     /// Positive where the branch is singular.
     pub singular: TokenStream,
-    /// See [`lanes::Lanes::free_angle`].
-    pub free_angle: [TokenStream; 2],
+    /// See [`lanes::Lanes::free_angles`].
+    pub free_angles: Vec<[TokenStream; 2]>,
     /// See [`lanes::Lanes::busy`].
     pub busy: usize,
     /// The inputs that are read.
@@ -67,10 +67,11 @@ pub fn lanes(
         residual: result(&found.residual),
         invalid: result(&found.invalid),
         singular: result(&found.singular),
-        free_angle: match &found.free_angle {
-            Some(free) => free.each_ref().map(result),
-            None => std::array::from_fn(|_| quote!([[0.0; T]; #width])),
-        },
+        free_angles: found
+            .free_angles
+            .iter()
+            .map(|free| free.each_ref().map(result))
+            .collect(),
         busy: found.busy,
         inputs: found.inputs,
         angles,

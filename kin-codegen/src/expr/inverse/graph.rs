@@ -6,9 +6,8 @@ use std::ops::Range;
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
 /// rotation by rows, then the translation), the seed, by coordinate of q, the values of
-/// the joints that the linkage has locked, the swivel angle if it comes with the target, and if
-/// an angle turns, the threshold below
-/// which it is free.
+/// the joints that the linkage has locked, the swivel angle if it comes with the target, and the
+/// threshold below which angles that turn are free.
 #[derive(Clone, Debug)]
 pub struct InverseGraph {
     /// Holds everything below.
@@ -29,8 +28,8 @@ pub struct InverseGraph {
     /// What the roots that may be out of domain are the roots of, by their choices and by the
     /// units of their equations; none where some are roots of quartics. Not among the outputs.
     pub arguments: Option<Vec<(Choice, Expr)>>,
-    /// The angle that turns where it is free and the seed's value will not do.
-    pub free_angle: Option<FreeAngle>,
+    /// The angles that turn where they are free and the seed's value will not do.
+    pub free_angles: Vec<FreeAngle>,
     /// Which of the graph's nodes belong to what.
     pub parts: Parts,
     /// All of it but the margin as instructions; outputs in the order of
@@ -133,7 +132,7 @@ impl InverseGraph {
         let mut of_margin = self.clone();
         let zero = of_margin.graph.zero();
         of_margin.q = Vec::new();
-        of_margin.free_angle = None;
+        of_margin.free_angles.clear();
         of_margin.residual = of_margin.graph.named(margin, "margin");
         [of_margin.invalid, of_margin.singular] = [zero; 2];
         of_margin.graph.keep_choices_of(&[margin]);
@@ -147,7 +146,7 @@ impl InverseGraph {
         let last = arguments.iter().map(|(choice, _)| choice.0).max()?;
         let mut of_arguments = self.clone();
         let zero = of_arguments.graph.zero();
-        of_arguments.free_angle = None;
+        of_arguments.free_angles.clear();
         [
             of_arguments.residual,
             of_arguments.invalid,
@@ -168,11 +167,8 @@ impl InverseGraph {
     pub fn outputs(&self) -> Vec<Expr> {
         let mut all = self.q.clone();
         all.extend([self.residual, self.invalid, self.singular]);
-        all.extend(
-            self.free_angle
-                .iter()
-                .flat_map(|free| [free.level, free.no_root]),
-        );
+        let said = self.free_angles.iter();
+        all.extend(said.flat_map(|free| [free.level, free.no_root]));
         all
     }
 }

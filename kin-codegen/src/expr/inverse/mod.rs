@@ -23,7 +23,7 @@ mod swivel;
 mod transport;
 
 use deviation::Deviation;
-pub use free::{FreeAngle, FreeAngles};
+pub use free::{FreeAngle, FreeAngles, Turn};
 pub use graph::{InverseGraph, Parts, StepPart};
 
 use super::forward::{self, JointTrig, subscript};
@@ -49,18 +49,18 @@ pub fn inverse(
     linkage: &Linkage,
     plan: &Plan,
     margin: DomainMargin,
-    free: FreeAngles,
+    free: &FreeAngles,
 ) -> InverseGraph {
     let mut writer = Writer::new(linkage, plan.target, margin);
-    let free_angle = writer.write_all(plan, free);
-    writer.finish(free_angle)
+    let free_angles = writer.write_all(plan, free);
+    writer.finish(free_angles)
 }
 
 /// What all branches of a plan cost, by [weight](super::Operations::weight), but for their
 /// residuals: these take about as much after every plan of an arm.
 pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
     let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
-    writer.write_all(plan, FreeAngles::Seeded);
+    writer.write_all(plan, &FreeAngles::Seeded);
     let mut outputs = writer.angles();
     outputs.extend([writer.invalid, writer.singular]);
     writer.g.operations_of_lanes(&outputs).weight()
@@ -109,8 +109,8 @@ struct Writer<'a> {
     /// Vectors shorter than this, squared and relative to their scale, leave the
     /// angle of the step at hand free.
     free: Expr,
-    /// The unknown of the step just written whose angle may be free.
-    may_be_free: Option<MayBeFree>,
+    /// The unknowns of the step just written whose angles may be free.
+    may_be_free: Vec<MayBeFree>,
     /// The cosine-sine equation of the step just written, where its root can
     /// leave the domain.
     level: Option<Level>,
@@ -177,7 +177,7 @@ impl<'a> Writer<'a> {
             arguments: Some(Vec::new()),
             watched: Vec::new(),
             free: zero,
-            may_be_free: None,
+            may_be_free: Vec::new(),
             level: None,
             relation: None,
             parts: Parts::default(),
@@ -342,34 +342,37 @@ impl<'a> Writer<'a> {
         self.sum[run]
     }
 
-    /// All steps, and the angle that turns where it is free.
-    fn write_all(&mut self, plan: &Plan, free: FreeAngles) -> Option<FreeAngle> {
+    /// All steps, and the angles that turn where they are free.
+    fn write_all(&mut self, plan: &Plan, free: &FreeAngles) -> Vec<FreeAngle> {
         self.take_parameters();
-        self.flags_badly_told = free == FreeAngles::Flagged;
-        let mut turned: Option<MayBeFree> = None;
-        let mut free_angle = None;
+        self.flags_badly_told = *free == FreeAngles::Flagged;
+        let mut may_be_free: Vec<(usize, MayBeFree)> = Vec::new();
+        let mut free_angles = Vec::new();
+        let mut threshold = None;
         for (i, step) in plan.steps.iter().enumerate() {
             let begins = self.g.nodes().len();
-            self.may_be_free = None;
             self.level = None;
-            let turns = free == FreeAngles::TurnedAt(i);
+            let turns = free.turns_step(i);
             self.free = match turns {
-                true => self.g.input("free"),
+                true => *threshold.get_or_insert_with(|| self.g.input("free")),
                 false => self.g.constant(self.tolerances.free_below),
             };
             self.write(step);
+            for (step, angle) in &may_be_free {
+                let said = self.said_of(*step, *angle, i, plan);
+                free_angles.extend(said.filter(|said| free.includes(said.turn)));
+            }
+            let these = std::mem::take(&mut self.may_be_free);
             if turns {
-                turned = self.may_be_free;
-            } else if let (Some(turned), None) = (turned, free_angle) {
-                free_angle = self.said_of(turned, plan);
+                may_be_free.extend(these.into_iter().map(|angle| (i, angle)));
             }
             let relation = self.relation.take();
             self.parts.steps.push(StepPart { begins, relation });
         }
-        free_angle
+        free_angles
     }
 
-    fn finish(mut self, free_angle: Option<FreeAngle>) -> InverseGraph {
+    fn finish(mut self, free_angles: Vec<FreeAngle>) -> InverseGraph {
         self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
@@ -382,7 +385,7 @@ impl<'a> Writer<'a> {
             singular: self.g.named(self.singular, "singular"),
             margin: self.margin,
             arguments: self.arguments,
-            free_angle,
+            free_angles,
             graph: self.g,
             tape: Tape::default(),
         };

@@ -231,7 +231,7 @@ impl Writer<'_> {
         let inverse = self.g.div(one, factor);
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
-        self.may_be_free = Some(MayBeFree {
+        self.may_be_free.push(MayBeFree {
             unknown,
             factor,
             scale,

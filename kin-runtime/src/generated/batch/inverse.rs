@@ -19,35 +19,35 @@ use core::marker::PhantomData;
 /// # Panics
 /// If there are not as many places for solutions as targets.
 #[inline]
-pub fn inverse<R, const N: usize, const L: usize, const M: usize>(
+pub fn inverse<R, const N: usize, const L: usize, const M: usize, const F: usize>(
     targets: &[Pose],
     solutions: &mut [Solutions<N>],
     alone: impl Fn(&Pose) -> Solutions<N>,
 ) where
-    R: Inverse<N, L, 0, M>,
+    R: Inverse<N, L, 0, M, F>,
 {
     assert_eq!(
         targets.len(),
         solutions.len(),
         "a place for the solutions of each target"
     );
-    dispatch::<Blocks<R, L, M>, _>((targets, solutions, alone));
+    dispatch::<Blocks<R, L, M, F>, _>((targets, solutions, alone));
 }
 
-struct Blocks<R, const L: usize, const M: usize>(PhantomData<R>);
+struct Blocks<R, const L: usize, const M: usize, const F: usize>(PhantomData<R>);
 
-type Batch<'a, const N: usize, F> = (&'a [Pose], &'a mut [Solutions<N>], F);
+type Batch<'a, const N: usize, A> = (&'a [Pose], &'a mut [Solutions<N>], A);
 
-impl<R, F, const N: usize, const L: usize, const M: usize> Dispatched<Batch<'_, N, F>>
-    for Blocks<R, L, M>
+impl<R, A, const N: usize, const L: usize, const M: usize, const F: usize>
+    Dispatched<Batch<'_, N, A>> for Blocks<R, L, M, F>
 where
-    R: Inverse<N, L, 0, M>,
-    F: Fn(&Pose) -> Solutions<N>,
+    R: Inverse<N, L, 0, M, F>,
+    A: Fn(&Pose) -> Solutions<N>,
 {
     type Output = ();
 
     #[inline(always)]
-    fn run<const FUSED: bool>((targets, solutions, alone): Batch<'_, N, F>) {
+    fn run<const FUSED: bool>((targets, solutions, alone): Batch<'_, N, A>) {
         let (blocks, rest) = targets.as_chunks::<LANES>();
         let (filled, last) = solutions.as_chunks_mut::<LANES>();
         let seed = [0.0; N];
@@ -67,7 +67,7 @@ where
     }
 
     #[inline(always)]
-    fn run_narrow<const FUSED: bool>((targets, solutions, alone): Batch<'_, N, F>) {
+    fn run_narrow<const FUSED: bool>((targets, solutions, alone): Batch<'_, N, A>) {
         for (target, solutions) in targets.iter().zip(solutions) {
             *solutions = alone(target);
         }

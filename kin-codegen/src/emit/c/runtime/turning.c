@@ -1,0 +1,120 @@
+/* A lane as another run of the plan has it. */
+static void kin_set_lane(kin_lanes *lanes, const kin_lanes *other, int k)
+{
+    for (int i = 0; i < KIN_SOLVED; ++i) {
+        lanes->q[i][k] = other->q[i][k];
+    }
+    lanes->residual[k] = other->residual[k];
+    lanes->invalid[k] = other->invalid[k];
+    lanes->singular[k] = other->singular[k];
+}
+
+/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+ * is left out. */
+static int kin_leaves_none(const kin_lanes *lanes, int angle, int left_out, int k)
+{
+    int leaves = 0;
+    for (int j = 0; j < KIN_FREE; ++j) {
+        const int is_asked = kin_free[j] == kin_free[angle] && j != left_out;
+        leaves |= is_asked && lanes->no_root[j][k] > 0.0;
+    }
+    return leaves;
+}
+
+/* The lanes with an angle turned where it is free, and the seed that turns it. */
+static void kin_turn_by(
+    const double target[12], const double seed[KIN_SOLVED], const double *given, int angle,
+    double turn, double turned[KIN_SOLVED], kin_lanes *lanes)
+{
+    for (int i = 0; i < KIN_SOLVED; ++i) {
+        turned[i] = seed[i];
+    }
+    turned[kin_free[angle]] += turn;
+    kin_compute_lanes(target, turned, given, 1e-16, lanes);
+}
+
+/* Takes a turn with its level if that leaves a lane more room than the best one so far. */
+static void kin_take_turn(
+    const kin_lanes *lanes, int angle, double turn, int k, double *best, double *least, int *has_roots)
+{
+    const double level = fabs(lanes->level[angle][k]);
+    const int has = !kin_leaves_none(lanes, angle, -1, k);
+    if (has != *has_roots ? has : level < *least) {
+        *best = turn;
+        *least = level;
+        *has_roots = has;
+    }
+}
+
+/* Of turns all round the one that leaves a lane the most room, or if none leaves it any the best next
+ * to it. */
+static double kin_turn_all_round(
+    const double target[12], const double seed[KIN_SOLVED], const double *given, int angle,
+    const kin_lanes all_round[15], int k)
+{
+    double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, turned[KIN_SOLVED];
+    int has_roots = 0;
+    for (int i = 0; i < 15; ++i) {
+        kin_take_turn(&all_round[i], angle, (i + 1) * step, k, &best, &least, &has_roots);
+    }
+    for (int halving = 0; halving < 5 && !has_roots; ++halving) {
+        const double from = best;
+        step *= 0.5;
+        for (int sign = -1; sign <= 1; sign += 2) {
+            kin_lanes lanes;
+            kin_turn_by(target, seed, given, angle, from + sign * step, turned, &lanes);
+            kin_take_turn(&lanes, angle, from + sign * step, k, &best, &least, &has_roots);
+        }
+    }
+    return best;
+}
+
+/* The lanes, or the only one, with the angles from the first one turned that are free and leave a
+ * later root none, as `said`: to where that has the most room. Where more than one is free, each
+ * turns after those before it. */
+static void kin_turn_free_angles(
+    const double target[12], const double seed[KIN_SOLVED], const double *given,
+    const kin_lanes *said, int first, int only, kin_lanes *lanes)
+{
+    int open[KIN_BRANCHES];
+    for (int k = 0; k < KIN_BRANCHES; ++k) {
+        open[k] = only < 0 || k == only;
+    }
+    for (int angle = first; angle < KIN_FREE; ++angle) {
+        double samples[4][KIN_BRANCHES], turned[KIN_SOLVED];
+        kin_lanes best, all_round[15];
+        int is_sampled = 0, is_round = 0;
+        for (int k = 0; k < KIN_BRANCHES; ++k) {
+            double levels[4], turn;
+            int is_as_told;
+            if (!open[k] || !(said->no_root[angle][k] > 0.0)) {
+                continue;
+            }
+            open[k] = 0;
+            for (int i = 0; i < 4 && !is_sampled; ++i) {
+                kin_turn_by(target, seed, given, angle, kin_level_turns[i], turned, &best);
+                for (int other = 0; other < KIN_BRANCHES; ++other) {
+                    samples[i][other] = best.level[angle][other];
+                }
+            }
+            is_sampled = 1;
+            for (int i = 0; i < 4; ++i) {
+                levels[i] = samples[i][k];
+            }
+            turn = kin_roomiest_turn(levels);
+            kin_turn_by(target, seed, given, angle, turn, turned, &best);
+            is_as_told = kin_levels_tell(levels, turn, best.level[angle][k]);
+            if (kin_leaves_none(&best, angle, is_as_told ? angle : -1, k)) {
+                for (int i = 0; i < 15 && !is_round; ++i) {
+                    const double around = (i + 1) * (6.283185307179586 / 16.0);
+                    kin_turn_by(target, seed, given, angle, around, turned, &all_round[i]);
+                }
+                is_round = 1;
+                turn = kin_turn_all_round(target, seed, given, angle, all_round, k);
+                kin_turn_by(target, seed, given, angle, turn, turned, &best);
+            }
+            kin_set_lane(lanes, &best, k);
+            kin_turn_free_angles(target, turned, given, &best, angle + 1, k, lanes);
+        }
+    }
+}
