@@ -7,11 +7,23 @@ use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::solver::solve;
 use kin_codegen::spec::{ArmSpec, Source};
+use kin_codegen::{Options, compile};
 use kin_runtime::Target;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Of each arm, as many with the elbow anywhere and with the arm straight.
 const CONFIGURATIONS: usize = 100;
+
+/// The arm of a file, solved for a target.
+fn solved(text: String, target: Target) -> (Model, ClosedForm) {
+    let source = Source {
+        path: "arm.yaml".into(),
+        text,
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let form = solve(&model, &Linkage::new(&model), target).unwrap().form;
+    (model, form)
+}
 
 /// The arm of some lines of Denavit and Hartenberg's parameters: α, a, θ and d.
 fn arm_of(links: &[(&str, f64, f64, f64)]) -> (Model, ClosedForm) {
@@ -22,16 +34,7 @@ fn arm_of(links: &[(&str, f64, f64, f64)]) -> (Model, ClosedForm) {
         )
     });
     let head = "robot: arm\nunits: {angle: rad, length: m}\ndh:\n";
-    let text = head.to_owned() + &links.collect::<String>();
-    let source = Source {
-        path: "arm.yaml".into(),
-        text,
-    };
-    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
-    let form = solve(&model, &Linkage::new(&model), Target::Pose)
-        .unwrap()
-        .form;
-    (model, form)
+    solved(head.to_owned() + &links.collect::<String>(), Target::Pose)
 }
 
 /// An arm of the build of Universal Robots, its lengths drawn at random and where its second and fourth
@@ -131,5 +134,79 @@ fn a_wrist_over_the_base_is_answered_whatever_the_elbow_does() {
         }
         over.retain(|q| form.solutions(&chain.fk(q)).is_empty());
         assert_eq!(over.len(), 0, "arm {i}: {over:?}");
+    }
+}
+
+/// Of a desk arm's five joints the last is at a right angle: its tool's axis lies along the three parallel
+/// ones, whose sum is free. The plan that tells most is none of those that are tried first.
+#[test]
+fn a_tool_along_the_elbow_is_answered_whatever_the_elbow_does() {
+    let mut random = Random(0xde5c);
+    for i in 0..3 {
+        let mut length = |from, to| random.between(from, to);
+        let [shoulder, upper, lower] = [length(0.01, 0.03), length(0.1, 0.3), length(0.1, 0.3)];
+        let [wrist, aside, tip, above] = [
+            length(0.04, 0.08),
+            length(0.001, 0.01),
+            length(0.08, 0.15),
+            length(0.01, 0.03),
+        ];
+        let text = format!(
+            "robot: desk\nunits: {{angle: rad, length: m}}\njoints:\n\
+             - {{name: j1, xyz: [0, 0, 0.06], axis: [0, 0, 1]}}\n\
+             - {{name: j2, xyz: [{shoulder}, 0, 0.05], axis: [0, 1, 0]}}\n\
+             - {{name: j3, xyz: [0, 0, {upper}], axis: [0, 1, 0]}}\n\
+             - {{name: j4, xyz: [{lower}, 0, 0], axis: [0, 1, 0]}}\n\
+             - {{name: j5, xyz: [{wrist}, 0, {aside}], axis: [1, 0, 0]}}\n\
+             tip: {{link: tip, xyz: [{tip}, 0, {above}]}}\n"
+        );
+        let (model, form) = solved(text, Target::PositionAxis);
+        let chain = model.chain();
+        let is_missing = |k: &usize| {
+            let mut q: [f64; 5] = std::array::from_fn(|_| random.between(-PI, PI));
+            q[4] = if k.is_multiple_of(2) {
+                FRAC_PI_2
+            } else {
+                -FRAC_PI_2
+            };
+            let target = chain.fk(&q);
+            form.solved::<5>(&target, &[]).is_empty()
+        };
+        let missing = (0..CONFIGURATIONS).filter(is_missing).count();
+        assert_eq!(missing, 0, "arm {i}");
+    }
+}
+
+/// Seven joints and a wrist of which one is given, with the sum of three free as well: where what a plan
+/// divides by vanishes is found from starts that are no half turn apart.
+#[test]
+fn a_free_sum_beside_a_given_joint_turns() {
+    let text = "robot: arm\nunits: {angle: rad, length: m}\njoints:\n\
+         - {name: j1, xyz: [0, 0, 0.05], axis: [0, 0, 1]}\n\
+         - {name: j2, xyz: [0.02, 0, 0.01], axis: [0, 1, 0]}\n\
+         - {name: j3, xyz: [0.11, 0, 0], axis: [0, 1, 0]}\n\
+         - {name: j4, xyz: [0.095, 0, 0], axis: [0, 1, 0]}\n\
+         - {name: j5, xyz: [0.018, 0, 0], axis: [1, 0, 0]}\n\
+         - {name: j6, xyz: [0.018, 0, 0], axis: [0, 0, 1]}\n\
+         - {name: j7, xyz: [0.02, 0, 0], axis: [0, 0, 1]}\n\
+         tip: {link: tip, xyz: [0, 0, 0.03]}\n";
+    let source = Source {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    };
+    let options = Options {
+        free: vec!["j7".into()],
+        ..Options::default()
+    };
+    let compiled = compile(&source, &options).unwrap();
+    let arm = compiled.arm().unwrap();
+    let form = arm.form().unwrap();
+    let chain = arm.model.chain();
+    let mut random = Random(0xf5ee);
+    for _ in 0..CONFIGURATIONS {
+        let mut q: [f64; 7] = std::array::from_fn(|_| random.between(-PI, PI));
+        q[4] = FRAC_PI_2;
+        let found = form.solved::<6>(&chain.fk(&q), &q[6..]);
+        assert!(!found.is_empty(), "{q:?}");
     }
 }

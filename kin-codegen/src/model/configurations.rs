@@ -52,7 +52,8 @@ pub fn anywhere(model: &Model, random: &mut Random) -> Vec<f64> {
 pub fn spread(model: &Model, count: usize, random: &mut Random) -> Vec<Vec<f64>> {
     let n = model.variables.len();
     let first: Vec<f64> = (0..n).map(|_| random.between(-PI, PI)).collect();
-    let apart = 2.0 * PI / count as f64;
+    // Half a turn leaves the lengths of many vectors as they are.
+    let apart = 2.0 * PI / count.max(3) as f64;
     // Of neighbours one goes the other way round.
     let way = |i: usize| if i.is_multiple_of(2) { apart } else { -apart };
     let at = |i: usize, k: usize| wrap(first[i] + k as f64 * way(i));

@@ -181,18 +181,30 @@ impl<'a> Search<'a> {
         best.is_some_and(|best| best.certificate.loses_much())
     }
 
-    /// Tries a plan, with a free angle turned where one is seen to matter, as it is, and turned
-    /// elsewhere; tells whether nothing is left to be improved.
+    /// Tries a plan; tells whether nothing is left to be improved. To turn free angles costs
+    /// operations: of plans that cost more than one that stands, only where they lose less.
     fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
-        let [matter, mut all] = match may_turn {
-            true => self.turns(plan),
-            false => [Vec::new(), Vec::new()],
-        };
-        if all == matter {
-            all.clear();
+        if may_turn {
+            let [matter, all] = self.turned(plan);
+            return self.is_complete_by(plan, [matter, Some(FreeAngles::Seeded), all]);
         }
-        let turned = |turns: Vec<Turn>| (!turns.is_empty()).then_some(FreeAngles::Turned(turns));
-        let ways = [turned(matter), Some(FreeAngles::Seeded), turned(all)];
+        let missing = |search: &Self| search.best.as_ref().map(Certified::missing);
+        let before = missing(self);
+        if self.is_complete_by(plan, [Some(FreeAngles::Seeded)]) {
+            return true;
+        }
+        missing(self) < before && {
+            let turned = self.turned(plan);
+            self.is_complete_by(plan, turned)
+        }
+    }
+
+    /// The same with each of what can become of its free angles.
+    fn is_complete_by(
+        &mut self,
+        plan: &Plan,
+        ways: impl IntoIterator<Item = Option<FreeAngles>>,
+    ) -> bool {
         for free in ways.into_iter().flatten() {
             let form = self.reading.form(plan, free);
             let has = |what: fn(&InverseGraph) -> bool| form.expressions().is_some_and(what);
@@ -222,16 +234,18 @@ impl<'a> Search<'a> {
         false
     }
 
-    /// The angles that singular targets are seen to leave free and on which a later root depends,
-    /// and all that may be so.
-    fn turns(&self, plan: &Plan) -> [Vec<Turn>; 2] {
+    /// The angles turned that singular targets are seen to leave free and on which a later root
+    /// depends, and if there are more all that may be so.
+    fn turned(&self, plan: &Plan) -> [Option<FreeAngles>; 2] {
         let form = self.reading.form(plan, FreeAngles::AllTurned);
+        let matter = self.trials.turns_that_matter(&form);
         let all = form.expressions().into_iter();
         let all = all.flat_map(|graph| &graph.free_angles);
-        [
-            self.trials.turns_that_matter(&form),
-            all.map(|it| it.turn).collect(),
-        ]
+        let mut all: Vec<Turn> = all.map(|it| it.turn).collect();
+        if all == matter {
+            all.clear();
+        }
+        [matter, all].map(|turns| (!turns.is_empty()).then_some(FreeAngles::Turned(turns)))
     }
 
     /// Runs a closed form. What one elimination loses another may find.

@@ -118,11 +118,12 @@ impl Writer<'_> {
             let (joint, _) = self.extent(unknown);
             return joint;
         };
-        let rest = plan.steps.iter().find_map(|step| match step.unknowns[..] {
-            [Atom::Joint(joint)] if step.subproblem == Subproblem::Sum => Some(joint),
+        let sums = plan.steps.iter();
+        let mut sums = sums.filter(|step| step.subproblem == Subproblem::Sum);
+        let rest = sums.find_map(|step| match step.unknowns[..] {
+            [Atom::Joint(joint)] if self.linkage.run_of(joint) == run => Some(joint),
             _ => None,
         });
-        rest.filter(|&joint| self.linkage.run_of(joint) == run)
-            .unwrap_or(last)
+        rest.unwrap_or(last)
     }
 }
