@@ -55,7 +55,7 @@ impl FreeAngles {
 }
 
 /// An angle that may be free, and what a later root says of it; see
-/// [`kin_runtime::__private::free_angle::FreeAngle`].
+/// [`kin_runtime::__private::free_angle::FreeAngles`].
 #[derive(Clone, Copy, Debug)]
 pub struct FreeAngle {
     /// Which angle, and which root.
