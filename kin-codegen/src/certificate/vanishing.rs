@@ -1,7 +1,7 @@
 //! Configurations in which what a plan divides by vanishes, and the vectors that tell its angles:
 //! there a step may degenerate where the arm does not.
 
-use super::joint_distance;
+use super::recovery::joint_distance;
 use crate::closed_form::ClosedForm;
 use crate::expr::Expr;
 use crate::model::Model;

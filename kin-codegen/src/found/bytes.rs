@@ -159,8 +159,7 @@ impl Bytes for FreeAngles {
         let (word, turns) = match self {
             FreeAngles::Seeded => (0_u8, Vec::new()),
             FreeAngles::Flagged => (1, Vec::new()),
-            FreeAngles::AllTurned => (2, Vec::new()),
-            FreeAngles::Turned(turns) => (3, turns.clone()),
+            FreeAngles::Turned(turns) => (2, turns.clone()),
         };
         (word, turns).write(to);
     }
@@ -170,8 +169,7 @@ impl Bytes for FreeAngles {
         Some(match word {
             0 => FreeAngles::Seeded,
             1 => FreeAngles::Flagged,
-            2 => FreeAngles::AllTurned,
-            3 => FreeAngles::Turned(turns),
+            2 => FreeAngles::Turned(turns),
             _ => return None,
         })
     }

@@ -237,7 +237,8 @@ impl<'a> Search<'a> {
     /// The angles turned that singular targets are seen to leave free and on which a later root
     /// depends, and if there are more all that may be so.
     fn turned(&self, plan: &Plan) -> [Option<FreeAngles>; 2] {
-        let form = self.reading.form(plan, FreeAngles::AllTurned);
+        let coordinates = self.reading.linkage.variables();
+        let form = (self.reading).form(plan, FreeAngles::all_turned(plan, coordinates));
         let matter = self.trials.turns_that_matter(&form);
         let all = form.expressions().into_iter();
         let all = all.flat_map(|graph| &graph.free_angles);

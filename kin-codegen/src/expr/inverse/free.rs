@@ -21,8 +21,6 @@ pub enum FreeAngles {
     Flagged,
     /// Some turn to where a later root has the most room if the seed's value leaves it none.
     Turned(Vec<Turn>),
-    /// All on which a later root depends do.
-    AllTurned,
 }
 
 /// An angle that turns where it is free, and the root that it makes room for.
@@ -37,11 +35,25 @@ pub struct Turn {
 }
 
 impl FreeAngles {
+    /// All turn that may be free, if a later root depends on them, of a plan for an arm of so many
+    /// coordinates.
+    pub(crate) fn all_turned(plan: &Plan, coordinates: usize) -> Self {
+        let roots = 1..plan.steps.len();
+        let pairs = roots.flat_map(|root| (0..root).map(move |step| (step, root)));
+        let turns = pairs.flat_map(|(step, root)| {
+            (0..coordinates).map(move |coordinate| Turn {
+                step,
+                coordinate,
+                root,
+            })
+        });
+        FreeAngles::Turned(turns.collect())
+    }
+
     pub(super) fn turns_step(&self, step: usize) -> bool {
         match self {
             FreeAngles::Seeded | FreeAngles::Flagged => false,
             FreeAngles::Turned(turns) => turns.iter().any(|turn| turn.step == step),
-            FreeAngles::AllTurned => true,
         }
     }
 
@@ -49,7 +61,6 @@ impl FreeAngles {
         match self {
             FreeAngles::Seeded | FreeAngles::Flagged => false,
             FreeAngles::Turned(turns) => turns.contains(&turn),
-            FreeAngles::AllTurned => true,
         }
     }
 }
