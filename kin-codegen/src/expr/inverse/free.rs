@@ -117,9 +117,19 @@ impl Writer<'_> {
                 coordinate,
                 root,
             },
-            level: self.g.named(share, "level"),
-            no_root: self.g.named(no_root, "no_root"),
+            level: share,
+            no_root,
         })
+    }
+
+    /// Gives what is said of the angle with some number its symbols.
+    pub(super) fn name_said(&mut self, number: usize, said: &FreeAngle) {
+        let number = match number {
+            0 => String::new(),
+            other => (other + 1).to_string(),
+        };
+        self.g.named(said.level, format!("level{number}"));
+        self.g.named(said.no_root, format!("no_root{number}"));
     }
 
     /// The joint whose value an unknown is. Of a sum it is the joint that is found as the remainder,

@@ -360,7 +360,10 @@ impl<'a> Writer<'a> {
             self.write(step);
             for (step, angle) in &may_be_free {
                 let said = self.said_of(*step, *angle, i, plan);
-                free_angles.extend(said.filter(|said| free.includes(said.turn)));
+                if let Some(said) = said.filter(|said| free.includes(said.turn)) {
+                    self.name_said(free_angles.len(), &said);
+                    free_angles.push(said);
+                }
             }
             let these = std::mem::take(&mut self.may_be_free);
             if turns {
