@@ -53,6 +53,27 @@ const OF_REFINEMENT: [[&str; 2]; 3] = [
     ["return solution->branch", "return -solution->branch"],
 ];
 
+/// The same of joints that are given, some of them between those that are solved for.
+const OF_GIVEN: [[&str; 2]; 4] = [
+    ["-given[1 + i]", "given[1 + i]"],
+    ["-given[1 + i]", "-given[i]"],
+    [
+        "motion, fixed[behind[i]], moved",
+        "fixed[behind[i]], motion, moved",
+    ],
+    ["i < 1 ? i : i + 1", "i"],
+];
+
+/// The same in JavaScript.
+const OF_GIVEN_IN_JS: [[&str; 2]; 3] = [
+    ["-given[front.length + i]", "given[front.length + i]"],
+    [
+        "$undo(twist, -given[front.length + i]), fixed[behind]",
+        "$undo(twist, -given[i]), fixed[behind]",
+    ],
+    ["front.length + between.length", "front.length"],
+];
+
 /// The same of what turns angles that are free. Where more is tried than needed, as much is found.
 const OF_TURNING: [[&str; 2]; 5] = [
     ["== mistaken_free[angle]", "!= mistaken_free[angle]"],
@@ -184,6 +205,27 @@ fn mistakes_of_turning_are_found() {
     each_is_found("mistakes_of_turning", &asked, &right, &all);
 }
 
+/// With joints given everywhere.
+fn of_given() -> Asked {
+    let (path, free) = robots::LIFTED;
+    let options = Options {
+        free: free.iter().map(|&joint| joint.into()).collect(),
+        ..Options::default()
+    };
+    Asked {
+        eliminates: true,
+        ..Asked::of(path, options)
+    }
+}
+
+#[test]
+fn mistakes_of_what_is_given_are_found() {
+    let asked = of_given();
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_GIVEN).collect();
+    each_is_found("mistakes_of_what_is_given", &asked, &right, &all);
+}
+
 #[test]
 fn mistakes_in_javascript_are_found() {
     let of_turning = Asked::of(targets::OVER_THE_BASE, Options::default());
@@ -197,6 +239,7 @@ fn mistakes_in_javascript_are_found() {
         ..Asked::of("tests/robots/noisy/calibrated.yaml", Options::default())
     };
     let each = [
+        (of_given(), &OF_GIVEN_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement, &OF_REFINEMENT_IN_JS[..]),

@@ -66,33 +66,6 @@ fn an_arm_off_its_design() {
     }
 }
 
-/// Of an arm without a closed form, and of one off its design.
-#[test]
-fn a_joint_that_is_given_between_others() {
-    for (robot, joint) in [
-        ("robots/sawyer.yaml", "right_j4"),
-        ("tests/robots/redundant/stray_iiwa.yaml", "joint_a3"),
-    ] {
-        let options = Options {
-            free: vec![joint.into()],
-            ..Options::default()
-        };
-        let c = generated(robot, "arm", &options);
-        is_forward_alone(&c, "joints between those that are solved for are given");
-        for (language, said) in in_both(robot, &options) {
-            assert_eq!(
-                said,
-                format!(
-                    "no inverse kinematics in {language}: joints between those that are solved for \
-                     are given, and their elimination at the values of these is not written as \
-                     {language}\nhelp: let joints at the ends of the chain stay free, or generate \
-                     Rust, which has it; `--ik none` says that {language} without it is meant"
-                )
-            );
-        }
-    }
-}
-
 #[test]
 fn strict_makes_errors_of_it() {
     let refused = Options {

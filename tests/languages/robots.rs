@@ -100,6 +100,24 @@ const AIMED: &[(&str, Target)] = &[
     ("tests/robots/targets/welder.yaml", Target::PositionAxis),
 ];
 
+/// The same with some given in front of them and behind too.
+pub const LIFTED: (&str, &[&str]) = (
+    "tests/languages/lifted.yaml",
+    &["lift", "right_j4", "table"],
+);
+
+/// With joints given between those that are solved for by a polynomial in one joint, alone and beside
+/// the branches of a design: which, and whether of these.
+const BETWEEN: &[(&str, &[&str], bool)] = &[
+    ("robots/sawyer.yaml", &["right_j4"], false),
+    (LIFTED.0, LIFTED.1, false),
+    (
+        "tests/robots/redundant/stray_iiwa.yaml",
+        &["joint_a3"],
+        true,
+    ),
+];
+
 /// Without inverse kinematics; it has joints that follow others, with frames on their links.
 const FORWARD_ALONE: &[&str] = &["tests/frames/cell.urdf"];
 
@@ -134,6 +152,17 @@ pub fn all() -> Vec<Asked> {
         ..RobotOptions::default()
     };
     let seven = Asked::of("robots/iiwa14.yaml", free);
+    let between = BETWEEN.iter().map(|&(path, free, refines)| {
+        let options = RobotOptions {
+            free: free.iter().map(|&joint| joint.into()).collect(),
+            ..RobotOptions::default()
+        };
+        Asked {
+            eliminates: true,
+            refines,
+            ..Asked::of(path, options)
+        }
+    });
     let rail = RobotOptions {
         free: vec!["rail".into()],
         ..RobotOptions::default()
@@ -154,6 +183,7 @@ pub fn all() -> Vec<Asked> {
         .chain(eliminated)
         .chain(refined)
         .chain(aimed)
+        .chain(between)
         .chain([seven, carried]);
     all.chain(forward_alone).collect()
 }

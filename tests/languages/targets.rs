@@ -38,7 +38,8 @@ pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
     all
 }
 
-/// Configurations at the limits, a little beyond them, and so little that they count as inside.
+/// Configurations at the limits, a little beyond them, and so little that they count as inside: at 5e-10
+/// both ends of a joint that may turn by 360° do, and rounding decides.
 pub fn at_limits(limits: &[JointLimit]) -> Vec<Vec<f64>> {
     let beyond = |stop: fn(JointLimit) -> f64, by: f64| {
         let at = limits.iter().map(|it| stop(*it) + by);
@@ -46,9 +47,9 @@ pub fn at_limits(limits: &[JointLimit]) -> Vec<Vec<f64>> {
     };
     vec![
         beyond(JointLimit::upper, 0.0),
-        beyond(JointLimit::upper, 5e-10),
+        beyond(JointLimit::upper, 4e-10),
         beyond(JointLimit::upper, 2e-9),
-        beyond(JointLimit::lower, -5e-10),
+        beyond(JointLimit::lower, -4e-10),
         beyond(JointLimit::lower, -2e-9),
     ]
 }

@@ -7,31 +7,19 @@ use crate::spec::Diagnostic;
 /// Why the inverse kinematics of an arm is left out of another language, if it has any and it is.
 pub fn refused(compiled: &CompiledArm, language: &str) -> Option<Diagnostic> {
     let form = compiled.form()?;
-    let in_rust = format!(
-        "generate Rust, which has it; `--ik none` says that {language} without it is meant"
+    if form.elimination().is_some() || form.is_exact() {
+        return None;
+    }
+    let reason = format!(
+        "no inverse kinematics in {language}: the closed form is that of an arm whose tip is up to \
+         {:.1e} m from that of the file, and the refinement of its solutions is not written as \
+         {language}",
+        form.tip_shift
     );
-    let (reason, remedy) = match form.elimination() {
-        Some(arm) if arm.between.is_empty() => return None,
-        Some(_) => (
-            format!(
-                "joints between those that are solved for are given, and their elimination at \
-                 the values of these is not written as {language}"
-            ),
-            format!("let joints at the ends of the chain stay free, or {in_rust}"),
-        ),
-        None if !form.is_exact() => (
-            format!(
-                "the closed form is that of an arm whose tip is up to {:.1e} m from that of the \
-                 file, and the refinement of its solutions is not written as {language}",
-                form.tip_shift
-            ),
-            format!(
-                "write the relations between the axes exactly, as `kin explain` has them, or {in_rust}"
-            ),
-        ),
-        None => return None,
-    };
-    let reason = format!("no inverse kinematics in {language}: {reason}");
+    let remedy = format!(
+        "write the relations between the axes exactly, as `kin explain` has them, or generate Rust, \
+         which has it; `--ik none` says that {language} without it is meant"
+    );
     Some(Diagnostic::whole(reason, remedy).warning())
 }
 

@@ -15,7 +15,12 @@ use std::fmt::Write as _;
 pub fn functions(model: &Model, solver: &ClosedForm, redundancy: Option<&Redundancy>) -> String {
     let solve = match &solver.inverse {
         Inverse::Expressions(inverse) => by_expressions(model, solver, inverse, redundancy),
-        Inverse::Univariate(arm) => vec![univariate::search(arm), univariate::solve(solver, arm)],
+        Inverse::Univariate(arm) => {
+            vec![
+                univariate::search(solver, arm),
+                univariate::solve(solver, arm),
+            ]
+        }
     };
     let parts = [constants(solver), whole(model, solver)].into_iter();
     let parts = parts.chain(solve).chain([entry(redundancy, solver)]);

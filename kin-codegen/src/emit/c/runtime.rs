@@ -72,8 +72,8 @@ pub const WHOLE: &str = include_str!("runtime/univariate/whole.c");
 pub const SHORT: &str = include_str!("runtime/univariate/short.c");
 /// From branches of an idealized arm to solutions of the arm as given, as in `search.rs`.
 pub const REFINE: &str = include_str!("runtime/univariate/refine.c");
-/// A target moved by joints that are given.
-pub const CARRY: &str = include_str!("runtime/univariate/carry.c");
+/// The motion back of a joint that is given.
+pub const UNDO: &str = include_str!("runtime/univariate/undo.c");
 /// Values inside the limits.
 pub const LIMITS: &str = include_str!("runtime/limits.c");
 /// The solution that moves the joints least.

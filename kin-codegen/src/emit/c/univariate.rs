@@ -6,18 +6,23 @@ use super::{runtime, tables};
 use crate::closed_form::ClosedForm;
 use crate::geometry::Carried;
 use crate::univariate::Arm;
-use kin_runtime::__private::univariate::Elimination;
+use kin_runtime::__private::univariate::{Between, Elimination};
 use kin_runtime::{Pose, Target, Twist};
 use std::fmt::Write as _;
 
 /// The definitions that search for the solutions of a target.
-pub fn search(arm: &Arm) -> String {
+pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
+    let undo = (!solver.given.locked.is_empty()).then_some(runtime::UNDO);
+    let between = Carried::new(&solver.given).between();
     let parts = [
         runtime::ELIMINATION.to_owned(),
         constants(arm),
+        undo.unwrap_or_default().to_owned(),
+        frames(&arm.between, between.start),
         runtime::SEARCH.join("\n"),
     ];
-    parts.join("\n")
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 /// Whether all six joints are the arm's own: then what is found are its solutions.
@@ -43,7 +48,7 @@ pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
     let (carry, carrying, target) = carry(solver);
     let found = from_found(solver, arm);
     let parts = [
-        &search(arm),
+        &search(solver, arm),
         runtime::ARRIVE,
         found,
         runtime::REFINE,
@@ -51,7 +56,7 @@ pub fn refine(solver: &ClosedForm, arm: &Arm) -> (String, String) {
     ];
     let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     let refined = format!(
-        "{carrying}    kin_refine({target}, seed, &lanes, &search);\n    count = {};\n    \
+        "{carrying}    kin_refine({target}, seed, given, &lanes, &search);\n    count = {};\n    \
          return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n",
         TO_SOLUTIONS
     );
@@ -72,7 +77,7 @@ pub fn solve(solver: &ClosedForm, arm: &Arm) -> String {
         "/* The solutions of a target. Of a polynomial's roots the branch is the place. */\n\
          static int kin_solve(\n    const double target[12], const double *seed, \
          const double *given,\n    kin_solution *solutions)\n{{\n    kin_search search;\n    \
-         int count;\n{carrying}    kin_search_target({target}, seed, &search);\n    \
+         int count;\n{carrying}    kin_search_target({target}, seed, given, &search);\n    \
          count = {TO_SOLUTIONS};\n    \
          for (int i = 0; i < count; ++i) {{\n        solutions[i].branch = i;\n    }}\n    \
          return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
@@ -111,6 +116,42 @@ fn constants(arm: &Arm) -> String {
         eliminations.collect::<Vec<_>>().join(",\n    "),
     );
     out
+}
+
+/// The function that writes the constant motions, moved by the joints that are given between
+/// those that are solved for: of all that are given, those from the `first` on.
+fn frames(between: &[Between], first: usize) -> String {
+    let (mut given, mut moved) = ("    (void)given;\n".to_owned(), String::new());
+    if !between.is_empty() {
+        let value = match first {
+            0 => "given[i]".to_owned(),
+            first => format!("given[{first} + i]"),
+        };
+        let count = between.len();
+        let twists: Vec<String> = between.iter().map(|it| twist(&it.twist)).collect();
+        let behind: Vec<u8> = between.iter().map(|it| it.behind).collect();
+        given = format!(
+            "    static const double twists[{count}][6] = {{\n        {}}};\n    \
+             static const int behind[{count}] = {};\n    double motion[12], moved[12];\n",
+            twists.join(",\n        "),
+            integers(&behind)
+        );
+        moved = format!(
+            "    for (int i = {}; i >= 0; --i) {{\n        \
+             kin_undo(twists[i], -{value}, motion);\n        \
+             kin_compose(motion, fixed[behind[i]], moved);\n        \
+             for (int k = 0; k < 12; ++k) {{\n            fixed[behind[i]][k] = moved[k];\n        \
+             }}\n    }}\n",
+            count - 1
+        );
+    }
+    format!(
+        "/* The constant motions, with the joints that are given between those that are solved for \
+         at their\n * values. */\nstatic void kin_fix_frames(const double *given, double \
+         fixed[7][12])\n{{\n{given}    for (int i = 0; i < 7; ++i) {{\n        \
+         for (int k = 0; k < 12; ++k) {{\n            fixed[i][k] = kin_fixed[i][k];\n        }}\n    \
+         }}\n{moved}}}\n"
+    )
 }
 
 /// As rows of four.
@@ -165,14 +206,15 @@ fn elimination(elimination: &Elimination) -> String {
     )
 }
 
-/// The function that moves a target by the joints that are given, all at the ends of the arm, its
-/// call, and what the target is behind that.
+/// The function that moves a target by the joints that are given at the ends of the arm, its call,
+/// and what the target is behind that.
 fn carry(solver: &ClosedForm) -> (String, &'static str, &'static str) {
-    if solver.given.locked.is_empty() {
+    let carried = Carried::new(&solver.given);
+    if carried.between().len() == solver.given.locked.len() {
         return (String::new(), "", "target");
     }
     let call = "    double carried[12];\n    kin_carry(target, given, carried);\n";
-    (carrying(&Carried::new(&solver.given)), call, "carried")
+    (carrying(&carried), call, "carried")
 }
 
 fn carrying(carried: &Carried) -> String {
@@ -180,19 +222,22 @@ fn carrying(carried: &Carried) -> String {
     let twists = front.iter().chain(behind);
     let twists: Vec<String> = twists.map(twist).collect();
     let count = twists.len();
+    let value = match carried.between() {
+        none if none.is_empty() => "given[i]".to_owned(),
+        between => format!("given[i < {} ? i : i + {}]", front.len(), between.len()),
+    };
     format!(
-        "{}\n/* The target of the joints that are solved for: those that are given stand at the \
+        "/* The target of the joints that are solved for: those that are given stand at the \
          ends, and their\n * motions are known, the first ones seen from the base, the others from \
          the tip. */\nstatic void kin_carry(const double target[12], const double *given, \
          double carried[12])\n{{\n    static const double twists[{count}][6] = {{\n        {}}};\n    \
          double motion[12], moved[12];\n    for (int i = 0; i < 12; ++i) {{\n        \
          carried[i] = target[i];\n    }}\n    for (int n = 0; n < {count}; ++n) {{\n        \
          const int i = n < {first} ? n : {first} + {count} - 1 - n;\n        \
-         kin_undo(twists[i], given[i], motion);\n        \
+         kin_undo(twists[i], {value}, motion);\n        \
          if (n < {first}) {{\n            kin_compose(motion, carried, moved);\n        \
          }} else {{\n            kin_compose(carried, motion, moved);\n        }}\n        \
          for (int k = 0; k < 12; ++k) {{\n            carried[k] = moved[k];\n        }}\n    }}\n}}\n",
-        runtime::CARRY,
         twists.join(",\n        "),
         first = front.len(),
     )

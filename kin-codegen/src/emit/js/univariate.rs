@@ -5,7 +5,9 @@ use super::language::{array, numbers, object, rows, signed};
 use crate::closed_form::ClosedForm;
 use crate::geometry::Carried;
 use crate::univariate::Arm;
-use kin_runtime::__private::univariate::{Elimination, coefficients_on_arc, cosine_of_turn};
+use kin_runtime::__private::univariate::{
+    Between, Elimination, coefficients_on_arc, cosine_of_turn,
+};
 use kin_runtime::{Target, Twist};
 
 /// Parts of a turn: 24 and 32 samples, their halves and 16 arcs are on it.
@@ -31,6 +33,7 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
         ("is_exact", solver.is_exact().to_string()),
         ("near_singular", signed(solver.acceptance().near_singular)),
         ("front", twists(front)),
+        ("between", array(arm.between.iter().map(between))),
         ("behind", twists(behind)),
         (
             "eliminations",
@@ -43,6 +46,14 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
 fn twist(twist: &Twist) -> String {
     let clean = |x: &f64| if x.abs() < 1e-15 { 0.0 } else { *x };
     numbers(twist.linear.iter().chain(&twist.angular).map(clean))
+}
+
+/// A joint that is given between those that are solved for.
+fn between(joint: &Between) -> String {
+    object(&[
+        ("behind", joint.behind.to_string()),
+        ("twist", twist(&joint.twist)),
+    ])
 }
 
 fn elimination(elimination: &Elimination) -> String {

@@ -31,3 +31,9 @@ typedef struct kin_elimination {
      * tangent times the j-th of the last but one. */
     unsigned char columns[16];
 } kin_elimination;
+
+/* What is solved: the constant motions between the six joints, lengths in units of half the arm's
+ * size, and the target, orthonormal. */
+typedef struct kin_problem {
+    double fixed[7][12], target[12];
+} kin_problem;

@@ -59,16 +59,16 @@ static void kin_to_monomials(const int slides[6], double x[9])
 }
 
 static void kin_close_loop(
-    const kin_elimination *elimination, const double target[12], kin_recovery *loop)
+    const kin_elimination *elimination, const kin_problem *problem, kin_recovery *loop)
 {
     double back[12], rest[12], closing[12];
-    kin_invert(target, back);
-    kin_compose(back, kin_fixed[0], rest);
-    kin_compose(kin_fixed[6], rest, closing);
+    kin_invert(problem->target, back);
+    kin_compose(back, problem->fixed[0], rest);
+    kin_compose(problem->fixed[6], rest, closing);
     for (int i = 0; i < 6; ++i) {
         const int joint = elimination->joints[i];
         const int at = elimination->backwards ? (joint + 5) % 6 : joint;
-        const double *motion = at == 5 ? closing : kin_fixed[at + 1];
+        const double *motion = at == 5 ? closing : problem->fixed[at + 1];
         if (elimination->backwards) {
             kin_invert(motion, loop->behind[i]);
         } else {
@@ -98,12 +98,12 @@ static void kin_see_far_side(kin_recovery *loop)
 }
 
 static void kin_begin_recovery(
-    const kin_elimination *elimination, const double target[12], kin_recovery *out)
+    const kin_elimination *elimination, const kin_problem *problem, kin_recovery *out)
 {
     double parts[8][3][9];
     out->elimination = elimination;
     kin_find_places(elimination, &out->places);
-    kin_close_loop(elimination, target, out);
+    kin_close_loop(elimination, problem, out);
     kin_see_far_side(out);
     for (int i = 0; i < elimination->count; ++i) {
         kin_parts(elimination->functionals[i], out->far_side, parts[i]);

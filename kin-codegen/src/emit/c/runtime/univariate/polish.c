@@ -3,17 +3,18 @@ typedef struct kin_system {
     kin_pack columns[6][6], error[6], residual;
 } kin_system;
 
-KIN_INLINE void kin_linearize_all(const double target[12], kin_pack q[6], kin_system *out)
+KIN_INLINE void kin_linearize_all(const kin_problem *problem, kin_pack q[6], kin_system *out)
 {
+    const double (*fixed)[12] = problem->fixed, *target = problem->target;
     kin_pack r[3][3], p[3], axes[6][3], origins[6][3], square;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            kin_fill(r[i][j], kin_fixed[0][4 * i + j]);
+            kin_fill(r[i][j], fixed[0][4 * i + j]);
         }
-        kin_fill(p[i], kin_fixed[0][4 * i + 3]);
+        kin_fill(p[i], fixed[0][4 * i + 3]);
     }
     for (int joint = 0; joint < 6; ++joint) {
-        const double *next = kin_fixed[joint + 1];
+        const double *next = fixed[joint + 1];
         kin_pack sine, cosine;
         kin_fill(sine, 0.0);
         kin_fill(cosine, 1.0);
@@ -205,7 +206,7 @@ KIN_INLINE int kin_is_steady(const kin_orthogonal *jacobian, const kin_system *s
 
 /* Moves configurations towards the target until they are there, or for so many steps. */
 KIN_INLINE void kin_polish_of(
-    const double target[12], kin_pack start[6], int steps, kin_arrived *out)
+    const kin_problem *problem, kin_pack start[6], int steps, kin_arrived *out)
 {
     kin_system system;
     kin_orthogonal jacobian;
@@ -214,7 +215,7 @@ KIN_INLINE void kin_polish_of(
         kin_copy(out->q[i], start[i]);
     }
     kin_fill(before, HUGE_VAL);
-    kin_linearize_all(target, out->q, &system);
+    kin_linearize_all(problem, out->q, &system);
     kin_orthogonalize_jacobian(&system, &jacobian);
     for (int step = 0; step < steps && kin_is_open(system.residual, before, step); ++step) {
         kin_copy(before, system.residual);
@@ -230,7 +231,7 @@ KIN_INLINE void kin_polish_of(
         for (int i = 0; i < 6; ++i) {
             kin_plus(out->q[i], longest, change[i]);
         }
-        kin_linearize_all(target, out->q, &system);
+        kin_linearize_all(problem, out->q, &system);
         if (!kin_is_steady(&jacobian, &system)) {
             kin_orthogonalize_jacobian(&system, &jacobian);
         }
@@ -239,5 +240,5 @@ KIN_INLINE void kin_polish_of(
     kin_independence(&jacobian, out->independence);
 }
 KIN_BY_PROCESSOR(kin_polish,
-    (const double target[12], kin_pack start[6], int steps, kin_arrived *out),
-    (target, start, steps, out))
+    (const kin_problem *problem, kin_pack start[6], int steps, kin_arrived *out),
+    (problem, start, steps, out))

@@ -7,7 +7,7 @@ static int kin_refine_some(kin_search *search, const int *numbers, const int *ce
     kin_arrived arrived;
     const int count = kin_dequeue(&search->starts, from);
     int all = 1;
-    kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+    kin_polish(&search->problem, from, KIN_NEWTON_STEPS, &arrived);
     for (int k = 0; k < count; ++k) {
         const int before = found->regular_count;
         if (!kin_insert_arrived(found, &arrived, k, numbers[k])) {
@@ -39,12 +39,13 @@ static double kin_branch_of(const kin_six *solution)
  * for the others, which are numbered from KIN_BRANCHES on; the seed is the first of them if it is a
  * singular solution. */
 static void kin_refine(
-    const double target[12], const double *seed, const kin_lanes *lanes, kin_search *search)
+    const double target[12], const double *seed, const double *given, const kin_lanes *lanes,
+    kin_search *search)
 {
     kin_found *found = &search->found;
     int numbers[KIN_LANES], certain[KIN_LANES], clear = 1, some = 0;
-    kin_begin(target, search);
-    if (!(found->gap <= 1e-9) || kin_is_too_far(search->target)) {
+    kin_begin(target, given, search);
+    if (!(found->gap <= 1e-9) || kin_is_too_far(&search->problem)) {
         return;
     }
     /* Where a root of the plan is flagged, the two solutions that differ by its sign may be as far

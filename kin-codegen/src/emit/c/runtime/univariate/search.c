@@ -16,8 +16,7 @@
 
 /* What is known of one target. */
 typedef struct kin_search {
-    /* Orthonormal; lengths in units of half the arm's size. */
-    double target[12];
+    kin_problem problem;
     kin_found found;
     /* The branch of the next solution. */
     int branch;
@@ -74,14 +73,14 @@ static void kin_complete_axis(double target[12])
 }
 
 /* Whether a target is farther away than the arm is long. */
-static int kin_is_too_far(const double target[12])
+static int kin_is_too_far(const kin_problem *problem)
 {
     double squares[8] = {0.0}, reach = 1e-6;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 7; ++j) {
-            squares[j] += kin_fixed[j][4 * i + 3] * kin_fixed[j][4 * i + 3];
+            squares[j] += problem->fixed[j][4 * i + 3] * problem->fixed[j][4 * i + 3];
         }
-        squares[7] += target[4 * i + 3] * target[4 * i + 3];
+        squares[7] += problem->target[4 * i + 3] * problem->target[4 * i + 3];
     }
     for (int j = 0; j < 7; ++j) {
         reach += sqrt(squares[j]);
@@ -105,16 +104,18 @@ static void kin_forget(kin_search *search)
     search->meeting = KIN_MEETING;
 }
 
-/* Of a target, lengths in metres. */
-static void kin_begin(const double target[12], kin_search *search)
+/* Of a target, lengths in metres, and what is given with it. */
+static void kin_begin(const double target[12], const double *given, kin_search *search)
 {
+    double *own = search->problem.target;
+    kin_fix_frames(given, search->problem.fixed);
     for (int i = 0; i < 12; ++i) {
-        search->target[i] = target[i] * (i % 4 == 3 ? 2.0 / KIN_ARM_SIZE : 1.0);
+        own[i] = target[i] * (i % 4 == 3 ? 2.0 / KIN_ARM_SIZE : 1.0);
     }
     if (kin_own_metric.axis) {
-        kin_complete_axis(search->target);
+        kin_complete_axis(own);
     } else {
-        kin_orthonormalize(search->target);
+        kin_orthonormalize(own);
     }
     kin_forget(search);
     search->found.gap = kin_rotation_error(&kin_own_metric, target);
@@ -154,7 +155,7 @@ static void kin_keep(kin_search *search, const double *seed)
         const double unit = kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
         kin_fill(from[i], i < KIN_SOLVED ? unit * seed[i % KIN_SOLVED] : 0.0);
     }
-    kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+    kin_polish(&search->problem, from, KIN_NEWTON_STEPS, &arrived);
     if (!(arrived.independence[0] < KIN_SINGULAR)) {
         return;
     }
@@ -195,7 +196,7 @@ static void kin_arrive(kin_search *search)
         kin_pack from[6];
         kin_arrived arrived;
         const int count = kin_dequeue(&search->starts, from);
-        kin_polish(search->target, from, 2 * KIN_NEWTON_STEPS, &arrived);
+        kin_polish(&search->problem, from, 2 * KIN_NEWTON_STEPS, &arrived);
         for (int k = 0; k < count; ++k) {
             if (!kin_insert_new(search, &arrived, k)) {
                 kin_stick(search, &arrived, k);
@@ -276,7 +277,7 @@ static void kin_one_each(
             continue;
         }
         waiting = kin_dequeue(&fresh, from);
-        kin_polish(search->target, from, KIN_NEWTON_STEPS, &arrived);
+        kin_polish(&search->problem, from, KIN_NEWTON_STEPS, &arrived);
         for (int k = 0; k < waiting; ++k) {
             const unsigned before = found->again;
             kin_insert_new(search, &arrived, k);
@@ -437,7 +438,7 @@ static void kin_meet(kin_search *search)
         if (count == 0) {
             break;
         }
-        kin_split(search->target, from, apart);
+        kin_split(&search->problem, from, apart);
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < count; ++k) {
                 double q[6];
@@ -456,7 +457,7 @@ static void kin_ask(
     const kin_search *search, const kin_elimination *elimination, kin_asked *asked)
 {
     kin_harmonics f;
-    kin_begin_recovery(elimination, search->target, &asked->recovery);
+    kin_begin_recovery(elimination, &search->problem, &asked->recovery);
     kin_polynomial(&asked->recovery, &f);
     asked->noise = f.noise;
     asked->is_drowned = !(f.noise < 1e-3);
@@ -511,7 +512,8 @@ static void kin_ask_beside(kin_search *search, const kin_elimination *eliminatio
         kin_asked asked;
         double back[12];
         kin_invert(there, back);
-        kin_compose(search->target, way == 0 ? there : back, beside.target);
+        beside.problem = search->problem;
+        kin_compose(search->problem.target, way == 0 ? there : back, beside.problem.target);
         kin_forget(&beside);
         beside.is_beside = 1;
         kin_ask(&beside, elimination, &asked);

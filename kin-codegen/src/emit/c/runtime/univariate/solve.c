@@ -33,14 +33,15 @@ static double kin_kept_joint(const kin_six *solution)
 
 /* The solutions of a target as the joints that are solved for see it: the regular ones, then the
  * singular ones as far as there is room. If the seed is a singular solution, it is among them. */
-static void kin_search_target(const double target[12], const double *seed, kin_search *search)
+static void kin_search_target(
+    const double target[12], const double *seed, const double *given, kin_search *search)
 {
     kin_found *found = &search->found;
-    kin_begin(target, search);
+    kin_begin(target, given, search);
     if (seed) {
         kin_keep(search, seed);
     }
-    if (found->gap <= 1e-9 && !kin_is_too_far(search->target)) {
+    if (found->gap <= 1e-9 && !kin_is_too_far(&search->problem)) {
         kin_search_all(search);
     }
     kin_sort(found->regular, found->regular_count, kin_kept_joint);

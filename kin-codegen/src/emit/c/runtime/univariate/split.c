@@ -26,14 +26,14 @@ KIN_INLINE void kin_weak_motion(kin_orthogonal *jacobian, kin_pack x[6])
  * tip comes nearest: the bifurcation equation of Lyapunov and Schmidt to second order (Golubitsky
  * and Schaeffer, Singularities and Groups in Bifurcation Theory I, 1985, chapter I). H(v, v) is a
  * second difference. */
-KIN_INLINE void kin_split_of(const double target[12], kin_pack q[6], kin_pack out[2][6])
+KIN_INLINE void kin_split_of(const kin_problem *problem, kin_pack q[6], kin_pack out[2][6])
 {
     /* How far the second derivative is taken, and the second order may tell anything, radians. */
     const double bend_by = 1e-3, farthest = 0.5;
     kin_system here, beside;
     kin_orthogonal jacobian;
     kin_pack v[6], bend[6], step[6], bent[6], moved[6], e, a, alpha[2];
-    kin_linearize_all(target, q, &here);
+    kin_linearize_all(problem, q, &here);
     kin_orthogonalize_jacobian(&here, &jacobian);
     kin_weak_motion(&jacobian, v);
     for (int i = 0; i < 6; ++i) {
@@ -46,7 +46,7 @@ KIN_INLINE void kin_split_of(const double target[12], kin_pack q[6], kin_pack ou
             kin_copy(moved[i], q[i]);
             kin_plus_scaled(moved[i], v[i], way * bend_by);
         }
-        kin_linearize_all(target, moved, &beside);
+        kin_linearize_all(problem, moved, &beside);
         for (int i = 0; i < 6; ++i) {
             for (int k = 0; k < KIN_LANES; ++k) {
                 bend[i][k] -= beside.error[i][k];
@@ -81,4 +81,4 @@ KIN_INLINE void kin_split_of(const double target[12], kin_pack q[6], kin_pack ou
     }
 }
 KIN_BY_PROCESSOR(kin_split,
-    (const double target[12], kin_pack q[6], kin_pack out[2][6]), (target, q, out))
+    (const kin_problem *problem, kin_pack q[6], kin_pack out[2][6]), (problem, q, out))

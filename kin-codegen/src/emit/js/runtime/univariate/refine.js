@@ -55,6 +55,7 @@ const $solve_refining = (arm, target, seed, given) => {
     if (form.search.is_exact && !degenerates) {
         return $reaching(arm, target, given, lanes);
     }
-    const found = $refined(form, $carried(form.search, target, given), seed, lanes);
+    const from = $carried(form.search, target, given);
+    const found = $refined($at_given(form, given), from, seed, lanes);
     return $to_solutions(arm, target, given, found);
 };

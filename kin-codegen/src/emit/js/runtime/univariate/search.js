@@ -488,15 +488,27 @@ const $undo = (twist, q) => {
 
 /* The target of the joints that are solved for: those that are given stand at the ends, and their
  * motions are known, the first ones seen from the base, the others from the tip. */
-const $carried = ({ front, behind }, target, given) => {
+const $carried = ({ front, between, behind }, target, given) => {
     const from_base = front.reduce((pose, twist, i) => $product($undo(twist, given[i]), pose), target);
+    const at_the_tip = given.slice(front.length + between.length);
     return behind.reduceRight(
-        (pose, twist, i) => $product(pose, $undo(twist, given[front.length + i])), from_base);
+        (pose, twist, i) => $product(pose, $undo(twist, at_the_tip[i])), from_base);
+};
+
+/* The form with the joints that are given between those that are solved for at their values. */
+const $at_given = (form, given) => {
+    const { front, between } = form.search;
+    const fixed = [...form.search.fixed];
+    for (let i = between.length - 1; i >= 0; --i) {
+        const { behind, twist } = between[i];
+        fixed[behind] = $product($undo(twist, -given[front.length + i]), fixed[behind]);
+    }
+    return { ...form, search: { ...form.search, fixed } };
 };
 
 /* The solutions of a target by eliminations alone. Of a polynomial's roots the branch is the place. */
 const $solve_by_roots = (arm, target, seed, given) => {
-    const { form } = arm;
+    const form = $at_given(arm.form, given);
     const found = $search_target(form, $carried(form.search, target, given), seed);
     const solutions = $to_solutions(arm, target, given, found);
     return solutions.map((solution, branch) => ({ ...solution, branch }));
