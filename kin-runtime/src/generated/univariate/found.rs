@@ -138,44 +138,39 @@ impl Found {
     /// The solutions in the order of their branches, as far as there is room for singular
     /// ones.
     pub fn by_branch(&self) -> Solutions<6> {
-        let mut all = Solutions::with_prismatic(self.regular.prismatic());
-        for solution in self.regular.iter().chain(self.singular.iter()) {
+        let prismatic = self.regular.prismatic();
+        let mut all = Solutions::with_prismatic(prismatic);
+        for solution in self.regular.iter().chain(&self.singular) {
             all.push_if(true, *solution);
         }
-        in_order(&all, |solution| f64::from(solution.branch))
+        Solutions::build_with_prismatic(prismatic, |out| {
+            push_in_order(out, &all, |solution| f64::from(solution.branch));
+        })
     }
 
     /// The regular solutions, then the singular ones that were found first, as far as there is
     /// room, each in the order of a joint.
     pub fn by_joint(&self, joint: usize) -> Solutions<6> {
         let room = Solutions::<6>::CAPACITY - self.regular.len();
-        let singular = Solutions::build_with_prismatic(self.singular.prismatic(), |first| {
-            for solution in self.singular.iter().take(room) {
-                first.push_if(true, *solution);
-            }
-        });
-        let ordered = [&self.regular, &singular].map(|some| in_order(some, |s| s.q[joint]));
+        let singular = &self.singular[..self.singular.len().min(room)];
         Solutions::build_with_prismatic(self.regular.prismatic(), |out| {
-            for solution in ordered.iter().flat_map(Solutions::iter) {
-                out.push_if(true, *solution);
+            for some in [&self.regular, singular] {
+                push_in_order(out, some, |solution| solution.q[joint]);
             }
         })
     }
 }
 
-fn in_order(solutions: &Solutions<6>, by: impl Fn(&Solution<6>) -> f64) -> Solutions<6> {
+fn push_in_order(out: &mut Solutions<6>, some: &[Solution<6>], by: impl Fn(&Solution<6>) -> f64) {
     let mut taken = 0_u32;
-    Solutions::build_with_prismatic(solutions.prismatic(), |out| {
-        for _ in 0..solutions.len() {
-            let left = (0..solutions.len()).filter(|i| taken >> i & 1 == 0);
-            let Some(next) = left.min_by(|a, b| by(&solutions[*a]).total_cmp(&by(&solutions[*b])))
-            else {
-                break;
-            };
-            taken |= 1 << next;
-            out.push_if(true, solutions[next]);
-        }
-    })
+    for _ in some {
+        let left = (0..some.len()).filter(|i| taken >> i & 1 == 0);
+        let Some(next) = left.min_by(|a, b| by(&some[*a]).total_cmp(&by(&some[*b]))) else {
+            break;
+        };
+        taken |= 1 << next;
+        out.push_if(true, some[next]);
+    }
 }
 
 /// Configurations, as many as are worked on at once.

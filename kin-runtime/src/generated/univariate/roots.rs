@@ -267,9 +267,9 @@ pub(super) fn roots(f: &Harmonics) -> Roots {
             t: [0.0; 2],
         }; WAITING],
     };
-    for (first, arcs) in (0..ARCS).step_by(LANES).zip(on_arcs(f)) {
+    for (first, arcs) in (0..ARCS).step_by(LANES).zip(&on_arcs(f)) {
         for lane in 0..LANES {
-            search.on_arc(first + lane, &arcs, lane, &mut found);
+            search.on_arc(first + lane, arcs, lane, &mut found);
         }
     }
     search.simple(&mut found);
