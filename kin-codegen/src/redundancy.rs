@@ -332,7 +332,7 @@ impl Wanted {
             }
             match solve(model, &linkage.clone().with_locked(joints), self.target) {
                 Ok(certified) => {
-                    let (lost, unanswered) = certified.missing();
+                    let (lost, unanswered) = certified.certificate.missing();
                     // An elimination looks for solutions of each infinite family.
                     let tried = found.len() + 1;
                     let may_be_better = certified.form.elimination().is_none() && tried < SOLVED;
@@ -353,7 +353,9 @@ impl Wanted {
                 }
             }
         }
-        let best = found.into_iter().min_by_key(|(it, _)| it.missing());
+        let best = found
+            .into_iter()
+            .min_by_key(|(it, _)| it.certificate.missing());
         let Some((found, joints)) = best else {
             return Err(refusal.unwrap_or(NoClosedForm::Redundant(self.target)));
         };
@@ -540,7 +542,8 @@ fn between(
         .into_iter()
         .filter(|joints| leaves_row(linkage, joints));
     let quality = |joints: &Vec<usize>| {
-        let arm = matters.then(|| univariate::Arm::between(model, &locked(joints)));
+        let arm =
+            matters.then(|| univariate::Arm::of_targets(model, &locked(joints), Target::Pose));
         let kept = arm.flatten().map(|arm| arm.kept[0]);
         kept.map_or([f64::INFINITY; 3], |kept| {
             [kept.unsure, kept.elimination.degree.into(), kept.noise]

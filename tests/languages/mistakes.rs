@@ -45,12 +45,18 @@ const OF_SEARCH: [[&str; 2]; 14] = [
 
 /// The same of what moves branches to the arm as given.
 const OF_REFINEMENT: [[&str; 2]; 3] = [
-    [
-        "if (!(lanes->invalid[k] <= 0.0))",
-        "if (lanes->invalid[k] <= 0.0)",
-    ],
+    ["invalid[k] <= 0.0 || ", "invalid[k] > 0.0 || "],
     ["&& !clear; ++i", "&& clear > 1; ++i"],
     ["return solution->branch", "return -solution->branch"],
+];
+
+/// The same of what tells that a step of an exact arm's plan degenerates.
+const OF_COMPLETION: [[&str; 2]; 2] = [
+    ["|| lanes->residual[k] <= ", "|| -lanes->residual[k] > "],
+    [
+        "(lanes->singular[k] > 0.0 ||",
+        "(lanes->singular[k] > 2.0 ||",
+    ],
 ];
 
 /// The same of joints that are given, some of them between those that are solved for.
@@ -127,8 +133,8 @@ const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
 /// The same of what moves branches to the arm as given.
 const OF_REFINEMENT_IN_JS: [[&str; 2]; 3] = [
     [
-        "(!(lanes.invalid[k] <= 0.0)) {\n            continue;\n        }\n        some",
-        "(lanes.invalid[k] <= 0.0) {\n            continue;\n        }\n        some",
+        "if (!$begins(form, lanes, k))",
+        "if ($begins(form, lanes, k))",
     ],
     [
         "is_clear = is_clear || $answer",
@@ -136,6 +142,10 @@ const OF_REFINEMENT_IN_JS: [[&str; 2]; 3] = [
     ],
     ["a.branch - b.branch", "b.branch - a.branch"],
 ];
+
+/// The same of what tells that a step of an exact arm's plan degenerates.
+const OF_COMPLETION_IN_JS: [[&str; 2]; 1] =
+    [["(lanes.singular[k] > 0.0 ||", "(lanes.singular[k] > 2.0 ||"]];
 
 /// The text with one of its lines changed.
 fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
@@ -197,6 +207,28 @@ fn mistakes_of_the_refinement_are_found() {
     each_is_found("mistakes_of_refinement", &asked, &right, &all);
 }
 
+fn of_completion() -> Asked {
+    Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of(
+            "tests/robots/targets/desk_arm.yaml",
+            Options {
+                target: Some(Target::PositionAxis),
+                ..Options::default()
+            },
+        )
+    }
+}
+
+#[test]
+fn mistakes_of_completion_are_found() {
+    let asked = of_completion();
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_COMPLETION).collect();
+    each_is_found("mistakes_of_completion", &asked, &right, &all);
+}
+
 #[test]
 fn mistakes_of_turning_are_found() {
     let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
@@ -240,6 +272,7 @@ fn mistakes_in_javascript_are_found() {
     };
     let each = [
         (of_given(), &OF_GIVEN_IN_JS[..]),
+        (of_completion(), &OF_COMPLETION_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement, &OF_REFINEMENT_IN_JS[..]),

@@ -80,12 +80,16 @@ const ELIMINATED: &[(&str, Option<Target>)] = &[
 
 /// Off their design, or with steps that degenerate where they do not: the branches of a closed form,
 /// refined, and a polynomial beside it.
-const REFINED: &[&str] = &[
-    "tests/robots/noisy/calibrated.yaml",
-    "tests/languages/humanoid.yaml",
-    "tests/robots/noisy/stray_offset.yaml",
-    "tests/robots/noisy/truncated_pi.yaml",
-    "tests/robots/targets/welder.yaml",
+const REFINED: &[(&str, Option<Target>)] = &[
+    ("tests/robots/noisy/calibrated.yaml", None),
+    ("tests/languages/humanoid.yaml", None),
+    ("tests/robots/noisy/stray_offset.yaml", None),
+    ("tests/robots/noisy/truncated_pi.yaml", None),
+    (
+        "tests/robots/targets/desk_arm.yaml",
+        Some(Target::PositionAxis),
+    ),
+    ("tests/robots/targets/welder.yaml", None),
 ];
 
 /// For what of a target counts.
@@ -116,37 +120,34 @@ const BETWEEN: &[(&str, &[&str], bool)] = &[
         &["joint_a3"],
         true,
     ),
+    ("tests/robots/redundant/telescope.yaml", &["inner"], true),
 ];
 
 /// Without inverse kinematics; it has joints that follow others, with frames on their links.
 const FORWARD_ALONE: &[&str] = &["tests/frames/cell.urdf"];
 
+fn aimed_at(target: Option<Target>) -> RobotOptions {
+    RobotOptions {
+        target,
+        ..RobotOptions::default()
+    }
+}
+
 /// All of them.
 pub fn all() -> Vec<Asked> {
     let by_default = BY_DEFAULT.iter();
     let by_default = by_default.map(|&path| Asked::of(path, RobotOptions::default()));
-    let eliminated = ELIMINATED.iter().map(|&(path, target)| {
-        let options = RobotOptions {
-            target,
-            ..RobotOptions::default()
-        };
-        Asked {
-            eliminates: true,
-            ..Asked::of(path, options)
-        }
+    let eliminated = ELIMINATED.iter().map(|&(path, target)| Asked {
+        eliminates: true,
+        ..Asked::of(path, aimed_at(target))
     });
-    let refined = REFINED.iter().map(|&path| Asked {
+    let refined = REFINED.iter().map(|&(path, target)| Asked {
         eliminates: true,
         refines: true,
-        ..Asked::of(path, RobotOptions::default())
+        ..Asked::of(path, aimed_at(target))
     });
-    let aimed = AIMED.iter().map(|&(path, target)| {
-        let options = RobotOptions {
-            target: Some(target),
-            ..RobotOptions::default()
-        };
-        Asked::of(path, options)
-    });
+    let aimed = AIMED.iter();
+    let aimed = aimed.map(|&(path, target)| Asked::of(path, aimed_at(Some(target))));
     let free = RobotOptions {
         free: vec!["joint_a3".into()],
         ..RobotOptions::default()

@@ -46,6 +46,7 @@ mod answers;
 mod at_run_time;
 mod best;
 mod chosen;
+mod degenerate;
 mod feasible;
 mod follow;
 mod interfaces;

@@ -69,6 +69,7 @@ robots! {
 robots! {
     AIMED for_every_aimed_robot:
     shoulder Shoulder "robots/targets/shoulder.yaml" => position
+    desk_arm DeskArm "robots/targets/desk_arm.yaml" => position_axis
     welder Welder "robots/targets/welder.yaml" => position_axis
     welder_pose WelderPose "robots/targets/welder.yaml" => pose
     sprayer_pose SprayerPose "robots/targets/sprayer.yaml" => pose

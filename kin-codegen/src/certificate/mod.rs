@@ -222,9 +222,14 @@ impl Certificate {
         Ok(())
     }
 
+    /// How many regular targets were lost, then how many singular ones unanswered.
+    pub(crate) fn missing(&self) -> (usize, usize) {
+        (self.lost, self.unanswered)
+    }
+
     /// Whether nothing was seen to be missing.
     pub fn is_complete(&self) -> bool {
-        self.lost == 0 && self.unanswered == 0
+        self.missing() == (0, 0)
     }
 
     /// What is not promised, in sentences.

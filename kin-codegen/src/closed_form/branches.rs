@@ -24,7 +24,8 @@ const SINGULAR: usize = 2;
 const FREE: usize = 3;
 
 impl ClosedForm {
-    /// The branches of the plan that exist, if it is run by expressions.
+    /// The branches of the plan that exist, if it is run by expressions; of one that eliminations
+    /// complete also those that are none but reach the target, which are singular.
     pub(crate) fn branches<const N: usize>(
         &self,
         target: &Pose,
@@ -34,7 +35,7 @@ impl ClosedForm {
         let Some(at) = self.question(target, parameters, seed) else {
             return Vec::new();
         };
-        at.existing(&at.evaluate(self.tolerances().free_below))
+        at.begun(&at.evaluate(self.tolerances().free_below))
     }
 
     /// All branches of the plan, also those that do not exist or repeat another, and whether they
@@ -75,7 +76,7 @@ impl ClosedForm {
                     joints: at.inverse.q.len(),
                     of: Of::Several(&lanes, place),
                 };
-                let branches = at.existing(&values);
+                let branches = at.begun(&values);
                 answer(self.sorted(at.target, at.parameters, None, &branches));
             }
         }
@@ -139,6 +140,10 @@ impl ClosedForm {
             parameters,
             seed,
             branches: self.plan.branches() as u32,
+            begin_within: match self.refinement {
+                Refinement::Univariate(_) => self.acceptance().nearly,
+                _ => f64::NEG_INFINITY,
+            },
             scalar: self.linkage.scalar,
         })
     }
@@ -152,6 +157,8 @@ struct Question<'a> {
     /// What free angles keep.
     seed: &'a [f64],
     branches: u32,
+    /// Branches that are none and this near to the target are where solutions are sought from.
+    begin_within: f64,
     scalar: Scalar,
 }
 
@@ -235,12 +242,17 @@ impl<'a> Question<'a> {
         (values.at(INVALID, branch) <= 0.0, solution)
     }
 
-    fn existing<const N: usize>(&self, values: &Values) -> Vec<Solution<N>> {
-        let exists = |branch| {
+    fn begun<const N: usize>(&self, values: &Values) -> Vec<Solution<N>> {
+        let begun = |branch| {
             let (exists, solution) = self.told(values, branch);
-            exists.then_some(solution)
+            let singular = solution.singular || !exists;
+            let begins = exists || solution.residual <= self.begin_within;
+            begins.then_some(Solution {
+                singular,
+                ..solution
+            })
         };
-        (0..self.branches).filter_map(exists).collect()
+        (0..self.branches).filter_map(begun).collect()
     }
 
     /// The values with angles turned, from the `first` one, that are free and leave a later root of

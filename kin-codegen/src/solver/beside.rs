@@ -20,14 +20,9 @@ const OFTEN: f64 = 25.0;
 /// lost, if it can.
 pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     let form = &best.form;
-    let is_whole = form.plan.target == Target::Pose && trials.linkage().locked.is_empty();
-    let asks = |form: &ClosedForm| {
-        form.given.coupling.is_none()
-            && form.is_exact()
-            && form.refinement == Refinement::None
-            && form.single.is_none()
-    };
-    let arm = (is_whole && asks(form)).then(|| univariate::Arm::new(trials.linkage()));
+    let asks = form.is_exact() && form.refinement == Refinement::None && form.single.is_none();
+    let arm = asks
+        .then(|| univariate::Arm::of_targets(trials.model(), trials.linkage(), form.plan.target));
     let Some(mut arm) = arm.flatten() else {
         return best;
     };
@@ -46,7 +41,7 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
         ..form.clone()
     };
     match certify(trials, &form, best.certificate.lost) {
-        Ok(certificate) if certificate.lost < best.certificate.lost => {
+        Ok(certificate) if certificate.missing() < best.certificate.missing() => {
             Certified { form, certificate }
         }
         _ => best,

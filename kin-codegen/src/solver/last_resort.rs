@@ -3,7 +3,6 @@
 use super::{CHOICES, Certified, Lack, NoClosedForm, better};
 use crate::certificate::{Trials, certify};
 use crate::closed_form::ClosedForm;
-use crate::geometry::Linkage;
 use crate::plan::Target;
 use crate::scalar::Scalar;
 use crate::univariate;
@@ -21,14 +20,7 @@ pub(super) fn last_resort(
             other => other,
         });
     }
-    let arm = match target {
-        _ if linkage.coupling.is_some() => None,
-        Target::Pose => univariate::Arm::between(trials.model(), linkage),
-        Target::PositionAxis if linkage.locked.is_empty() => {
-            univariate::Arm::new(&Linkage::for_target(trials.model(), target))
-        }
-        _ => None,
-    };
+    let arm = univariate::Arm::of_targets(trials.model(), linkage, target);
     let Some(arm) = arm else {
         return Err(refusal);
     };

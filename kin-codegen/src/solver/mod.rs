@@ -66,13 +66,6 @@ pub struct Certified {
     pub certificate: Certificate,
 }
 
-impl Certified {
-    /// How many regular targets it loses, then how many singular ones.
-    pub(crate) fn missing(&self) -> (usize, usize) {
-        (self.certificate.lost, self.certificate.unanswered)
-    }
-}
-
 /// What single precision lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lack {
@@ -318,7 +311,7 @@ pub(crate) fn alike(model: &Model) -> impl Iterator<Item = usize> {
 /// The one that misses less.
 fn better(best: Option<Certified>, other: Certified) -> Option<Certified> {
     match best {
-        Some(best) if best.missing() <= other.missing() => Some(best),
+        Some(best) if best.certificate.missing() <= other.certificate.missing() => Some(best),
         _ => Some(other),
     }
 }

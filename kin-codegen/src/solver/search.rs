@@ -188,7 +188,7 @@ impl<'a> Search<'a> {
             let [matter, all] = self.turned(plan);
             return self.is_complete_by(plan, [matter, Some(FreeAngles::Seeded), all]);
         }
-        let missing = |search: &Self| search.best.as_ref().map(Certified::missing);
+        let missing = |search: &Self| search.best.as_ref().map(|it| it.certificate.missing());
         let before = missing(self);
         if self.is_complete_by(plan, [Some(FreeAngles::Seeded)]) {
             return true;

@@ -90,12 +90,24 @@ impl Arm {
         }
     }
 
-    /// The arm of the joints that are not locked: at values of the locked ones [between](Self::at)
-    /// them, and for targets that are carried by those at its ends, see
-    /// [`Carried`](crate::geometry::Carried).
-    pub fn between(model: &Model, linkage: &Linkage) -> Option<Self> {
-        let (family, linkage) = Family::of(model, linkage)?;
-        Self::of(&family, &linkage)
+    /// The arm for targets of this kind of the joints that are not locked: at values of the locked
+    /// ones [between](Self::at) them, and for targets that are carried by those at its ends, see
+    /// [`Carried`](crate::geometry::Carried). None as in [`new`](Self::new), or if an elimination
+    /// does not know such targets.
+    pub fn of_targets(model: &Model, linkage: &Linkage, target: Target) -> Option<Self> {
+        if linkage.coupling.is_some() {
+            return None;
+        }
+        match target {
+            Target::Pose => {
+                let (family, linkage) = Family::of(model, linkage)?;
+                Self::of(&family, &linkage)
+            }
+            Target::PositionAxis if linkage.locked.is_empty() => {
+                Self::new(&Linkage::for_target(model, target))
+            }
+            _ => None,
+        }
     }
 
     /// The arm with the joints between its own at these values, radians and metres.

@@ -22,10 +22,11 @@ pub struct Solution<const N: usize> {
     /// configurations it is rounding, some 1e-15.
     pub residual: Real,
     /// Which combination of the plan's choices this is; the rustdoc of the
-    /// robot names them. Stable along a path that crosses no singularity. An
-    /// arm off its design can have more solutions near a singularity than
-    /// branches; those have the number of a neighbour, or where an elimination
-    /// finds them, one from [`Kinematics::BRANCHES`](crate::Kinematics::BRANCHES) on.
+    /// robot names them. Stable along a path that crosses no singularity. There
+    /// an arm off its design can have more solutions than branches, and a plan
+    /// whose steps degenerate tell less; those have the number of a neighbour,
+    /// or where an elimination finds them, one from
+    /// [`Kinematics::BRANCHES`](crate::Kinematics::BRANCHES) on.
     pub branch: u32,
     /// The Jacobian loses rank here: `q` stands for a family of solutions, or
     /// for two that have met.

@@ -217,7 +217,7 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
         "" => String::new(),
         _ => format!(
             "    for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
-             degenerates |= (lanes.invalid[k] <= 0.0) & (lanes.singular[k] > 0.0);\n    }}\n    \
+             degenerates |= kin_is_degenerate(&lanes, k);\n    }}\n    \
              if (degenerates) {{\n        kin_search search;\n{}    }}\n",
             indented(refined)
         ),

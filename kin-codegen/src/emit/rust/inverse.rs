@@ -299,10 +299,11 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
         return quote!(branches.solutions(&Self::ACCEPT));
     }
     let target = format_ident!("{target:?}");
+    let corrected = quote! {
+        branches.corrected(|q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT)
+    };
     match &solver.refinement {
-        Refinement::None => quote! {
-            branches.corrected(|q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT)
-        },
+        Refinement::None => corrected,
         Refinement::Branches(steps) => {
             let steps = Literal::usize_unsuffixed(*steps);
             quote! {
@@ -311,14 +312,24 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
                 )
             }
         }
-        Refinement::Univariate(_) if solver.is_exact() => quote! {
-            branches.completed(
-                |q| self.fk_jacobian(q), &Self::UNIVARIATE, pose, seed, &Self::ACCEPT
-            )
-        },
-        Refinement::Univariate(_) => quote! {
-            branches.refined_onto(&Self::UNIVARIATE, pose, seed, &Self::ACCEPT)
-        },
+        Refinement::Univariate(_) => {
+            let refined =
+                quote!(branches.refined_onto(&Self::UNIVARIATE, pose, seed, &Self::ACCEPT));
+            match solver.is_exact() {
+                true => completed(&corrected, &refined),
+                false => refined,
+            }
+        }
+    }
+}
+
+/// How the branches of an exact arm become solutions, which are refined where some may be missing.
+pub fn completed(corrected: &TokenStream, refined: &TokenStream) -> TokenStream {
+    quote! {
+        match branches.degenerate(&Self::ACCEPT) {
+            true => #refined,
+            false => #corrected,
+        }
     }
 }
 

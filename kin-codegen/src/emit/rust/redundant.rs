@@ -240,6 +240,7 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
     }
     let target = format_ident!("{target:?}");
     let arm = quote!(|q| self.fk_jacobian(q), pose, Target::#target);
+    let corrected = quote!(locked.corrected(&branches, #arm, &Self::ACCEPT));
     match &solver.refinement {
         Refinement::Branches(steps) => {
             let steps = usize_literal(*steps);
@@ -247,11 +248,15 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
         }
         Refinement::Univariate(_) => {
             let (arm, target) = (at_given(solver, given), carried(solver, given));
-            quote! {
+            let refined = quote! {
                 locked.all(&branches.refined_onto(&#arm, #target, #seed, &Self::ACCEPT))
+            };
+            match solver.is_exact() {
+                true => inverse::completed(&corrected, &refined),
+                false => refined,
             }
         }
-        _ => quote!(locked.corrected(&branches, #arm, &Self::ACCEPT)),
+        Refinement::None => corrected,
     }
 }
 

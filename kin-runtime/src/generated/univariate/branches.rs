@@ -1,13 +1,26 @@
-//! Branches that an elimination completes.
+//! Branches that eliminations complete.
 
 use super::Univariate;
 use crate::generated::acceptance::Acceptance;
 use crate::generated::branches::Branches;
-use crate::{Jacobian, Pose, Solutions, Target};
+use crate::{Pose, Solution, Solutions};
 
 impl<const N: usize, const L: usize> Branches<N, L> {
-    /// The branches of an idealized arm, refined to the solutions of the arm as given; see
-    /// [`Univariate::refined`].
+    /// Whether there may be solutions that no branch tells: where one is singular, or is none but
+    /// reaches the target, as where an ill-conditioned step misses a double root.
+    #[inline(always)]
+    pub fn degenerate(&self, accept: &Acceptance) -> bool {
+        let mut degenerate = false;
+        for k in 0..L {
+            let exists = self.invalid[k] <= 0.0;
+            let reaches = self.residual[k] <= accept.nearly;
+            degenerate |= (exists & (self.singular[k] > 0.0)) | (!exists & reaches);
+        }
+        degenerate
+    }
+
+    /// The branches of a plan, refined to the solutions of an arm that is off its ideal, or where
+    /// they are [degenerate](Self::degenerate); see [`Univariate::refined`].
     #[inline]
     pub fn refined_onto(
         &self,
@@ -16,26 +29,17 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         seed: &[f64; N],
         accept: &Acceptance,
     ) -> Solutions<N> {
-        arm.refined(target, self.existing(), seed, L, accept.near_singular)
+        arm.refined(target, self.begun(accept), seed, L, accept.near_singular)
     }
 
-    /// As [`Self::corrected`], and where a step degenerates, [`Univariate::refined`].
-    #[inline(always)]
-    pub fn completed(
-        &self,
-        fk_jacobian: impl Fn(&[f64; N]) -> (Pose, Jacobian<N>),
-        arm: &Univariate,
-        target: &Pose,
-        seed: &[f64; N],
-        accept: &Acceptance,
-    ) -> Solutions<N> {
-        let mut degenerates = false;
-        for k in 0..L {
-            degenerates |= (self.invalid[k] <= 0.0) & (self.singular[k] > 0.0);
-        }
-        match degenerates {
-            true => self.refined_onto(arm, target, seed, accept),
-            false => self.corrected(fk_jacobian, target, Target::Pose, accept),
-        }
+    /// The branches that exist or reach the target; the latter are singular.
+    fn begun(&self, accept: &Acceptance) -> impl Iterator<Item = Solution<N>> {
+        (0..L).filter_map(|k| {
+            let exists = self.invalid[k] <= 0.0;
+            let lane = self.lane(k);
+            let singular = lane.singular | !exists;
+            let begun = exists | (self.residual[k] <= accept.nearly);
+            begun.then_some(Solution { singular, ..lane })
+        })
     }
 }

@@ -34,6 +34,19 @@ static double kin_branch_of(const kin_six *solution)
     return solution->branch;
 }
 
+/* Whether solutions are sought from a branch: if it exists or reaches the target. */
+static int kin_begins(const kin_lanes *lanes, int k)
+{
+    return lanes->invalid[k] <= 0.0 || lanes->residual[k] <= KIN_NEARLY;
+}
+
+/* Whether there may be solutions beside a branch that no other one tells: where it is singular, or is
+ * none but reaches the target, as where an ill-conditioned step misses a double root. */
+static int kin_is_degenerate(const kin_lanes *lanes, int k)
+{
+    return kin_begins(lanes, k) && (lanes->singular[k] > 0.0 || !(lanes->invalid[k] <= 0.0));
+}
+
 /* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers.
  * Where one is flagged, lost, or too near to another one to tell them apart, eliminations are asked
  * for the others, which are numbered from KIN_BRANCHES on; the seed is the first of them if it is a
@@ -54,11 +67,11 @@ static void kin_refine(
     search->branch = KIN_BRANCHES;
     for (int k = 0; k < KIN_BRANCHES; ++k) {
         double q[6];
-        if (!(lanes->invalid[k] <= 0.0)) {
+        if (!kin_begins(lanes, k)) {
             continue;
         }
         some = 1;
-        clear = clear && !(lanes->singular[k] > 0.0);
+        clear = clear && !kin_is_degenerate(lanes, k);
         for (int i = 0; i < 6; ++i) {
             q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
             q[i] *= kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;

@@ -1,3 +1,11 @@
+/* Whether solutions are sought from a branch: if it exists or reaches the target. */
+const $begins = (form, lanes, k) => lanes.invalid[k] <= 0.0 || lanes.residual[k] <= form.nearly;
+
+/* Whether there may be solutions beside a branch that no other one tells: where it is singular, or is
+ * none but reaches the target, as where an ill-conditioned step misses a double root. */
+const $is_degenerate = (form, lanes, k) =>
+    $begins(form, lanes, k) && (lanes.singular[k] > 0.0 || !(lanes.invalid[k] <= 0.0));
+
 /* Moves the branches of the idealized arm to solutions of this one, in the order of their numbers. Where
  * one is flagged, lost, or too near to another one to tell them apart, eliminations are asked for the
  * others, which are numbered from the number of branches on; the seed is the first of them if it is a
@@ -15,8 +23,7 @@ const $refined = (form, target, seed, lanes) => {
     let is_clear = true;
     let some = false;
     for (let k = 0; k < form.branches; ++k) {
-        const is_singular = lanes.singular[k] > 0.0;
-        if (!(lanes.invalid[k] <= 0.0)) {
+        if (!$begins(form, lanes, k)) {
             continue;
         }
         some = true;
@@ -29,7 +36,7 @@ const $refined = (form, target, seed, lanes) => {
         if (!$insert_arrived(search, arrived, k)) {
             $stick(search, arrived);
         }
-        is_clear = is_clear && !is_singular && (search.regular.length > before || !is_certain);
+        is_clear = is_clear && !$is_degenerate(form, lanes, k) && (search.regular.length > before || !is_certain);
     }
     /* Where six joints are nearly singular another solution is near, and those behind the tip of a
      * shorter arm may be farther from zero. */
@@ -51,7 +58,7 @@ const $refined = (form, target, seed, lanes) => {
 const $solve_refining = (arm, target, seed, given) => {
     const { form } = arm;
     const lanes = $branches(form, target, seed, given);
-    const degenerates = lanes.singular.some((x, k) => x > 0.0 && lanes.invalid[k] <= 0.0);
+    const degenerates = lanes.singular.some((_, k) => $is_degenerate(form, lanes, k));
     if (form.search.is_exact && !degenerates) {
         return $reaching(arm, target, given, lanes);
     }
