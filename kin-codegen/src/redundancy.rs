@@ -204,7 +204,15 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
         Some(_) => format!("the joint `{name}` is not between `{base}` and `{tip}`"),
         None => format!("there is no joint `{name}` to stay free"),
     };
-    Err((reason, did_you_mean(name, &known)))
+    let listed: Vec<&str> = name.split(',').map(str::trim).collect();
+    let remedy = match listed.len() > 1 && listed.iter().all(|part| known.contains(part)) {
+        true => format!(
+            "name each by itself: `--free {}`, or `free = {listed:?}`",
+            listed.join(" --free ")
+        ),
+        false => did_you_mean(name, &known),
+    };
+    Err((reason, remedy))
 }
 
 /// Finds and verifies a closed form of an arm with more joints than its targets have

@@ -96,6 +96,12 @@ fn options_that_cannot_be_followed_have_a_remedy() {
         "did you mean `joint7`?",
     );
     assert_refused(
+        "robots/redundant/gantry_iiwa.yaml",
+        &free(&["slide, joint_a3"]),
+        "there is no joint `slide, joint_a3` to stay free",
+        "name each by itself: `--free slide --free joint_a3`, or `free = [\"slide\", \"joint_a3\"]`",
+    );
+    assert_refused(
         "../robots/ur5e.urdf",
         &Options {
             target: Some(Target::PositionAxis),
