@@ -206,10 +206,7 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
     };
     let listed: Vec<&str> = name.split(',').map(str::trim).collect();
     let remedy = match listed.len() > 1 && listed.iter().all(|part| known.contains(part)) {
-        true => format!(
-            "name each by itself: `--free {}`, or `free = {listed:?}`",
-            listed.join(" --free ")
-        ),
+        true => format!("name each by itself: `free = {listed:?}`, or `--free` once for each"),
         false => did_you_mean(name, &known),
     };
     Err((reason, remedy))

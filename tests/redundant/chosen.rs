@@ -99,7 +99,7 @@ fn options_that_cannot_be_followed_have_a_remedy() {
         "robots/redundant/gantry_iiwa.yaml",
         &free(&["slide, joint_a3"]),
         "there is no joint `slide, joint_a3` to stay free",
-        "name each by itself: `--free slide --free joint_a3`, or `free = [\"slide\", \"joint_a3\"]`",
+        "name each by itself: `free = [\"slide\", \"joint_a3\"]`, or `--free` once for each",
     );
     assert_refused(
         "../robots/ur5e.urdf",

@@ -6,15 +6,27 @@ use crate::generated::branches::Branches;
 use crate::{Pose, Solution, Solutions};
 
 impl<const N: usize, const L: usize> Branches<N, L> {
-    /// Whether there may be solutions that no branch tells: where one is singular, or is none but
-    /// reaches the target, as where an ill-conditioned step misses a double root.
+    /// Whether solutions are sought from a branch: if it exists or reaches the target.
+    #[inline(always)]
+    fn begins(&self, k: usize, accept: &Acceptance) -> bool {
+        (self.invalid[k] <= 0.0) | (self.residual[k] <= accept.nearly)
+    }
+
+    /// Whether there may be solutions beside a branch that no other one tells: where it is
+    /// singular, or is none but reaches the target, as where an ill-conditioned step misses a
+    /// double root.
+    #[inline(always)]
+    fn is_degenerate(&self, k: usize, accept: &Acceptance) -> bool {
+        let exists = self.invalid[k] <= 0.0;
+        self.begins(k, accept) & ((self.singular[k] > 0.0) | !exists)
+    }
+
+    /// Whether there may be solutions that no branch tells.
     #[inline(always)]
     pub fn degenerate(&self, accept: &Acceptance) -> bool {
         let mut degenerate = false;
         for k in 0..L {
-            let exists = self.invalid[k] <= 0.0;
-            let reaches = self.residual[k] <= accept.nearly;
-            degenerate |= (exists & (self.singular[k] > 0.0)) | (!exists & reaches);
+            degenerate |= self.is_degenerate(k, accept);
         }
         degenerate
     }
@@ -32,14 +44,12 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         arm.refined(target, self.begun(accept), seed, L, accept.near_singular)
     }
 
-    /// The branches that exist or reach the target; the latter are singular.
+    /// The branches that solutions are sought from, singular where they are degenerate.
     fn begun(&self, accept: &Acceptance) -> impl Iterator<Item = Solution<N>> {
-        (0..L).filter_map(|k| {
-            let exists = self.invalid[k] <= 0.0;
-            let lane = self.lane(k);
-            let singular = lane.singular | !exists;
-            let begun = exists | (self.residual[k] <= accept.nearly);
-            begun.then_some(Solution { singular, ..lane })
+        let begins = (0..L).filter(|&k| self.begins(k, accept));
+        begins.map(|k| Solution {
+            singular: self.is_degenerate(k, accept),
+            ..self.lane(k)
         })
     }
 }

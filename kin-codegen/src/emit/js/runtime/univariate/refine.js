@@ -36,7 +36,8 @@ const $refined = (form, target, seed, lanes) => {
         if (!$insert_arrived(search, arrived, k)) {
             $stick(search, arrived);
         }
-        is_clear = is_clear && !$is_degenerate(form, lanes, k) && (search.regular.length > before || !is_certain);
+        const is_told = search.regular.length > before || !is_certain;
+        is_clear = is_clear && is_told && !$is_degenerate(form, lanes, k);
     }
     /* Where six joints are nearly singular another solution is near, and those behind the tip of a
      * shorter arm may be farther from zero. */
