@@ -12,6 +12,7 @@ use crate::plan::{Plans, Relations, Target};
 use crate::solver::{Certified, Coupled, DESIGNED, NoClosedForm, TOLERANCES, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
+use kin_runtime::__private::Completion;
 use std::rc::Rc;
 
 /// Sets of joints that are compared: all of one joint, or of two of eight. Of more those are
@@ -337,12 +338,16 @@ impl Wanted {
             }
             match solve(model, &linkage.clone().with_locked(joints), self.target) {
                 Ok(certified) => {
-                    let (lost, unanswered) = certified.certificate.missing();
-                    // An elimination looks for solutions of each infinite family.
-                    let tried = found.len() + 1;
-                    let may_be_better = certified.form.elimination().is_none() && tried < SOLVED;
+                    let Certified { form, certificate } = &certified;
+                    let is_good = match form.completion() {
+                        Completion::Unanswered => false,
+                        _ => certificate.is_complete(),
+                    };
+                    // An elimination looks for solutions of each infinite family, if it is asked.
+                    let may_be_better = !form.asks_elimination() && found.len() + 1 < SOLVED;
+                    let is_last = certificate.lost == 0 && (is_good || !may_be_better);
                     found.push((certified, joints.clone()));
-                    if lost == 0 && !(may_be_better && unanswered > 0) {
+                    if is_last {
                         break;
                     }
                 }
@@ -358,9 +363,11 @@ impl Wanted {
                 }
             }
         }
-        let best = found
-            .into_iter()
-            .min_by_key(|(it, _)| it.certificate.missing());
+        let quality = |it: &Certified| {
+            let is_completed = it.form.completion() == Completion::Unanswered;
+            (it.certificate.missing(), is_completed)
+        };
+        let best = found.into_iter().min_by_key(|(it, _)| quality(it));
         let Some((found, joints)) = best else {
             return Err(refusal.unwrap_or(NoClosedForm::Redundant(self.target)));
         };

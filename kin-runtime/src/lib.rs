@@ -98,7 +98,7 @@ pub use workspace::{Workspace, WorkspaceMethod, scattered_rotations};
 /// public interface: it changes with every minor version.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::generated::acceptance::Acceptance;
+    pub use crate::generated::acceptance::{Acceptance, Completion};
     pub use crate::generated::arithmetic::{Arithmetic, Fused};
     pub use crate::generated::arrays;
     pub use crate::generated::batch;

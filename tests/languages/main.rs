@@ -100,6 +100,9 @@ impl Subject {
         if asked.path == targets::OVER_THE_BASE {
             targets.extend(reproducibly(|| targets::over_the_base(&rust)));
         }
+        if asked.path == targets::NEXT_TO_AXIS_1 {
+            targets = targets::next_to_axis_1(&rust);
+        }
         let mut subject = Subject {
             path: asked.path,
             rust,

@@ -59,6 +59,15 @@ const OF_COMPLETION: [[&str; 2]; 2] = [
     ],
 ];
 
+/// The same of what tells that no branch reaches a target.
+const OF_UNANSWERED: [[&str; 2]; 2] = [
+    ["count == 0 && incomplete", "count != 0 && incomplete"],
+    [
+        "incomplete |= lanes.residual[k] <= ",
+        "incomplete |= -lanes.residual[k] > ",
+    ],
+];
+
 /// The same of joints that are given, some of them between those that are solved for.
 const OF_GIVEN: [[&str; 2]; 4] = [
     ["-given[1 + i]", "given[1 + i]"],
@@ -147,6 +156,12 @@ const OF_REFINEMENT_IN_JS: [[&str; 2]; 3] = [
 const OF_COMPLETION_IN_JS: [[&str; 2]; 1] =
     [["(lanes.singular[k] > 0.0 ||", "(lanes.singular[k] > 2.0 ||"]];
 
+/// The same of what tells that no branch reaches a target.
+const OF_UNANSWERED_IN_JS: [[&str; 2]; 2] = [
+    ["|| !nearly_reach", "|| nearly_reach"],
+    ["|| told.length > 0", "|| told.length === 0"],
+];
+
 /// The text with one of its lines changed.
 fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
     let line = |(i, line): (usize, &str)| match i == number {
@@ -229,6 +244,22 @@ fn mistakes_of_completion_are_found() {
     each_is_found("mistakes_of_completion", &asked, &right, &all);
 }
 
+fn of_unanswered() -> Asked {
+    Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of(targets::NEXT_TO_AXIS_1, Options::default())
+    }
+}
+
+#[test]
+fn mistakes_of_what_is_unanswered_are_found() {
+    let asked = of_unanswered();
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_UNANSWERED).collect();
+    each_is_found("mistakes_of_unanswered", &asked, &right, &all);
+}
+
 #[test]
 fn mistakes_of_turning_are_found() {
     let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
@@ -273,6 +304,7 @@ fn mistakes_in_javascript_are_found() {
     let each = [
         (of_given(), &OF_GIVEN_IN_JS[..]),
         (of_completion(), &OF_COMPLETION_IN_JS[..]),
+        (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement, &OF_REFINEMENT_IN_JS[..]),

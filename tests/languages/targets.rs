@@ -136,3 +136,53 @@ pub fn over_the_base(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
     }
     all
 }
+
+/// The arm of [`next_to_axis_1`].
+pub const NEXT_TO_AXIS_1: &str = "tests/robots/table/nearly_parallel.yaml";
+
+/// Its wrist next to axis 1, where both roots of its quartic are lost to rounding, and out of reach.
+pub fn next_to_axis_1(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
+    let mut random = Random::new(61);
+    let mut all = Vec::new();
+    while all.len() < 40 {
+        let mut q: Vec<f64> = (0..6).map(|_| random.angle()).collect();
+        let mut aside = |angle: f64| {
+            q[1] = angle;
+            let [x, y, _] = robot.fk(&q).translation;
+            x * q[0].cos() + y * q[0].sin()
+        };
+        let (mut from, mut to) = (0.0, PI);
+        let low = aside(from);
+        if low * aside(to) > 0.0 {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (from + to);
+            match aside(middle) * low > 0.0 {
+                true => from = middle,
+                false => to = middle,
+            }
+        }
+        let off = 10_f64.powi([-7, -6][all.len() % 2]);
+        q[1] = from + random.between(-off, off);
+        q[2] += random.between(-off, off);
+        // A root that rounding has parted from another is not compared.
+        let pose = robot.fk(&q);
+        if robot.ik(&pose).iter().all(|it| it.singular) {
+            all.push((pose, vec![0.0; 6]));
+        }
+    }
+    let far = |(pose, seed): &(Pose, Vec<f64>)| {
+        let translation = pose.translation.map(|x| x + 0.3);
+        (
+            Pose {
+                translation,
+                ..*pose
+            },
+            seed.clone(),
+        )
+    };
+    let far: Vec<_> = all.iter().take(6).map(far).collect();
+    all.extend(far);
+    all
+}

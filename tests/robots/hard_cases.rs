@@ -3,5 +3,6 @@
 mod aligned;
 mod boundary;
 mod fourfold;
+mod quartic;
 mod singular;
 mod universal;

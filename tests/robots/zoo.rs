@@ -56,6 +56,7 @@ robots! {
 robots! {
     TABLE for_every_table_row:
     concurrent_345 Concurrent345 "robots/table/concurrent_345.yaml"
+    nearly_parallel NearlyParallel "robots/table/nearly_parallel.yaml"
     one_slide OneSlide "robots/table/one_slide.yaml"
     parallel_123 Parallel123 "robots/table/parallel_123.yaml"
     parallel_234 Parallel234 "robots/table/parallel_234.yaml"

@@ -1,6 +1,6 @@
 //! The branches of a plan by its tape: of one target, or of several side by side.
 
-use super::{ClosedForm, Inverse, Refinement};
+use super::ClosedForm;
 use crate::expr::Lanes;
 use crate::expr::inverse::{InverseGraph, Turn};
 use crate::scalar::Scalar;
@@ -24,29 +24,28 @@ const SINGULAR: usize = 2;
 const FREE: usize = 3;
 
 impl ClosedForm {
-    /// The branches of the plan that exist, if it is run by expressions; of one that eliminations
-    /// complete also those that are none but reach the target, which are singular.
+    /// The branches of the plan that exist, if it is run by expressions.
     pub(crate) fn branches<const N: usize>(
         &self,
         target: &Pose,
         parameters: &[f64],
         seed: &[f64; N],
     ) -> Vec<Solution<N>> {
-        let Some(at) = self.question(target, parameters, seed) else {
-            return Vec::new();
-        };
-        at.begun(&at.evaluate(self.tolerances().free_below))
+        existing(&self.all_branches(target, parameters, seed)).collect()
     }
 
     /// All branches of the plan, also those that do not exist or repeat another, and whether they
     /// do.
-    pub(super) fn all_branches<const N: usize>(&self, target: &Pose) -> Vec<(bool, Solution<N>)> {
-        let seed = [0.0; N];
-        let Some(at) = self.question(target, &[], &seed) else {
-            return Vec::new();
-        };
-        let values = at.evaluate(self.tolerances().free_below);
-        (0..at.branches).map(|it| at.told(&values, it)).collect()
+    pub(super) fn all_branches<const N: usize>(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: &[f64; N],
+    ) -> Vec<(bool, Solution<N>)> {
+        match self.question(target, parameters, seed) {
+            Some(at) => at.all_told(&at.evaluate(self.tolerances().free_below)),
+            None => Vec::new(),
+        }
     }
 
     /// The solutions for each of many targets, as [`ClosedForm::solved`] has them.
@@ -76,7 +75,7 @@ impl ClosedForm {
                     joints: at.inverse.q.len(),
                     of: Of::Several(&lanes, place),
                 };
-                let branches = at.begun(&values);
+                let branches = at.all_told(&values);
                 answer(self.sorted(at.target, at.parameters, None, &branches));
             }
         }
@@ -85,10 +84,9 @@ impl ClosedForm {
     /// How many targets are best solved side by side: where refinement or an elimination takes
     /// the time, each by itself.
     pub fn side_by_side(&self) -> usize {
-        let is_plain = self.refinement == Refinement::None && self.single.is_none();
-        match &self.inverse {
-            Inverse::Expressions(_) if is_plain => TARGETS,
-            _ => 1,
+        match self.is_in_lanes() && self.single.is_none() {
+            true => TARGETS,
+            false => 1,
         }
     }
 
@@ -140,13 +138,17 @@ impl ClosedForm {
             parameters,
             seed,
             branches: self.plan.branches() as u32,
-            begin_within: match self.refinement {
-                Refinement::Univariate(_) => self.acceptance().nearly,
-                _ => f64::NEG_INFINITY,
-            },
             scalar: self.linkage.scalar,
         })
     }
+}
+
+/// Of branches those that exist.
+pub(super) fn existing<const N: usize>(
+    branches: &[(bool, Solution<N>)],
+) -> impl Iterator<Item = Solution<N>> + Clone {
+    let exist = branches.iter().filter(|(exists, _)| *exists);
+    exist.map(|(_, branch)| *branch)
 }
 
 /// What expressions are evaluated for.
@@ -157,8 +159,6 @@ struct Question<'a> {
     /// What free angles keep.
     seed: &'a [f64],
     branches: u32,
-    /// Branches that are none and this near to the target are where solutions are sought from.
-    begin_within: f64,
     scalar: Scalar,
 }
 
@@ -242,17 +242,8 @@ impl<'a> Question<'a> {
         (values.at(INVALID, branch) <= 0.0, solution)
     }
 
-    fn begun<const N: usize>(&self, values: &Values) -> Vec<Solution<N>> {
-        let begun = |branch| {
-            let (exists, solution) = self.told(values, branch);
-            let singular = solution.singular || !exists;
-            let begins = exists || solution.residual <= self.begin_within;
-            begins.then_some(Solution {
-                singular,
-                ..solution
-            })
-        };
-        (0..self.branches).filter_map(begun).collect()
+    fn all_told<const N: usize>(&self, values: &Values) -> Vec<(bool, Solution<N>)> {
+        (0..self.branches).map(|it| self.told(values, it)).collect()
     }
 
     /// The values with angles turned, from the `first` one, that are free and leave a later root of

@@ -16,8 +16,9 @@ use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use crate::scalar::Tolerances;
 use crate::single;
 use crate::univariate;
-use kin_runtime::__private::Acceptance;
+use branches::existing;
 use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
+use kin_runtime::__private::{Acceptance, Completion};
 use kin_runtime::{Chain, Pose, Solution, Solutions};
 
 /// In square roots of the relative shift of the tip, how near to a singular
@@ -164,6 +165,27 @@ impl ClosedForm {
         }
     }
 
+    /// For which targets an elimination completes the branches of an exact arm.
+    pub fn completion(&self) -> Completion {
+        match self.refinement {
+            Refinement::Univariate(_) if !self.is_exact() => Completion::Never,
+            // That flags all steps that degenerate.
+            Refinement::Univariate(_) if self.free == FreeAngles::Flagged => Completion::Degenerate,
+            Refinement::Univariate(_) => Completion::Unanswered,
+            _ => Completion::Never,
+        }
+    }
+
+    /// Whether an elimination is asked for targets that are not singular.
+    pub fn asks_elimination(&self) -> bool {
+        self.elimination().is_some() && self.completion() != Completion::Unanswered
+    }
+
+    /// Whether its branches are its solutions, but for a few targets.
+    pub fn is_in_lanes(&self) -> bool {
+        self.is_exact() && self.expressions().is_some()
+    }
+
     /// Whether where its solutions begin and end is told by an elimination: not of plans, whose
     /// roots tell it unless the arm is off them.
     pub fn is_told_by_elimination(&self) -> bool {
@@ -215,24 +237,23 @@ impl ClosedForm {
         parameters: &[f64],
         seed: Option<&[f64; N]>,
     ) -> Solutions<N> {
-        let branches = self.branches::<N>(target, parameters, seed.unwrap_or(&[0.0; N]));
+        let branches = self.all_branches::<N>(target, parameters, seed.unwrap_or(&[0.0; N]));
         self.sorted(target, parameters, seed, &branches)
     }
 
-    /// The solutions, from the branches of the plan that exist.
+    /// The solutions, from all branches of the plan.
     fn sorted<const N: usize>(
         &self,
         target: &Pose,
         parameters: &[f64],
         seed: Option<&[f64; N]>,
-        branches: &[Solution<N>],
+        branches: &[(bool, Solution<N>)],
     ) -> Solutions<N> {
-        let starts = branches.iter().copied();
         match (&self.inverse, &self.refinement) {
             _ if self.plan.target.is_projected() => {
                 let accept = self.acceptance();
                 Solutions::build_with_prismatic(accept.prismatic, |solutions| {
-                    for branch in starts {
+                    for branch in existing(branches) {
                         solutions.push_if(branch.residual <= accept.tolerance, branch);
                     }
                 })
@@ -245,17 +266,44 @@ impl ClosedForm {
                     Some(seed) => arm.solutions_near(&carried, seed),
                 }
             }
-            (_, Refinement::Univariate(arm))
-                if !self.is_exact() || branches.iter().any(|branch| branch.singular) =>
-            {
-                let (carried, between) = self.carried(target, parameters);
-                let seed = seed.unwrap_or(&[0.0; N]);
-                let count = self.plan.branches();
-                arm.at(between)
-                    .refined(&carried, starts, seed, count, self.untold())
+            (_, Refinement::Univariate(arm)) => {
+                let begun = self.begun(branches);
+                let completed = || {
+                    let (carried, between) = self.carried(target, parameters);
+                    let seed = seed.unwrap_or(&[0.0; N]);
+                    let (begun, count) = (begun.iter().copied(), self.plan.branches());
+                    arm.at(between)
+                        .refined(&carried, begun, seed, count, self.untold())
+                };
+                let corrected = || self.refined(target, parameters, existing(branches));
+                let degenerates = || begun.iter().any(|branch| branch.singular);
+                let nearly = self.acceptance().nearly;
+                let nearly_reach = || begun.iter().any(|branch| branch.residual <= nearly);
+                match self.completion() {
+                    Completion::Never => completed(),
+                    Completion::Unanswered => match corrected() {
+                        told if told.is_empty() && nearly_reach() => completed(),
+                        told => told,
+                    },
+                    Completion::Degenerate if degenerates() => completed(),
+                    Completion::Degenerate => corrected(),
+                }
             }
-            _ => self.refined(target, parameters, starts),
+            _ => self.refined(target, parameters, existing(branches)),
         }
+    }
+
+    /// Of branches those that solutions are sought from: those that exist, and those that reach the
+    /// target, which are singular.
+    fn begun<const N: usize>(&self, branches: &[(bool, Solution<N>)]) -> Vec<Solution<N>> {
+        let nearly = self.acceptance().nearly;
+        let begins = |(exists, branch): &&(bool, Solution<N>)| *exists || branch.residual <= nearly;
+        let begun = branches.iter().filter(begins);
+        let begun = begun.map(|(exists, branch)| Solution {
+            singular: branch.singular || !exists,
+            ..*branch
+        });
+        begun.collect()
     }
 
     /// The target of the joints between those that are locked at the ends, and the values of

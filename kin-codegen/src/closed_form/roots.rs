@@ -120,7 +120,7 @@ impl ClosedForm {
             };
             let mut nearest = None;
             let mut least = f64::INFINITY;
-            for (exists, solution) in self.all_branches(target) {
+            for (exists, solution) in self.all_branches(target, &[], &[0.0; N]) {
                 let residual = distance(&solution);
                 // One that repeats another is no solution, however near it comes.
                 let counted = match !exists && residual < self.acceptance().tolerance {

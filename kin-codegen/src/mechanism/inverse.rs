@@ -141,7 +141,7 @@ fn leg_form(
     let by_subproblems = |form: &LegForm| match form {
         LegForm::Whole(arm) => {
             let found = arm.inverse.as_ref();
-            found.is_some_and(|found| found.form.elimination().is_none())
+            found.is_some_and(|found| !found.form.asks_elimination())
         }
         LegForm::Split(_) => true,
     };

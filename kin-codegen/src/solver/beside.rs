@@ -17,7 +17,7 @@ const NOISY: f64 = 1e-4;
 const OFTEN: f64 = 25.0;
 
 /// Where a step of the plan degenerates and the arm does not, an elimination tells what is
-/// lost, if it can.
+/// lost, if it can; where nothing is, only targets that no branch reaches.
 pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     let form = &best.form;
     let asks = form.is_exact() && form.refinement == Refinement::None && form.single.is_none();
@@ -28,18 +28,16 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     };
     // Singular targets are why it is asked, of which none is sure.
     arm.kept.truncate(1);
-    let flagged = inverse(
-        &form.linkage,
-        &form.plan,
-        DomainMargin(0.0),
-        &FreeAngles::Flagged,
-    );
-    let form = ClosedForm {
-        free: FreeAngles::Flagged,
-        inverse: Inverse::Expressions(Box::new(flagged)),
+    let mut form = ClosedForm {
         refinement: Refinement::Univariate(Box::new(arm)),
         ..form.clone()
     };
+    if best.certificate.lost > 0 {
+        let (linkage, plan, free) = (&form.linkage, &form.plan, FreeAngles::Flagged);
+        let flagged = inverse(linkage, plan, DomainMargin(0.0), &free);
+        form.inverse = Inverse::Expressions(Box::new(flagged));
+        form.free = free;
+    }
     match certify(trials, &form, best.certificate.lost) {
         Ok(certificate) if certificate.missing() < best.certificate.missing() => {
             Certified { form, certificate }

@@ -244,7 +244,7 @@ fn solve_readings(
         }
     }
     match best {
-        Some(best) if best.certificate.lost > 0 => Ok(completed(trials, best)),
+        Some(best) if !best.certificate.is_complete() => Ok(completed(trials, best)),
         Some(best) => Ok(best),
         None => last_resort(trials, target, refusal),
     }

@@ -18,3 +18,15 @@ pub struct Acceptance {
     /// Bit i is set where joint i is prismatic.
     pub prismatic: u64,
 }
+
+/// The targets of an exact arm for which an elimination completes what branches tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Completion {
+    /// None.
+    Never,
+    /// Those that no branch reaches and one nearly does: singular ones at which a step is
+    /// ill-conditioned.
+    Unanswered,
+    /// Those at which a step degenerates, since the arm need not be singular there.
+    Degenerate,
+}

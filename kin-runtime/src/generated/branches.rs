@@ -3,7 +3,7 @@
 use super::super::scalar::Real;
 use super::super::types::nearest::Motion;
 use super::super::{Jacobian, Pose, Solution, Solutions, Target, math};
-use super::acceptance::Acceptance;
+use super::acceptance::{Acceptance, Completion};
 use super::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
@@ -108,6 +108,38 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             nearly |= (self.invalid[k] <= 0.0) & misses & little;
         }
         nearly
+    }
+
+    /// Whether solutions are sought from a branch: if it exists or reaches the target.
+    #[inline(always)]
+    pub(super) fn begins(&self, k: usize, accept: &Acceptance) -> bool {
+        (self.invalid[k] <= 0.0) | (self.residual[k] <= accept.nearly)
+    }
+
+    /// Whether there may be solutions beside a branch that no other one tells: where it is
+    /// singular, or is none but reaches the target, as where an ill-conditioned step misses a
+    /// double root.
+    #[inline(always)]
+    pub(super) fn is_degenerate(&self, k: usize, accept: &Acceptance) -> bool {
+        let exists = self.invalid[k] <= 0.0;
+        self.begins(k, accept) & ((self.singular[k] > 0.0) | !exists)
+    }
+
+    /// Whether an elimination is asked for solutions that no branch tells.
+    #[inline(always)]
+    pub fn are_completed(&self, completion: Completion, accept: &Acceptance) -> bool {
+        let [mut reached, mut near, mut degenerate] = [false; 3];
+        for k in 0..L {
+            let exists = self.invalid[k] <= 0.0;
+            reached |= exists & (self.residual[k] <= accept.tolerance);
+            near |= self.residual[k] <= accept.nearly;
+            degenerate |= self.is_degenerate(k, accept);
+        }
+        match completion {
+            Completion::Never => false,
+            Completion::Unanswered => near & !reached,
+            Completion::Degenerate => degenerate,
+        }
     }
 
     /// The branches that exist.

@@ -3,7 +3,7 @@
 use super::super::scalar::Real;
 use super::super::types::nearest::Motion;
 use super::super::{Nearest, Pose, Solution, Solutions, math};
-use super::acceptance::Acceptance;
+use super::acceptance::{Acceptance, Completion};
 use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
@@ -17,6 +17,9 @@ use core::marker::PhantomData;
 pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize, const F: usize> {
     /// What makes a branch a solution.
     const ACCEPT: Acceptance;
+
+    /// The targets for which an elimination completes the branches.
+    const COMPLETION: Completion = Completion::Never;
 
     /// How many branches much of the arithmetic is done for.
     const WIDTH: usize;
@@ -59,9 +62,9 @@ pub struct Lanes<const N: usize, const L: usize, const T: usize, const F: usize>
 
 impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L, T, F> {
     /// Positive for targets that ask for more: with a free angle that leaves a later root
-    /// none, or a branch that rounding may keep from the target.
+    /// none, a branch that rounding may keep from the target, or solutions that no branch tells.
     #[inline(always)]
-    pub(super) fn unsettled(&self, accept: &Acceptance) -> [Real; T] {
+    pub(super) fn unsettled(&self, completion: Completion, accept: &Acceptance) -> [Real; T] {
         let mut unsettled = [0.0; T];
         for k in 0..L {
             for t in 0..T {
@@ -74,7 +77,28 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
                 }
             }
         }
+        if completion != Completion::Never {
+            for t in 0..T {
+                let completed = self.branches(t).are_completed(completion, accept);
+                unsettled[t] = math::max(unsettled[t], math::select(completed, 1.0, 0.0));
+            }
+        }
         unsettled
+    }
+
+    /// The branches of target `t`.
+    #[inline(always)]
+    fn branches(&self, t: usize) -> Branches<N, L> {
+        let mut branches = Branches {
+            q: [[0.0; L]; N],
+            residual: of_target(&self.residual, t),
+            invalid: of_target(&self.invalid, t),
+            singular: of_target(&self.singular, t),
+        };
+        for i in 0..N {
+            branches.q[i] = of_target(&self.q[i], t);
+        }
+        branches
     }
 
     #[inline(always)]
@@ -101,8 +125,12 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
 impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     /// Whether the lanes alone tell the solutions.
     #[inline(always)]
-    fn settled(&self, accept: &Acceptance) -> bool {
-        !(self.free_angles().leave_no_root() | self.branches().nearly(accept))
+    fn settled(&self, completion: Completion, accept: &Acceptance) -> bool {
+        let branches = self.branches(0);
+        let unsettled = self.free_angles().leave_no_root()
+            | branches.nearly(accept)
+            | branches.are_completed(completion, accept);
+        !unsettled
     }
 
     /// Whether of a branch that reaches the target a root is double or an angle free.
@@ -116,38 +144,24 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     }
 
     #[inline(always)]
-    fn branches(&self) -> Branches<N, L> {
-        let mut branches = Branches {
-            q: [[0.0; L]; N],
-            residual: alone(&self.residual),
-            invalid: alone(&self.invalid),
-            singular: alone(&self.singular),
-        };
-        for i in 0..N {
-            branches.q[i] = alone(&self.q[i]);
-        }
-        branches
-    }
-
-    #[inline(always)]
     fn free_angles(&self) -> FreeAngles<L, F> {
         let mut free = FreeAngles {
             level: [[0.0; L]; F],
             no_root: [[0.0; L]; F],
         };
         for i in 0..F {
-            free.level[i] = alone(&self.level[i]);
-            free.no_root[i] = alone(&self.no_root[i]);
+            free.level[i] = of_target(&self.level[i], 0);
+            free.no_root[i] = of_target(&self.no_root[i], 0);
         }
         free
     }
 }
 
 #[inline(always)]
-fn alone<const L: usize>(lanes: &[[Real; 1]; L]) -> [Real; L] {
+fn of_target<const L: usize, const T: usize>(lanes: &[[Real; T]; L], t: usize) -> [Real; L] {
     let mut values = [0.0; L];
     for k in 0..L {
-        values[k] = lanes[k][0];
+        values[k] = lanes[k][t];
     }
     values
 }
@@ -272,24 +286,26 @@ where
         } = given;
         let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
+        let settled = || lanes.settled(R::COMPLETION, accept);
         match asked {
-            Asked::Solutions(place) if lanes.settled(accept) => {
+            Asked::Solutions(place) if settled() => {
                 lanes.write(0, accept, place);
                 None
             }
             Asked::Nearest(motion, place)
-                if lanes.settled(accept) & (given.seeded | !lanes.singular(accept)) =>
+                if settled() & (given.seeded | !lanes.singular(accept)) =>
             {
-                *place = lanes.branches().choose(accept, motion);
+                *place = lanes.branches(0).choose(accept, motion);
                 None
             }
-            _ => Some((lanes.branches(), lanes.free_angles())),
+            _ => Some((lanes.branches(0), lanes.free_angles())),
         }
     }
 }
 
 /// The solutions of a robot for one target; `otherwise` tells them where lanes do not: where rounding may
-/// keep a branch from the target, or a free angle leaves a later step no root.
+/// keep a branch from the target, a free angle leaves a later step no root, or an elimination
+/// completes the branches.
 #[inline]
 pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>(
     _: &R,

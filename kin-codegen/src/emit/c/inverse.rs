@@ -8,6 +8,7 @@ use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::redundancy::Redundancy;
+use kin_runtime::__private::Completion;
 use kin_runtime::Swivel;
 use std::fmt::Write as _;
 
@@ -202,7 +203,7 @@ fn free_angles(inverse: &InverseGraph) -> String {
 }
 
 /// The branches that reach their target, or what becomes of them by the statements `refined`: of all
-/// of an arm off its design, and of an exact one where a step degenerates.
+/// of an arm off its design, and of an exact one where its branches are completed.
 fn solve(solver: &ClosedForm, refined: &str) -> String {
     if !solver.is_exact() {
         return format!(
@@ -213,19 +214,25 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
              kin_compute_branches(target, seed, given, &lanes);\n{refined}}}\n"
         );
     }
-    let degenerates = match refined {
-        "" => String::new(),
-        _ => format!(
+    let completed = |runs: &str, asks: &str| {
+        format!(
             "    for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
-             degenerates |= kin_is_degenerate(&lanes, k);\n    }}\n    \
-             if (degenerates) {{\n        kin_search search;\n{}    }}\n",
+             incomplete |= {asks};\n    }}\n    \
+             if ({runs}incomplete) {{\n        kin_search search;\n{}    }}\n",
             indented(refined)
-        ),
+        )
     };
-    let flag = match refined {
-        "" => "",
-        _ => "    int degenerates = 0;\n",
-    };
+    let [mut flag, mut degenerate, mut unanswered] = [const { String::new() }; 3];
+    match solver.completion() {
+        Completion::Never => {}
+        Completion::Unanswered => {
+            unanswered = completed("count == 0 && ", "lanes.residual[k] <= KIN_NEARLY");
+        }
+        Completion::Degenerate => degenerate = completed("", "kin_is_degenerate(&lanes, k)"),
+    }
+    if solver.completion() != Completion::Never {
+        flag.push_str("    int incomplete = 0;\n");
+    }
     let corrected = match solver.plan.target.is_projected() {
         true => "",
         false => {
@@ -246,7 +253,7 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
          static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
          const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
          int count = 0;\n{mark}{flag}    kin_compute_branches(target, seed, given, &lanes);\n\
-         {degenerates}    \
+         {degenerate}    \
          for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
          if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_TOLERANCE) {{\n            \
          double q[KIN_SOLVED];\n            \
@@ -255,7 +262,7 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
          solutions[count].residual = lanes.residual[k];\n            \
          solutions[count].branch = k;\n            \
          solutions[count].singular = lanes.singular[k] > 0.0;\n            ++count;\n        }}{marked}\n    }}\n\
-         {corrected}    return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
+         {corrected}{unanswered}    return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
     )
 }
 

@@ -5,6 +5,7 @@ use super::language::{array, numbers, object, rows, signed};
 use crate::closed_form::ClosedForm;
 use crate::geometry::Carried;
 use crate::univariate::Arm;
+use kin_runtime::__private::Completion;
 use kin_runtime::__private::univariate::{
     Between, Elimination, coefficients_on_arc, cosine_of_turn,
 };
@@ -18,6 +19,11 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
     let free_turn = usize::from(arm.counts == Target::PositionAxis);
     let is_whole = solver.given.variables() + free_turn == 6;
     let Carried { front, behind, .. } = &Carried::new(&solver.given);
+    let completion = match solver.completion() {
+        Completion::Never => "never",
+        Completion::Unanswered => "unanswered",
+        Completion::Degenerate => "degenerate",
+    };
     let twists = |twists: &[Twist]| array(twists.iter().map(twist));
     object(&[
         ("size", signed(arm.size)),
@@ -30,7 +36,7 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
             array((0..6).map(|joint| arm.frames.slides(joint).to_string())),
         ),
         ("is_whole", is_whole.to_string()),
-        ("is_exact", solver.is_exact().to_string()),
+        ("completion", format!("{completion:?}")),
         ("near_singular", signed(solver.acceptance().near_singular)),
         ("front", twists(front)),
         ("between", array(arm.between.iter().map(between))),

@@ -17,6 +17,7 @@ use crate::scalar::Scalar;
 use crate::solver::Certified;
 use crate::spec::Diagnostic;
 use crate::univariate::{Arm, Kept};
+use kin_runtime::__private::Completion;
 use kin_runtime::Pose;
 use proc_macro2::Ident;
 
@@ -310,13 +311,17 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
         ));
     }
     if let Refinement::Univariate(arm) = &solver.refinement {
-        let where_ = match solver.is_exact() {
-            true => "Where a step degenerates",
-            false => "Near singular configurations",
+        let where_ = match solver.completion() {
+            Completion::Never => {
+                "Near singular configurations, where branches do not tell all solutions"
+            }
+            Completion::Unanswered => "Where no branch reaches a target and one nearly does",
+            Completion::Degenerate => {
+                "Where a step degenerates and branches do not tell all solutions"
+            }
         };
         lines.push(format!(
-            "{where_}, where branches do not tell all solutions, the roots of a polynomial of \
-             degree {} in {} do; what they add is numbered from {} on.",
+            "{where_}, the roots of a polynomial of degree {} in {} do; what they add is numbered from {} on.",
             arm.kept[0].elimination.degree,
             arm.kept_beside(&solver.given),
             solver.plan.branches(),

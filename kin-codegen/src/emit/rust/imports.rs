@@ -29,13 +29,14 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 28] = [
+const PRIVATE: [&str; 29] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
     "Between",
     "BodyJacobian",
     "Branches",
+    "Completion",
     "Eliminant",
     "Elimination",
     "FREE_BELOW",

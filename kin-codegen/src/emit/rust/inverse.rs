@@ -8,7 +8,7 @@ use crate::emit::lanes::{TARGET, target_names};
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
-use kin_runtime::__private::Acceptance;
+use kin_runtime::__private::{Acceptance, Completion};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -22,9 +22,9 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let branches = branches(solver);
     let accept = acceptance(solver);
     let unseeded = quote!(&[0.0; #n]);
-    let (answer, seeded) = match solver.refinement {
-        Refinement::None => (solve(&unseeded), solve(&quote!(seed))),
-        _ => (quote!(self.ik_seeded(pose, #unseeded)), refined(solver)),
+    let (answer, seeded) = match solver.is_in_lanes() {
+        true => (solve(solver, &unseeded), solve(solver, &quote!(seed))),
+        false => (quote!(self.ik_seeded(pose, #unseeded)), refined(solver)),
     };
     let closest = closest(model, solver);
     let unsettled = unsettled(solver);
@@ -73,11 +73,16 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     }
 }
 
-/// All solutions of an arm that is solved without refinement.
-fn solve(seed: &TokenStream) -> TokenStream {
-    quote! {
-        solve(self, pose, #seed, &[], |branches| self.sorted(pose, &branches))
-    }
+/// All solutions of an arm whose branches are its solutions.
+fn solve(solver: &ClosedForm, seed: &TokenStream) -> TokenStream {
+    let otherwise = otherwise(solver, seed);
+    quote!(solve(self, pose, #seed, &[], #otherwise))
+}
+
+/// The solutions where lanes do not tell them.
+fn otherwise(solver: &ClosedForm, seed: &TokenStream) -> TokenStream {
+    let seed = (solver.completion() != Completion::Never).then(|| quote!(#seed,));
+    quote!(|branches| self.sorted(pose, #seed &branches))
 }
 
 /// All solutions of another one.
@@ -94,15 +99,16 @@ fn refined(solver: &ClosedForm) -> TokenStream {
 fn unsettled(solver: &ClosedForm) -> Option<TokenStream> {
     let [n, width, _] = sizes(solver);
     let sorted = sorted(solver);
+    let seed = (solver.completion() != Completion::Never).then(|| quote!(seed: &[f64; #n],));
     let unread = solver
         .plan
         .target
         .is_projected()
         .then(|| quote!(let _ = pose;));
-    (solver.refinement == Refinement::None).then(|| {
+    solver.is_in_lanes().then(|| {
         quote! {
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<#n, #width>) -> Solutions<#n> {
+            fn sorted(&self, pose: &Pose, #seed branches: &Branches<#n, #width>) -> Solutions<#n> {
                 #unread
                 #sorted
             }
@@ -170,6 +176,11 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let free: Vec<Literal> = turns.map(Literal::usize_unsuffixed).collect();
     let free_angles = Literal::usize_unsuffixed(free.len());
     let busy = Literal::usize_unsuffixed(lanes.busy);
+    let completion = solver.completion();
+    let completion = (completion != Completion::Never).then(|| {
+        let completion = format_ident!("{completion:?}");
+        quote!(const COMPLETION: Completion = Completion::#completion;)
+    });
     let q = &lanes.q;
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
     let level = lanes.free_angles.iter().map(|[level, _]| level);
@@ -177,6 +188,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     Some(quote! {
         impl Inverse<#n, #width, #locked, #count, #free_angles> for #robot {
             const ACCEPT: Acceptance = #robot::ACCEPT;
+            #completion
             const WIDTH: usize = #busy;
             const FREE: [usize; #free_angles] = [#(#free),*];
 
@@ -247,15 +259,11 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
 /// The methods that choose the one solution that moves the joints least.
 pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
-    let (from_seed, by) = match solver.inverse {
-        Inverse::Expressions(_) if solver.refinement == Refinement::None => {
+    let (from_seed, by) = match solver.is_in_lanes() {
+        true => {
             let of = |nearest: TokenStream, seed: TokenStream| {
-                quote! {
-                    solve_nearest(
-                        self, pose, &[], #nearest, #seed,
-                        |branches| self.sorted(pose, &branches)
-                    )
-                }
+                let otherwise = otherwise(solver, &seed);
+                quote!(solve_nearest(self, pose, &[], #nearest, #seed, #otherwise))
             };
             let limits = quote!(const { &Nearest::new([0.0; #n], &Self::LIMITS) });
             (
@@ -263,7 +271,7 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
                 of(quote!(nearest), quote!(&nearest.seed)),
             )
         }
-        _ => (
+        false => (
             quote!(self.ik_nearest_by(pose, &Nearest::new(*seed, &Self::LIMITS))),
             quote!(self.ik_seeded(pose, &nearest.seed).nearest_by(nearest)),
         ),
@@ -315,21 +323,36 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
         Refinement::Univariate(_) => {
             let refined =
                 quote!(branches.refined_onto(&Self::UNIVARIATE, pose, seed, &Self::ACCEPT));
-            match solver.is_exact() {
-                true => completed(&corrected, &refined),
-                false => refined,
-            }
+            completed(solver, &corrected, refined)
         }
     }
 }
 
-/// How the branches of an exact arm become solutions, which are refined where some may be missing.
-pub fn completed(corrected: &TokenStream, refined: &TokenStream) -> TokenStream {
-    quote! {
-        match branches.degenerate(&Self::ACCEPT) {
-            true => #refined,
-            false => #corrected,
-        }
+/// How branches with an elimination beside become solutions: those of an exact arm are refined where
+/// some may be missing.
+pub fn completed(
+    solver: &ClosedForm,
+    corrected: &TokenStream,
+    refined: TokenStream,
+) -> TokenStream {
+    let completion = solver.completion();
+    let name = format_ident!("{completion:?}");
+    let completed = quote!(branches.are_completed(Completion::#name, &Self::ACCEPT));
+    match completion {
+        Completion::Never => refined,
+        Completion::Unanswered => quote! {
+            let told = #corrected;
+            match told.is_empty() && #completed {
+                true => #refined,
+                false => told,
+            }
+        },
+        Completion::Degenerate => quote! {
+            match #completed {
+                true => #refined,
+                false => #corrected,
+            }
+        },
     }
 }
 

@@ -251,10 +251,7 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
             let refined = quote! {
                 locked.all(&branches.refined_onto(&#arm, #target, #seed, &Self::ACCEPT))
             };
-            match solver.is_exact() {
-                true => inverse::completed(&corrected, &refined),
-                false => refined,
-            }
+            inverse::completed(solver, &corrected, refined)
         }
         Refinement::None => corrected,
     }

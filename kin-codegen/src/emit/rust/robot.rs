@@ -343,9 +343,9 @@ fn kinematics(compiled: &CompiledArm, names: &Names, n: &Literal) -> TokenStream
             "none",
         ),
     ];
-    let in_lanes = compiled.form().is_some_and(|form| {
-        compiled.branches() > 0 && form.is_exact() && form.expressions().is_some()
-    });
+    let in_lanes = compiled
+        .form()
+        .is_some_and(|form| compiled.branches() > 0 && form.is_in_lanes());
     let batches = if in_lanes { "inverse" } else { "forward" };
     let batches = format_ident!("{batches}");
     let scalar = (compiled.model.scalar == Scalar::F32).then(|| quote!(scalar: f32,));

@@ -54,7 +54,7 @@ where
         let sin_cos = Known::new(R::angles(&seed, &[]));
         for (targets, solutions) in blocks.iter().zip(filled) {
             let lanes = R::lanes::<Fused<FUSED>, LANES>(targets, &seed, &[], sin_cos, FREE_BELOW);
-            let unsettled = lanes.unsettled(&R::ACCEPT);
+            let unsettled = lanes.unsettled(R::COMPLETION, &R::ACCEPT);
             for t in 0..LANES {
                 if unsettled[t] > 0.0 {
                     solutions[t] = alone(&targets[t]);

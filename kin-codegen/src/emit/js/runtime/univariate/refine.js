@@ -55,13 +55,19 @@ const $refined = (form, target, seed, lanes) => {
 };
 
 /* The solutions of a target by the branches of a plan and eliminations beside them: of an arm off its
- * design always, otherwise where a step degenerates. */
+ * design always, otherwise where a step degenerates, or where no branch reaches the target and one
+ * nearly does. */
 const $solve_refining = (arm, target, seed, given) => {
     const { form } = arm;
+    const { completion } = form.search;
     const lanes = $branches(form, target, seed, given);
     const degenerates = lanes.singular.some((_, k) => $is_degenerate(form, lanes, k));
-    if (form.search.is_exact && !degenerates) {
-        return $reaching(arm, target, given, lanes);
+    if (completion === "unanswered" || (completion === "degenerate" && !degenerates)) {
+        const told = $reaching(arm, target, given, lanes);
+        const nearly_reach = lanes.residual.some((residual) => residual <= form.nearly);
+        if (completion === "degenerate" || told.length > 0 || !nearly_reach) {
+            return told;
+        }
     }
     const from = $carried(form.search, target, given);
     const found = $refined($at_given(form, given), from, seed, lanes);
