@@ -30,8 +30,13 @@ const NOISE: f64 = 1e-7;
 /// An extremum this near to zero, relative to the coefficients, is a double
 /// root.
 const MET: f64 = 1e-14;
-/// Slopes below this may be those near a root of multiplicity three or four.
+/// Roots have met only where f is less steep than this: nearer than [`NEAR`] to an extremum it is, since
+/// |f″| is below 8 where no coefficient is above 1, and where Newton's method leads next to a root of
+/// multiplicity three or four.
 const FLAT: f64 = 1e-2;
+/// And only where f is lower: nearer than [`WIDE`] to a root of multiplicity three or four it is, since
+/// |f‴| is below 13.
+const LOW: f64 = 4e-3;
 /// An extremum this near to a root, radians, may be the root.
 const NEAR: f64 = 1e-3;
 /// As [`NEAR`], for a root of multiplicity three or four.
@@ -86,22 +91,28 @@ pub fn trig_roots(f: [f64; 5]) -> [TrigRoot; 4] {
     }
     let (sin, cos) = best_reference(&f);
     let turned = turn(&f, sin, cos);
-    let mut roots = half_angle_roots(&turned).map(|(t, real)| {
-        // tan(θ/2) = t, turned back by the reference.
+    let places = half_angle_roots(&turned);
+    // tan(θ/2) = t, turned back by the reference.
+    let starts = places.map(|(t, _)| {
         let (s, c) = (2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t));
-        let (root, met) = refine_root(&derivatives, (s * cos + c * sin, c * cos - s * sin));
+        (s * cos + c * sin, c * cos - s * sin)
+    });
+    let mut roots = [TrigRoot::default(); 4];
+    for (k, &place) in refined(&f, &derivatives[1], starts).iter().enumerate() {
+        let met = meeting(&derivatives, place);
+        let root = met.unwrap_or(place);
         let height = value(&f, root).abs();
         let state = match met {
-            true if height < MISSED => DOUBLE,
-            false if real && height < CLOSED => SIMPLE,
+            Some(_) if height < MISSED => DOUBLE,
+            None if places[k].1 && height < CLOSED => SIMPLE,
             _ => NONE,
         };
-        TrigRoot {
+        roots[k] = TrigRoot {
             sin: root.0,
             cos: root.1,
             state,
-        }
-    });
+        };
+    }
     merge(&mut roots);
     roots
 }
@@ -253,32 +264,45 @@ fn largest_root(a: f64, b: f64, c: f64) -> f64 {
     m.max(0.0)
 }
 
-/// Newton on f as long as it brings f nearer to zero, and whether roots have
-/// met there. `f` stands before its derivatives.
-fn refine_root(f: &[[f64; 5]; 5], start: (f64, f64)) -> ((f64, f64), bool) {
-    let mut best = start;
-    let mut y = value(&f[0], best);
+/// Newton on f as long as it brings f nearer to zero, from four places side by side.
+fn refined(f: &[f64; 5], slope: &[f64; 5], starts: [(f64, f64); 4]) -> [(f64, f64); 4] {
+    let (mut sin, mut cos) = (starts.map(|it| it.0), starts.map(|it| it.1));
+    let mut y = starts.map(|it| value(f, it));
     for _ in 0..6 {
-        let trial = nudged(best, -y, value(&f[1], best));
-        let trial_y = value(&f[0], trial);
-        if trial_y.abs() < y.abs() {
-            (best, y) = (trial, trial_y);
+        for k in 0..4 {
+            let here = (sin[k], cos[k]);
+            let there = nudged(here, -y[k], value(slope, here));
+            let height = value(f, there);
+            let is_nearer = height.abs() < y[k].abs();
+            sin[k] = math::select(is_nearer, there.0, here.0);
+            cos[k] = math::select(is_nearer, there.1, here.1);
+            y[k] = math::select(is_nearer, height, y[k]);
         }
     }
-    if value(&f[1], best).abs() < FLAT {
-        for order in [4, 3] {
-            if let Some(root) = multiple(f, best, order) {
-                return (root, true);
-            }
-        }
+    core::array::from_fn(|k| (sin[k], cos[k]))
+}
+
+/// Where roots have met, if they have next to a place that Newton on f led to.
+fn meeting(f: &[[f64; 5]; 5], best: (f64, f64)) -> Option<(f64, f64)> {
+    if value(&f[1], best).abs() >= FLAT || value(&f[0], best).abs() >= LOW {
+        return None;
     }
-    let extremum = newton::<3>(&f[1], &f[2], best);
-    let height = value(&f[0], extremum);
-    let missed = height * value(&f[2], extremum) > 0.0 && height.abs() < MISSED;
-    // Newton stays where it is if f″ vanishes; that is no extremum.
-    let flat = value(&f[1], extremum).abs() < SAME && apart(extremum, best) < NEAR;
-    let met = flat && (height.abs() < MET || missed);
-    (if met { extremum } else { best }, met)
+    meeting_nearby(f, best)
+}
+
+#[cold]
+fn meeting_nearby(f: &[[f64; 5]; 5], best: (f64, f64)) -> Option<(f64, f64)> {
+    let several = [4, 3]
+        .into_iter()
+        .find_map(|order| multiple(f, best, order));
+    several.or_else(|| {
+        let extremum = newton::<3>(&f[1], &f[2], best);
+        let height = value(&f[0], extremum);
+        let missed = height * value(&f[2], extremum) > 0.0 && height.abs() < MISSED;
+        // Newton stays where it is if f″ vanishes; that is no extremum.
+        let flat = value(&f[1], extremum).abs() < SAME && apart(extremum, best) < NEAR;
+        (flat && (height.abs() < MET || missed)).then_some(extremum)
+    })
 }
 
 /// The root of multiplicity 3 or 4 nearby, if there is one.
@@ -322,13 +346,15 @@ fn apart(a: (f64, f64), b: (f64, f64)) -> f64 {
 
 /// A unit vector turned by the Newton step `rise / rate`, at most a little.
 fn nudged((s, c): (f64, f64), rise: f64, rate: f64) -> (f64, f64) {
-    let step = (rise * rate / (rate * rate).max(1e-200)).clamp(-0.05, 0.05);
-    // Half the step's tangent keeps the point on the circle.
-    let h = 0.5 * step;
-    let scale = 1.0 / (1.0 + h * h);
-    let (ds, dc) = (2.0 * h * scale, (1.0 - h * h) * scale);
+    let step = rise * rate / math::max(rate * rate, 1e-200);
+    // Half the step's tangent keeps the point on the circle, but for h⁶.
+    let h = math::max(-0.025, math::min(0.025, 0.5 * step));
+    let hh = h * h;
+    let scale = 1.0 - hh * (1.0 - hh);
+    let (ds, dc) = (2.0 * h * scale, (1.0 - hh) * scale);
     let (s, c) = (s * dc + c * ds, c * dc - s * ds);
-    let norm = 1.0 / math::sqrt(s * s + c * c);
+    // 1/√x next to 1.
+    let norm = 1.5 - 0.5 * (s * s + c * c);
     (s * norm, c * norm)
 }
 
@@ -499,6 +525,37 @@ mod tests {
             assert_eq!(angles.len(), 3, "{double} {others:?} gave {angles:?}");
             assert!(angles.iter().any(|a| distance(*a, double) < 1e-6));
         }
+    }
+
+    /// Where they are not looked for there are none: next to clusters of roots and of extrema.
+    #[test]
+    fn roots_have_met_only_where_it_is_flat_and_low() {
+        let mut random = Random(29);
+        let mut met = 0;
+        for _ in 0..40_000 {
+            let spread = 10_f64.powf(-5.0 + 5.0 * random.next());
+            let count = 2 + (1.5 * (random.next() + 1.0)) as usize;
+            let cluster = random.next() * core::f64::consts::PI;
+            let roots = core::array::from_fn(|k| match k < count {
+                true => cluster + spread * random.next(),
+                false => random.next() * core::f64::consts::PI,
+            });
+            let mut f = from_roots(roots);
+            // Also without these roots: an extremum that misses zero.
+            f[4] += spread * spread * random.next().max(0.0);
+            let scale = f.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let mut derivatives = [f.map(|x| x / scale); 5];
+            for i in 1..5 {
+                derivatives[i] = derivative(&derivatives[i - 1]);
+            }
+            let off = 10_f64.powf(-4.5 + 4.0 * random.next()) * random.next();
+            let starts = [(cluster + off).sin_cos(); 4];
+            let [place, ..] = refined(&derivatives[0], &derivatives[1], starts);
+            let nearby = meeting_nearby(&derivatives, place);
+            assert_eq!(meeting(&derivatives, place), nearby, "{roots:?}, {off:e}");
+            met += usize::from(nearby.is_some());
+        }
+        assert!(met > 2_000, "{met}");
     }
 
     #[test]

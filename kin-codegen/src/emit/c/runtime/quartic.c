@@ -16,17 +16,17 @@ static double kin_value(const double f[5], double s, double c)
 static void kin_nudge(double *s, double *c, double rise, double rate)
 {
     const double square = rate * rate;
-    double step = rise * rate / (square > 1e-200 ? square : 1e-200);
-    double h, scale, ds, dc, turned_s, turned_c, norm;
-    step = step < -0.05 ? -0.05 : step > 0.05 ? 0.05 : step;
-    /* Half the step's tangent keeps the point on the circle. */
-    h = 0.5 * step;
-    scale = 1.0 / (1.0 + h * h);
-    ds = 2.0 * h * scale;
-    dc = (1.0 - h * h) * scale;
+    const double half = 0.5 * (rise * rate / (square > 1e-200 ? square : 1e-200));
+    /* Half the step's tangent keeps the point on the circle, but for h^6. */
+    const double h = half < -0.025 ? -0.025 : half > 0.025 ? 0.025 : half;
+    const double hh = h * h;
+    const double scale = 1.0 - hh * (1.0 - hh);
+    const double ds = 2.0 * h * scale, dc = (1.0 - hh) * scale;
+    double turned_s, turned_c, norm;
     turned_s = *s * dc + *c * ds;
     turned_c = *c * dc - *s * ds;
-    norm = 1.0 / sqrt(turned_s * turned_s + turned_c * turned_c);
+    /* The root's reciprocal next to 1. */
+    norm = 1.5 - 0.5 * (turned_s * turned_s + turned_c * turned_c);
     *s = turned_s * norm;
     *c = turned_c * norm;
 }
@@ -179,14 +179,16 @@ static int kin_refine_root(double d[5][5], double *s, double *c)
             y = trial_y;
         }
     }
-    if (fabs(kin_value(d[1], *s, *c)) < 1e-2) {
-        for (int order = 4; order >= 3; --order) {
-            double at_s, at_c;
-            if (kin_multiple(d, *s, *c, order, &at_s, &at_c)) {
-                *s = at_s;
-                *c = at_c;
-                return 1;
-            }
+    /* Elsewhere f is steeper or higher. */
+    if (fabs(kin_value(d[1], *s, *c)) >= 1e-2 || fabs(y) >= 4e-3) {
+        return 0;
+    }
+    for (int order = 4; order >= 3; --order) {
+        double at_s, at_c;
+        if (kin_multiple(d, *s, *c, order, &at_s, &at_c)) {
+            *s = at_s;
+            *c = at_c;
+            return 1;
         }
     }
     {

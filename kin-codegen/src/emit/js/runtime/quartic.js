@@ -5,16 +5,17 @@ const $value = (f, s, c) =>
 /* A unit vector turned by the Newton step rise / rate, at most a little. */
 const $nudge = ([s, c], rise, rate) => {
     const square = rate * rate;
-    const wanted = (rise * rate) / (square > 1e-200 ? square : 1e-200);
-    const step = wanted < -0.05 ? -0.05 : wanted > 0.05 ? 0.05 : wanted;
-    /* Half the step's tangent keeps the point on the circle. */
-    const h = 0.5 * step;
-    const scale = 1.0 / (1.0 + h * h);
+    const half = 0.5 * ((rise * rate) / (square > 1e-200 ? square : 1e-200));
+    /* Half the step's tangent keeps the point on the circle, but for h^6. */
+    const h = half < -0.025 ? -0.025 : half > 0.025 ? 0.025 : half;
+    const hh = h * h;
+    const scale = 1.0 - hh * (1.0 - hh);
     const ds = 2.0 * h * scale;
-    const dc = (1.0 - h * h) * scale;
+    const dc = (1.0 - hh) * scale;
     const turned_s = s * dc + c * ds;
     const turned_c = c * dc - s * ds;
-    const norm = 1.0 / Math.sqrt(turned_s * turned_s + turned_c * turned_c);
+    /* The root's reciprocal next to 1. */
+    const norm = 1.5 - 0.5 * (turned_s * turned_s + turned_c * turned_c);
     return [turned_s * norm, turned_c * norm];
 };
 
@@ -148,12 +149,14 @@ const $refine_root = (d, from) => {
             y = trial_y;
         }
     }
-    if (Math.abs($value(d[1], at[0], at[1])) < 1e-2) {
-        for (let order = 4; order >= 3; --order) {
-            const found = $multiple(d, at, order);
-            if (found) {
-                return { at: found, met: true };
-            }
+    /* Elsewhere f is steeper or higher. */
+    if (Math.abs($value(d[1], at[0], at[1])) >= 1e-2 || Math.abs(y) >= 4e-3) {
+        return { at, met: false };
+    }
+    for (let order = 4; order >= 3; --order) {
+        const found = $multiple(d, at, order);
+        if (found) {
+            return { at: found, met: true };
         }
     }
     const top = $newton(d[1], d[2], 3, at);
