@@ -79,26 +79,24 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
         }
         if completion != Completion::Never {
             for t in 0..T {
-                let completed = self.branches(t).are_completed(completion, accept);
+                let completed = self.of(t).branches().are_completed(completion, accept);
                 unsettled[t] = math::max(unsettled[t], math::select(completed, 1.0, 0.0));
             }
         }
         unsettled
     }
 
-    /// The branches of target `t`.
+    /// Target `t` alone.
     #[inline(always)]
-    fn branches(&self, t: usize) -> Branches<N, L> {
-        let mut branches = Branches {
-            q: [[0.0; L]; N],
-            residual: of_target(&self.residual, t),
-            invalid: of_target(&self.invalid, t),
-            singular: of_target(&self.singular, t),
-        };
-        for i in 0..N {
-            branches.q[i] = of_target(&self.q[i], t);
+    fn of(&self, t: usize) -> Lanes<N, L, 1, F> {
+        Lanes {
+            q: self.q.map(|lanes| lanes.map(|targets| [targets[t]])),
+            residual: self.residual.map(|targets| [targets[t]]),
+            invalid: self.invalid.map(|targets| [targets[t]]),
+            singular: self.singular.map(|targets| [targets[t]]),
+            level: self.level.map(|lanes| lanes.map(|targets| [targets[t]])),
+            no_root: self.no_root.map(|lanes| lanes.map(|targets| [targets[t]])),
         }
-        branches
     }
 
     #[inline(always)]
@@ -126,11 +124,11 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     /// Whether the lanes alone tell the solutions.
     #[inline(always)]
     fn settled(&self, completion: Completion, accept: &Acceptance) -> bool {
-        let branches = self.branches(0);
-        let unsettled = self.free_angles().leave_no_root()
-            | branches.nearly(accept)
-            | branches.are_completed(completion, accept);
-        !unsettled
+        let asks = self.free_angles().leave_no_root() | self.branches().nearly(accept);
+        match completion {
+            Completion::Never => !asks,
+            _ => !(asks | self.branches().are_completed(completion, accept)),
+        }
     }
 
     /// Whether of a branch that reaches the target a root is double or an angle free.
@@ -144,24 +142,38 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     }
 
     #[inline(always)]
+    fn branches(&self) -> Branches<N, L> {
+        let mut branches = Branches {
+            q: [[0.0; L]; N],
+            residual: alone(&self.residual),
+            invalid: alone(&self.invalid),
+            singular: alone(&self.singular),
+        };
+        for i in 0..N {
+            branches.q[i] = alone(&self.q[i]);
+        }
+        branches
+    }
+
+    #[inline(always)]
     fn free_angles(&self) -> FreeAngles<L, F> {
         let mut free = FreeAngles {
             level: [[0.0; L]; F],
             no_root: [[0.0; L]; F],
         };
         for i in 0..F {
-            free.level[i] = of_target(&self.level[i], 0);
-            free.no_root[i] = of_target(&self.no_root[i], 0);
+            free.level[i] = alone(&self.level[i]);
+            free.no_root[i] = alone(&self.no_root[i]);
         }
         free
     }
 }
 
 #[inline(always)]
-fn of_target<const L: usize, const T: usize>(lanes: &[[Real; T]; L], t: usize) -> [Real; L] {
+fn alone<const L: usize>(lanes: &[[Real; 1]; L]) -> [Real; L] {
     let mut values = [0.0; L];
     for k in 0..L {
-        values[k] = lanes[k][t];
+        values[k] = lanes[k][0];
     }
     values
 }
@@ -286,19 +298,19 @@ where
         } = given;
         let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
-        let settled = || lanes.settled(R::COMPLETION, accept);
         match asked {
-            Asked::Solutions(place) if settled() => {
+            Asked::Solutions(place) if lanes.settled(R::COMPLETION, accept) => {
                 lanes.write(0, accept, place);
                 None
             }
             Asked::Nearest(motion, place)
-                if settled() & (given.seeded | !lanes.singular(accept)) =>
+                if lanes.settled(R::COMPLETION, accept)
+                    & (given.seeded | !lanes.singular(accept)) =>
             {
-                *place = lanes.branches(0).choose(accept, motion);
+                *place = lanes.branches().choose(accept, motion);
                 None
             }
-            _ => Some((lanes.branches(0), lanes.free_angles())),
+            _ => Some((lanes.branches(), lanes.free_angles())),
         }
     }
 }
