@@ -6,8 +6,6 @@ use kinematics::{Kinematics, Multithreaded, Pose, Solutions, WithBase, WithTool}
 
 for_every_robot!(forward_batches);
 for_every_robot!(inverse_batches);
-for_every_table_row!(inverse_batches_of_a_row);
-for_every_aimed_robot!(aimed_inverse_batches);
 for_every_noisy_robot!(noisy_inverse_batches);
 
 /// More than two blocks of lanes, and every rest.
@@ -50,14 +48,6 @@ pub fn inverse_batches<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) 
     for length in LENGTHS {
         inverse_batch(&robot.arm, &all[..length.min(all.len())]);
     }
-}
-
-fn inverse_batches_of_a_row<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    inverse_batches(robot);
-}
-
-fn aimed_inverse_batches<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {
-    inverse_batches(robot);
 }
 
 pub fn noisy_inverse_batches<K: Kinematics<N>, const N: usize>(robot: &Subject<K, N>) {

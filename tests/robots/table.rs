@@ -1,6 +1,7 @@
 //! Six joints whose first step is a pair of relations in two angles
 //! (subproblem 6): few industrial arms are built so.
 
+use crate::batches::inverse_batches;
 use crate::complete::random_targets_have_all_answers;
 use crate::complete::structured_targets_have_all_regular_answers;
 use crate::forward::{jacobians_agree, poses_agree};
@@ -20,6 +21,7 @@ use crate::unreachable::far_targets_have_no_answers;
 
 for_every_table_row!(no_answer_is_lost_to_a_digit);
 for_every_table_row!(matrices_that_are_no_rotations_have_no_answers);
+for_every_table_row!(inverse_batches);
 for_every_table_row!(poses_agree);
 for_every_table_row!(jacobians_agree);
 for_every_table_row!(answers_reach_the_target);

@@ -5,6 +5,7 @@ mod directions;
 mod overdetermined;
 mod part;
 
+use crate::batches::inverse_batches;
 use crate::complete::random_targets_have_all_answers;
 use crate::complete::structured_targets_have_all_regular_answers;
 use crate::forward::{jacobians_agree, poses_agree};
@@ -23,6 +24,7 @@ use crate::sound::{
 };
 use crate::unreachable::far_targets_have_no_answers;
 
+for_every_aimed_robot!(inverse_batches);
 for_every_aimed_robot!(poses_agree);
 for_every_aimed_robot!(jacobians_agree);
 for_every_aimed_robot!(answers_reach_the_target);
