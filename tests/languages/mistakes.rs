@@ -210,30 +210,33 @@ fn mistakes_of_the_search_are_found() {
     each_is_found("mistakes_of_search", &asked, &right, &all);
 }
 
-#[test]
-fn mistakes_of_the_refinement_are_found() {
-    let asked = Asked {
+/// Branches with an elimination beside.
+fn refined(path: &'static str, options: Options) -> Asked {
+    Asked {
         eliminates: true,
         refines: true,
-        ..Asked::of("tests/robots/noisy/calibrated.yaml", Options::default())
-    };
+        ..Asked::of(path, options)
+    }
+}
+
+fn of_refinement() -> Asked {
+    refined("tests/robots/noisy/calibrated.yaml", Options::default())
+}
+
+#[test]
+fn mistakes_of_the_refinement_are_found() {
+    let asked = of_refinement();
     let right = generated(asked.path, "mistaken", &asked.options);
     let all: Vec<String> = replaced(&right.source, &OF_REFINEMENT).collect();
     each_is_found("mistakes_of_refinement", &asked, &right, &all);
 }
 
 fn of_completion() -> Asked {
-    Asked {
-        eliminates: true,
-        refines: true,
-        ..Asked::of(
-            "tests/robots/targets/desk_arm.yaml",
-            Options {
-                target: Some(Target::PositionAxis),
-                ..Options::default()
-            },
-        )
-    }
+    let options = Options {
+        target: Some(Target::PositionAxis),
+        ..Options::default()
+    };
+    refined("tests/robots/targets/desk_arm.yaml", options)
 }
 
 #[test]
@@ -245,11 +248,7 @@ fn mistakes_of_completion_are_found() {
 }
 
 fn of_unanswered() -> Asked {
-    Asked {
-        eliminates: true,
-        refines: true,
-        ..Asked::of(targets::NEXT_TO_AXIS_1, Options::default())
-    }
+    refined(targets::NEXT_TO_AXIS_1, Options::default())
 }
 
 #[test]
@@ -296,18 +295,13 @@ fn mistakes_in_javascript_are_found() {
         eliminates: true,
         ..Asked::of("robots/xarm6.yaml", Options::default())
     };
-    let of_refinement = Asked {
-        eliminates: true,
-        refines: true,
-        ..Asked::of("tests/robots/noisy/calibrated.yaml", Options::default())
-    };
     let each = [
         (of_given(), &OF_GIVEN_IN_JS[..]),
         (of_completion(), &OF_COMPLETION_IN_JS[..]),
         (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
-        (of_refinement, &OF_REFINEMENT_IN_JS[..]),
+        (of_refinement(), &OF_REFINEMENT_IN_JS[..]),
     ];
     for (asked, mistakes) in each {
         let c = generated(asked.path, "mistaken", &asked.options);
