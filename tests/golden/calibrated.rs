@@ -70,7 +70,7 @@ mod __Calibrated {
     /// Less than 0.1 % of random configurations are so near to singular that a solution to their targets may be missing.
     ///
     /// The file's axes are off exact relations by up to 7.8e-4 rad: the closed form runs on an arm whose tip is within 9.6e-4 m, and every branch is refined onto the file's own.
-    /// Near singular configurations, where branches do not tell all solutions, the roots of a polynomial of degree 10 in q4 do; what they add is numbered from 8 on.
+    /// Near singular configurations, where branches do not tell all solutions, the roots of a polynomial of degree 8 in q4 do; what they add is numbered from 8 on.
     ///
     /// # Branches
     ///
@@ -368,7 +368,7 @@ mod __Calibrated {
                 Elimination {
                     joints: [3, 2, 1, 0, 5, 4],
                     backwards: true,
-                    degree: 10,
+                    degree: 8,
                     functionals: [
                         [
                             -0.05015462355309416,
@@ -527,10 +527,10 @@ mod __Calibrated {
                         [3, 2],
                         [3, 1],
                         [1, 3],
-                        [5, 0],
-                        [5, 1],
-                        [5, 2],
-                        [5, 3],
+                        [1, 1],
+                        [0, 0],
+                        [0, 2],
+                        [0, 3],
                     ],
                     columns: [1, 13, 12, 6, 0, 8, 10, 4, 2, 9, 11, 5, 3, 15, 14, 7],
                 },

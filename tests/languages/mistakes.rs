@@ -20,7 +20,7 @@ const BOUNDS: [[&str; 2]; 5] = [
 /// The same of the search for the roots of a polynomial in one joint. A wrong pivot is not of them:
 /// the noise tells, and reflections make up for it. Nor are miscounted signs next to coefficients without
 /// one: such an interval is taken for several roots, of which all are found.
-const OF_SEARCH: [[&str; 2]; 14] = [
+const OF_SEARCH: [[&str; 2]; 16] = [
     ["- 2.0 * (across + ", "+ 2.0 * (across + "],
     [
         "im[2][k] = re[1][k] - re[0][k]",
@@ -41,12 +41,17 @@ const OF_SEARCH: [[&str; 2]; 14] = [
     ["q[i]) < 1e-6", "q[i]) < 1.0"],
     ["_SINGULAR 1e-5", "_SINGULAR 1e-2"],
     ["found->gap <= 1e-9", "found->gap <= 1e-1"],
+    ["turned += 2.0 * step", "turned += step"],
+    ["count != candidate->zeros.count", "count < 0"],
 ];
 
 /// The same of what moves branches to the arm as given.
 const OF_REFINEMENT: [[&str; 2]; 3] = [
     ["invalid[k] <= 0.0 || ", "invalid[k] > 0.0 || "],
-    ["&& !clear; ++i", "&& clear > 1; ++i"],
+    [
+        "if (!clear) {\n        mistaken_ask_in",
+        "if (clear) {\n        mistaken_ask_in",
+    ],
     ["return solution->branch", "return -solution->branch"],
 ];
 
@@ -116,7 +121,7 @@ const OF_TURNING_IN_JS: [[&str; 2]; 4] = [
 ];
 
 /// The same of the search in JavaScript.
-const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
+const OF_SEARCH_IN_JS: [[&str; 2]; 19] = [
     ["- 2.0 * (across + ", "+ 2.0 * (across + "],
     [
         "im[2][k] = re[1][k] - re[0][k]",
@@ -137,6 +142,8 @@ const OF_SEARCH_IN_JS: [[&str; 2]; 17] = [
     ["const $SINGULAR = 1e-5", "const $SINGULAR = 1e-2"],
     ["search.gap <= 1e-9", "search.gap <= 1e-1"],
     ["return unclear;", "return [];"],
+    ["sum + 2.0 * step", "sum + step"],
+    ["count === zeros.count", "count >= 0"],
 ];
 
 /// The same of what moves branches to the arm as given.
@@ -146,8 +153,8 @@ const OF_REFINEMENT_IN_JS: [[&str; 2]; 3] = [
         "if ($begins(form, lanes, k))",
     ],
     [
-        "is_clear = is_clear || $answer",
-        "is_clear = true || $answer",
+        "if (!is_clear) {\n        $ask_in",
+        "if (is_clear) {\n        $ask_in",
     ],
     ["a.branch - b.branch", "b.branch - a.branch"],
 ];

@@ -97,7 +97,7 @@ fields! {
     Between { behind, twist }
     Twist { linear, angular }
     Pose { rotation, translation }
-    Kept { elimination, lost, unsure, noise }
+    Kept { elimination, lost, unsure, unclear, noise }
     Elimination {
         joints, backwards, degree, functionals, half, third, fold, powers, rows, columns
     }

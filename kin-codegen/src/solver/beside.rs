@@ -73,7 +73,7 @@ pub(super) fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<
         near.iter().filter(by_none).count()
     };
     let quarters = |kept: &[Kept]| 4 * untold(kept) / near.len().max(1);
-    let quality = |arm: &univariate::Arm| (quarters(&arm.kept), arm.kept[0].noise.to_bits());
+    let quality = |arm: &univariate::Arm| (quarters(&arm.kept), arm.kept[0].rank());
     let lost = |arm: &univariate::Arm| {
         let form = ClosedForm {
             refinement: Refinement::Univariate(Box::new(arm.clone())),

@@ -3,7 +3,7 @@
 use super::eliminate::eliminate;
 use super::frames::Family;
 use crate::random::Random;
-use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
+use kin_runtime::__private::univariate::{Elimination, Frames, Told, Univariate};
 use kin_runtime::Target;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,6 +14,10 @@ const SAME: f64 = 1e-5;
 /// Eliminations at most: the next is asked where one is not sure of its
 /// answer.
 pub const MOST: usize = 3;
+
+/// An elimination with more noise, a tenth of that with which no answer is sure, is not used where
+/// others have less.
+const NOISY: f64 = 1e-10;
 
 /// An elimination that is never sure of its answer and loses at least one target in so many is not
 /// used.
@@ -28,12 +32,22 @@ pub struct Kept {
     pub lost: usize,
     /// On how many targets of a hundred it was not sure to have all solutions.
     pub unsure: f64,
+    /// On how many of a hundred it had to look for solutions that are next to others.
+    pub unclear: f64,
     /// The noise of its polynomial, relative to the largest coefficient, at 95 of
     /// a hundred targets.
     pub noise: f64,
 }
 
 impl Kept {
+    /// The less the better: noise that leaves no answer sure near singular configurations, then how
+    /// often it is not sure, what it takes, and noise.
+    pub(crate) fn rank(&self) -> [u64; 4] {
+        let noise = self.noise.max(NOISY);
+        // Of numbers that are not negative the bits have the same order.
+        [noise, self.unsure, self.unclear, self.noise].map(f64::to_bits)
+    }
+
     /// Whether it is never sure of its answer and loses some of so many random targets.
     pub(super) fn says_nothing(&self, targets: usize) -> bool {
         self.unsure == 100.0 && self.lost * MANY >= targets
@@ -45,18 +59,11 @@ impl Kept {
 pub fn choose(family: &Family, joints: usize) -> Vec<Kept> {
     let mut kept = each(family, joints, TARGETS);
     kept.retain(|kept| !kept.says_nothing(TARGETS));
-    let by_quality = |a: &Kept, b: &Kept| {
-        a.lost
-            .cmp(&b.lost)
-            .then(a.unsure.total_cmp(&b.unsure))
-            .then(a.noise.total_cmp(&b.noise))
-    };
-    kept.sort_by(by_quality);
     kept
 }
 
-/// The first joints that can be kept, as they did on random targets and on those of
-/// nearly round configurations, at which solutions like to share values of a joint.
+/// The first joints that can be kept, the best first, as they did on random targets and on those
+/// of nearly round configurations, at which solutions like to share values of a joint.
 pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let target = |k: usize| {
@@ -71,9 +78,19 @@ pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
     let targets: Vec<[f64; 6]> = (0..targets).map(target).collect();
     let samples = family.sampled();
     let eliminations = (0..joints).flat_map(|joint| eliminate(family, joint));
-    eliminations
+    let mut kept: Vec<Kept> = eliminations
         .map(|elimination| tried(&samples, elimination, &targets))
-        .collect()
+        .collect();
+    kept.sort_by_key(|kept| (kept.lost, kept.rank()));
+    // Of those that differ in rows and columns alone the best tells as much as all.
+    let equations = |kept: &Kept| (kept.elimination.joints, kept.elimination.powers);
+    let mut seen = Vec::new();
+    kept.retain(|kept| {
+        let is_new = !seen.contains(&equations(kept));
+        seen.push(equations(kept));
+        is_new
+    });
+    kept
 }
 
 fn tried(samples: &[Frames], elimination: Elimination, targets: &[[f64; 6]]) -> Kept {
@@ -93,13 +110,17 @@ fn tried(samples: &[Frames], elimination: Elimination, targets: &[[f64; 6]]) -> 
             told
         });
     let told: Vec<_> = told.collect();
-    let unsure = told.iter().filter(|told| !told.certain).count();
+    let share = |of: &dyn Fn(&Told) -> bool| {
+        let count = told.iter().filter(|told| of(told)).count();
+        100.0 * count as f64 / targets.len() as f64
+    };
     let mut noises: Vec<f64> = told.iter().map(|told| told.noise).collect();
     noises.sort_by(f64::total_cmp);
     Kept {
         elimination,
         lost,
-        unsure: 100.0 * unsure as f64 / targets.len() as f64,
+        unsure: share(&|told| !told.certain),
+        unclear: share(&|told| told.unclear > 0),
         noise: noises[noises.len() * 95 / 100],
     }
 }

@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 const SAMPLES: usize = 24;
 /// Rows whose pivots would be below this depend on those taken.
 const DEPENDENT: f64 = 1e-6;
-/// A row that raises the degree less than others do is not worth a pivot below this:
-/// of an arm that has its relations nearly, those that vanish with them.
+/// Of an arm that has its relations nearly, rows vanish with them: without those whose pivots are
+/// below this there is less noise, but a higher degree, and with it roots that are no solutions.
 const WEAK: f64 = 1e-2;
 const SIZE: usize = 16;
 /// What a functional costs that sees all that turns.
@@ -55,20 +55,27 @@ pub fn orders(elimination: &Elimination, samples: &[Frames]) -> Vec<Elimination>
         ],
     });
     let of = |set: Monomials| {
-        let mut elimination = Elimination {
-            powers: set.powers,
-            ..*elimination
+        let with = |least: f64| {
+            let mut elimination = Elimination {
+                powers: set.powers,
+                ..*elimination
+            };
+            order(&mut elimination, samples, set.has, least).map(|()| elimination)
         };
-        order(&mut elimination, samples, set.has).map(|()| elimination)
+        let mut both: Vec<Elimination> = [WEAK, DEPENDENT].into_iter().filter_map(with).collect();
+        both.dedup();
+        both
     };
-    sets.into_iter().filter_map(of).collect()
+    sets.into_iter().flat_map(of).collect()
 }
 
-/// The same for a set of monomials.
+/// The same for a set of monomials; a row that raises the degree less than others do has a pivot of
+/// this size at least.
 fn order(
     elimination: &mut Elimination,
     arms: &[Frames],
     has: fn(usize, usize) -> bool,
+    least: f64,
 ) -> Option<()> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let missing = (0..SIZE as u8).filter(|&c| !has(usize::from(c % 4), usize::from(c / 4)));
@@ -110,6 +117,7 @@ fn order(
             costs: &costs,
             samples: samples.clone(),
             most_half,
+            least,
             rows: Vec::new(),
             columns: Vec::new(),
         };
@@ -172,6 +180,8 @@ struct Order<'a> {
     samples: Vec<Vec<[f64; SIZE]>>,
     /// So many rows of half angles are allowed.
     most_half: usize,
+    /// What the pivots of rows are at least that raise the degree less than others.
+    least: f64,
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
@@ -212,7 +222,7 @@ impl Order<'_> {
             .collect();
         let (row, column) = allowed
             .filter_map(|cost| {
-                let least = if cost < FULL { WEAK } else { DEPENDENT };
+                let least = if cost < FULL { self.least } else { DEPENDENT };
                 let open = (0..self.costs.len()).filter(|row| {
                     self.costs[*row] == cost
                         && rows(self.candidates[*row])

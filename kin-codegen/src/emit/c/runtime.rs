@@ -44,7 +44,7 @@ pub const ELIMINATION: &str = include_str!("runtime/univariate/elimination.c");
 /// Behind the eliminations of an arm, the search for what solves a target: the same algorithms,
 /// thresholds and bounds as in the files of `generated/univariate` of the runtime that are named
 /// behind them. Who changes the one changes the other.
-pub const SEARCH: [&str; 16] = [
+pub const SEARCH: [&str; 17] = [
     include_str!("runtime/univariate/line.c"),       // line.rs
     include_str!("runtime/univariate/places.c"),     // matrix.rs
     include_str!("runtime/univariate/equations.c"),  // elimination.rs
@@ -55,6 +55,7 @@ pub const SEARCH: [&str; 16] = [
     include_str!("runtime/univariate/polynomial.c"), // polynomial.rs
     include_str!("runtime/univariate/bernstein.c"),  // bernstein.rs
     include_str!("runtime/univariate/roots.c"),      // roots.rs
+    include_str!("runtime/univariate/zeros.c"),      // zeros.rs
     include_str!("runtime/univariate/sharing.c"),    // sharing.rs
     include_str!("runtime/univariate/recover.c"),    // recover.rs
     include_str!("runtime/univariate/polish.c"),     // polish.rs

@@ -12,11 +12,12 @@ const SOLVE: &str = include_str!("runtime/solve.js");
 /// The search for the solutions of an arm by eliminations: the same algorithms, thresholds and bounds
 /// as in the files of `generated/univariate` of the runtime that are named behind them, for one
 /// configuration at a time. Who changes the one changes the other.
-const SEARCH: [&str; 7] = [
+const SEARCH: [&str; 8] = [
     include_str!("runtime/univariate/loop.js"), // line.rs, elimination.rs, matrix.rs
     include_str!("runtime/univariate/determinant.js"), // determinant.rs, polynomial.rs
     include_str!("runtime/univariate/harmonics.js"), // harmonics.rs
     include_str!("runtime/univariate/roots.js"), // bernstein.rs, roots.rs
+    include_str!("runtime/univariate/zeros.js"), // zeros.rs
     include_str!("runtime/univariate/recover.js"), // sharing.rs, recover.rs
     include_str!("runtime/univariate/polish.js"), // polish.rs
     include_str!("runtime/univariate/search.js"), // found.rs, search.rs, short.rs

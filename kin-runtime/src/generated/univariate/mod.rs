@@ -33,6 +33,7 @@ mod search;
 mod sharing;
 mod short;
 mod turn;
+mod zeros;
 
 pub use bernstein::coefficients_on_arc;
 pub use eliminant::Eliminant;
@@ -67,6 +68,8 @@ pub struct Univariate<'a> {
 pub struct Told {
     /// Real roots.
     pub roots: usize,
+    /// Those of them near which other solutions were looked for.
+    pub unclear: usize,
     /// Of the polynomial, relative to its largest coefficient.
     pub noise: f64,
     /// Whether all solutions are sure to be among those found.

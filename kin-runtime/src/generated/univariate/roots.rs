@@ -27,7 +27,7 @@ const HALVINGS: usize = 192;
 const WAITING: usize = 16;
 
 /// In multiples of the noise, what a coefficient may be without having a sign.
-const UNSIGNED: f64 = 256.0;
+pub(super) const UNSIGNED: f64 = 256.0;
 
 /// Below this an interval, radians, on which there may be several roots is one candidate.
 const NARROW: f64 = 4e-4;
@@ -37,6 +37,9 @@ const BLIND: f64 = 0.05;
 
 /// Clusters that are nearer to each other are one, radians.
 pub(super) const CLUSTER: f64 = 5e-3;
+
+/// So far from the roots that it stands for a candidate may be, radians.
+pub(super) const STANDS_FOR: f64 = CLUSTER + NARROW;
 
 /// Two roots that are nearer to each other than twice the root of this are one
 /// candidate, radians².
@@ -84,11 +87,6 @@ impl Roots {
     /// Whether a candidate may be none, or any number.
     pub fn is_several(&self, i: usize) -> bool {
         self.several >> i & 1 == 1
-    }
-
-    /// Whether every candidate is one, or two.
-    pub fn are_told_apart(&self) -> bool {
-        self.several == 0 && !self.incomplete
     }
 
     /// Whether another root is near a candidate, complex ones included.

@@ -2,11 +2,13 @@
 
 use super::elimination::Elimination;
 use super::found::{Answer, Found, Waiting};
+use super::harmonics::Harmonics;
 use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, MOST, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
+use super::zeros::{Zeros, zeros_near};
 use super::{LANES, Told, Univariate};
 use crate::linear::vector::norm;
 use crate::{Pose, Solution, Solutions, Target, math};
@@ -29,12 +31,11 @@ const ORTHONORMAL: f64 = 1e-9;
 /// one that is reached.
 const BEYOND_REACH: f64 = 1e-6;
 
-/// So many eliminations are asked at most: where one is not sure of its answer,
-/// the next is.
-const ASKED: usize = 3;
-
 /// Relative noise above which the roots tell nothing.
 const DROWNED: f64 = 1e-3;
+
+/// Relative noise above which no answer is sure.
+const UNCERTAIN: f64 = 1e-9;
 
 /// Relative noise above which a double root is too far off for its null space to be found.
 const BLURRED: f64 = 1e-7;
@@ -122,8 +123,7 @@ impl<'a> Search<'a> {
         &self.target
     }
 
-    /// Asks the eliminations in turn until one is sure of its answer. Where roots are not told
-    /// apart that costs more than the next polynomial, which is looked at before.
+    /// All that the eliminations find.
     pub fn run(mut self) -> Answer {
         if self.may_be_reached {
             self.ask_in_turn();
@@ -131,23 +131,6 @@ impl<'a> Search<'a> {
         Answer {
             solutions: self.found(),
             nearest: self.found.nearest,
-        }
-    }
-
-    fn ask_in_turn(&mut self) {
-        let mut unclear = [const { None }; ASKED];
-        for (elimination, unclear) in self.arm.eliminations.iter().zip(&mut unclear) {
-            let asked = self.asked(elimination);
-            if !asked.is_clear() {
-                *unclear = Some(asked);
-            } else if self.answered(&asked).certain {
-                return;
-            }
-        }
-        for asked in unclear.iter().flatten() {
-            if self.answered(asked).certain {
-                return;
-            }
         }
     }
 
@@ -203,8 +186,8 @@ impl<'a> Search<'a> {
             self.keep(seed);
             self.branch += 1;
         }
-        for elimination in self.arm.eliminations {
-            clear = clear || self.ask(elimination).certain;
+        if !clear {
+            self.ask_in_turn();
         }
         Answer {
             solutions: self.found.by_branch(),
@@ -234,51 +217,50 @@ impl<'a> Search<'a> {
         self.found.keep(&arrived, self.branch);
     }
 
-    /// Adds what one elimination finds.
-    pub fn ask(&mut self, elimination: &Elimination) -> Told {
-        self.answered(&self.asked(elimination))
-    }
-
-    fn asked<'e>(&self, elimination: &'e Elimination) -> Asked<'e> {
-        let recovery = Recovery::new(elimination, &self.arm.frames, &self.target);
-        let f = polynomial(&recovery);
-        Asked {
-            recovery,
-            noise: f.noise,
-            roots: (f.noise < DROWNED).then(|| roots(&f)),
+    /// Asks the eliminations in turn until one is sure of its answer.
+    fn ask_in_turn(&mut self) {
+        for elimination in self.arm.eliminations {
+            if self.ask(elimination).certain {
+                return;
+            }
         }
     }
 
-    fn answered(&mut self, asked: &Asked) -> Told {
-        let Asked {
-            recovery,
-            noise,
-            roots,
-        } = asked;
-        let elimination = recovery.elimination;
+    /// Adds what one elimination finds.
+    pub fn ask(&mut self, elimination: &Elimination) -> Told {
+        let recovery = Recovery::new(elimination, &self.arm.frames, &self.target);
+        let f = polynomial(&recovery);
         let mut told = Told {
-            roots: 0,
-            noise: *noise,
-            certain: false,
+            noise: f.noise,
+            ..Told::default()
         };
-        let Some(roots) = roots else {
+        let Some(roots) = (f.noise < DROWNED).then(|| roots(&f)) else {
             self.ask_beside(elimination);
             return told;
         };
         told.roots = roots.count;
         self.found.again = 0;
-        let unclear = self.one_each(recovery, roots);
-        self.several_each(recovery, roots, *noise >= NOISY, &unclear);
-        if roots.incomplete || *noise > BLURRED {
-            self.ask_beside(elimination);
+        let mut unclear = self.one_each(&recovery, &roots);
+        told.unclear = unclear.count;
+        let may_be_certain = !roots.incomplete && f.noise < UNCERTAIN;
+        if may_be_certain {
+            unclear.count_zeros(elimination, &f);
         }
-        self.meet();
-        let mut unclear = unclear.all();
-        told.certain = !roots.incomplete
-            && *noise < NOISY
-            && unclear.all(|candidate| self.resolves(elimination, roots, candidate))
-            && self.found.all_again();
+        self.several_each(&recovery, f.noise >= NOISY, &mut unclear);
+        if !may_be_certain || !self.has_all(&unclear) {
+            if roots.incomplete || f.noise > BLURRED {
+                self.ask_beside(elimination);
+            }
+            self.meet();
+            self.settle(elimination, &mut unclear);
+        }
+        told.certain = may_be_certain && self.has_all(&unclear);
         told
+    }
+
+    /// Whether there is nothing left to look for, and what was known before was found again.
+    fn has_all(&self, unclear: &Candidates) -> bool {
+        unclear.count == 0 && self.found.all_again()
     }
 
     /// Where a family of solutions makes a polynomial of zeros, those of targets beside this
@@ -327,7 +309,7 @@ impl<'a> Search<'a> {
                 // Next to another one a root is known to half of its digits.
                 let mixed = off >= EXTRANEOUS && roots.has_neighbour(candidate);
                 if known && (self.found.again == before || off > PURE) || !one || mixed {
-                    unclear.push(candidate);
+                    unclear.push(roots, candidate);
                 } else if !known && off < EXTRANEOUS {
                     candidates[new.count] = candidate;
                     new.push(starts.q.map(|q| q[k]));
@@ -342,55 +324,85 @@ impl<'a> Search<'a> {
                 let before = self.found.again;
                 self.insert(&arrived, k);
                 if self.found.again == before {
-                    unclear.push(candidate);
+                    unclear.push(roots, candidate);
                 }
             }
         }
         unclear
     }
 
-    /// Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all
-    /// its values, as next to a target with a family of solutions, so is what it leaves alone, and
-    /// the space of two solutions has more dimensions.
-    fn several_each(
+    /// Adds the solutions that share a value of the kept joint, and leaves the candidates that may
+    /// have more. Where a pivot is nearly zero at all its values, as next to a target with a family
+    /// of solutions, so is what it leaves alone, and the space of two solutions has more dimensions.
+    fn several_each(&mut self, recovery: &Recovery, is_noisy: bool, unclear: &mut Candidates) {
+        let elimination = recovery.elimination;
+        self.settle(elimination, unclear);
+        let may_be_more = |it: &Candidate| it.is_several && it.zeros.is_some_and(|it| it.count > 2);
+        self.share::<2>(recovery, unclear, |it| !may_be_more(it), EXTRANEOUS);
+        self.share::<SHARING>(recovery, unclear, |it| is_noisy || it.is_several, MIXED);
+        self.share::<2>(recovery, unclear, may_be_more, EXTRANEOUS);
+        self.share_exactly(recovery, unclear);
+        self.settle(elimination, unclear);
+    }
+
+    /// Adds the solutions of N that share a value of the kept joint.
+    fn share<const N: usize>(
         &mut self,
         recovery: &Recovery,
-        roots: &Roots,
-        is_noisy: bool,
-        unclear: &Candidates,
+        unclear: &mut Candidates,
+        wanted: impl Fn(&Candidate) -> bool,
+        off: f64,
     ) {
-        for chunk in unclear.chunks() {
-            let at = |k: usize| roots.angles[usize::from(chunk[k.min(chunk.len() - 1)])];
-            let kept = core::array::from_fn(at);
-            let shared = |k: &usize| is_noisy || roots.is_several(chunk[*k].into());
-            let (pairs, space) = match (0..chunk.len()).any(|k| shared(&k)) {
-                true => {
-                    let space = recovery.null_space::<SHARING>(&kept);
-                    let [first, second, ..] = space.vectors;
-                    ([first, second], Some(space.vectors))
+        let wanted = |it: &&Candidate| wanted(it);
+        let mut left = unclear.all().filter(wanted).count();
+        let (mut kept, mut count) = ([0.0; LANES], 0);
+        for candidate in unclear.all().filter(wanted) {
+            kept[count..].fill(candidate.angle);
+            (count, left) = (count + 1, left - 1);
+            if count == LANES || left == 0 {
+                let space = recovery.null_space::<N>(&kept).vectors;
+                for starts in recovery.sharing(&kept, &space, RATIOS[0]) {
+                    (0..count).for_each(|k| self.start_of(&starts, k, off));
                 }
-                false => (recovery.null_space(&kept).vectors, None),
-            };
-            for starts in recovery.sharing(&kept, &pairs, RATIOS[0]) {
-                (0..chunk.len()).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
-            }
-            let more = space.map(|space| recovery.sharing(&kept, &space, RATIOS[0]));
-            for k in (0..chunk.len()).filter(shared) {
-                (more.iter().flatten()).for_each(|starts| self.start_of(starts, k, MIXED));
+                count = 0;
             }
         }
         self.arrive();
-        self.share_exactly(recovery, roots, unclear);
+        self.settle(recovery.elimination, unclear);
+    }
+
+    /// Leaves the candidates that other solutions than those that are known may be near.
+    fn settle(&mut self, elimination: &Elimination, unclear: &mut Candidates) {
+        unclear.retain(|candidate| !self.is_settled(elimination, candidate));
+    }
+
+    /// Whether near a candidate as many solutions are known as there are zeros: no two have one.
+    fn is_settled(&mut self, elimination: &Elimination, candidate: &Candidate) -> bool {
+        let Some(zeros) = candidate.zeros else {
+            return false;
+        };
+        let (mut count, mut places) = (0, 0);
+        for (place, kept) in self.kept(elimination).enumerate() {
+            if zeros.are_near(kept) {
+                count += 1;
+                places |= 1 << place;
+            }
+        }
+        let is_settled = count == zeros.count;
+        if is_settled {
+            self.found.again |= places;
+        }
+        is_settled
     }
 
     /// A root of several is known to a quarter of its digits, and what is nearly taken to zero there
     /// mixes the solutions that share it. Those that are found have all digits of it, and there what
     /// is taken to zero tells whether some are missing, which other ratios may tell apart.
-    fn share_exactly(&mut self, recovery: &Recovery, roots: &Roots, unclear: &Candidates) {
+    fn share_exactly(&mut self, recovery: &Recovery, unclear: &Candidates) {
         let elimination = recovery.elimination;
-        let several = unclear.all().filter(|&i| roots.is_several(i));
+        let several = unclear.all().filter(|it| it.is_several);
         let (mut kept, mut count) = ([0.0; LANES], 0);
-        for known in several.flat_map(|i| self.kept_near(elimination, roots.angles[i])) {
+        for known in several.flat_map(|it| self.kept_near(elimination, it.angle)) {
             let is_new = kept[..count].iter().all(|it| !is_same(*it, known));
             if is_new && count < LANES && self.sharing(elimination, known) < SHARING {
                 kept[count] = known;
@@ -520,21 +532,6 @@ impl<'a> Search<'a> {
         reached
     }
 
-    /// Whether the solutions near a candidate are known to be all: two that share a value
-    /// of the kept joint, and are regular.
-    fn resolves(&self, elimination: &Elimination, roots: &Roots, candidate: usize) -> bool {
-        let root = roots.angles[candidate];
-        let near = |q: f64| math::wrap(q - root).abs() < CLUSTER;
-        let solutions = self.kept(elimination).zip(&self.found.independence);
-        let (mut count, mut least) = (0, f64::INFINITY);
-        for (_, independence) in solutions.filter(|(kept, _)| near(*kept)) {
-            count += 1;
-            least = least.min(*independence);
-        }
-        let alone = (0..roots.count).filter(|&i| near(roots.angles[i])).count() == 1;
-        roots.is_double(candidate) && alone && count == 2 && least > MEETING
-    }
-
     /// Configurations that nearly close the loop, if any do, at values of the kept joint
     /// all round.
     pub fn all_round(&self, elimination: &Elimination) -> [[f64; LANES]; 6] {
@@ -551,23 +548,6 @@ impl<'a> Search<'a> {
 /// Whether two values of the kept joint are one.
 fn is_same(a: f64, b: f64) -> bool {
     math::wrap(a - b).abs() < SAME
-}
-
-/// What one elimination says of the target, before any solution is computed.
-struct Asked<'e> {
-    recovery: Recovery<'e>,
-    /// Of the polynomial.
-    noise: f64,
-    /// None where it drowns in its noise.
-    roots: Option<Roots>,
-}
-
-impl Asked<'_> {
-    /// Whether every root is known to be one, or two.
-    fn is_clear(&self) -> bool {
-        let told_apart = |roots: &Roots| roots.are_told_apart();
-        self.noise < NOISY && self.roots.as_ref().is_some_and(told_apart)
-    }
 }
 
 /// A pose with all that counts of a target, its rotation orthonormal, and by how much the
@@ -600,24 +580,57 @@ pub(super) fn whole(counts: Target, target: &Pose) -> (Pose, f64) {
     )
 }
 
-/// Roots by number.
+/// A root near which there may be several solutions.
+#[derive(Clone, Copy, Default)]
+struct Candidate {
+    angle: f64,
+    /// Whether nobody knows how many it is.
+    is_several: bool,
+    zeros: Option<Zeros>,
+}
+
 #[derive(Default)]
 struct Candidates {
-    numbers: [u8; MOST],
+    all: [Candidate; MOST],
     count: usize,
 }
 
 impl Candidates {
-    fn push(&mut self, number: usize) {
-        self.numbers[self.count % MOST] = number as u8;
+    fn push(&mut self, roots: &Roots, number: usize) {
+        self.all[self.count % MOST] = Candidate {
+            angle: roots.angles[number % MOST],
+            is_several: roots.is_several(number),
+            zeros: None,
+        };
         self.count += 1;
     }
 
-    fn chunks(&self) -> impl Iterator<Item = &[u8]> {
-        self.numbers[..self.count].chunks(LANES)
+    /// By the polynomial; not where a root of all targets was taken from it.
+    fn count_zeros(&mut self, elimination: &Elimination, f: &Harmonics) {
+        for i in 0..self.count {
+            let (before, rest) = self.all.split_at_mut(i);
+            let angle = rest[0].angle;
+            let mut known = before.iter().filter_map(|it| it.zeros);
+            let zeros = known.find(|zeros| zeros.cover(angle));
+            let zeros = zeros.or_else(|| zeros_near(f, angle));
+            let has_fold =
+                |zeros: &Zeros| elimination.fold.is_some_and(|fold| zeros.are_near(fold));
+            rest[0].zeros = zeros.filter(|zeros| !has_fold(zeros));
+        }
     }
 
-    fn all(&self) -> impl Iterator<Item = usize> {
-        self.numbers[..self.count].iter().map(|&i| i.into())
+    fn all(&self) -> impl Iterator<Item = &Candidate> {
+        self.all[..self.count].iter()
+    }
+
+    fn retain(&mut self, mut wanted: impl FnMut(&Candidate) -> bool) {
+        let mut kept = 0;
+        for i in 0..self.count {
+            if wanted(&self.all[i]) {
+                self.all[kept] = self.all[i];
+                kept += 1;
+            }
+        }
+        self.count = kept;
     }
 }

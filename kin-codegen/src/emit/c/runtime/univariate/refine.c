@@ -93,10 +93,8 @@ static void kin_refine(
         kin_keep(search, seed);
         ++search->branch;
     }
-    for (int i = 0; i < KIN_ASKED && !clear; ++i) {
-        kin_asked asked;
-        kin_ask(search, &kin_eliminations[i], &asked);
-        clear = kin_answer(search, &asked);
+    if (!clear) {
+        kin_ask_in_turn(search);
     }
     for (int i = 0; i < found->singular_count && found->regular_count < KIN_MOST_FOUND; ++i) {
         found->regular[found->regular_count++] = found->singular[i];

@@ -9,6 +9,8 @@
 /* Halvings at most, in all, and intervals that wait at a time. */
 #define KIN_HALVINGS 192
 #define KIN_WAITING 16
+/* In multiples of the noise, what a coefficient may be without having a sign. */
+#define KIN_UNSIGNED 256.0
 /* Below this an interval, radians, on which there may be several roots is one candidate. */
 #define KIN_NARROW 4e-4
 /* Where all is noise, candidates are this far apart at most, radians. */
@@ -333,7 +335,7 @@ static void kin_find_roots(const kin_harmonics *f, kin_roots *found)
     kin_find_arcs(f, &arcs);
     search.f = f;
     search.coefficients = arcs.count;
-    search.noise = 256.0 * f->noise;
+    search.noise = KIN_UNSIGNED * f->noise;
     search.count = search.halvings = 0;
     for (int arc = 0; arc < KIN_ARCS; ++arc) {
         const int is_signed = arcs.least[arc] > search.noise;

@@ -1,5 +1,3 @@
-/* Eliminations that are asked at most: where one is not sure of its answer, the next is. */
-#define KIN_ASKED (KIN_ELIMINATIONS < 3 ? KIN_ELIMINATIONS : 3)
 /* Cosines and sines that are off by more are those of an extraneous root; by more than the second,
  * they are not of one of several that have almost met; where they are off by less than the third, a
  * null vector is of one solution, and no mixture. */
@@ -8,6 +6,8 @@
 #define KIN_PURE 1e-3
 /* What is taken to less may be of solutions next to a value of the kept joint. */
 #define KIN_NULL 1e-2
+/* Relative noise above which no answer is sure. */
+#define KIN_UNCERTAIN 1e-9
 /* Below this another solution may be so near that roots of the polynomial do not tell the two
  * apart. */
 #define KIN_MEETING 3e-3
@@ -225,15 +225,47 @@ static void kin_start_unknown(kin_search *search, kin_starts *starts, int lane, 
     }
 }
 
-/* Roots by number. */
+/* A root near which there may be several solutions. */
+typedef struct kin_candidate {
+    double angle;
+    /* Whether nobody knows how many it is. */
+    int is_several;
+    kin_zeros zeros;
+} kin_candidate;
+
 typedef struct kin_candidates {
-    int numbers[KIN_MOST_ROOTS];
+    kin_candidate all[KIN_MOST_ROOTS];
     int count;
 } kin_candidates;
 
-static void kin_push_candidate(kin_candidates *candidates, int number)
+static void kin_push_candidate(kin_candidates *candidates, const kin_roots *roots, int number)
 {
-    candidates->numbers[candidates->count++ % KIN_MOST_ROOTS] = number;
+    kin_candidate *candidate = &candidates->all[candidates->count++ % KIN_MOST_ROOTS];
+    candidate->angle = roots->angles[number];
+    candidate->is_several = roots->several >> number & 1;
+    candidate->zeros = kin_untold;
+}
+
+/* The zeros near candidates; not where a root of all targets was taken from the polynomial. */
+static void kin_count_zeros(
+    const kin_elimination *elimination, const kin_harmonics *f, kin_candidates *candidates)
+{
+    for (int i = 0; i < candidates->count; ++i) {
+        kin_zeros *zeros = &candidates->all[i].zeros;
+        const double angle = candidates->all[i].angle;
+        int known = 0;
+        while (known < i && !kin_cover(&candidates->all[known].zeros, angle)) {
+            ++known;
+        }
+        if (known < i) {
+            *zeros = candidates->all[known].zeros;
+        } else {
+            kin_find_zeros(f, angle, zeros);
+        }
+        if (elimination->has_fold && kin_are_near(zeros, elimination->fold)) {
+            zeros->count = -1;
+        }
+    }
 }
 
 /* Adds the solution at every root, if it has one; those that may have more. */
@@ -267,7 +299,7 @@ static void kin_one_each(
             /* Next to another one a root is known to half of its digits. */
             mixed = off >= KIN_EXTRANEOUS && kin_has_neighbour(roots, candidate);
             if ((known && (found->again == before || off > KIN_PURE)) || !one || mixed) {
-                kin_push_candidate(unclear, candidate);
+                kin_push_candidate(unclear, roots, candidate);
             } else if (!known && off < KIN_EXTRANEOUS) {
                 candidates[fresh.count] = candidate;
                 kin_enqueue(&fresh, q);
@@ -282,21 +314,11 @@ static void kin_one_each(
             const unsigned before = found->again;
             kin_insert_new(search, &arrived, k);
             if (found->again == before) {
-                kin_push_candidate(unclear, candidates[k]);
+                kin_push_candidate(unclear, roots, candidates[k]);
             }
         }
     }
 }
-
-/* What one elimination says of the target, before any solution is computed. */
-typedef struct kin_asked {
-    kin_recovery recovery;
-    /* Of the polynomial. */
-    double noise;
-    /* Whether nothing stands out of it. */
-    int is_drowned;
-    kin_roots roots;
-} kin_asked;
 
 /* The kept joint's value at a regular solution. */
 static double kin_kept_at(
@@ -323,20 +345,18 @@ static int kin_sharing(const kin_search *search, const kin_elimination *eliminat
  * the solutions that share it. Those that are found have all digits of it, and there what is taken to
  * zero tells whether some are missing, which other ratios may tell apart. */
 static void kin_share_exactly(
-    kin_search *search, const kin_asked *asked, const kin_candidates *unclear)
+    kin_search *search, const kin_recovery *recovery, const kin_candidates *unclear)
 {
-    const kin_roots *roots = &asked->roots;
-    const kin_recovery *recovery = &asked->recovery;
     const kin_elimination *elimination = recovery->elimination;
     kin_pack kept = {0.0}, space[KIN_SHARING][16], lengths[KIN_SHARING];
     kin_starts starts[KIN_SHARING];
     int count = 0;
     for (int i = 0; i < unclear->count; ++i) {
-        const int candidate = unclear->numbers[i];
+        const kin_candidate *candidate = &unclear->all[i];
         for (int j = 0; j < search->found.regular_count && count < KIN_LANES; ++j) {
             const double value = kin_kept_at(search, elimination, j);
-            int is_new = (roots->several >> candidate & 1)
-                && fabs(kin_wrap(value - roots->angles[candidate])) < KIN_CLUSTER;
+            int is_new = candidate->is_several
+                && fabs(kin_wrap(value - candidate->angle)) < KIN_CLUSTER;
             for (int k = 0; k < count; ++k) {
                 is_new = is_new && !kin_is_same(kept[k], value);
             }
@@ -372,46 +392,104 @@ static void kin_share_exactly(
     }
 }
 
-/* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
- * values, as next to a target with a family of solutions, so is what it leaves alone, and the space
- * of two solutions has more dimensions. */
-static void kin_several_each(
-    kin_search *search, const kin_asked *asked, const kin_candidates *unclear)
+/* Whether near a candidate as many solutions are known as there are zeros: no two have one. */
+static int kin_is_settled(
+    kin_search *search, const kin_elimination *elimination, const kin_candidate *candidate)
 {
-    const kin_recovery *recovery = &asked->recovery;
-    const kin_roots *roots = &asked->roots;
-    const unsigned shared = asked->noise < KIN_NOISY ? roots->several : ~0U;
-    for (int first = 0; first < unclear->count; first += KIN_LANES) {
-        const int rest = unclear->count - first, count = rest < KIN_LANES ? rest : KIN_LANES;
-        const int *numbers = unclear->numbers + first;
-        kin_pack kept, space[KIN_SHARING][16], lengths[KIN_SHARING];
-        kin_starts starts[KIN_SHARING];
-        unsigned any = 0;
-        for (int k = 0; k < KIN_LANES; ++k) {
-            kept[k] = roots->angles[numbers[k < count ? k : count - 1]];
-        }
-        for (int k = 0; k < count; ++k) {
-            any |= shared >> numbers[k];
-        }
-        kin_find_null_space(recovery, kept, any & 1 ? KIN_SHARING : 2, space, lengths);
-        kin_recover_sharing(recovery, kept, space, 2, 0, starts);
-        for (int i = 0; i < 2; ++i) {
-            for (int k = 0; k < count; ++k) {
-                kin_start_unknown(search, &starts[i], k, KIN_EXTRANEOUS);
-            }
-        }
-        if (!(any & 1)) {
-            continue;
-        }
-        kin_recover_sharing(recovery, kept, space, KIN_SHARING, 0, starts);
-        for (int k = 0; k < count; ++k) {
-            for (int i = 0; i < KIN_SHARING && (shared >> numbers[k] & 1); ++i) {
-                kin_start_unknown(search, &starts[i], k, KIN_MIXED);
-            }
+    unsigned places = 0;
+    int count = 0;
+    for (int i = 0; i < search->found.regular_count; ++i) {
+        if (kin_are_near(&candidate->zeros, kin_kept_at(search, elimination, i))) {
+            places |= 1u << i;
+            ++count;
         }
     }
+    if (count != candidate->zeros.count) {
+        return 0;
+    }
+    search->found.again |= places;
+    return 1;
+}
+
+/* Leaves the candidates that other solutions than those that are known may be near. */
+static void kin_settle(
+    kin_search *search, const kin_elimination *elimination, kin_candidates *unclear)
+{
+    int kept = 0;
+    for (int i = 0; i < unclear->count; ++i) {
+        if (!kin_is_settled(search, elimination, &unclear->all[i])) {
+            unclear->all[kept++] = unclear->all[i];
+        }
+    }
+    unclear->count = kept;
+}
+
+/* Whether there may be more than two solutions at a candidate that nobody knows the number of. */
+static int kin_may_be_more(const kin_candidate *candidate)
+{
+    return candidate->is_several && candidate->zeros.count > 2;
+}
+
+static int kin_is_pair(const kin_candidate *candidate) { return !kin_may_be_more(candidate); }
+
+static int kin_is_several(const kin_candidate *candidate) { return candidate->is_several; }
+
+static int kin_is_any(const kin_candidate *candidate)
+{
+    (void)candidate;
+    return 1;
+}
+
+/* Adds the solutions of so many that share a value of the kept joint at the candidates that are
+ * wanted. */
+static void kin_share(
+    kin_search *search, const kin_recovery *recovery, kin_candidates *unclear,
+    int (*is_wanted)(const kin_candidate *), int sharing, double off)
+{
+    kin_pack kept = {0.0}, space[KIN_SHARING][16], lengths[KIN_SHARING];
+    kin_starts starts[KIN_SHARING];
+    int count = 0, left = 0;
+    for (int i = 0; i < unclear->count; ++i) {
+        left += is_wanted(&unclear->all[i]);
+    }
+    for (int i = 0; i < unclear->count; ++i) {
+        if (!is_wanted(&unclear->all[i])) {
+            continue;
+        }
+        for (int k = count; k < KIN_LANES; ++k) {
+            kept[k] = unclear->all[i].angle;
+        }
+        ++count;
+        --left;
+        if (count < KIN_LANES && left > 0) {
+            continue;
+        }
+        kin_find_null_space(recovery, kept, sharing, space, lengths);
+        kin_recover_sharing(recovery, kept, space, sharing, 0, starts);
+        for (int n = 0; n < sharing; ++n) {
+            for (int k = 0; k < count; ++k) {
+                kin_start_unknown(search, &starts[n], k, off);
+            }
+        }
+        count = 0;
+    }
     kin_arrive(search);
-    kin_share_exactly(search, asked, unclear);
+    kin_settle(search, recovery->elimination, unclear);
+}
+
+/* Adds the solutions that share a value of the kept joint, and leaves the candidates that may have
+ * more. Where a pivot is nearly zero at all its values, as next to a target with a family of
+ * solutions, so is what it leaves alone, and the space of two solutions has more dimensions. */
+static void kin_several_each(
+    kin_search *search, const kin_recovery *recovery, int is_noisy, kin_candidates *unclear)
+{
+    kin_settle(search, recovery->elimination, unclear);
+    kin_share(search, recovery, unclear, kin_is_pair, 2, KIN_EXTRANEOUS);
+    kin_share(
+        search, recovery, unclear, is_noisy ? kin_is_any : kin_is_several, KIN_SHARING, KIN_MIXED);
+    kin_share(search, recovery, unclear, kin_may_be_more, 2, KIN_EXTRANEOUS);
+    kin_share_exactly(search, recovery, unclear);
+    kin_settle(search, recovery->elimination, unclear);
 }
 
 /* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's
@@ -453,44 +531,7 @@ static void kin_meet(kin_search *search)
     }
 }
 
-static void kin_ask(
-    const kin_search *search, const kin_elimination *elimination, kin_asked *asked)
-{
-    kin_harmonics f;
-    kin_begin_recovery(elimination, &search->problem, &asked->recovery);
-    kin_polynomial(&asked->recovery, &f);
-    asked->noise = f.noise;
-    asked->is_drowned = !(f.noise < 1e-3);
-    if (!asked->is_drowned) {
-        kin_find_roots(&f, &asked->roots);
-    }
-}
-
-/* Whether the solutions near a candidate are known to be all: two that share a value of the kept
- * joint, and are regular. */
-static int kin_resolves(const kin_search *search, const kin_asked *asked, int candidate)
-{
-    const kin_roots *roots = &asked->roots;
-    const kin_elimination *elimination = asked->recovery.elimination;
-    const double kept = roots->angles[candidate], sign = elimination->backwards ? -1.0 : 1.0;
-    const int joint = elimination->joints[0];
-    double least = HUGE_VAL;
-    int count = 0, candidates = 0;
-    for (int i = 0; i < search->found.regular_count; ++i) {
-        const double q = sign * search->found.regular[i].q[joint];
-        if (fabs(kin_wrap(q - kept)) < KIN_CLUSTER) {
-            const double independence = search->found.independence[i];
-            least = independence < least ? independence : least;
-            ++count;
-        }
-    }
-    for (int i = 0; i < roots->count; ++i) {
-        candidates += fabs(kin_wrap(roots->angles[i] - kept)) < KIN_CLUSTER;
-    }
-    return (roots->twice >> candidate & 1) && candidates == 1 && count == 2 && least > KIN_MEETING;
-}
-
-static int kin_answer(kin_search *search, const kin_asked *asked);
+static int kin_ask(kin_search *search, const kin_elimination *elimination);
 
 /* Where a family of solutions makes a polynomial of zeros, those of targets beside this one are
  * none, and the regular solutions there are beside those here. */
@@ -509,15 +550,13 @@ static void kin_ask_beside(kin_search *search, const kin_elimination *eliminatio
     /* Where solutions have met, one of the two is out of reach. */
     for (int way = 0; way < 2; ++way) {
         kin_search beside;
-        kin_asked asked;
         double back[12];
         kin_invert(there, back);
         beside.problem = search->problem;
         kin_compose(search->problem.target, way == 0 ? there : back, beside.problem.target);
         kin_forget(&beside);
         beside.is_beside = 1;
-        kin_ask(&beside, elimination, &asked);
-        kin_answer(&beside, &asked);
+        kin_ask(&beside, elimination);
         for (int i = 0; i < beside.found.regular_count; ++i) {
             kin_start(search, beside.found.regular[i].q);
         }
@@ -533,27 +572,50 @@ static void kin_ask_beside(kin_search *search, const kin_elimination *eliminatio
     kin_meet(search);
 }
 
-/* Adds what one elimination finds; whether all solutions are sure to be among those found. */
-static int kin_answer(kin_search *search, const kin_asked *asked)
+/* Whether there is nothing left to look for, and what was known before was found again. */
+static int kin_has_all(const kin_search *search, const kin_candidates *unclear)
 {
-    const kin_roots *roots = &asked->roots;
-    const kin_elimination *elimination = asked->recovery.elimination;
+    return unclear->count == 0 && search->found.again == (1u << search->found.regular_count) - 1u;
+}
+
+/* Adds what one elimination finds; whether all solutions are sure to be among those found. */
+static int kin_ask(kin_search *search, const kin_elimination *elimination)
+{
+    kin_recovery recovery;
+    kin_harmonics f;
+    kin_roots roots;
     kin_candidates unclear;
-    int certain;
-    if (asked->is_drowned) {
+    int may_be_certain;
+    kin_begin_recovery(elimination, &search->problem, &recovery);
+    kin_polynomial(&recovery, &f);
+    if (!(f.noise < 1e-3)) {
         kin_ask_beside(search, elimination);
         return 0;
     }
+    kin_find_roots(&f, &roots);
     search->found.again = 0;
-    kin_one_each(search, &asked->recovery, roots, &unclear);
-    kin_several_each(search, asked, &unclear);
-    if (roots->incomplete || asked->noise > 1e-7) {
-        kin_ask_beside(search, elimination);
+    kin_one_each(search, &recovery, &roots, &unclear);
+    may_be_certain = !roots.incomplete && f.noise < KIN_UNCERTAIN;
+    if (may_be_certain) {
+        kin_count_zeros(elimination, &f, &unclear);
     }
-    kin_meet(search);
-    certain = !roots->incomplete && asked->noise < KIN_NOISY;
-    for (int i = 0; i < unclear.count; ++i) {
-        certain = certain && kin_resolves(search, asked, unclear.numbers[i]);
+    kin_several_each(search, &recovery, f.noise >= KIN_NOISY, &unclear);
+    if (!may_be_certain || !kin_has_all(search, &unclear)) {
+        if (roots.incomplete || f.noise > 1e-7) {
+            kin_ask_beside(search, elimination);
+        }
+        kin_meet(search);
+        kin_settle(search, elimination, &unclear);
     }
-    return certain && search->found.again == (1u << search->found.regular_count) - 1u;
+    return may_be_certain && kin_has_all(search, &unclear);
+}
+
+/* Asks the eliminations in turn until one is sure of its answer. */
+static void kin_ask_in_turn(kin_search *search)
+{
+    for (int i = 0; i < KIN_ELIMINATIONS; ++i) {
+        if (kin_ask(search, &kin_eliminations[i])) {
+            return;
+        }
+    }
 }

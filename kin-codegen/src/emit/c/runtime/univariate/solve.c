@@ -1,30 +1,3 @@
-/* Whether every root is known to be one, or two. */
-static int kin_is_clear(const kin_asked *asked)
-{
-    return asked->noise < KIN_NOISY && !asked->is_drowned && !asked->roots.several
-        && !asked->roots.incomplete;
-}
-
-/* Asks the eliminations in turn until one is sure of its answer. Where roots are not told apart
- * that costs more than the next polynomial, which is looked at before. */
-static void kin_search_all(kin_search *search)
-{
-    kin_asked asked[KIN_ASKED];
-    int unclear[KIN_ASKED];
-    for (int i = 0; i < KIN_ASKED; ++i) {
-        kin_ask(search, &kin_eliminations[i], &asked[i]);
-        unclear[i] = !kin_is_clear(&asked[i]);
-        if (!unclear[i] && kin_answer(search, &asked[i])) {
-            return;
-        }
-    }
-    for (int i = 0; i < KIN_ASKED; ++i) {
-        if (unclear[i] && kin_answer(search, &asked[i])) {
-            return;
-        }
-    }
-}
-
 /* The joint that is kept first, by which solutions are ordered. */
 static double kin_kept_joint(const kin_six *solution)
 {
@@ -42,7 +15,7 @@ static void kin_search_target(
         kin_keep(search, seed);
     }
     if (found->gap <= 1e-9 && !kin_is_too_far(&search->problem)) {
-        kin_search_all(search);
+        kin_ask_in_turn(search);
     }
     kin_sort(found->regular, found->regular_count, kin_kept_joint);
     kin_sort(found->singular, found->singular_count, kin_kept_joint);

@@ -47,8 +47,8 @@ const $refined = (form, target, seed, lanes) => {
         $keep(form, search, seed);
         search.branch += 1;
     }
-    for (const elimination of form.search.eliminations.slice(0, $ASKED)) {
-        is_clear = is_clear || $answer(search, $ask(search, elimination));
+    if (!is_clear) {
+        $ask_in_turn(search);
     }
     const found = [...search.regular, ...search.singular].slice(0, $MOST_FOUND);
     return { solutions: found.sort((a, b) => a.branch - b.branch), nearest: search.nearest };

@@ -13,6 +13,8 @@ const $MOST_ROOTS = 32;
 /* Halvings at most, in all, and intervals that wait at a time. */
 const $HALVINGS = 192;
 const $WAITING = 16;
+/* In multiples of the noise, what a coefficient may be without having a sign. */
+const $UNSIGNED = 256.0;
 /* Below this an interval, radians, on which there may be several roots is one candidate. */
 const $NARROW = 4e-4;
 /* Where all is noise, candidates are this far apart at most, radians. */
@@ -284,7 +286,7 @@ const $leave_bracket = (f, { from, to, start, rises }, found) => {
 /* The roots, in no order, in (-pi, 2 pi]; a few that are none may be with them. */
 const $find_roots = (f) => {
     const found = { candidates: [], is_incomplete: false };
-    const isolation = { f, found, noise: 256.0 * f.noise, middle: 0.0, brackets: [], halvings: 0 };
+    const isolation = { f, found, noise: $UNSIGNED * f.noise, middle: 0.0, brackets: [], halvings: 0 };
     for (let arc = 0; arc < $ARCS; ++arc) {
         const { coefficients, least, changes, share } = $on_arc(f, arc);
         const is_signed = least > isolation.noise;

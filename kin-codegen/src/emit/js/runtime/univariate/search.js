@@ -10,8 +10,6 @@ const $SINGULAR = 1e-5;
 const $FAMILY = 1e-4;
 /* What comes no nearer than this to a target, in units of the arm's size, is not next to a solution. */
 const $NEXT_TO = 1e-6;
-/* Eliminations that are asked at most: where one is not sure of its answer, the next is. */
-const $ASKED = 3;
 /* Cosines and sines that are off by more are those of an extraneous root; by more than the second, they
  * are not of one of several that have almost met; where they are off by less than the third, a null
  * vector is of one solution, and no mixture. */
@@ -20,6 +18,8 @@ const $MIXED = 0.5;
 const $PURE = 1e-3;
 /* What is taken to less may be of solutions next to a value of the kept joint. */
 const $NULL = 1e-2;
+/* Relative noise above which no answer is sure. */
+const $UNCERTAIN = 1e-9;
 /* Below this another solution may be so near that roots of the polynomial do not tell the two apart. */
 const $MEETING = 3e-3;
 /* Steps of Newton's method at most; twice as many where it converges slowly. */
@@ -215,11 +215,11 @@ const $one_each = (search, loop, roots) => {
         /* Next to another one a root is known to half of its digits. */
         const is_mixed = off >= $EXTRANEOUS && $has_neighbour(roots, candidate);
         if ((is_known && (search.again === before || off > $PURE)) || !is_one || is_mixed) {
-            unclear.push(candidate);
+            unclear.push({ ...candidate, zeros: null });
         } else if (!is_known && off < $EXTRANEOUS) {
             $insert_new(search, $polish(search.of, search.target, q, $NEWTON_STEPS));
             if (search.again === before) {
-                unclear.push(candidate);
+                unclear.push({ ...candidate, zeros: null });
             }
         }
     }
@@ -255,19 +255,65 @@ const $share_exactly = (search, loop, unclear) => {
     });
 };
 
-/* Adds the solutions that share a value of the kept joint. Where a pivot is nearly zero at all its
- * values, as next to a target with a family of solutions, so is what it leaves alone, and the space of
- * two solutions has more dimensions. */
-const $several_each = (search, { loop, noise }, unclear) => {
-    for (const { angle, is_several } of unclear) {
-        const count = noise >= $NOISY || is_several ? $SHARING : 2;
-        const { space } = $null_space_at(loop, angle, count);
-        const pairs = $recover_sharing(loop, angle, space.slice(0, 2), $RATIOS[0]);
-        pairs.forEach((start) => $start_unknown(search, start, $EXTRANEOUS));
-        const more = count === 2 ? [] : $recover_sharing(loop, angle, space, $RATIOS[0]);
-        more.forEach((start) => $start_unknown(search, start, $MIXED));
+/* Counts the zeros near candidates; not where a root of all targets was taken from the polynomial. */
+const $count_zeros = ({ fold }, f, candidates) => {
+    candidates.forEach((candidate, i) => {
+        const { angle } = candidate;
+        const known = candidates.slice(0, i).find(({ zeros }) => $cover(zeros, angle));
+        const zeros = known ? known.zeros : $zeros_near(f, angle);
+        candidate.zeros = fold !== null && $are_near(zeros, fold) ? null : zeros;
+    });
+};
+
+/* Whether near a candidate as many solutions are known as there are zeros: no two have one. */
+const $is_settled = (search, loop, { zeros }) => {
+    if (zeros === null) {
+        return false;
+    }
+    let count = 0;
+    let places = 0;
+    $kept(search, loop).forEach((kept, place) => {
+        if ($are_near(zeros, kept)) {
+            count += 1;
+            places |= 1 << place;
+        }
+    });
+    const is_settled = count === zeros.count;
+    search.again |= is_settled ? places : 0;
+    return is_settled;
+};
+
+/* The candidates that other solutions than those that are known may be near. */
+const $unsettled = (search, loop, candidates) =>
+    candidates.filter((candidate) => !$is_settled(search, loop, candidate));
+
+/* Adds the solutions of so many that share a value of the kept joint at the candidates that are wanted;
+ * those that may have more. */
+const $share = (search, loop, unclear, is_wanted, sharing, off) => {
+    for (const { angle } of unclear.filter(is_wanted)) {
+        const { space } = $null_space_at(loop, angle, sharing);
+        const starts = $recover_sharing(loop, angle, space, $RATIOS[0]);
+        starts.forEach((start) => $start_unknown(search, start, off));
+    }
+    return $unsettled(search, loop, unclear);
+};
+
+/* Adds the solutions that share a value of the kept joint; the candidates that may have more. Where a
+ * pivot is nearly zero at all its values, as next to a target with a family of solutions, so is what it
+ * leaves alone, and the space of two solutions has more dimensions. */
+const $several_each = (search, loop, is_noisy, candidates) => {
+    const may_be_more = ({ is_several, zeros }) => is_several && zeros !== null && zeros.count > 2;
+    const stages = [
+        [(it) => !may_be_more(it), 2, $EXTRANEOUS],
+        [({ is_several }) => is_noisy || is_several, $SHARING, $MIXED],
+        [may_be_more, 2, $EXTRANEOUS],
+    ];
+    let unclear = $unsettled(search, loop, candidates);
+    for (const [is_wanted, sharing, off] of stages) {
+        unclear = $share(search, loop, unclear, is_wanted, sharing, off);
     }
     $share_exactly(search, loop, unclear);
+    return $unsettled(search, loop, unclear);
 };
 
 /* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's method
@@ -297,25 +343,6 @@ const $meet = (search) => {
     }
 };
 
-/* What one elimination says of the target, before any solution is computed; without roots where nothing
- * stands out of the noise. */
-const $ask = (search, elimination) => {
-    const loop = $loop(search.of, elimination, search.target);
-    const f = $polynomial(loop);
-    return { loop, noise: f.noise, roots: f.noise < 1e-3 ? $find_roots(f) : null };
-};
-
-/* Whether the solutions near a candidate are known to be all: two that share a value of the kept joint,
- * and are regular. */
-const $resolves = (search, { loop, roots }, candidate) => {
-    const is_near = (kept) => Math.abs($wrap(kept - candidate.angle)) < $CLUSTER;
-    const kept = $kept(search, loop);
-    const near = search.regular.filter((_, i) => is_near(kept[i]));
-    const candidates = roots.candidates.filter(({ angle }) => is_near(angle));
-    return candidate.is_twice && candidates.length === 1 && near.length === 2
-        && near.every(({ independence }) => independence > $MEETING);
-};
-
 /* Where a family of solutions makes a polynomial of zeros, those of targets beside this one are none,
  * and the regular solutions there are beside those here. */
 const $ask_beside = (search, elimination) => {
@@ -333,7 +360,7 @@ const $ask_beside = (search, elimination) => {
     /* Where solutions have met, one of the two is out of reach. */
     for (const by of [there, $inverse(there)]) {
         const beside = { ...$search_of(search.of, $product(search.target, by)), is_beside: true };
-        $answer(beside, $ask(beside, elimination));
+        $ask(beside, elimination);
         [...beside.regular, ...beside.singular].forEach(({ q }) => $start(search, q));
         /* Of a family that leads nowhere else these are next to its members. */
         beside.stuck.forEach((q) => $start(search, q));
@@ -341,43 +368,39 @@ const $ask_beside = (search, elimination) => {
     $meet(search);
 };
 
+/* Whether there is nothing left to look for, and what was known before was found again. */
+const $has_all = (search, unclear) =>
+    unclear.length === 0 && search.again === (1 << search.regular.length) - 1;
+
 /* Adds what one elimination finds; whether all solutions are sure to be among those found. */
-const $answer = (search, asked) => {
-    const { loop, noise, roots } = asked;
-    if (roots === null) {
-        $ask_beside(search, loop.elimination);
+const $ask = (search, elimination) => {
+    const loop = $loop(search.of, elimination, search.target);
+    const f = $polynomial(loop);
+    if (!(f.noise < 1e-3)) {
+        $ask_beside(search, elimination);
         return false;
     }
+    const roots = $find_roots(f);
     search.again = 0;
-    const unclear = $one_each(search, loop, roots);
-    $several_each(search, asked, unclear);
-    if (roots.is_incomplete || noise > 1e-7) {
-        $ask_beside(search, loop.elimination);
+    let unclear = $one_each(search, loop, roots);
+    const may_be_certain = !roots.is_incomplete && f.noise < $UNCERTAIN;
+    if (may_be_certain) {
+        $count_zeros(elimination, f, unclear);
     }
-    $meet(search);
-    return !roots.is_incomplete && noise < $NOISY
-        && unclear.every((candidate) => $resolves(search, asked, candidate))
-        && search.again === (1 << search.regular.length) - 1;
-};
-
-/* Whether every root is known to be one, or two. */
-const $is_clear = ({ noise, roots }) => noise < $NOISY && roots !== null && !roots.is_incomplete
-    && !roots.candidates.some(({ is_several }) => is_several);
-
-/* Asks the eliminations in turn until one is sure of its answer. Where roots are not told apart that
- * costs more than the next polynomial, which is looked at before. */
-const $search_all = (search) => {
-    const unclear = [];
-    for (const elimination of search.of.eliminations.slice(0, $ASKED)) {
-        const asked = $ask(search, elimination);
-        if (!$is_clear(asked)) {
-            unclear.push(asked);
-        } else if ($answer(search, asked)) {
-            return;
+    unclear = $several_each(search, loop, f.noise >= $NOISY, unclear);
+    if (!may_be_certain || !$has_all(search, unclear)) {
+        if (roots.is_incomplete || f.noise > 1e-7) {
+            $ask_beside(search, elimination);
         }
+        $meet(search);
+        unclear = $unsettled(search, loop, unclear);
     }
-    unclear.some((asked) => $answer(search, asked));
+    return may_be_certain && $has_all(search, unclear);
 };
+
+/* Asks the eliminations in turn until one is sure of its answer. */
+const $ask_in_turn = (search) =>
+    search.of.eliminations.some((elimination) => $ask(search, elimination));
 
 /* Joint values in the units of an elimination, of six joints: those behind an arm's tip are at zero. */
 const $in_units = ({ size, slides }, q) =>
@@ -407,7 +430,7 @@ const $search_target = (form, target, seed) => {
         $keep(form, search, seed);
     }
     if (search.gap <= 1e-9 && !$is_too_far(form.search, search.target)) {
-        $search_all(search);
+        $ask_in_turn(search);
     }
     const [kept] = form.search.eliminations[0].joints;
     const by_kept = (a, b) => a.q[kept] - b.q[kept];
