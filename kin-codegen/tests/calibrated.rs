@@ -216,6 +216,22 @@ fn branches_are_known_to_be_all() {
     }
 }
 
+/// Rows that vanish with the relations of the design keep the degree low and extraneous roots out, as
+/// far as the noise of what is left of them allows.
+#[test]
+fn roots_are_clear_as_far_as_noise_allows() {
+    for (noise, is_clear) in [(1e-3, true), (1e-4, true), (1e-7, false)] {
+        let mut random = Random(0x5eed);
+        let model = measured(&design("robots/ur5e.urdf"), noise, &mut random);
+        let certified = solve(&model, &Linkage::new(&model), Target::Pose).unwrap();
+        let kept = &certified.form.elimination().unwrap().kept[0];
+        let said = format!("{noise:e}: degree {}", kept.elimination.degree);
+        assert_eq!(kept.elimination.degree == 8, is_clear, "{said}");
+        assert_eq!(kept.unsure < 10.0, is_clear, "{said}: {kept:?}");
+        assert!(kept.noise < 1e-10, "{said}: {}", kept.noise);
+    }
+}
+
 /// Where branches are known to be all, they are the same at every target that is off by as much as
 /// the arms differ, by whatever turn and push: none of them ends, and another one is not known.
 #[test]

@@ -61,7 +61,7 @@ pub const SEARCH: [&str; 17] = [
     include_str!("runtime/univariate/polish.c"),     // polish.rs
     include_str!("runtime/univariate/split.c"),      // polish.rs
     include_str!("runtime/univariate/found.c"),      // found.rs
-    include_str!("runtime/univariate/search.c"),     // search.rs
+    include_str!("runtime/univariate/search.c"),     // candidates.rs, search.rs
 ];
 /// All eliminations in turn, as in `search.rs`.
 pub const SOLVE: &str = include_str!("runtime/univariate/solve.c");

@@ -20,7 +20,7 @@ const SEARCH: [&str; 8] = [
     include_str!("runtime/univariate/zeros.js"), // zeros.rs
     include_str!("runtime/univariate/recover.js"), // sharing.rs, recover.rs
     include_str!("runtime/univariate/polish.js"), // polish.rs
-    include_str!("runtime/univariate/search.js"), // found.rs, search.rs, short.rs
+    include_str!("runtime/univariate/search.js"), // candidates.rs, found.rs, search.rs, short.rs
 ];
 /// From branches of an idealized arm to solutions of the arm as given, as in `search.rs`.
 const REFINE: &str = include_str!("runtime/univariate/refine.js");

@@ -15,6 +15,7 @@
 
 mod bernstein;
 mod branches;
+mod candidates;
 mod closest;
 mod determinant;
 mod eliminant;

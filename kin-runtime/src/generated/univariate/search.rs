@@ -1,14 +1,13 @@
 //! The search for the solutions of one target.
 
+use super::candidates::{Candidate, Candidates};
 use super::elimination::Elimination;
 use super::found::{Answer, Found, Waiting};
-use super::harmonics::Harmonics;
 use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
-use super::roots::{CLUSTER, MOST, Roots, roots};
+use super::roots::{CLUSTER, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
-use super::zeros::{Zeros, zeros_near};
 use super::{LANES, Told, Univariate};
 use crate::linear::vector::norm;
 use crate::{Pose, Solution, Solutions, Target, math};
@@ -241,10 +240,10 @@ impl<'a> Search<'a> {
         told.roots = roots.count;
         self.found.again = 0;
         let mut unclear = self.one_each(&recovery, &roots);
-        told.unclear = unclear.count;
+        told.unclear = unclear.len();
         let may_be_certain = !roots.incomplete && f.noise < UNCERTAIN;
         if may_be_certain {
-            unclear.count_zeros(elimination, &f);
+            unclear.count_zeros(elimination.fold, &f);
         }
         self.several_each(&recovery, f.noise >= NOISY, &mut unclear);
         if !may_be_certain || !self.has_all(&unclear) {
@@ -260,7 +259,7 @@ impl<'a> Search<'a> {
 
     /// Whether there is nothing left to look for, and what was known before was found again.
     fn has_all(&self, unclear: &Candidates) -> bool {
-        unclear.count == 0 && self.found.all_again()
+        unclear.is_empty() && self.found.all_again()
     }
 
     /// Where a family of solutions makes a polynomial of zeros, those of targets beside this
@@ -578,59 +577,4 @@ pub(super) fn whole(counts: Target, target: &Pose) -> (Pose, f64) {
         },
         (length - 1.0).abs(),
     )
-}
-
-/// A root near which there may be several solutions.
-#[derive(Clone, Copy, Default)]
-struct Candidate {
-    angle: f64,
-    /// Whether nobody knows how many it is.
-    is_several: bool,
-    zeros: Option<Zeros>,
-}
-
-#[derive(Default)]
-struct Candidates {
-    all: [Candidate; MOST],
-    count: usize,
-}
-
-impl Candidates {
-    fn push(&mut self, roots: &Roots, number: usize) {
-        self.all[self.count % MOST] = Candidate {
-            angle: roots.angles[number % MOST],
-            is_several: roots.is_several(number),
-            zeros: None,
-        };
-        self.count += 1;
-    }
-
-    /// By the polynomial; not where a root of all targets was taken from it.
-    fn count_zeros(&mut self, elimination: &Elimination, f: &Harmonics) {
-        for i in 0..self.count {
-            let (before, rest) = self.all.split_at_mut(i);
-            let angle = rest[0].angle;
-            let mut known = before.iter().filter_map(|it| it.zeros);
-            let zeros = known.find(|zeros| zeros.cover(angle));
-            let zeros = zeros.or_else(|| zeros_near(f, angle));
-            let has_fold =
-                |zeros: &Zeros| elimination.fold.is_some_and(|fold| zeros.are_near(fold));
-            rest[0].zeros = zeros.filter(|zeros| !has_fold(zeros));
-        }
-    }
-
-    fn all(&self) -> impl Iterator<Item = &Candidate> {
-        self.all[..self.count].iter()
-    }
-
-    fn retain(&mut self, mut wanted: impl FnMut(&Candidate) -> bool) {
-        let mut kept = 0;
-        for i in 0..self.count {
-            if wanted(&self.all[i]) {
-                self.all[kept] = self.all[i];
-                kept += 1;
-            }
-        }
-        self.count = kept;
-    }
 }

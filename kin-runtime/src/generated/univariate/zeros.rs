@@ -48,7 +48,7 @@ pub(super) struct Zeros {
     /// With their multiplicities.
     pub count: usize,
     /// Where, radians.
-    pub angle: f64,
+    angle: f64,
     /// No others are as near to that as this, radians.
     within: f64,
 }
