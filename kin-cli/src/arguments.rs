@@ -214,7 +214,8 @@ pub struct Workspace {
 pub struct Fk {
     /// The robot file, URDF or YAML
     pub file: String,
-    /// A table with a column for each joint, by its name; or a folder of such tables
+    /// A table with a column for each joint, by its name, radians and metres; or a folder of such
+    /// tables
     pub input: PathBuf,
     #[command(flatten)]
     pub options: RobotOptions,
@@ -224,6 +225,11 @@ pub struct Fk {
     /// quaternions
     #[arg(long)]
     pub matrix: bool,
+    /// Write too what `kin ik` is given beside each pose, where the arm has more joints than poses
+    /// have coordinates: values of joints, the swivel angle, the turn of the tool [default: with
+    /// --free]
+    #[arg(long)]
+    pub given: bool,
 }
 
 /// Compute all solutions to many poses: tables in, tables out

@@ -7,7 +7,7 @@ use crate::batch::{forget_all, pairs};
 use crate::table::{Fault, Format, Place, Reader};
 use crate::{Done, Exit};
 use kin_codegen::spec::one_line;
-use kin_codegen::{Ik, Options};
+use kin_codegen::{Ik, Options, Target};
 use kinematics::Robot;
 use std::fmt::Write;
 use std::ops::ControlFlow;
@@ -15,9 +15,11 @@ use std::path::Path;
 use std::time::Instant;
 
 pub fn forward(arguments: &Fk) -> Done {
+    let options = arguments.options.options();
+    let has_given = arguments.given || !options.free.is_empty();
     let options = Options {
-        ik: Ik::None,
-        ..arguments.options.options()
+        ik: if has_given { options.ik } else { Ik::None },
+        ..options
     };
     let (robot, identity) = match load(&arguments.file, &options) {
         Ok(loaded) => loaded,
@@ -30,13 +32,14 @@ pub fn forward(arguments: &Fk) -> Done {
     let all = All {
         identity: format!("fk {written:?} {identity}"),
         answers: "poses",
+        help: "",
         robot: &arguments.file,
         input: &arguments.input,
         options: &arguments.options,
         many: &arguments.many,
     };
     all.run(|input, reader| {
-        let task = Forward::new(&robot, written);
+        let task = Forward::new(input, &robot, written)?;
         let columns = task.find(input, reader.header())?;
         Ok((Box::new(task), columns))
     })
@@ -69,9 +72,11 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
         within_limits: arguments.within_limits,
         empty: arguments.keep_empty,
     };
+    let help = unsolved(&robot);
     let all = All {
         identity: format!("ik {at:?} {kept:?} {identity}"),
         answers: "solutions",
+        help: &help,
         robot: &arguments.file,
         input: &arguments.input,
         options: &arguments.options,
@@ -81,6 +86,24 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
         let (task, columns) = Inverse::new(&robot, at, kept, input, reader.header())?;
         Ok((Box::new(task), columns))
     })
+}
+
+/// What to do where no pose has a solution.
+fn unsolved(robot: &Robot) -> String {
+    let usual = "poses are in metres, and those of the tip in the base that `kin explain` names";
+    let joints = robot.joints();
+    match (robot.target(), joints) {
+        (Target::Pose, ..6) => format!(
+            "a robot of {joints} joints reaches few whole poses: say what of them counts, for \
+             example `--target {}`; {usual}",
+            if joints == 5 {
+                "position_axis"
+            } else {
+                "position"
+            }
+        ),
+        _ => usual.into(),
+    }
 }
 
 /// The robot of a file, and what else than its name makes it this one.
@@ -105,6 +128,8 @@ struct All<'a> {
     /// What the answers depend on beside a table.
     identity: String,
     answers: &'static str,
+    /// What to do where no row has any.
+    help: &'a str,
     robot: &'a str,
     input: &'a Path,
     options: &'a RobotOptions,
@@ -150,8 +175,7 @@ impl All<'_> {
             let seconds = clock.elapsed().as_secs_f64();
             done.stdout = self.summary(&total, answers, pairs.len(), seconds);
             if answers == 0 && total.unsolved > 0 {
-                done.stderr += "no row has a solution\nhelp: poses are in metres, and those of the \
-                                tip in the base that `kin explain` names\n";
+                done.stderr += &format!("no row has a solution\nhelp: {}\n", self.help);
             }
         }
         done
@@ -224,6 +248,20 @@ fn warnings(pair: &Pair, report: &Report) -> String {
             },
             format!("{reason}; {such}"),
             "mend such rows; with `--strict` they are errors",
+        );
+        let _ = writeln!(lines, "{first}");
+    }
+    if let Some((row, joint)) = &report.tally.first_beyond {
+        let at = Place {
+            row: Some(*row),
+            column: None,
+        };
+        let reason = format!("{joint} is more than a turn beyond its stops");
+        let first = Fault::at(
+            &pair.input,
+            at,
+            reason,
+            "values are radians and metres, not degrees",
         );
         let _ = writeln!(lines, "{first}");
     }

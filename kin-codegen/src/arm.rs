@@ -188,7 +188,7 @@ pub(crate) fn compile(
     let free = redundancy::named(spec, &model, target, &options.free)?;
     if options.ik == Ik::None && !options.free.is_empty() {
         let reason = "without inverse kinematics no joint stays free";
-        let remedy = "leave out `free`, or `ik = none`";
+        let remedy = "leave out one of the two: `free`, or `ik = none`";
         let diagnostic = Diagnostic::whole(reason, remedy);
         return Err(Diagnostics::one(&spec.source.path, diagnostic));
     }

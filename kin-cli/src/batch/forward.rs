@@ -2,20 +2,54 @@
 
 use super::pose::{Written, list};
 use super::task::{Tally, Task};
-use crate::table::{Column, Fault, Header, Values, number_for_name};
-use kinematics::Robot;
+use crate::table::{Column, Fault, Header, Kind, Values, number_for_name};
+use kin_codegen::spec::one_line;
+use kinematics::{JointLimit, Robot};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// Forward kinematics.
 pub struct Forward<'a> {
     robot: &'a Robot,
     written: Written,
+    /// What inverse kinematics is given beside a pose, written behind it.
+    given: Vec<&'a str>,
 }
 
 impl<'a> Forward<'a> {
-    /// Of this robot, with poses written so.
-    pub fn new(robot: &'a Robot, written: Written) -> Self {
-        Self { robot, written }
+    /// Of this robot, with poses written so, and behind them the robot's parameters, if it has any.
+    ///
+    /// # Errors
+    ///
+    /// A parameter's name is that of a column of poses.
+    pub fn new(path: &Path, robot: &'a Robot, written: Written) -> Result<Self, Fault> {
+        let given = robot.parameter_names();
+        let poses = written.columns();
+        let clash = given
+            .iter()
+            .find(|name| poses.iter().any(|it| it.name == **name));
+        if let Some(name) = clash {
+            let reason = format!("the robot has a joint `{name}`, as the poses have a column");
+            let remedy = "write the poses as matrices (`--matrix`), or give the joint another name";
+            return Err(Fault::whole(path, reason, remedy));
+        }
+        Ok(Self {
+            robot,
+            written,
+            given,
+        })
+    }
+
+    /// The first joint that is more than a turn beyond its stops, as radians read as degrees are not.
+    fn beyond(&self, q: &[f64]) -> Option<String> {
+        let is_beyond = |limit: &JointLimit, value: f64| match *limit {
+            JointLimit::Revolute { lower, upper } => value < lower - TAU || value > upper + TAU,
+            JointLimit::Continuous | JointLimit::Prismatic { .. } => false,
+        };
+        let limits = self.robot.limits().iter().zip(q);
+        let mut joints = self.robot.joint_names().into_iter().zip(limits);
+        let (name, (_, value)) = joints.find(|(_, (limit, value))| is_beyond(limit, **value))?;
+        Some(format!("joint `{}` at {value}", one_line(name)))
     }
 
     /// The columns of a file that have the joints' values.
@@ -70,7 +104,11 @@ pub fn joint(path: &Path, names: &[String], wanted: &str) -> Result<usize, Fault
 
 impl Task for Forward<'_> {
     fn columns(&self) -> Vec<Column> {
-        self.written.columns()
+        let given = self.given.iter().map(|name| Column {
+            name: (*name).into(),
+            kind: Kind::Real,
+        });
+        self.written.columns().into_iter().chain(given).collect()
     }
 
     fn run(&self, first: u64, columns: &[Vec<f64>]) -> (Vec<Values>, Tally) {
@@ -86,7 +124,17 @@ impl Task for Forward<'_> {
                 *value = column[row];
             }
             if q.iter().all(|value| value.is_finite()) {
-                let values = self.written.values(&self.robot.fk(&q));
+                if tally.first_beyond.is_none()
+                    && let Some(joint) = self.beyond(&q)
+                {
+                    tally.first_beyond = Some((first + row as u64, joint));
+                }
+                let pose = self.robot.fk(&q);
+                let given = match self.given.is_empty() {
+                    true => Vec::new(),
+                    false => self.robot.redundancy(&pose, &q),
+                };
+                let values = self.written.values(&pose).chain(given);
                 for (answer, value) in answers.iter_mut().zip(values) {
                     answer.push(value);
                 }

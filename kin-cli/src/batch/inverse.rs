@@ -57,7 +57,7 @@ impl<'a> Inverse<'a> {
         } else {
             Vec::new()
         };
-        let poses = PoseColumns::find(path, header, robot.target(), given.len())?;
+        let poses = PoseColumns::find(path, header, robot.target(), &given)?;
         let mut selected = poses.selected.clone();
         match header {
             Header::Names(names) => {

@@ -14,7 +14,7 @@
 //! std::fs::write(&input, "shoulder,elbow,wrist,lift\n0.4,0.9,-0.2,0.1\n")?;
 //!
 //! let robot = kinematics::Robot::from_yaml("../robots/scara.yaml")?;
-//! let task = Forward::new(&robot, Written::Quaternion);
+//! let task = Forward::new(&input, &robot, Written::Quaternion)?;
 //! let mut reader = Format::Csv.open(&input)?;
 //! let columns = task.find(&input, reader.header())?;
 //! reader.select(&columns)?;

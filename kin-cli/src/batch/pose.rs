@@ -63,15 +63,21 @@ const UPPER_LEFT: [usize; 9] = [0, 1, 2, 4, 5, 6, 8, 9, 10];
 impl PoseColumns {
     /// Finds what counts of poses for targets of this kind.
     ///
-    /// `given` is how many numbers an array without names has behind a pose.
+    /// `given` are the columns of what is given beside a pose, which an array without names has
+    /// behind it.
     ///
     /// # Errors
     ///
     /// It is not there, or twice.
-    pub fn find(path: &Path, header: &Header, target: Target, given: usize) -> Result<Self, Fault> {
+    pub fn find(
+        path: &Path,
+        header: &Header,
+        target: Target,
+        given: &[&str],
+    ) -> Result<Self, Fault> {
         match header {
-            Header::Names(names) => Self::by_name(path, names, target),
-            Header::Width(width) => Self::by_width(path, *width, target, given),
+            Header::Names(names) => Self::by_name(path, names, target, given),
+            Header::Width(width) => Self::by_width(path, *width, target, given.len()),
         }
     }
 
@@ -106,7 +112,23 @@ impl PoseColumns {
         ))
     }
 
-    fn by_name(path: &Path, names: &[String], target: Target) -> Result<Self, Fault> {
+    fn by_name(
+        path: &Path,
+        names: &[String],
+        target: Target,
+        given: &[&str],
+    ) -> Result<Self, Fault> {
+        let own = |name: &String| match given.contains(&name.as_str()) {
+            true => String::new(),
+            false => name.clone(),
+        };
+        let own: Vec<String> = names.iter().map(own).collect();
+        Self::of_own(path, &own, target)
+            .map_err(|fault| claimed(path, names, given).unwrap_or(fault))
+    }
+
+    /// Of columns that have nothing but poses.
+    fn of_own(path: &Path, names: &[String], target: Target) -> Result<Self, Fault> {
         let position = only(path, "position", names, &POSITIONS)?;
         let quaternion = only(path, "rotation", names, &QUATERNIONS)?;
         let matrix = only(path, "rotation", names, &MATRICES)?;
@@ -210,6 +232,20 @@ impl PoseColumns {
 }
 
 const ONE_OF_THEM: &str = "leave one of them out, or give it other names";
+
+/// Why a pose is not there: a joint that is given has the name of one of its columns.
+fn claimed(path: &Path, names: &[String], given: &[&str]) -> Option<Fault> {
+    let forms = POSITIONS.as_flattened().iter();
+    let forms = forms.chain(QUATERNIONS.as_flattened());
+    let mut forms = forms.chain(MATRICES.as_flattened());
+    let name = forms.find(|name| given.contains(name) && names.iter().any(|it| it == *name))?;
+    Some(Fault::whole(
+        path,
+        format!("the column `{name}` has the values of the joint `{name}`, not what poses have so"),
+        "call the columns of the pose `px`, `py`, `pz` or `m00` to `m23`, and leave this one to the \
+         joint; or give the joint for all poses by `--at`",
+    ))
+}
 
 /// The places of these names; none if not all of them are there.
 fn find(path: &Path, names: &[String], wanted: &[&str]) -> Result<Option<Vec<usize>>, Fault> {

@@ -24,6 +24,9 @@ pub struct Tally {
     pub faulty: u64,
     /// The number of the first of these, and what is wrong with it.
     pub first_fault: Option<(u64, String)>,
+    /// The number of the first row in which a joint is more than a turn beyond its stops, and which.
+    #[serde(default)]
+    pub first_beyond: Option<(u64, String)>,
 }
 
 impl Tally {
@@ -41,6 +44,9 @@ impl Tally {
         self.faulty += other.faulty;
         if self.first_fault.is_none() {
             self.first_fault.clone_from(&other.first_fault);
+        }
+        if self.first_beyond.is_none() {
+            self.first_beyond.clone_from(&other.first_beyond);
         }
     }
 }

@@ -169,7 +169,7 @@ impl<'a> Platform<'a> {
             Aim::Pose => Target::Pose,
             Aim::Translation | Aim::Lead(_) => Target::Position,
         };
-        let poses = PoseColumns::find(path, header, target, 0)
+        let poses = PoseColumns::find(path, header, target, &[])
             .map_err(|fault| or_joints(fault, &actuated))?;
         let columns = table.columns(&poses.selected)?;
         let mut path = self.begun(table::TARGETS.into());

@@ -1,6 +1,6 @@
 //! Paths that stand in tables.
 
-use crate::batch::{Forward, Inverse, Kept, Task, Written};
+use crate::batch::{Inverse, Kept, Task, columns as joint_columns};
 use crate::table::{Fault, Format, Header, Reader, Values};
 use kinematics::Robot;
 use std::collections::BTreeMap;
@@ -107,7 +107,7 @@ impl<'a> Table<'a> {
             let answers: Vec<Vec<f64>> = answers.into_iter().map(real).collect();
             return Ok(Rows::Solutions(by_target(&answers, joints.len())));
         }
-        let places = Forward::new(robot, Written::Matrix).find(path, self.reader.header())?;
+        let places = joint_columns(path, self.reader.header(), &robot.joint_names())?;
         if let Header::Names(names) = self.reader.header()
             && let [Some(target), Some(branch)] =
                 ["target", "branch"].map(|wanted| names.iter().position(|it| it == wanted))

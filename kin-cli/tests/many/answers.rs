@@ -102,6 +102,78 @@ fn poses_are_in_the_order_of_rows_however_many_are_taken_at_once() {
     }
 }
 
+/// What is given beside a pose goes from one table to the next: a joint, the swivel angle, the turn
+/// of the tool.
+#[test]
+fn poses_are_written_with_what_is_given_beside_them() {
+    for (file, options, name) in [
+        ("panda.yaml", &["--given"][..], "joint7"),
+        ("panda.yaml", &["--free", "joint3"], "joint3"),
+        ("iiwa14.yaml", &["--given"], "swivel"),
+        (
+            "xarm6.yaml",
+            &["--given", "--target", "position_axis"],
+            "turn",
+        ),
+    ] {
+        let folder = folder(&format!("given_{name}"));
+        let [input, poses, output] =
+            ["joints.csv", "poses.csv", "solutions.csv"].map(|it| folder.join(it));
+        let target = options.contains(&"position_axis");
+        let robot = load(
+            file,
+            RobotOptions {
+                target: target.then_some(Target::PositionAxis),
+                ..RobotOptions::default()
+            },
+        );
+        let rows = joints(&robot, 10, &input);
+        succeeds(kin("fk", file, &input, &poses, options));
+        let head = csv(&poses)[0].clone();
+        assert!(head.ends_with(&format!("qw,{name}")), "{head}");
+        let others: Vec<&str> = options
+            .iter()
+            .copied()
+            .filter(|it| *it != "--given")
+            .collect();
+        succeeds(kin("ik", file, &poses, &output, &others));
+        let solutions = csv(&output);
+        for (row, q) in rows.iter().enumerate() {
+            let is_it = |line: &&String| {
+                let mut fields = line
+                    .split(',')
+                    .map(|it| it.parse::<f64>().unwrap_or(f64::NAN));
+                let target = fields.next().unwrap();
+                let near = |(a, b): (f64, &f64)| (0.5 * (a - b)).sin().abs() < 1e-6;
+                target == row as f64 && fields.skip(1).zip(q).all(near)
+            };
+            assert!(
+                solutions[1..].iter().any(|line| is_it(&line)),
+                "{name} {q:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_arm_that_reaches_few_whole_poses_is_told_of_other_targets() {
+    let folder = folder("few");
+    let (input, output) = (folder.join("poses.csv"), folder.join("solutions.csv"));
+    let names = ["x", "y", "z", "qx", "qy", "qz", "qw"];
+    write(&input, &names, &[vec![0.3, 0.2, 0.3, 0.0, 0.6, 0.0, 0.8]]);
+    let arm = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/robots/targets/welder.yaml");
+    let done = succeeds(kin(
+        "ik",
+        arm.to_str().unwrap(),
+        &input,
+        &output,
+        &["--target", "pose"],
+    ));
+    let expected = "help: a robot of 5 joints reaches few whole poses: say what of them counts, for \
+                    example `--target position_axis`; poses are in metres";
+    assert!(done.stderr.contains(expected), "{}", done.stderr);
+}
+
 #[test]
 fn a_target_without_a_solution_has_a_row_if_asked_for() {
     let folder = folder("empty");

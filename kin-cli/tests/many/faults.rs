@@ -91,6 +91,86 @@ fn columns_that_make_no_poses_are_told() {
     }
 }
 
+/// A rail called `y` in front of an arm, as they often are, and poses with a column `y`.
+#[test]
+fn a_column_of_a_joint_is_none_of_a_pose() {
+    let folder = folder("rail");
+    let file = folder.join("rail.yaml");
+    let arm = fs::read_to_string(robot("ur10e.yaml")).unwrap();
+    let rail = "  - {name: y, type: prismatic, a: 0, alpha: 0, theta: 0, limits: [0, 2]}\n";
+    let (head, rows) = arm.split_once("dh:\n").unwrap();
+    fs::write(&file, format!("{head}dh:\n{rail}{rows}")).unwrap();
+    let file = file.to_str().unwrap();
+    let (poses, output) = (folder.join("poses.csv"), folder.join("out.csv"));
+    let asked = |names: &str, options: &[&str]| {
+        let values = "0.4,0.3,0.5,0,0,0,1,0.5";
+        let count = names.split(',').count();
+        let values: Vec<&str> = values.split(',').take(count).collect();
+        fs::write(&poses, format!("{names}\n{}\n", values.join(","))).unwrap();
+        kin(
+            "ik",
+            file,
+            &poses,
+            &output,
+            &[&["--free", "y"], options].concat(),
+        )
+    };
+    for names in ["x,y,z,qx,qy,qz,qw", "px,y,z,qx,qy,qz,qw"] {
+        let refused = asked(names, &[]);
+        assert_eq!(refused.exit, Exit::Broken, "{names}");
+        let expected = "the column `y` has the values of the joint `y`, not what poses have so\n\
+                        help: call the columns of the pose `px`, `py`, `pz`";
+        assert!(refused.stderr.contains(expected), "{}", refused.stderr);
+    }
+    let rail_of = |done: Done| {
+        succeeds(done);
+        let rows = csv(&output);
+        let column = rows[0].split(',').position(|name| name == "y").unwrap();
+        let value = |row: &String| row.split(',').nth(column).unwrap().to_owned();
+        let values: Vec<String> = rows[1..].iter().map(value).collect();
+        assert!(!values.is_empty());
+        values
+    };
+    for value in rail_of(asked("px,py,pz,qx,qy,qz,qw,y", &[])) {
+        assert_eq!(value, "0.5");
+    }
+    for value in rail_of(asked("x,y,z,qx,qy,qz,qw", &["--at", "0.7"])) {
+        assert_eq!(value, "0.7");
+    }
+    let joints = folder.join("joints.csv");
+    fs::write(&joints, format!("y,{NAMES}\n0.5,0,-1,1,0,1,0\n")).unwrap();
+    let clash = kin("fk", file, &joints, &output, &["--free", "y"]);
+    assert!(
+        clash
+            .stderr
+            .contains("the robot has a joint `y`, as the poses have a column"),
+        "{}",
+        clash.stderr
+    );
+    let options = ["--free", "y", "--matrix"];
+    let matrices = folder.join("matrices.csv");
+    succeeds(kin("fk", file, &joints, &matrices, &options));
+    for value in rail_of(kin("ik", file, &matrices, &output, &["--free", "y"])) {
+        assert_eq!(value, "0.5");
+    }
+}
+
+#[test]
+fn degrees_are_seen_by_joints_far_beyond_their_stops() {
+    let folder = folder("degrees");
+    let (joints, poses) = (folder.join("joints.csv"), folder.join("poses.csv"));
+    fs::write(&joints, format!("{NAMES}\n0,1,2,1,2,3\n10,-90,90,0,45,0\n")).unwrap();
+    let done = succeeds(kin("fk", "ur5e.urdf", &joints, &poses, &[]));
+    let expected = "row 1: joint `shoulder_lift_joint` at -90 is more than a turn beyond its stops\n\
+                    help: values are radians and metres, not degrees";
+    assert!(done.stderr.contains(expected), "{}", done.stderr);
+    fs::write(&joints, format!("{NAMES}\n0,6.3,-12,1,2,3\n")).unwrap();
+    assert_eq!(
+        succeeds(kin("fk", "ur5e.urdf", &joints, &poses, &[])).stderr,
+        ""
+    );
+}
+
 #[test]
 fn arrays_that_are_no_rows_of_numbers_are_told() {
     let array = |descr: &str, shape: &str| kin_cli::table::npy_head(descr, shape, 0);
