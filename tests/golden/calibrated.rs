@@ -369,6 +369,7 @@ mod __Calibrated {
                     joints: [3, 2, 1, 0, 5, 4],
                     backwards: true,
                     degree: 8,
+                    moved: false,
                     functionals: [
                         [
                             -0.05015462355309416,

@@ -233,6 +233,7 @@ mod __Xarm6 {
                     joints: [5, 4, 3, 2, 1, 0],
                     backwards: true,
                     degree: 8,
+                    moved: false,
                     functionals: [
                         [
                             -0.2741262608977421,
@@ -402,6 +403,7 @@ mod __Xarm6 {
                     joints: [0, 1, 2, 3, 4, 5],
                     backwards: false,
                     degree: 8,
+                    moved: false,
                     functionals: [
                         [
                             -2.6686191905930087e-17,
@@ -571,6 +573,7 @@ mod __Xarm6 {
                     joints: [3, 2, 1, 0, 5, 4],
                     backwards: true,
                     degree: 8,
+                    moved: false,
                     functionals: [
                         [
                             0.0,

@@ -158,7 +158,7 @@ fn options_that_cannot_be_followed_have_a_remedy() {
             ..free(&["joint7"])
         },
         "without inverse kinematics no joint stays free",
-        "leave out `free`, or `ik = none`",
+        "leave out one of the two: `free`, or `ik = none`",
     );
     assert_refused(
         "../robots/delta.yaml",
@@ -249,17 +249,14 @@ fn an_arm_off_its_design_is_given_a_joint() {
     }
 }
 
-/// The elimination of others does not depend on the value of an inner joint, but for the middle
-/// one.
+/// The elimination of others does not depend on the value of an inner joint, or is moved by it: of
+/// the middle one.
 #[test]
 fn an_inner_joint_without_a_closed_form_is_given_to_an_elimination() {
-    for (joint, is_solved) in [1, 2, 3, 4, 5]
-        .into_iter()
-        .zip([true, true, false, true, true])
-    {
+    for joint in 1..6 {
         let options = free(&[&format!("right_j{joint}")]);
         let solved = compile(&source("../robots/sawyer.yaml"), &options);
-        assert_eq!(solved.is_ok(), is_solved, "{joint}");
+        assert!(solved.is_ok(), "{joint}");
     }
 }
 

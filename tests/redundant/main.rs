@@ -15,6 +15,7 @@ macro_rules! for_every_robot {
                 sawyer Sawyer "../robots/sawyer.yaml" Pose,
                 sawyer_by_flange SawyerByFlange "../robots/sawyer.yaml" Pose,
                 sawyer_by_wrist SawyerByWrist "../robots/sawyer.yaml" Pose,
+                sawyer_by_middle SawyerByMiddle "../robots/sawyer.yaml" Pose,
                 rail Rail "robots/redundant/rail.yaml" Pose,
                 stray_iiwa StrayIiwa "robots/redundant/stray_iiwa.yaml" Pose,
                 stray_iiwa_by_flange StrayIiwaByFlange "robots/redundant/stray_iiwa.yaml" Pose,
@@ -87,6 +88,11 @@ kinematics!(
     "../robots/sawyer.yaml",
     name = SawyerByWrist,
     free = "right_j4"
+);
+kinematics!(
+    "../robots/sawyer.yaml",
+    name = SawyerByMiddle,
+    free = "right_j3"
 );
 kinematics!("robots/redundant/rail.yaml", free = "rail");
 kinematics!("robots/redundant/stray_iiwa.yaml", free = "swivel");

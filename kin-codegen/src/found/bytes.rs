@@ -99,7 +99,7 @@ fields! {
     Pose { rotation, translation }
     Kept { elimination, lost, unsure, unclear, noise }
     Elimination {
-        joints, backwards, degree, functionals, half, third, fold, powers, rows, columns
+        joints, backwards, degree, moved, functionals, half, third, fold, powers, rows, columns
     }
 }
 

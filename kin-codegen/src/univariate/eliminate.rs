@@ -18,6 +18,8 @@ const BENNETT: usize = 7;
 const TWO_SLIDES: usize = 6;
 /// So many functionals vanish on nine.
 const SIX: usize = ENTRIES - NEAR_SIDE;
+/// So many of their combinations see what turns with e^{−iθ}.
+const SEEING: usize = 4;
 /// Below this, relative to the longest, a line adds nothing to the others.
 const DEPENDENT: f64 = 1e-9;
 
@@ -25,7 +27,8 @@ type Functional = [f64; ENTRIES];
 
 /// The eliminations that keep a joint, from 0; none where two joints do not move
 /// the axis behind them in nine independent ways, or as joints do that are given, or where the
-/// joint or that axis slides.
+/// joint or that axis slides. A joint that is given may stand between the kept one and those two,
+/// unless they or others slide.
 ///
 /// The first three joints are kept on the way from base to tip, the others on the
 /// way back, so that the target never stands between the three.
@@ -42,15 +45,19 @@ pub fn eliminate(family: &Family, kept: usize) -> Vec<Elimination> {
     };
     let is_moved = |i: usize| family.moves(joints[i] + usize::from(!backwards));
     let slides = joints.map(|joint| frames.slides(joint));
-    if slides[0] || slides[3] || (0..3).any(is_moved) {
+    let has_given = is_moved(0);
+    if slides[0] || slides[3] || (1..3).any(is_moved) || has_given && frames.prismatic != 0 {
         return Vec::new();
     }
-    let near_side = near_side([behind(0), behind(1), behind(2)], [slides[1], slides[2]]);
+    let first = if has_given { Pose::IDENTITY } else { behind(0) };
+    let near_side = near_side([first, behind(1), behind(2)], [slides[1], slides[2]]);
     let column = |j: usize| near_side.map(|entry| entry[j]);
     let span = Span::of(NEAR_SIDE, column, DEPENDENT);
     let vanishing: Vec<Functional> = span.complement().collect();
     let near_slides = slides[1] || slides[2];
     let (functionals, half) = match (span.rank, near_slides && (slides[4] || slides[5])) {
+        (NEAR_SIDE, _) if has_given => (vanishing, 2 * (SIX - SEEING)),
+        _ if has_given => return Vec::new(),
         (NEAR_SIDE, false) => split::<6, 12>(&vanishing),
         (NEAR_SIDE, true) => split_by_square(&vanishing),
         (BENNETT, _) if !near_slides => split::<8, 16>(&vanishing),
@@ -61,6 +68,7 @@ pub fn eliminate(family: &Family, kept: usize) -> Vec<Elimination> {
         joints: joints.map(|joint| joint as u8),
         backwards,
         degree: 0,
+        moved: has_given,
         functionals: array(|i| functionals.get(i).copied().unwrap_or_default()),
         half: half.min(FUNCTIONALS) as u8,
         third: third(&span),
@@ -69,7 +77,7 @@ pub fn eliminate(family: &Family, kept: usize) -> Vec<Elimination> {
         rows: [[0; 2]; 16],
         columns: std::array::from_fn(|i| i as u8),
     };
-    if !family.moves(kept + usize::from(backwards)) {
+    if !has_given && !family.moves(kept + usize::from(backwards)) {
         elimination.fold = fold(&elimination, frames);
     }
     orders(&elimination, &family.sampled())

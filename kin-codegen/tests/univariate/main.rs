@@ -13,10 +13,10 @@ use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::spec::ArmSpec;
-use kin_codegen::univariate::{Arm, MOST, choose, eliminate};
+use kin_codegen::univariate::{Arm, Family, MOST, choose, eliminate};
 use kin_codegen::{Options, Source, compile};
-use kin_runtime::__private::univariate::{Elimination, Frames, Univariate};
-use kin_runtime::{Pose, SearchOptions, Solution, Solutions, Target};
+use kin_runtime::__private::univariate::{Between, Elimination, Frames, Univariate};
+use kin_runtime::{Pose, SearchOptions, Solution, Solutions, Target, Twist};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GENERAL: [Neighbour; 5] = [Neighbour::General; 5];
@@ -169,6 +169,46 @@ fn nothing_is_lost_on_any_pattern_of_neighbours() {
                 .all(|row| parallel(row));
         assert_eq!(eliminations.is_empty(), refused, "{pattern:?}");
         for _ in 0..if refused { 0 } else { 8 } {
+            let q = anywhere(&mut random);
+            let found = solutions(&frames, &eliminations, &frames.forward(&q));
+            let sigma = least_singular_value(&frames, &q);
+            let tolerance = (1e-11 / sigma.powi(2)).clamp(1e-7, 1e-2);
+            assert!(
+                sigma < 1e-5 || check(&frames, &found, &q, tolerance),
+                "{pattern:?} lost {q:?}, σ {sigma:.1e}"
+            );
+        }
+    }
+}
+
+/// A joint that is given in the middle moves what two joints on either side of it do: of all
+/// patterns of the neighbours on these sides.
+#[test]
+fn nothing_is_lost_with_a_joint_given_in_the_middle() {
+    let mut random = Random(0x313);
+    for pattern in patterns().filter(|pattern| pattern[2] == Neighbour::General) {
+        let mut family = Family::from(random_arm(&pattern, &mut random));
+        let mut side = || random.between(-0.7, 0.7);
+        let direction = [side(), side(), 1.0];
+        let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+        family.between.push(Between {
+            behind: 3,
+            twist: Twist::revolute(direction.map(|x| x / length), [side(), side(), side()]),
+        });
+        let eliminations: Vec<Elimination> = choose(&family, 6)
+            .iter()
+            .map(|kept| kept.elimination)
+            .take(MOST)
+            .collect();
+        assert!(eliminations.iter().all(|it| it.moved), "{pattern:?}");
+        // Three parallel axes move nothing in nine independent ways, and are solved in closed form.
+        let parallel = |side: &[Neighbour]| side.iter().all(|it| *it == Neighbour::Parallel);
+        let has_three = [&pattern[..2], &pattern[3..]].into_iter().any(parallel);
+        assert!(has_three || !eliminations.is_empty(), "{pattern:?}");
+        for _ in 0..if eliminations.is_empty() { 0 } else { 8 } {
+            let frames = family
+                .frames
+                .at(&family.between, &[random.between(-PI, PI)]);
             let q = anywhere(&mut random);
             let found = solutions(&frames, &eliminations, &frames.forward(&q));
             let sigma = least_singular_value(&frames, &q);

@@ -41,27 +41,32 @@ pub const AT_SWIVEL: &str = include_str!("runtime/at_swivel.c");
 pub const SWIVELLED: &str = include_str!("runtime/swivelled.c");
 /// One elimination of an arm that is solved by a polynomial in one joint, as data.
 pub const ELIMINATION: &str = include_str!("runtime/univariate/elimination.c");
-/// Behind the eliminations of an arm, the search for what solves a target: the same algorithms,
+/// Behind the eliminations of an arm, lines, as in `line.rs`.
+pub const LINE: &str = include_str!("runtime/univariate/line.c");
+/// What vanishes on them, as the eliminations have it,
+pub const FUNCTIONALS: &str = include_str!("runtime/univariate/functionals.c");
+/// or as a joint that is given moves it, as in `vanishing.rs`.
+pub const MOVED_FUNCTIONALS: &str = include_str!("runtime/univariate/moved_functionals.c");
+/// Behind these, the search for what solves a target: the same algorithms,
 /// thresholds and bounds as in the files of `generated/univariate` of the runtime that are named
 /// behind them. Who changes the one changes the other.
-pub const SEARCH: [&str; 17] = [
-    include_str!("runtime/univariate/line.c"),       // line.rs
-    include_str!("runtime/univariate/places.c"),     // matrix.rs
-    include_str!("runtime/univariate/equations.c"),  // elimination.rs
-    include_str!("runtime/univariate/matrix.c"),     // matrix.rs
-    include_str!("runtime/univariate/factors.c"),    // determinant.rs
-    include_str!("runtime/univariate/triangle.c"),   // determinant.rs
-    include_str!("runtime/univariate/harmonics.c"),  // harmonics.rs
+pub const SEARCH: [&str; 16] = [
+    include_str!("runtime/univariate/places.c"), // matrix.rs
+    include_str!("runtime/univariate/equations.c"), // elimination.rs
+    include_str!("runtime/univariate/matrix.c"), // matrix.rs
+    include_str!("runtime/univariate/factors.c"), // determinant.rs
+    include_str!("runtime/univariate/triangle.c"), // determinant.rs
+    include_str!("runtime/univariate/harmonics.c"), // harmonics.rs
     include_str!("runtime/univariate/polynomial.c"), // polynomial.rs
-    include_str!("runtime/univariate/bernstein.c"),  // bernstein.rs
-    include_str!("runtime/univariate/roots.c"),      // roots.rs
-    include_str!("runtime/univariate/zeros.c"),      // zeros.rs
-    include_str!("runtime/univariate/sharing.c"),    // sharing.rs
-    include_str!("runtime/univariate/recover.c"),    // recover.rs
-    include_str!("runtime/univariate/polish.c"),     // polish.rs
-    include_str!("runtime/univariate/split.c"),      // polish.rs
-    include_str!("runtime/univariate/found.c"),      // found.rs
-    include_str!("runtime/univariate/search.c"),     // candidates.rs, search.rs
+    include_str!("runtime/univariate/bernstein.c"), // bernstein.rs
+    include_str!("runtime/univariate/roots.c"),  // roots.rs
+    include_str!("runtime/univariate/zeros.c"),  // zeros.rs
+    include_str!("runtime/univariate/sharing.c"), // sharing.rs
+    include_str!("runtime/univariate/recover.c"), // recover.rs
+    include_str!("runtime/univariate/polish.c"), // polish.rs
+    include_str!("runtime/univariate/split.c"),  // polish.rs
+    include_str!("runtime/univariate/found.c"),  // found.rs
+    include_str!("runtime/univariate/search.c"), // candidates.rs, search.rs
 ];
 /// All eliminations in turn, as in `search.rs`.
 pub const SOLVE: &str = include_str!("runtime/univariate/solve.c");

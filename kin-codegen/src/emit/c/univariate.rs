@@ -14,11 +14,17 @@ use std::fmt::Write as _;
 pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
     let undo = (!solver.given.locked.is_empty()).then_some(runtime::UNDO);
     let between = Carried::new(&solver.given).between();
+    let functionals = match arm.kept.iter().any(|kept| kept.elimination.moved) {
+        true => runtime::MOVED_FUNCTIONALS,
+        false => runtime::FUNCTIONALS,
+    };
     let parts = [
         runtime::ELIMINATION.to_owned(),
         constants(arm),
         undo.unwrap_or_default().to_owned(),
         frames(&arm.between, between.start),
+        runtime::LINE.to_owned(),
+        functionals.to_owned(),
         runtime::SEARCH.join("\n"),
     ];
     let parts = parts.into_iter().filter(|part| !part.is_empty());
@@ -176,6 +182,7 @@ fn elimination(elimination: &Elimination) -> String {
         joints,
         backwards,
         degree,
+        moved,
         functionals,
         half,
         third,
@@ -193,9 +200,10 @@ fn elimination(elimination: &Elimination) -> String {
         format!("{{\n        {}}}", all.join(",\n        "))
     };
     format!(
-        "{{{}, {}, {degree}, {count}, {half}, {},\n    {},\n    {}, {}, {},\n    {{{}}},\n    {}}}",
+        "{{{}, {}, {degree}, {}, {count}, {half}, {},\n    {},\n    {}, {}, {},\n    {{{}}},\n    {}}}",
         integers(joints),
         i32::from(*backwards),
+        i32::from(*moved),
         vectors(functionals),
         vectors(third),
         i32::from(fold.is_some()),

@@ -12,8 +12,9 @@ const SOLVE: &str = include_str!("runtime/solve.js");
 /// The search for the solutions of an arm by eliminations: the same algorithms, thresholds and bounds
 /// as in the files of `generated/univariate` of the runtime that are named behind them, for one
 /// configuration at a time. Who changes the one changes the other.
-const SEARCH: [&str; 8] = [
+const SEARCH: [&str; 9] = [
     include_str!("runtime/univariate/loop.js"), // line.rs, elimination.rs, matrix.rs
+    include_str!("runtime/univariate/functionals.js"), // vanishing.rs
     include_str!("runtime/univariate/determinant.js"), // determinant.rs, polynomial.rs
     include_str!("runtime/univariate/harmonics.js"), // harmonics.rs
     include_str!("runtime/univariate/roots.js"), // bernstein.rs, roots.rs

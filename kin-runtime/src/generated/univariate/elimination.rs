@@ -3,6 +3,7 @@
 use super::frames::Frames;
 use super::lanes::{Lanes, Portable};
 use super::line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
+use super::vanishing::Vanishing;
 use crate::Pose;
 
 /// So many functionals at most vanish on one side of the loop.
@@ -29,14 +30,17 @@ pub struct Elimination {
     pub backwards: bool,
     /// The degree of the polynomial in the kept joint.
     pub degree: u8,
+    /// Whether a joint that is given stands between the kept one and the next.
+    pub moved: bool,
     /// The functionals in the frame of the kept joint, whose axis is z, and zeros. The first
     /// ones are the real and imaginary parts, in turn, of those that do not see what
-    /// turns with e^{−iθ}.
+    /// turns with e^{−iθ}. Where a joint is given behind the kept one, all six, in the frame of
+    /// the next: which of their combinations these are depends on its value.
     pub functionals: [[f64; ENTRIES]; FUNCTIONALS],
     /// How many these are.
     pub half: u8,
-    /// Functionals that give the cosine and sine of the third joint, or its slide and the
-    /// square of that.
+    /// Functionals in the same frame that give the cosine and sine of the third joint, or its slide
+    /// and the square of that.
     pub third: [[f64; ENTRIES]; 2],
     /// The value of the kept joint, in the sense of the loop and radians, at which the axes of
     /// the joints beside it coincide: a double root whatever the target.
@@ -66,7 +70,10 @@ impl Elimination {
 
         let [cosine, sine] = [cosine, sine].map(Portable::splat);
         let mut out = none();
-        Equations::new(self, &round, &round.far_side()).write(cosine, sine, &mut out);
+        let vanishing = Vanishing::new(self, &round);
+        let functionals = vanishing.functionals(self);
+        Equations::new(self.half, functionals, &round, &round.far_side())
+            .write(cosine, sine, &mut out);
         out.map(|row| row.map(|x| x.numbers()[0]))
     }
 }
@@ -124,16 +131,22 @@ pub(super) struct Equations {
 }
 
 impl Equations {
+    /// Of functionals, so many of which half the angle is enough for.
     #[inline(always)]
-    pub fn new(elimination: &Elimination, round: &Loop, far_side: &Lines<9>) -> Self {
+    pub fn new(
+        half: u8,
+        functionals: &[[f64; ENTRIES]; FUNCTIONALS],
+        round: &Loop,
+        far_side: &Lines<9>,
+    ) -> Self {
         let mut lines = *far_side;
         for line in &mut lines {
             *line = monomials(line, round.slides);
         }
-        let all = &elimination.functionals;
+        let all = functionals;
         let last = all.iter().rposition(|row| *row != [0.0; ENTRIES]);
         let count = last.map_or(0, |last| last + 1);
-        let half = usize::from(elimination.half).min(FUNCTIONALS);
+        let half = usize::from(half).min(FUNCTIONALS);
         let mut functionals = [[[0.0; 9]; 3]; FUNCTIONALS];
         for i in (0..half).step_by(2) {
             let [re, im] = [Parts::of(&all[i], &lines), Parts::of(&all[i + 1], &lines)];

@@ -34,6 +34,7 @@ mod search;
 mod sharing;
 mod short;
 mod turn;
+mod vanishing;
 mod zeros;
 
 pub use bernstein::coefficients_on_arc;

@@ -9,6 +9,8 @@ typedef struct kin_elimination {
     int joints[6], backwards;
     /* Of the polynomial in the kept joint. */
     int degree;
+    /* Whether a joint that is given stands between the kept one and the next. */
+    int moved;
     /* The functionals in the frame of the kept joint: how many there are, and how many of them
      * are, in turn, real and imaginary parts of those that do not see what turns with
      * exp(-i angle). */

@@ -8,6 +8,8 @@ typedef struct kin_recovery {
      * loop: the coefficients of (1, cos, sin) of the last joint times those of the last but one,
      * which change fastest. */
     double far_side[9][15];
+    /* What gives the third joint, in the frame of the kept one. */
+    double third[2][15];
     /* By functional and monomial of the half tangents, the coefficients of 1, the cosine and the
      * sine of the kept joint; of the first ones, of its half. The last is that a monomial is 0. */
     double functionals[9][9][3];
@@ -100,13 +102,15 @@ static void kin_see_far_side(kin_recovery *loop)
 static void kin_begin_recovery(
     const kin_elimination *elimination, const kin_problem *problem, kin_recovery *out)
 {
-    double parts[8][3][9];
+    double vanishing[8][15], parts[8][3][9];
+    int count;
     out->elimination = elimination;
     kin_find_places(elimination, &out->places);
     kin_close_loop(elimination, problem, out);
     kin_see_far_side(out);
-    for (int i = 0; i < elimination->count; ++i) {
-        kin_parts(elimination->functionals[i], out->far_side, parts[i]);
+    count = kin_find_functionals(elimination, out->behind[0], vanishing, out->third);
+    for (int i = 0; i < count; ++i) {
+        kin_parts(vanishing[i], out->far_side, parts[i]);
     }
     /* Of a real and an imaginary part that do not see what turns with exp(-i angle), that the
      * product with exp(-i angle/2) vanishes. */
@@ -120,7 +124,7 @@ static void kin_begin_recovery(
             re[0][k] = im[0][k] = 0.0;
         }
     }
-    for (int i = 0; i < elimination->count; ++i) {
+    for (int i = 0; i < count; ++i) {
         for (int part = 0; part < 3; ++part) {
             kin_to_monomials(out->slides, parts[i][part]);
             for (int k = 0; k < 9; ++k) {

@@ -141,7 +141,7 @@ KIN_INLINE void kin_third(
     for (int i = 0; i < 2; ++i) {
         kin_fill(f[i], 0.0);
         for (int j = 0; j < 15; ++j) {
-            kin_plus_scaled(f[i], line[j], of->elimination->third[i][j]);
+            kin_plus_scaled(f[i], line[j], of->third[i][j]);
         }
     }
     if (of->slides[2]) {

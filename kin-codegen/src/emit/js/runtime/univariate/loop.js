@@ -159,7 +159,9 @@ const $loop = (search, elimination, target) => {
     const behind = $close_loop(search, elimination, target);
     const slides = elimination.joints.map((joint) => search.slides[joint]);
     const far_side = $see_far_side(behind, slides);
-    const parts = elimination.functionals.map((functional) => $parts(functional, far_side));
+    const vanishing = elimination.moved ? $moved(elimination, behind[0]) : elimination;
+    const { third } = vanishing;
+    const parts = vanishing.functionals.map((functional) => $parts(functional, far_side));
     /* Of a real and an imaginary part that do not see what turns with exp(-i angle), that the
      * product with exp(-i angle/2) vanishes. */
     for (let i = 0; i < elimination.half; i += 2) {
@@ -176,7 +178,8 @@ const $loop = (search, elimination, target) => {
     parts.forEach((of) => of.forEach((part) => $to_monomials(slides, part)));
     const functionals = [...parts];
     functionals[8] = [[1.0], [0.0], [0.0]];
-    return { elimination, behind, slides, far_side, functionals, places: $places(elimination) };
+    const places = $places(elimination);
+    return { elimination, behind, slides, third, far_side, functionals, places };
 };
 
 /* The equations at a value of the kept joint, by the cosine and sine of its half: all sixteen columns,

@@ -225,8 +225,8 @@ const $see_line = ({ far_side }, kept, fifth, sixth) => {
 };
 
 /* The third joint, and how far its functions are from being of one value. */
-const $third = ({ elimination, slides }, line) => {
-    const [x, y] = elimination.third.map((functional) => $dot(functional, line));
+const $third = ({ third, slides }, line) => {
+    const [x, y] = third.map((functional) => $dot(functional, line));
     if (slides[2]) {
         return { value: x, off: (x * x - y) / (1.0 + x * x) };
     }
