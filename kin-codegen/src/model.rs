@@ -132,6 +132,9 @@ impl Joint {
 /// and on concrete pumps, stay below this.
 const LONGEST_ARM: f64 = 100.0;
 
+/// A shorter arm was likely written in metres where millimetres were stated, or in other units.
+const SHORTEST_ARM: f64 = 0.01;
+
 impl Model {
     /// The arm as a generic product of exponentials of all joints: the reference that closed forms
     /// are held against. Where joints mimic others they are not the coordinates of q.
@@ -321,6 +324,11 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector)
         .joints
         .iter()
         .max_by(|a, b| length(a).total_cmp(&length(b)));
+    if total > 0.0 && total < SHORTEST_ARM {
+        let reason = format!("the chain is {:.4} mm long", 1e3 * total);
+        let remedy = "check the unit of its lengths: a URDF has metres, YAML what `units` states";
+        diagnostics.warn_whole(reason, remedy);
+    }
     if let Some(&longest) = longest.filter(|_| total > LONGEST_ARM) {
         let joint = &spec.joints[longest];
         let reason = format!(

@@ -520,6 +520,17 @@ fn the_tip_has_a_name() {
         // Not behind a prefix, but inside of a word.
         (&["wheel", "steel"], "flange_of_arm", 1),
         (&[], "flange_of_arm", 0),
+        // What hangs beside the tip is none, unless it alone has the name of one.
+        (&["camera_optical_frame"], "flange_of_arm", 0),
+        (&["link3_collision"], "flange_of_arm", 0),
+        (&["ledge"], "ledge", 0),
+        (&["plate", "camera_link"], "plate", 0),
+        (&["camera_tcp", "gripper_tcp"], "gripper_tcp", 0),
+        (&["camera_tcp", "robot_ee"], "robot_ee", 0),
+        (&["camera_tcp"], "camera_tcp", 0),
+        // The same name twice.
+        (&["x_tool0", "tool0"], "tool0", 0),
+        (&["left_tcp", "right_tcp"], "left_tcp", 1),
     ] {
         let model = hung(names);
         assert_eq!(
@@ -558,6 +569,13 @@ fn a_wrist_may_carry_a_jaw() {
         // A gripper that is driven in two steps.
         (&[("wrist", "d"), ("gripper_drive", "e"), ("jaw", "f")], "d"),
         (&[("wrist", "d"), ("last", "finger")], "d"),
+        // The last joint turns what a gripper hangs on, or the tool.
+        (&[("wrist", "d"), ("gripper_roll", "palm")], "palm"),
+        (&[("wrist", "d"), ("wrist_to_gripper", "e")], "e"),
+        (&[("wrist", "d"), ("gripper_yaw", "ee_link")], "ee_link"),
+        (&[("wrist", "d"), ("gripper", "tool0")], "tool0"),
+        (&[("wrist", "d"), ("gripper", "e")], "d"),
+        (&[("wrist", "d"), ("finger_roll", "e")], "d"),
     ] {
         assert_eq!(tip(&[&arm, behind].concat()), expected, "{behind:?}");
     }

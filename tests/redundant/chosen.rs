@@ -262,12 +262,26 @@ fn an_inner_joint_without_a_closed_form_is_given_to_an_elimination() {
 
 #[test]
 fn an_inner_joint_without_a_closed_form_is_refused() {
-    assert_refused(
-        "../robots/sawyer.yaml",
-        &free(&["right_j3"]),
-        "with `right_j3` free, no sequence of the subproblems",
-        "let other joints stay free by `free`, those at an end of the chain first",
+    // Two links beside the middle one are a pair of Bennett's linkage.
+    let text = "robot: dual\nunits: {angle: deg, length: mm}\ndh:\n  \
+        - {name: a, d: 166, a: 30, alpha: -90, limits: [-180, 180]}\n  \
+        - {name: b, d: 0, a: 30, alpha: 90, limits: [-180, 180]}\n  \
+        - {name: c, d: 251.5, a: 40.5, alpha: -90, limits: [-180, 180]}\n  \
+        - {name: d, d: 0, a: 40.5, alpha: -90, limits: [-180, 180]}\n  \
+        - {name: e, d: 265, a: 27, alpha: -90, limits: [-180, 180]}\n  \
+        - {name: f, d: 0, a: 27, alpha: 90, limits: [-180, 180]}\n  \
+        - {name: g, d: 36, a: 0, alpha: 0, limits: [-180, 180]}\n";
+    let dual = Source {
+        path: "dual.yaml".into(),
+        text: text.into(),
+    };
+    let said = compile(&dual, &free(&["d"])).unwrap_err().to_string();
+    assert!(
+        said.contains("with `d` free, no sequence of the subproblems"),
+        "{said}"
     );
+    let remedy = "let other joints stay free by `free`, those at an end of the chain first";
+    assert!(said.contains(remedy), "{said}");
     // Turning the elbow of an SRS arm changes how far it reaches.
     assert_refused(
         "../robots/iiwa14.yaml",

@@ -9,6 +9,9 @@ use crate::spec::{ArmSpec, Collector, Joint, JointType, Limits, Rating};
 /// seven turns.
 const DEGREES: std::ops::RangeInclusive<f64> = 45.0..=720.0;
 
+/// Of radians few limits are beyond a turn to both sides.
+const FULL_TURN: f64 = 6.3;
+
 /// Strokes of this size are millimetres.
 const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=FARTHEST;
 
@@ -27,6 +30,30 @@ pub(super) fn check(spec: &ArmSpec, chain: &Chain, diagnostics: &mut Collector) 
         if matches!(joint.kind, JointType::Revolute | JointType::Prismatic) {
             check_joint(joint, diagnostics);
         }
+    }
+    check_travel(spec, chain, diagnostics);
+}
+
+/// Warns where no joint turns as far from zero as radians read as degrees do.
+fn check_travel(spec: &ArmSpec, chain: &Chain, diagnostics: &mut Collector) {
+    let farthest = |&j: &usize| match (spec.joints[j].kind, spec.joints[j].limits) {
+        (JointType::Revolute, Limits::Range { lower, upper, .. }) => {
+            Some(lower.abs().max(upper.abs()))
+        }
+        (JointType::Revolute, _) => Some(f64::INFINITY),
+        _ => None,
+    };
+    let travels: Vec<f64> = chain.joints.iter().filter_map(farthest).collect();
+    let most = travels.iter().copied().fold(0.0, f64::max);
+    if travels.len() > 1 && most > 0.0 && most < FULL_TURN.to_radians() {
+        let reason = format!(
+            "no joint turns farther than {:.2} degrees from zero: this looks like radians, read as \
+             degrees",
+            most.to_degrees()
+        );
+        let remedy = "write limits in the unit of the file: radians in a URDF, in YAML what `units` \
+                      states";
+        diagnostics.warn_whole(reason, remedy);
     }
 }
 

@@ -11,7 +11,8 @@
 //!    is the quill of a SCARA; of a robot that is a finger nothing is left out.
 //! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
-//!    or on which the fingers hang.
+//!    or on which the fingers hang. Cameras and the like, by their [names](ASIDE), are no tips;
+//!    where two links have the same name behind different prefixes, a warning says so.
 //!
 //! Chains that fork otherwise (two arms in one file) are ambiguous; what is listed of them are the
 //! arms, fingers left out, those of most joints first. But where one has five joints or more, and
@@ -47,6 +48,24 @@ const NAMES: [&str; 19] = [
     "grasp_frame",
     "gripper_frame_link",
     "gripper_frame",
+];
+
+/// A link with such a word in its name hangs beside the tip.
+const ASIDE: [&str; 14] = [
+    "camera",
+    "optical",
+    "realsense",
+    "collision",
+    "visual",
+    "inertia",
+    "inertial",
+    "com",
+    "imu",
+    "lidar",
+    "laser",
+    "cable",
+    "led",
+    "light",
 ];
 
 /// A finger has no more joints,
@@ -202,10 +221,31 @@ impl Below<'_> {
     }
 
     fn named(&self, links: &[usize]) -> Option<usize> {
-        NAMES.iter().find_map(|name| {
-            let mut links = links.iter().copied();
-            links.find(|&link| is_called(&self.spec.links[link].name, name))
-        })
+        self.all_named(links).first().copied()
+    }
+
+    /// All that have the first of the names that any has, those first that hang beside nothing, and
+    /// of these the one that has no prefix.
+    fn all_named(&self, links: &[usize]) -> Vec<usize> {
+        let called = |name: &&str| {
+            let called = |&link: &usize| is_called(&self.spec.links[link].name, name);
+            let mut called: Vec<usize> = links.iter().copied().filter(called).collect();
+            let is_whole = |link: usize| self.spec.links[link].name.eq_ignore_ascii_case(name);
+            called.sort_by_key(|&link| (self.is_aside(link), !is_whole(link)));
+            called
+        };
+        let all: Vec<Vec<usize>> = NAMES.iter().map(called).collect();
+        let is_tip = |called: &&Vec<usize>| called.first().is_some_and(|&it| !self.is_aside(it));
+        let first = all.iter().find(is_tip);
+        let any = first.or_else(|| all.iter().find(|called| !called.is_empty()));
+        any.cloned().unwrap_or_default()
+    }
+
+    /// Whether a link hangs beside the tip, by its name.
+    fn is_aside(&self, link: usize) -> bool {
+        let name = self.spec.links[link].name.to_lowercase();
+        let mut words = name.split(|c: char| !c.is_alphanumeric());
+        words.any(|word| ASIDE.contains(&word))
     }
 
     /// How many joints of a line are the arm's.
@@ -350,18 +390,32 @@ impl Below<'_> {
     /// a leaf is no better than the link itself.
     fn rigid_tip(&self, link: usize, fingers: bool, diagnostics: &mut Collector) -> usize {
         let rigid = self.rigid(link);
-        if let Some(named) = self.named(&rigid) {
-            return named;
+        let name = |link: usize| self.spec.links[link].name.as_str();
+        let named = self.all_named(&rigid);
+        if let [first, ..] = named[..] {
+            let others = named[1..].iter().filter(|&&it| !self.is_aside(it));
+            let others: Vec<&str> = others.map(|&link| name(link)).collect();
+            let has_prefix = !NAMES.contains(&name(first).to_lowercase().as_str());
+            if has_prefix && !others.is_empty() {
+                let (first, others) = (name(first), crate::spec::list_names(&others));
+                let reason = format!(
+                    "the tip is `{first}`: {others}, which moves with it, may be meant too"
+                );
+                diagnostics.warn_whole(reason, "name another one if you mean it (tip)");
+            }
+            return first;
         }
         if fingers {
             return link;
         }
-        let is_leaf = |link: &&usize| self.children[**link].is_empty();
+        let is_leaf = |link: &&usize| self.children[**link].is_empty() && !self.is_aside(**link);
         let leaves: Vec<usize> = rigid.iter().filter(is_leaf).copied().collect();
+        if leaves.is_empty() {
+            return link;
+        }
         if let [leaf] = leaves[..] {
             return leaf;
         }
-        let name = |link: usize| self.spec.links[link].name.as_str();
         let names: Vec<&str> = leaves.iter().map(|&leaf| name(leaf)).collect();
         let reason = format!(
             "the tip is `{}`, which the last joint moves: {} links hang on it, {}",

@@ -14,6 +14,7 @@ pub mod bounds;
 mod collector;
 mod diagnostic;
 mod format;
+mod look_alike;
 mod mechanism;
 mod one_line;
 mod orientation;

@@ -31,9 +31,15 @@ impl Below<'_> {
         let mimics_finger = joint.mimic.is_some() && !before.contains(&self.followed[last].leader);
         let link = self.spec.links[joint.child].name.to_lowercase();
         let name = joint.name.to_lowercase();
+        // What a gripper hangs on is often named so, and no finger carries the tool.
+        let carries = joint.kind != JointType::Prismatic
+            && joint.mimic.is_none()
+            && (self.carries_tool(last) || WRISTS.iter().any(|word| name.contains(word)));
         mimics_finger
-            || GRIPPERS.iter().any(|word| name.contains(word))
-            || GRIPPERS[1..].iter().any(|word| link.contains(word))
+            || (name.contains(GRIPPERS[0]) && !carries)
+            || GRIPPERS[1..]
+                .iter()
+                .any(|word| name.contains(word) || link.contains(word))
             || (self.is_short_slide(last) && !self.carries_tool(last) && !self.is_quill(chain))
     }
 

@@ -1,6 +1,6 @@
 //! Numbers in attributes, each with its place.
 
-use crate::spec::Collector;
+use crate::spec::{Collector, look_alike};
 use roxmltree::Attribute;
 
 /// The `N` numbers of an attribute, separated by white space; `None` after
@@ -24,7 +24,9 @@ pub(super) fn read<const N: usize>(
             count(words.len()),
             if N == 1 { "s" } else { "" }
         );
-        diagnostics.at(at, reason, format!("write {}{commas}", count(N)));
+        let remedy = look_alike::remedy(value);
+        let remedy = remedy.unwrap_or_else(|| format!("write {}{commas}", count(N)));
+        diagnostics.at(at, reason, remedy);
         return None;
     }
     let mut numbers = [0.0; N];
@@ -75,6 +77,9 @@ pub(super) fn refuse_junk(attribute: &Attribute, diagnostics: &mut Collector) {
 
 /// How to write what is no number.
 fn plainly(word: &str) -> String {
+    if let Some(remedy) = look_alike::remedy(word) {
+        return remedy;
+    }
     let is_number = |word: &str| word.parse::<f64>().is_ok();
     let point = word.replacen(',', ".", 1);
     if is_number(word.trim_matches(',')) {

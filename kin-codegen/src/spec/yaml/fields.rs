@@ -3,7 +3,7 @@
 use super::node::{self, Broken, Node, Value};
 use super::tokens::Unsupported;
 use super::{Collector, Name, Source, did_you_mean, expression};
-use crate::spec::{Location, bounds, list_names, suggest};
+use crate::spec::{Location, bounds, list_names, look_alike, suggest};
 
 /// The text, for places, and what was wrong with it so far.
 pub(super) struct Reader<'s> {
@@ -308,6 +308,9 @@ fn example(key: &str) -> &'static str {
 /// How to write what is no number.
 fn plainly(value: &Value) -> String {
     if let Value::Text(text) = value {
+        if let Some(remedy) = look_alike::remedy(text) {
+            return remedy;
+        }
         let unit = |c: char| c.is_alphabetic() || c == '°';
         let point = text.replacen(',', ".", 1);
         let bare = text.trim_end_matches(unit).trim_end();

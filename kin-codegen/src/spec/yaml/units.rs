@@ -4,6 +4,7 @@ use super::fields::Reader;
 use super::node::Node;
 use crate::spec::JointType;
 use crate::spec::orientation::FULL_TURN;
+use std::f64::consts::FRAC_PI_2;
 
 /// The units of a file.
 pub(super) struct Units {
@@ -24,6 +25,13 @@ pub(super) fn read(node: &Node, reader: &mut Reader) -> Option<Units> {
         degrees: angle? == "deg",
         millimetres: length? == "mm",
     })
+}
+
+/// Whether a number is a quarter turn in radians, or several, but for rounding to three digits.
+fn is_quarter_turn(angle: f64) -> bool {
+    let quarters = angle / FRAC_PI_2;
+    let off = (quarters - quarters.round()) * FRAC_PI_2;
+    quarters.abs() > 0.5 && quarters.abs() < 4.5 && off.abs() < 5e-4
 }
 
 impl Units {
@@ -69,6 +77,15 @@ impl Units {
                 node.at,
                 reason,
                 "write an angle within one turn, in the unit that `units` states",
+            );
+            return None;
+        }
+        if self.degrees && is_quarter_turn(angle.to_degrees()) {
+            reader.at(
+                node.at,
+                "this angle is in degrees, and a multiple of pi/2: this looks like radians",
+                "write degrees (a right angle is 90), or state `angle: rad`; an angle that is meant \
+                 so can be written in radians alone",
             );
             return None;
         }

@@ -1,0 +1,16 @@
+//! Characters that look like those of a number, as they are copied from documents.
+
+/// What to write in place of the first of them in a text, if it has one.
+pub(crate) fn remedy(text: &str) -> Option<String> {
+    text.chars().find_map(|c| {
+        let meant = match c {
+            '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{fe63}' | '\u{ff0d}' => "`-`",
+            '\u{a0}' | '\u{2000}'..='\u{200b}' | '\u{202f}' | '\u{3000}' => "a blank",
+            _ => return None,
+        };
+        let code = u32::from(c);
+        Some(format!(
+            "write {meant} in place of U+{code:04X}, which looks like it"
+        ))
+    })
+}
