@@ -137,6 +137,44 @@ fn a_wrist_over_the_base_is_answered_whatever_the_elbow_does() {
     }
 }
 
+/// Of an arm of links in one plane, then yaw and roll, that is stretched straight up: the first angle is
+/// free, and at one value of it, and the opposite one, a later root is double; at others it is none.
+/// Next to that as well, and the frames of base and tool turned.
+#[test]
+fn an_arm_straight_up_is_answered() {
+    let mut random = Random(0x7ec4);
+    for i in 0..6 {
+        let mut length = |from, to| random.between(from, to);
+        let [upper, lower, wrist] = [length(0.2, 0.5), length(0.2, 0.5), length(0.05, 0.15)];
+        let turned = [(); 6].map(|()| length(-3.0, 3.0));
+        let text = format!(
+            "robot: up\nunits: {{angle: rad, length: m}}\njoints:\n\
+             - {{name: j1, rpy: [{}, {}, {}], axis: [0, 0, 1]}}\n\
+             - {{name: j2, xyz: [0, 0, 0.2], axis: [0, 1, 0]}}\n\
+             - {{name: j3, xyz: [0, 0, {upper}], axis: [0, 1, 0]}}\n\
+             - {{name: j4, xyz: [0, 0, {lower}], axis: [0, 1, 0]}}\n\
+             - {{name: j5, xyz: [0, 0, {wrist}], axis: [1, 0, 0]}}\n\
+             - {{name: j6, axis: [0, 0, 1]}}\n\
+             tip: {{link: tip, xyz: [0, 0, 0.1], rpy: [{}, {}, {}]}}\n",
+            turned[0], turned[1], turned[2], turned[3], turned[4], turned[5]
+        );
+        let (model, form) = solved(text, Target::Pose);
+        let chain = model.chain();
+        let is_missing = |k: &usize| {
+            let off = [0.0, 1e-12, 1e-10, 1e-9, 1e-7, 1e-6][k % 6];
+            let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
+            for q in &mut q[1..4] {
+                *q = off * random.between(-1.0, 1.0);
+            }
+            // There a direction to turn in is lost as well.
+            let is_in_line = q[4].cos().abs() < 0.01;
+            !is_in_line && form.solutions(&chain.fk(&q)).is_empty()
+        };
+        let missing = (0..120).filter(is_missing).count();
+        assert_eq!(missing, 0, "arm {i}");
+    }
+}
+
 /// Of a desk arm's five joints the last is at a right angle: its tool's axis lies along the three parallel
 /// ones, whose sum is free. The plan that tells most is none of those that are tried first.
 #[test]

@@ -28,6 +28,7 @@ impl Asked {
 }
 
 const BY_DEFAULT: &[&str] = &[
+    "tests/languages/upright.yaml",
     "robots/elbow.yaml",
     "robots/iiwa14.yaml",
     "robots/inverse_elbow.yaml",

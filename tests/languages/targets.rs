@@ -35,6 +35,9 @@ pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
         let folded = [turn, FRAC_PI_2, PI, FRAC_PI_2, 0.0, 0.0];
         all.push((0..joints).map(|joint| folded[joint % 6]).collect());
     }
+    // With links in line and all else anywhere.
+    let upright = [0.4, 0.0, 0.0, 0.0, 0.9, 0.7];
+    all.push((0..joints).map(|joint| upright[joint % 6]).collect());
     all
 }
 

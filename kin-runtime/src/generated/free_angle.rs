@@ -101,6 +101,10 @@ const TURNS: usize = 16;
 /// How often the steps between turns are halved where none of these leaves a root.
 const HALVINGS: usize = 5;
 
+/// Steps to the turns beside the best one, radians, through which a parabola then tells where |d| is
+/// least.
+const PARABOLAS: [Real; 4] = [1e-2, 1e-3, 1e-4, 2e-5];
+
 /// Between turns all round, radians.
 const STEP: Real = 2.0 * PI / TURNS as Real;
 
@@ -144,7 +148,18 @@ impl Room {
         if is_more { other } else { self }
     }
 
-    /// This, of turns all round the best, or if it leaves a root none the best next to it.
+    /// This, of turns all round the best, or if it leaves a root none the best next to it: at one
+    /// turn alone the root may be a double one.
+    ///
+    /// ```
+    /// use kin_runtime::__private::free_angle::Room;
+    /// // |d| is 1 where the root is double, and more at any other turn.
+    /// let room = |turn: f64| {
+    ///     let level = 2.0 - (turn - 0.4).cos() + 0.1 * (turn - 0.4).powi(3);
+    ///     Room { turn, has_roots: level <= 1.0, level }
+    /// };
+    /// assert!((room(0.5).or_between(room).turn - 0.4).abs() < 1e-8);
+    /// ```
     pub fn or_between(self, room: impl Fn(Real) -> Room) -> Room {
         let (mut best, mut step) = (self, STEP);
         for _ in 0..HALVINGS {
@@ -154,6 +169,17 @@ impl Room {
             step *= 0.5;
             let [below, above] = [best.turn - step, best.turn + step].map(&room);
             best = best.or(below).or(above);
+        }
+        for step in PARABOLAS {
+            if best.has_roots {
+                break;
+            }
+            let [below, above] = [best.turn - step, best.turn + step].map(&room);
+            let bend = below.level + above.level - 2.0 * best.level;
+            if bend > 0.0 {
+                let ahead = 0.5 * (below.level - above.level) / bend;
+                best = best.or(room(best.turn + step * ahead));
+            }
         }
         best
     }
