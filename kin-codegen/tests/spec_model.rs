@@ -495,12 +495,13 @@ fn a_strut_is_no_arm() {
 #[test]
 fn the_tip_has_a_name() {
     let hung = |names: &[&str]| {
-        let links = ["base", "a", "b", "flange_of_arm"].iter().chain(names);
+        let links = ["base", "a", "b", "c", "flange_of_arm"].iter().chain(names);
         let links: Vec<&str> = links.copied().collect();
         let mut joints = [
             joint("j1", "continuous", "base", "a", ""),
             joint("j2", "continuous", "a", "b", ""),
-            joint("j3", "continuous", "b", "flange_of_arm", ""),
+            joint("j3", "continuous", "b", "c", ""),
+            joint("j4", "continuous", "c", "flange_of_arm", ""),
         ]
         .concat();
         for name in names {
@@ -539,6 +540,25 @@ fn the_tip_has_a_name() {
             "{names:?}"
         );
     }
+}
+
+/// A head carries a camera as its tool, and what a file calls the tip is it.
+#[test]
+fn a_camera_may_be_the_tip() {
+    let joints = [
+        joint("pan", "continuous", "base", "a", ""),
+        joint("tilt", "continuous", "a", "b", ""),
+        joint("eye", "fixed", "b", "camera", ""),
+    ];
+    let head = accept(&urdf("base a b camera", &joints.concat()));
+    assert_eq!((head.tip.as_str(), head.warnings.len()), ("camera", 0));
+    let rows = "  - {name: a, axis: [0, 0, 1]}\n  - {name: b, xyz: [1, 0, 0], axis: [0, 1, 0]}\n  \
+                - {name: c, xyz: [1, 0, 0], axis: [0, 1, 0]}\n  - {name: d, axis: [1, 0, 0]}\n";
+    let text = format!(
+        "robot: arm\nunits: {{angle: deg, length: m}}\njoints:\n{rows}tip: {{link: camera, xyz: [0, 0, \
+         0.1]}}\n"
+    );
+    assert_eq!(yaml(&text).tip, "camera");
 }
 
 /// The fixed jaw of a gripper is often all that a wrist moves.

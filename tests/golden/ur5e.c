@@ -1405,8 +1405,11 @@ static double ur5e_turn_all_round(
     const double target[12], const double seed[UR5E_SOLVED], const double *given, int angle,
     const ur5e_lanes all_round[15], int k)
 {
+    /* Beside the best turn, to those through which a parabola tells where the level is least. */
+    static const double parabolas[4] = {1e-2, 1e-3, 1e-4, 2e-5};
     double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, turned[UR5E_SOLVED];
     int has_roots = 0;
+    ur5e_lanes lanes;
     for (int i = 0; i < 15; ++i) {
         ur5e_take_turn(&all_round[i], angle, (i + 1) * step, k, &best, &least, &has_roots);
     }
@@ -1414,9 +1417,23 @@ static double ur5e_turn_all_round(
         const double from = best;
         step *= 0.5;
         for (int sign = -1; sign <= 1; sign += 2) {
-            ur5e_lanes lanes;
             ur5e_turn_by(target, seed, given, angle, from + sign * step, turned, &lanes);
             ur5e_take_turn(&lanes, angle, from + sign * step, k, &best, &least, &has_roots);
+        }
+    }
+    for (int i = 0; i < 4 && !has_roots; ++i) {
+        const double from = best, here = least;
+        double beside[2], bend;
+        for (int end = 0; end < 2; ++end) {
+            const double turn = from + (end == 0 ? -parabolas[i] : parabolas[i]);
+            ur5e_turn_by(target, seed, given, angle, turn, turned, &lanes);
+            beside[end] = fabs(lanes.level[angle][k]);
+        }
+        bend = beside[0] + beside[1] - 2.0 * here;
+        if (bend > 0.0) {
+            const double turn = from + parabolas[i] * 0.5 * (beside[0] - beside[1]) / bend;
+            ur5e_turn_by(target, seed, given, angle, turn, turned, &lanes);
+            ur5e_take_turn(&lanes, angle, turn, k, &best, &least, &has_roots);
         }
     }
     return best;

@@ -543,6 +543,19 @@ const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
                     step *= 0.5;
                     best = [turned(best.turn - step), turned(best.turn + step)].reduce(better, best);
                 }
+                /* To where a parabola through the turns beside it tells that the level is least. */
+                for (const beside of [1e-2, 1e-3, 1e-4, 2e-5]) {
+                    if (has_roots(best)) {
+                        break;
+                    }
+                    const [below, here, above] = [-beside, 0.0, beside].map((by) =>
+                        Math.abs(level(by === 0.0 ? best : turned(best.turn + by))));
+                    const bend = below + above - 2.0 * here;
+                    if (bend > 0.0) {
+                        const ahead = (0.5 * (below - above)) / bend;
+                        best = better(best, turned(best.turn + beside * ahead));
+                    }
+                }
             }
             lanes.q.forEach((lane, i) => (lane[k] = best.lanes.q[i][k]));
             lanes.residual[k] = best.lanes.residual[k];

@@ -289,6 +289,7 @@ fn chain(looped: &LoopedTree, path: &[Passed]) -> ChainSpec {
             name: spec.name.clone(),
             links,
             joints,
+            tip: None,
             warnings: Vec::new(),
             source: spec.source.clone(),
         },

@@ -241,9 +241,18 @@ impl Below<'_> {
         any.cloned().unwrap_or_default()
     }
 
-    /// Whether a link hangs beside the tip, by its name.
+    /// Whether a link hangs beside the tip, by its name; not of a head, which carries a camera as its
+    /// tool.
     fn is_aside(&self, link: usize) -> bool {
-        let name = self.spec.links[link].name.to_lowercase();
+        let name = &self.spec.links[link].name;
+        let parent = |&link: &usize| self.above[link].map(|j| self.spec.joints[j].parent);
+        let above = std::iter::successors(Some(link), parent);
+        let joints = above.filter_map(|link| self.above[link]);
+        let moving = joints.filter(|&j| self.spec.joints[j].kind != JointType::Fixed);
+        if self.spec.tip.as_ref() == Some(name) || moving.count() <= OTHER_JOINTS {
+            return false;
+        }
+        let name = name.to_lowercase();
         let mut words = name.split(|c: char| !c.is_alphanumeric());
         words.any(|word| ASIDE.contains(&word))
     }

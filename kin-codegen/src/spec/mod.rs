@@ -91,6 +91,8 @@ pub struct ArmSpec {
     pub links: Vec<Link>,
     /// In the order of the file.
     pub joints: Vec<Joint>,
+    /// The link that the file calls the tip, if it has a word for it.
+    pub tip: Option<String>,
     /// What the file has that is odd, and changes no frame and no joint value.
     pub warnings: Vec<Diagnostic>,
     /// Where all of this was read, for messages.

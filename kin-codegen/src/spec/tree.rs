@@ -20,6 +20,7 @@ pub(super) struct Draft {
     pub name: String,
     pub links: Vec<Name>,
     pub joints: Vec<DraftJoint>,
+    pub tip: Option<String>,
 }
 
 /// A [`Joint`] whose links are names.
@@ -99,6 +100,7 @@ pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) 
             })
             .collect(),
         joints: resolved,
+        tip: draft.tip,
         warnings: Vec::new(),
         source: source.clone(),
     };

@@ -153,6 +153,7 @@ fn draft(document: &Node, reader: &mut Reader) -> Option<Draft> {
         name: name?.text,
         links: Vec::new(),
         joints: Vec::new(),
+        tip: None,
     };
     draft.links.push(base.link("base", list, reader));
     frames::add(&mut draft, &base, &tip, rows, list, reader);
@@ -296,5 +297,6 @@ fn fix_tip(draft: &mut Draft, tip: Name, parent: Name, origin: Pose) {
         rating: Rating::default(),
         faults: Vec::new(),
     });
+    draft.tip = Some(tip.text.clone());
     draft.links.push(tip);
 }

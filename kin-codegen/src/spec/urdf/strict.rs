@@ -23,6 +23,7 @@ pub(super) fn read(
         name: robot_name(robot, source),
         links: Vec::new(),
         joints: Vec::new(),
+        tip: None,
     };
     for child in elements(robot) {
         match child.tag_name().name() {

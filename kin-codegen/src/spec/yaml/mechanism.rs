@@ -206,6 +206,7 @@ fn chain(
         name: name.text.clone(),
         links: vec![base_name.clone()],
         joints: Vec::new(),
+        tip: None,
     };
     let base = End {
         name: Some(base_name),

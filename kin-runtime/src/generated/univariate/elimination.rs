@@ -3,7 +3,7 @@
 use super::frames::Frames;
 use super::lanes::{Lanes, Portable};
 use super::line::{ENTRIES, Lines, Z_AXIS, gone_back, moved};
-use super::vanishing::Vanishing;
+use super::vanishing::{Moved, SIX};
 use crate::Pose;
 
 /// So many functionals at most vanish on one side of the loop.
@@ -70,11 +70,48 @@ impl Elimination {
 
         let [cosine, sine] = [cosine, sine].map(Portable::splat);
         let mut out = none();
-        let vanishing = Vanishing::new(self, &round);
-        let functionals = vanishing.functionals(self);
+        let vanishing = self.vanishing(&round);
+        let functionals = vanishing.functionals();
         Equations::new(self.half, functionals, &round, &round.far_side())
             .write(cosine, sine, &mut out);
         out.map(|row| row.map(|x| x.numbers()[0]))
+    }
+}
+
+impl Elimination {
+    /// What vanishes along a loop.
+    pub(super) fn vanishing(&self, round: &Loop) -> Vanishing<'_> {
+        let six: [[f64; ENTRIES]; SIX] = core::array::from_fn(|i| self.functionals[i]);
+        let of_value = || Moved::new(&six, &self.third, &round.behind[0]);
+        Vanishing {
+            elimination: self,
+            moved: self.moved.then(of_value),
+        }
+    }
+}
+
+/// The functionals in the frame of the kept joint.
+pub(super) struct Vanishing<'a> {
+    elimination: &'a Elimination,
+    /// Where a joint that is given stands behind it.
+    moved: Option<Moved>,
+}
+
+impl Vanishing<'_> {
+    /// See [`Elimination::functionals`].
+    pub fn functionals(&self) -> &[[f64; ENTRIES]] {
+        match &self.moved {
+            Some(moved) => &moved.functionals,
+            None => &self.elimination.functionals,
+        }
+    }
+
+    /// See [`Elimination::third`].
+    pub fn third(&self) -> &[[f64; ENTRIES]; 2] {
+        match &self.moved {
+            Some(moved) => &moved.third,
+            None => &self.elimination.third,
+        }
     }
 }
 
@@ -135,7 +172,7 @@ impl Equations {
     #[inline(always)]
     pub fn new(
         half: u8,
-        functionals: &[[f64; ENTRIES]; FUNCTIONALS],
+        functionals: &[[f64; ENTRIES]],
         round: &Loop,
         far_side: &Lines<9>,
     ) -> Self {

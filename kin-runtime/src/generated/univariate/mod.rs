@@ -17,6 +17,7 @@ mod bernstein;
 mod branches;
 mod candidates;
 mod closest;
+mod complex;
 mod determinant;
 mod eliminant;
 mod elimination;

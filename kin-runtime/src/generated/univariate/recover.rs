@@ -1,13 +1,12 @@
 //! The other joints from a value of the kept one.
 
 use super::determinant::{Factors, Triangle};
-use super::elimination::{AtValues, Elimination, Equations, FUNCTIONALS, Loop, SIZE, none};
+use super::elimination::{AtValues, Elimination, Equations, Loop, SIZE, Vanishing, none};
 use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
 use super::sharing::{Ratio, monomial_vectors};
-use super::vanishing::Vanishing;
 use crate::Pose;
 use crate::generated::dispatch::{Dispatched, dispatch};
 
@@ -51,15 +50,15 @@ pub(super) struct Recovery<'a> {
     pub places: Places,
     pub equations: Equations,
     round: Loop,
-    vanishing: Vanishing,
+    vanishing: Vanishing<'a>,
     far_side: Lines<9>,
 }
 
 impl<'a> Recovery<'a> {
     pub fn new(elimination: &'a Elimination, frames: &Frames, target: &Pose) -> Self {
         let round = Loop::new(elimination, frames, target);
-        let vanishing = Vanishing::new(elimination, &round);
-        let functionals = vanishing.functionals(elimination);
+        let vanishing = elimination.vanishing(&round);
+        let functionals = vanishing.functionals();
         let (far_side, equations) = dispatch::<Opened, _>((elimination.half, functionals, &round));
         Self {
             vanishing,
@@ -208,10 +207,7 @@ impl<'a> Recovery<'a> {
             line[v + 1] = (y * ck).minus(x, sk);
         }
         let mut functions = [L::ZERO; 2];
-        for (out, functional) in functions
-            .iter_mut()
-            .zip(self.vanishing.third(self.elimination))
-        {
+        for (out, functional) in functions.iter_mut().zip(self.vanishing.third()) {
             for (f, line) in functional.iter().zip(&line) {
                 *out = out.plus_scaled(*line, *f);
             }
@@ -323,12 +319,12 @@ struct One;
 struct Nearly<const N: usize>;
 struct Sharing<const N: usize>;
 
-impl Dispatched<(u8, &[[f64; ENTRIES]; FUNCTIONALS], &Loop)> for Opened {
+impl Dispatched<(u8, &[[f64; ENTRIES]], &Loop)> for Opened {
     type Output = (Lines<9>, Equations);
 
     #[inline(always)]
     fn run<const FUSED: bool>(
-        (half, functionals, round): (u8, &[[f64; ENTRIES]; FUNCTIONALS], &Loop),
+        (half, functionals, round): (u8, &[[f64; ENTRIES]], &Loop),
     ) -> Self::Output {
         let far_side = round.far_side();
         let equations = Equations::new(half, functionals, round, &far_side);

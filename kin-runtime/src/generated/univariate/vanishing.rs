@@ -1,11 +1,11 @@
-//! What vanishes on the near side of the loop, in the frame of the kept joint.
+//! What vanishes on the near side of the loop, as a joint that is given moves it.
 
-use super::elimination::{Elimination, FUNCTIONALS, Loop};
+use super::complex::{Complex, conjugate, minus, plus, product, square};
 use super::line::{ENTRIES, moved};
 use crate::{Pose, math};
 
 /// So many functionals vanish on nine dimensions of fifteen.
-const SIX: usize = 6;
+pub(super) const SIX: usize = 6;
 
 /// So many vectors of a line turn about an axis, and so many combinations of six functionals do not
 /// see what turns with e^{−iθ} of them.
@@ -16,48 +16,22 @@ const UNSEEN: usize = SIX - TURNING.len();
 const LEAST_SQUARE: f64 = 1e-60;
 
 type Functional = [f64; ENTRIES];
-type Complex = [f64; 2];
 type Vector = [Complex; SIX];
 
-/// The functionals of an elimination where a joint that is given [moves](Elimination::moved) them.
-pub(super) struct Vanishing(Option<Moved>);
-
-struct Moved {
-    functionals: [Functional; FUNCTIONALS],
-    third: [Functional; 2],
-}
-
-impl Vanishing {
-    /// Along a loop.
-    pub fn new(elimination: &Elimination, round: &Loop) -> Self {
-        let behind = &round.behind[0];
-        Self(elimination.moved.then(|| Moved::new(elimination, behind)))
-    }
-
-    /// See [`Elimination::functionals`].
-    pub fn functionals<'a>(&'a self, of: &'a Elimination) -> &'a [Functional; FUNCTIONALS] {
-        match &self.0 {
-            Some(moved) => &moved.functionals,
-            None => &of.functionals,
-        }
-    }
-
-    /// See [`Elimination::third`].
-    pub fn third<'a>(&'a self, of: &'a Elimination) -> &'a [Functional; 2] {
-        match &self.0 {
-            Some(moved) => &moved.third,
-            None => &of.third,
-        }
-    }
+/// Functionals in the frame in front of the motion between the kept joint and the next.
+pub(super) struct Moved {
+    /// Those that do not see what turns with e^{−iθ}: real and imaginary parts in turn.
+    pub functionals: [Functional; 2 * UNSEEN],
+    /// What gives the third joint.
+    pub third: [Functional; 2],
 }
 
 impl Moved {
-    /// With this motion between the kept joint and the next.
-    fn new(elimination: &Elimination, behind: &Pose) -> Self {
-        let six: [Functional; SIX] = core::array::from_fn(|i| elimination.functionals[i]);
-        let six = in_front(behind, &six);
-        let mut functionals = [[0.0; ENTRIES]; FUNCTIONALS];
-        for (pair, weights) in functionals.chunks_exact_mut(2).zip(unseen(&six)) {
+    /// Of those behind it.
+    pub fn new(functionals: &[Functional; SIX], third: &[Functional; 2], motion: &Pose) -> Self {
+        let six = in_front(motion, functionals);
+        let mut unseen_parts = [[0.0; ENTRIES]; 2 * UNSEEN];
+        for (pair, weights) in unseen_parts.chunks_exact_mut(2).zip(unseen(&six)) {
             for (functional, [re, im]) in six.iter().zip(weights) {
                 for (k, x) in functional.iter().enumerate() {
                     pair[0][k] += re * x;
@@ -66,8 +40,8 @@ impl Moved {
             }
         }
         Self {
-            functionals,
-            third: in_front(behind, &elimination.third),
+            functionals: unseen_parts,
+            third: in_front(motion, third),
         }
     }
 }
@@ -142,28 +116,6 @@ fn unit(vector: &Vector) -> Vector {
     vector.map(|x| x.map(|x| x / length))
 }
 
-fn square([re, im]: Complex) -> f64 {
-    re * re + im * im
-}
-
-fn conjugate([re, im]: Complex) -> Complex {
-    [re, -im]
-}
-
-fn product(x: Complex, y: Complex) -> Complex {
-    plus([0.0; 2], x, y)
-}
-
-/// sum + x y.
-fn plus([re, im]: Complex, [a, b]: Complex, [c, d]: Complex) -> Complex {
-    [re + a * c - b * d, im + a * d + b * c]
-}
-
-/// sum − x y.
-fn minus(sum: Complex, x: Complex, y: Complex) -> Complex {
-    plus(sum, x.map(|x| -x), y)
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::line::{Lines, Z_AXIS};
@@ -199,46 +151,33 @@ mod tests {
         moved(&pose, &Z_AXIS.map(|x| [x]))
     }
 
-    fn elimination(k: usize) -> Elimination {
+    /// Functionals that vanish behind the motion, and two that do not.
+    fn behind(k: usize) -> ([Functional; SIX], [Functional; 2]) {
         let vector = |j: usize| near_side(k, [part(2 * j), part(2 * j + 1)].map(|x| 6.0 * x));
         let span = Span::of(30, |j| vector(j).map(|[x]| x), 1e-9);
         assert_eq!(span.rank, 9);
-        let mut functionals = [[0.0; ENTRIES]; FUNCTIONALS];
+        let mut functionals = [[0.0; ENTRIES]; SIX];
         for (out, functional) in functionals.iter_mut().zip(span.complement()) {
             *out = functional;
         }
         let mut third = [[0.0; ENTRIES]; 2];
         third[0][k % ENTRIES] = 1.0;
-        Elimination {
-            joints: [0, 1, 2, 3, 4, 5],
-            backwards: false,
-            degree: 8,
-            moved: true,
-            functionals,
-            half: 4,
-            third,
-            fold: None,
-            powers: [3, 3],
-            rows: [[0; 2]; 16],
-            columns: [0; 16],
-        }
+        (functionals, third)
     }
 
     #[test]
     fn functionals_vanish_in_front_of_the_motion_on_what_they_did_behind_it() {
         for k in 0..200 {
-            let (elimination, behind) = (elimination(k), motion(3 * k));
-            let vanishing = Moved::new(&elimination, &behind);
+            let ((functionals, third), motion) = (behind(k), motion(3 * k));
+            let front = Moved::new(&functionals, &third, &motion);
             let behind_it = near_side(k, [0.7 + k as f64, 1.9 * k as f64]);
-            let line = moved(&behind, &behind_it);
-            for functional in &vanishing.functionals[..4] {
+            let line = moved(&motion, &behind_it);
+            for functional in &front.functionals {
                 assert!(at(functional, &line).abs() < 1e-12, "{k}");
                 let length: f64 = functional.iter().map(|x| x * x).sum();
                 assert!(length > 1e-6, "{k}: {length}");
             }
-            assert_eq!(vanishing.functionals[4..], [[0.0; ENTRIES]; 4]);
-            let [one, other] = [(&vanishing.third, &line), (&elimination.third, &behind_it)];
-            let apart = at(&one.0[0], one.1) - at(&other.0[0], other.1);
+            let apart = at(&front.third[0], &line) - at(&third[0], &behind_it);
             assert!(apart.abs() < 1e-12, "{k}: {apart}");
         }
     }
@@ -248,10 +187,11 @@ mod tests {
     #[test]
     fn half_the_angle_is_enough_for_them() {
         for k in 0..200 {
-            let vanishing = Moved::new(&elimination(k), &motion(3 * k));
+            let (functionals, third) = behind(k);
+            let front = Moved::new(&functionals, &third, &motion(3 * k));
             let line = moved(&motion(k + 1000), &Z_AXIS.map(|x| [x]));
             let third = core::f64::consts::TAU / 3.0;
-            for pair in vanishing.functionals[..4].chunks(2) {
+            for pair in front.functionals.chunks(2) {
                 let (mut seen, mut size) = ([0.0; 2], 0.0_f64);
                 for angle in [0.0, third, -third] {
                     let turned = moved(&turn(-angle), &line);

@@ -29,9 +29,6 @@ const $turned_harmonics = (f, angle) => {
     });
 };
 
-/* The product of complex numbers. */
-const $complex_product = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
-
 /* The value of f at a point of a circle. */
 const $at_point = (harmonics, radius, i) => {
     const part = 3 * (2 * i + 1);
