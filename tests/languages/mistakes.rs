@@ -106,6 +106,9 @@ const OF_TURNING: [[&str; 2]; 5] = [
     ["<= 1e-9 * scale", "<= 1e9 * scale"],
 ];
 
+/// The same where only one turn leaves a root, in either language.
+const OF_PARABOLAS: [[&str; 2]; 1] = [["bend > 0.0", "bend < 0.0"]];
+
 /// The same in JavaScript.
 const OF_TURNING_IN_JS: [[&str; 2]; 4] = [
     [
@@ -274,6 +277,14 @@ fn mistakes_of_turning_are_found() {
     each_is_found("mistakes_of_turning", &asked, &right, &all);
 }
 
+#[test]
+fn mistakes_of_parabolas_are_found() {
+    let asked = Asked::of(targets::UPRIGHT, Options::default());
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_PARABOLAS).collect();
+    each_is_found("mistakes_of_parabolas", &asked, &right, &all);
+}
+
 /// With joints given everywhere.
 fn of_given() -> Asked {
     let (path, free) = robots::LIFTED;
@@ -298,6 +309,7 @@ fn mistakes_of_what_is_given_are_found() {
 #[test]
 fn mistakes_in_javascript_are_found() {
     let of_turning = Asked::of(targets::OVER_THE_BASE, Options::default());
+    let of_parabolas = Asked::of(targets::UPRIGHT, Options::default());
     let of_search = Asked {
         eliminates: true,
         ..Asked::of("robots/xarm6.yaml", Options::default())
@@ -307,6 +319,7 @@ fn mistakes_in_javascript_are_found() {
         (of_completion(), &OF_COMPLETION_IN_JS[..]),
         (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
+        (of_parabolas, &OF_PARABOLAS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement(), &OF_REFINEMENT_IN_JS[..]),
     ];

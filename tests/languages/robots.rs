@@ -28,7 +28,7 @@ impl Asked {
 }
 
 const BY_DEFAULT: &[&str] = &[
-    "tests/languages/upright.yaml",
+    targets::UPRIGHT,
     "robots/elbow.yaml",
     "robots/iiwa14.yaml",
     "robots/inverse_elbow.yaml",

@@ -35,9 +35,6 @@ pub fn configurations(joints: usize) -> Vec<Vec<f64>> {
         let folded = [turn, FRAC_PI_2, PI, FRAC_PI_2, 0.0, 0.0];
         all.push((0..joints).map(|joint| folded[joint % 6]).collect());
     }
-    // With links in line and all else anywhere.
-    let upright = [0.4, 0.0, 0.0, 0.0, 0.9, 0.7];
-    all.push((0..joints).map(|joint| upright[joint % 6]).collect());
     all
 }
 
@@ -138,6 +135,18 @@ pub fn over_the_base(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
         }
     }
     all
+}
+
+/// The arm of [`upright`].
+pub const UPRIGHT: &str = "tests/languages/upright.yaml";
+
+/// Links in line, as they are straight up, and all else anywhere; to seed from, zeros.
+pub fn upright(robot: &Robot) -> (Pose, Vec<f64>) {
+    let upright = [0.4, 0.0, 0.0, 0.0, 0.9, 0.7];
+    let q: Vec<f64> = (0..robot.joints())
+        .map(|joint| upright[joint % 6])
+        .collect();
+    (robot.fk(&q), vec![0.0; robot.joints()])
 }
 
 /// The arm of [`next_to_axis_1`].
