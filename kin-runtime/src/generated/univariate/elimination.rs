@@ -81,8 +81,10 @@ impl Elimination {
 impl Elimination {
     /// What vanishes along a loop.
     pub(super) fn vanishing(&self, round: &Loop) -> Vanishing<'_> {
-        let six: [[f64; ENTRIES]; SIX] = core::array::from_fn(|i| self.functionals[i]);
-        let of_value = || Moved::new(&six, &self.third, &round.behind[0]);
+        let of_value = || {
+            let six: [[f64; ENTRIES]; SIX] = core::array::from_fn(|i| self.functionals[i]);
+            Moved::new(&six, &self.third, &round.behind[0])
+        };
         Vanishing {
             elimination: self,
             moved: self.moved.then(of_value),
