@@ -35,9 +35,6 @@ const REACHED: f64 = 2e-9;
 const ROUNDING: f64 = 1e-13;
 /// Where roots nearly meet, the last bit of a cube root is worth this.
 const MET: f64 = 1e-7;
-/// Solutions that are nearer to each other are one: of a singular one that Newton's method finds no more
-/// is known.
-const SAME: f64 = 1e-6;
 
 /// A robot in all languages, and what all are asked.
 struct Subject {
@@ -356,12 +353,7 @@ fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &m
     if let Some(nearest) = nearest {
         let is_alone = rust.ik_seeded_at(pose, parameters, seed).len() == 1;
         if !(subject.eliminates && nearest.singular && is_alone) {
-            let off = if subject.eliminates && nearest.singular {
-                SAME
-            } else {
-                MET
-            };
-            written.same(&nearest.q, off, of);
+            written.same(&nearest.q, MET, of);
             return;
         }
         // Where nothing else is found it was led along a family, how far depends on rounding.

@@ -117,7 +117,7 @@ pub const LIFTED: (&str, &[&str]) = (
 /// the branches of a design: which, and whether of these.
 const BETWEEN: &[(&str, &[&str], bool)] = &[
     ("robots/sawyer.yaml", &["right_j4"], false),
-    ("robots/sawyer.yaml", &["right_j3"], false),
+    ("tests/languages/skew.yaml", &["middle"], false),
     (LIFTED.0, LIFTED.1, false),
     (
         "tests/robots/redundant/stray_iiwa.yaml",
