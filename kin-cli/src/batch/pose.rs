@@ -123,15 +123,9 @@ impl PoseColumns {
             false => name.clone(),
         };
         let own: Vec<String> = names.iter().map(own).collect();
-        Self::of_own(path, &own, target)
-            .map_err(|fault| claimed(path, names, given).unwrap_or(fault))
-    }
-
-    /// Of columns that have nothing but poses.
-    fn of_own(path: &Path, names: &[String], target: Target) -> Result<Self, Fault> {
-        let position = only(path, "position", names, &POSITIONS)?;
-        let quaternion = only(path, "rotation", names, &QUATERNIONS)?;
-        let matrix = only(path, "rotation", names, &MATRICES)?;
+        let position = only(path, "position", &own, &POSITIONS)?;
+        let quaternion = only(path, "rotation", &own, &QUATERNIONS)?;
+        let matrix = only(path, "rotation", &own, &MATRICES)?;
         let rotation = match (quaternion, matrix) {
             (Some(_), Some(_)) => {
                 let reason = "a row has its rotation twice, as a quaternion and as a matrix";
@@ -146,15 +140,16 @@ impl PoseColumns {
                 path,
                 "position",
                 names,
+                given,
                 POSITIONS.as_flattened().chunks(3),
             ));
         }
         if matches!(rotation, Rotation::None) && target.has_rotation() {
             let quaternions = QUATERNIONS.as_flattened().chunks(4);
             let forms = quaternions.chain(MATRICES.as_flattened().chunks(9));
-            return Err(missing(path, "rotation", names, forms));
+            return Err(missing(path, "rotation", names, given, forms));
         }
-        let last_row = find(path, names, &LAST_ROW)?.unwrap_or_default();
+        let last_row = find(path, &own, &LAST_ROW)?.unwrap_or_default();
         Ok(Self::new(target, position, rotation, last_row))
     }
 
@@ -233,20 +228,6 @@ impl PoseColumns {
 
 const ONE_OF_THEM: &str = "leave one of them out, or give it other names";
 
-/// Why a pose is not there: a joint that is given has the name of one of its columns.
-fn claimed(path: &Path, names: &[String], given: &[&str]) -> Option<Fault> {
-    let forms = POSITIONS.as_flattened().iter();
-    let forms = forms.chain(QUATERNIONS.as_flattened());
-    let mut forms = forms.chain(MATRICES.as_flattened());
-    let name = forms.find(|name| given.contains(name) && names.iter().any(|it| it == *name))?;
-    Some(Fault::whole(
-        path,
-        format!("the column `{name}` has the values of the joint `{name}`, not what poses have so"),
-        "call the columns of the pose `px`, `py`, `pz` or `m00` to `m23`, and leave this one to the \
-         joint; or give the joint for all poses by `--at`",
-    ))
-}
-
 /// The places of these names; none if not all of them are there.
 fn find(path: &Path, names: &[String], wanted: &[&str]) -> Result<Option<Vec<usize>>, Fault> {
     let own = |name: &&String, wanted: &str| name.strip_prefix("pose.").unwrap_or(name) == wanted;
@@ -296,9 +277,24 @@ fn missing<'a>(
     path: &Path,
     what: &str,
     names: &[String],
+    given: &[&str],
     forms: impl Iterator<Item = &'a [&'a str]>,
 ) -> Fault {
-    let forms: Vec<String> = forms.map(|form| format!("`{}`", form.join(","))).collect();
+    let forms: Vec<&[&str]> = forms.collect();
+    // A joint that is given has the name of one of these columns.
+    let is_given = |name: &&&str| given.contains(*name) && names.iter().any(|it| it == **name);
+    if let Some(name) = forms.iter().copied().flatten().find(is_given) {
+        return Fault::whole(
+            path,
+            format!(
+                "the column `{name}` has the values of the joint `{name}`, not what poses have so"
+            ),
+            "call the columns of the pose `px`, `py`, `pz` or `m00` to `m23`, and leave this one to \
+             the joint; or give the joint for all poses by `--at`",
+        );
+    }
+    let forms = forms.iter().map(|form| format!("`{}`", form.join(",")));
+    let forms: Vec<String> = forms.collect();
     number_for_name(path, names).unwrap_or_else(|| {
         let reason = format!("no columns for the {what}; there are {}", list(names));
         Fault::whole(path, reason, format!("name them {}", forms.join(" or ")))

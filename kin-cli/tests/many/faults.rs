@@ -122,6 +122,10 @@ fn a_column_of_a_joint_is_none_of_a_pose() {
                         help: call the columns of the pose `px`, `py`, `pz`";
         assert!(refused.stderr.contains(expected), "{}", refused.stderr);
     }
+    // What is missing is not what the joint has taken.
+    let refused = asked("px,py,pz,y", &[]);
+    let expected = "no columns for the rotation; there are `px`, `py`, `pz`, `y`";
+    assert!(refused.stderr.contains(expected), "{}", refused.stderr);
     let rail_of = |done: Done| {
         succeeds(done);
         let rows = csv(&output);
