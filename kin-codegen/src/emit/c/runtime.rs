@@ -43,7 +43,9 @@ pub const SWIVELLED: &str = include_str!("runtime/swivelled.c");
 pub const ELIMINATION: &str = include_str!("runtime/univariate/elimination.c");
 /// Behind the eliminations of an arm, lines, as in `line.rs`.
 pub const LINE: &str = include_str!("runtime/univariate/line.c");
-/// What vanishes on them, as the eliminations have it,
+/// What vanishes on them, as the eliminations have it;
+pub const OWN_FUNCTIONALS: &str = include_str!("runtime/univariate/own_functionals.c");
+/// so in the frame of the kept joint,
 pub const FUNCTIONALS: &str = include_str!("runtime/univariate/functionals.c");
 /// or as a joint that is given moves it, as in `vanishing.rs`.
 pub const MOVED_FUNCTIONALS: &str = include_str!("runtime/univariate/moved_functionals.c");

@@ -24,6 +24,7 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
         undo.unwrap_or_default().to_owned(),
         frames(&arm.between, between.start),
         runtime::LINE.to_owned(),
+        runtime::OWN_FUNCTIONALS.to_owned(),
         functionals.to_owned(),
         runtime::SEARCH.join("\n"),
     ];

@@ -122,14 +122,7 @@ static int kin_find_functionals(
 {
     double six[6][15], weights[2][6][2];
     if (!elimination->moved) {
-        for (int k = 0; k < 15; ++k) {
-            for (int i = 0; i < elimination->count; ++i) {
-                functionals[i][k] = elimination->functionals[i][k];
-            }
-            third[0][k] = elimination->third[0][k];
-            third[1][k] = elimination->third[1][k];
-        }
-        return elimination->count;
+        return kin_own_functionals(elimination, functionals, third);
     }
     kin_see_in_front(behind, elimination->third, 2, third);
     kin_see_in_front(behind, elimination->functionals, 6, six);
