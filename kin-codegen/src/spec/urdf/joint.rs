@@ -66,6 +66,19 @@ fn refuse_missing_bound(limit: Node, name: &str, diagnostics: &mut Collector) {
     diagnostics.at(place(limit, diagnostics), reason, remedy);
 }
 
+/// Whether a limit is infinite both ways, which is none, though no number for urdfdom.
+fn warn_of_infinite(limit: Node, diagnostics: &mut Collector) -> bool {
+    let bound = |name| limit.attribute(name)?.trim().parse::<f64>().ok();
+    let (lower, upper) = (bound("lower"), bound("upper"));
+    let is_infinite = lower == Some(f64::NEG_INFINITY) && upper == Some(f64::INFINITY);
+    if is_infinite {
+        let reason = "the limits are infinite, which ROS does not read as numbers";
+        let remedy = "make the joint continuous if it turns freely, or write how far it moves";
+        diagnostics.warn(place(limit, diagnostics), reason, remedy);
+    }
+    is_infinite
+}
+
 fn kind(word: &Name, diagnostics: &mut Collector) -> Option<JointType> {
     let kind = vocabulary::joint_type(&word.text);
     if kind.is_none() {
@@ -197,6 +210,7 @@ impl<'a, 'i> Parts<'a, 'i> {
             };
             return Some((limits, Rating::default()));
         };
+        let infinite = warn_of_infinite(node, diagnostics);
         let bound = |name, diagnostics: &mut Collector| match node.attribute_node(name) {
             Some(attribute) => numbers::read::<1>(&attribute, diagnostics).map(|[x]| x),
             None if stops && has_two_bounds(node) => {
@@ -205,7 +219,13 @@ impl<'a, 'i> Parts<'a, 'i> {
             }
             None => Some(0.0),
         };
-        let (lower, upper) = (bound("lower", diagnostics), bound("upper", diagnostics));
+        let bounds = match infinite {
+            true => Some((f64::NEG_INFINITY, f64::INFINITY)),
+            false => {
+                let (lower, upper) = (bound("lower", diagnostics), bound("upper", diagnostics));
+                lower.zip(upper)
+            }
+        };
         let rating = |name, diagnostics: &mut Collector| {
             let attribute = node.attribute_node(name)?;
             numbers::refuse_junk(&attribute, diagnostics);
@@ -217,9 +237,9 @@ impl<'a, 'i> Parts<'a, 'i> {
             velocity: rating("velocity", diagnostics),
             effort: rating("effort", diagnostics),
         };
-        let (lower, upper) = (lower?, upper?);
+        let (lower, upper) = bounds?;
         let at = place(node, diagnostics);
-        let limits = match continuous {
+        let limits = match continuous || infinite {
             true => Limits::Unlimited,
             false => Limits::Range { lower, upper, at },
         };

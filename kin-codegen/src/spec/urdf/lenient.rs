@@ -1,8 +1,9 @@
 //! What the XML reader of ROS, TinyXML, takes and XML does not allow: `--` in comments, blanks
-//! and comments before the declaration, prefixes that are not declared.
+//! and comments before the declaration, prefixes that are not declared. So is the name of a document
+//! type that defines nothing.
 //!
 //! None of it is part of the robot. It is written over, byte for byte, so that every place
-//! stays where it is, and warned of.
+//! stays where it is, and warned of where it is no XML.
 
 use super::markup::{Part, parts};
 use super::{vocabulary, xacro};
@@ -26,6 +27,9 @@ pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, 
                 let reason = "the XML declaration does not stand at the beginning of the file";
                 let remedy = "remove what stands before it";
                 diagnostics.warn(diagnostics.place(start), reason, remedy);
+            }
+            Part::Open(_) if is_bare_type(within) => {
+                overwrite(&mut strict, start, &" ".repeat(within.len()));
             }
             Part::Open(_) | Part::Close => {
                 let mut warn = |prefix, at| {
@@ -95,6 +99,12 @@ fn overwrite(text: &mut Cow<str>, at: usize, by: &str) {
 fn is_declaration(instruction: &str) -> bool {
     let rest = instruction.strip_prefix("<?xml");
     rest.is_some_and(|rest| rest.starts_with(char::is_whitespace))
+}
+
+/// A document type without definitions of its own, which could rewrite the content; what a file
+/// that it names defines is not read.
+fn is_bare_type(tag: &str) -> bool {
+    tag.starts_with("<!DOCTYPE") && !tag.contains('[')
 }
 
 /// The element's name, from a text that begins with it.
