@@ -12,6 +12,9 @@ pub(super) struct Discriminant {
     pub value: Expr,
     /// Relative to a² + b², below this it is rounding.
     pub noise: f64,
+    /// Its factors √(a² + b²) ∓ d, where the first is a sum of squares: rounding keeps its digits,
+    /// and only where the other is nothing is the root double by it.
+    pub factors: Option<[Expr; 2]>,
 }
 
 impl Discriminant {
@@ -50,6 +53,7 @@ impl Writer<'_> {
             Discriminant {
                 value,
                 noise: self.tolerances.noise,
+                factors: None,
             }
         });
         let exact = discriminant.is_sum_of_squares(&self.tolerances);
@@ -102,7 +106,11 @@ impl Writer<'_> {
         amplitude: Expr,
         unit: f64,
     ) -> Expr {
-        let Discriminant { value, noise } = discriminant;
+        let Discriminant {
+            value,
+            noise,
+            factors,
+        } = discriminant;
         if !discriminant.is_sum_of_squares(&self.tolerances) {
             let margin = self.scaled(unit.powi(-2), value);
             self.narrow(margin);
@@ -126,9 +134,20 @@ impl Writer<'_> {
             false => double,
         };
         self.watch(value, near);
-        let invalid = self.g.select_less(value, double, minus, zero);
+        let (least, double) = match factors {
+            None => (value, double),
+            Some([squares, other]) => {
+                let nothing = self.g.constant(0.5 * unit);
+                let nothing = self.free_below(nothing);
+                let invalid = self.g.select_less(squares, nothing, minus, zero);
+                self.refuse(invalid);
+                let length = self.g.sqrt(amplitude);
+                (other, self.scaled(0.5 * noise, length))
+            }
+        };
+        let invalid = self.g.select_less(least, double, minus, zero);
         self.refuse(invalid);
-        let kept = self.g.select_less(value, double, zero, value);
+        let kept = self.g.select_less(least, double, zero, value);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
     }
@@ -152,7 +171,7 @@ impl Writer<'_> {
         amplitude: Expr,
         unit: f64,
     ) -> Expr {
-        let Discriminant { value, noise } = discriminant;
+        let Discriminant { value, noise, .. } = discriminant;
         let least = self.scaled(noise.max(self.tolerances.double_root), amplitude);
         let square = self.g.constant(unit * unit);
         self.doubt(value, square, least);

@@ -194,6 +194,10 @@ impl Writer<'_> {
         let offset = self.g.constant(offset);
         let rest = self.g.sub(rate, offset);
         let value = self.g.add(across, rest);
-        Some(Discriminant { value, noise })
+        Some(Discriminant {
+            value,
+            noise,
+            factors: None,
+        })
     }
 }

@@ -45,6 +45,7 @@ impl Writer<'_> {
         let discriminant = Discriminant {
             value: discriminant,
             noise: self.tolerances.noise,
+            factors: None,
         };
         let root = self.root(sign, discriminant, scale, self.linkage.size);
         self.g.add(foot, root)

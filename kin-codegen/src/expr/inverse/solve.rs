@@ -2,6 +2,7 @@
 //! axis is z, so every rotation is planar.
 
 use super::Writer;
+use super::root::Discriminant;
 use super::transport::Transported;
 use crate::expr::Expr;
 use crate::expr::linear::Vector;
@@ -19,6 +20,10 @@ pub(super) struct Sides {
 /// What of the square of its amplitude counts where equations are compared by
 /// their slopes.
 const AMPLITUDE: f64 = 1e-8;
+
+/// Lengths are equal to rounding if they are so to this: less moves a folded arm by no more than
+/// where its angle is free.
+const EQUAL: f64 = 1e-13;
 
 /// a cos θ + b sin θ = d.
 #[derive(Clone, Copy)]
@@ -53,12 +58,16 @@ impl Writer<'_> {
             }
             (Subproblem::Sp3 | Subproblem::Sp4, &[unknown]) => {
                 let mut equation = self.equation(relation, unknown);
-                if let Some(other) = &step.complement {
-                    let other = self.equation(other, unknown);
-                    equation = self.steeper(equation, other);
-                }
+                let known = match &step.complement {
+                    Some(other) => {
+                        let other = self.equation(other, unknown);
+                        equation = self.steeper(equation, other);
+                        None
+                    }
+                    None => self.of_equal_links(relation, unknown),
+                };
                 let CosineSine { a, b, d, unit } = equation;
-                let trig = self.angle_with(unknown, a, b, d, None, unit);
+                let trig = self.angle_with(unknown, a, b, d, known, unit);
                 self.set(unknown, trig);
             }
             (Subproblem::Slides, unknowns) => self.slides(relation, unknowns),
@@ -82,6 +91,34 @@ impl Writer<'_> {
             _ => self.linkage.size,
         };
         CosineSine { a, b, d, unit }
+    }
+
+    /// The discriminant of a subproblem 3 of two points as far from the axis, in one plane across it:
+    /// folded they meet, and the square of their distance, which is what is given, is nothing.
+    fn of_equal_links(&mut self, relation: &Relation, unknown: Atom) -> Option<Discriminant> {
+        if kinds(relation) != (Kind::Point, Some(Kind::Point)) {
+            return None;
+        }
+        let sides = self.sides(relation, unknown);
+        let [near, far] = sides.other?;
+        let points = [&sides.left, &sides.right].map(|side| self.point(side));
+        let [left, right] = points.map(|point| {
+            let square = self.length_squared(point);
+            Some([self.g.value(square)?, self.g.value(point[2])?])
+        });
+        let ([left, height], [right, other]) = (left?, right?);
+        if (left - right).abs() >= EQUAL * left || (height - other).abs() >= EQUAL * left.sqrt() {
+            return None;
+        }
+        let half = self.value(relation, &near, &far);
+        let folded = self.g.neg(half);
+        let most = self.g.constant(left + right);
+        let stretched = self.g.add(most, half);
+        Some(Discriminant {
+            value: self.g.mul(folded, stretched),
+            noise: self.tolerances.noise,
+            factors: Some([folded, stretched]),
+        })
     }
 
     /// Of two equations of one unknown, the one that changes faster with it at

@@ -1,0 +1,147 @@
+//! Two links of one length: folded, the end of one is on the axis of the other, which may then have
+//! any angle. Next to that the arm has both bends of its elbow, half a turn apart.
+
+use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::geometry::Linkage;
+use kin_codegen::model::Model;
+use kin_codegen::random::Random;
+use kin_codegen::solver::solve;
+use kin_codegen::spec::{ArmSpec, Source};
+use kin_runtime::Target;
+use std::f64::consts::{PI, TAU};
+
+/// How far from folded, radians.
+const NEXT_TO: [f64; 9] = [1e-10, 1e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-4, 1e-2];
+
+/// Joints from the shoulder on, and the tip's place in the frame of the last.
+struct Arm {
+    joints: String,
+    tip: [f64; 3],
+    /// Of the joint between the two links.
+    elbow: usize,
+    target: Target,
+    /// How near to folded, radians, its plan tells the angle that is free there.
+    told_from: f64,
+    /// How many solutions have the shoulder of the one that is asked for.
+    solutions: usize,
+}
+
+fn solved(arm: &Arm, random: &mut Random) -> (Model, ClosedForm) {
+    let turned = [(); 6].map(|()| random.between(-3.0, 3.0));
+    let [x, y, z] = arm.tip;
+    let text = format!(
+        "robot: arm\nunits: {{angle: rad, length: m}}\njoints:\n\
+         - {{name: placed, type: fixed, xyz: [0.1, -0.2, 0.3], rpy: [{}, {}, {}]}}\n{}\
+         tip: {{link: tip, xyz: [{x}, {y}, {z}], rpy: [{}, {}, {}]}}\n",
+        turned[0], turned[1], turned[2], arm.joints, turned[3], turned[4], turned[5]
+    );
+    let source = Source {
+        path: "arm.yaml".into(),
+        text,
+    };
+    let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+    let form = solve(&model, &Linkage::new(&model), arm.target)
+        .unwrap()
+        .form;
+    (model, form)
+}
+
+fn apart(a: f64, b: f64) -> f64 {
+    (a - b - ((a - b) / TAU).round() * TAU).abs()
+}
+
+/// Both bends are found next to the fold, the one asked for as exactly as its target tells it.
+fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
+    let (model, form) = solved(arm, random);
+    let chain = model.chain();
+    for off in NEXT_TO.into_iter().filter(|off| *off >= arm.told_from) {
+        for k in 0..20 {
+            let mut q: [f64; N] = std::array::from_fn(|_| random.between(-PI, PI));
+            q[arm.elbow] = PI + if k % 2 == 0 { off } else { -off };
+            if let Some(wrist) = q.get(arm.elbow + 2)
+                && wrist.sin().abs() < 0.1
+            {
+                continue;
+            }
+            let solutions = form.solutions(&chain.fk(&q));
+            let is_near = |found: &[f64]| {
+                let joints = (0..N).map(|i| apart(found[i], q[i]));
+                joints.fold(0.0, f64::max) < 1e-13 / off + 1e-9
+            };
+            assert!(
+                solutions.iter().any(|it| is_near(&it.q)),
+                "{off:e} from folded: {q:?} is none of {solutions:?}"
+            );
+            // What the wrist's axes and the elbow do is told apart; the shoulder stays.
+            let beside = |found: &[f64]| (0..arm.elbow - 1).all(|i| apart(found[i], q[i]) < 0.1);
+            let count = solutions.iter().filter(|it| beside(&it.q)).count();
+            assert_eq!(count, arm.solutions, "{off:e} from folded: {q:?}");
+        }
+    }
+}
+
+#[test]
+fn a_folded_arm_with_a_wrist() {
+    let mut random = Random(0xf01d);
+    for shoulder in [0.05, 0.1, 0.15] {
+        let length = random.between(0.2, 0.6);
+        let arm = Arm {
+            joints: format!(
+                "- {{name: q1, axis: [0, 0, 1]}}\n\
+                 - {{name: q2, xyz: [{shoulder}, 0, 0.3], axis: [0, 1, 0]}}\n\
+                 - {{name: q3, xyz: [0, 0, {length}], axis: [0, 1, 0]}}\n\
+                 - {{name: q4, axis: [0, 0, 1]}}\n\
+                 - {{name: q5, xyz: [0, 0, {length}], axis: [0, 1, 0]}}\n\
+                 - {{name: q6, axis: [0, 0, 1]}}\n"
+            ),
+            tip: [0.0, 0.0, 0.1],
+            elbow: 2,
+            target: Target::Pose,
+            told_from: 1e-10,
+            solutions: 4,
+        };
+        has_both_bends::<6>(&arm, &mut random);
+    }
+}
+
+#[test]
+fn a_folded_arm_of_two_joints() {
+    let mut random = Random(0x2f01d);
+    for _ in 0..3 {
+        let length = random.between(0.2, 0.6);
+        let arm = Arm {
+            joints: format!(
+                "- {{name: q1, axis: [0, 0, 1]}}\n\
+                 - {{name: q2, xyz: [{length}, 0, 0], axis: [0, 0, 1]}}\n"
+            ),
+            tip: [length, 0.0, 0.0],
+            elbow: 1,
+            target: Target::Position,
+            told_from: 1e-8,
+            solutions: 2,
+        };
+        has_both_bends::<2>(&arm, &mut random);
+    }
+}
+
+#[test]
+fn a_folded_scara() {
+    let mut random = Random(0x5f01d);
+    for _ in 0..3 {
+        let length = random.between(0.2, 0.6);
+        let arm = Arm {
+            joints: format!(
+                "- {{name: q1, axis: [0, 0, 1]}}\n\
+                 - {{name: q2, xyz: [{length}, 0, 0.1], axis: [0, 0, 1]}}\n\
+                 - {{name: q3, type: prismatic, xyz: [{length}, 0, 0], axis: [0, 0, -1]}}\n\
+                 - {{name: q4, axis: [0, 0, 1]}}\n"
+            ),
+            tip: [0.0, 0.0, -0.05],
+            elbow: 1,
+            target: Target::Pose,
+            told_from: 1e-10,
+            solutions: 2,
+        };
+        has_both_bends::<4>(&arm, &mut random);
+    }
+}
