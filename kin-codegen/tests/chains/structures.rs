@@ -41,7 +41,7 @@ macro_rules! table {
             const STEPS: &[Step] = &[$($step),*];
 
             proptest! {
-                #![proptest_config(cases(200))]
+                #![proptest_config(cases(80))]
 
                 #[test]
                 fn is_solved(

@@ -11,7 +11,7 @@ use crate::scalar::Tolerances;
 /// The sine and cosine of an angle over a common factor, which is compared with
 /// `scale` to tell whether the angle is free.
 #[derive(Clone, Copy)]
-pub(super) struct Turn {
+pub(super) struct ScaledTrig {
     pub trig: Trig,
     pub factor: Expr,
     pub scale: Expr,
@@ -19,7 +19,7 @@ pub(super) struct Turn {
 
 impl Writer<'_> {
     /// Rz(θ) right = left.
-    pub(super) fn sp1(&mut self, relation: &Relation, unknown: Atom) -> Turn {
+    pub(super) fn sp1(&mut self, relation: &Relation, unknown: Atom) -> ScaledTrig {
         let sides = self.sides(relation, unknown);
         let (left, right) = (sides.left, sides.right);
         let point = left.point.is_some();
@@ -34,7 +34,7 @@ impl Writer<'_> {
             .find(|&e| self.g.value(e).is_some_and(|x| x > 0.0));
         if let (false, Some(factor)) = (point, constant) {
             let scale = self.g.one();
-            return Turn {
+            return ScaledTrig {
                 trig,
                 factor,
                 scale,
@@ -43,7 +43,7 @@ impl Writer<'_> {
         let product = self.g.mul(lengths[0], lengths[1]);
         let factor = self.g.sqrt(product);
         let scale = self.square_scale(point);
-        Turn {
+        ScaledTrig {
             trig,
             factor,
             scale,
@@ -51,7 +51,7 @@ impl Writer<'_> {
     }
 
     /// Of two vectors that tell one angle, the one that is longer for its kind.
-    pub(super) fn longer(&mut self, one: Turn, other: Turn) -> Turn {
+    pub(super) fn longer(&mut self, one: ScaledTrig, other: ScaledTrig) -> ScaledTrig {
         let [first, second] = [one, other].map(|turn| self.g.div(turn.factor, turn.scale));
         let mut choose = |x, y| self.g.select_less(first, second, y, x);
         let sin = choose(one.trig.sin, other.trig.sin);
@@ -59,7 +59,7 @@ impl Writer<'_> {
         let factor = choose(one.factor, other.factor);
         let scale = choose(one.scale, other.scale);
         let trig = Trig { sin, cos };
-        Turn {
+        ScaledTrig {
             trig,
             factor,
             scale,
