@@ -1,7 +1,7 @@
 //! Two links of one length: folded, the end of one is on the axis of the other, which may then have
 //! any angle. Next to that the arm has both bends of its elbow, half a turn apart.
 
-use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::closed_form::{BranchSolution, ClosedForm};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
@@ -22,7 +22,7 @@ struct Arm {
     target: Target,
     /// How near to folded, radians, its plan tells the angle that is free there.
     told_from: f64,
-    /// How many solutions have the shoulder of the one that is asked for.
+    /// How many solutions next to the fold have the shoulder of the one that is asked for.
     solutions: usize,
 }
 
@@ -50,33 +50,48 @@ fn apart(a: f64, b: f64) -> f64 {
     (a - b - ((a - b) / TAU).round() * TAU).abs()
 }
 
-/// Both bends are found next to the fold, the one asked for as exactly as its target tells it.
+/// Configurations with the elbow so far from folded and, if there is a wrist, it away from stretched.
+fn off_the_fold<const N: usize>(arm: &Arm, off: f64, random: &mut Random) -> Vec<[f64; N]> {
+    let drawn = (0..20).map(|k| {
+        let mut q: [f64; N] = std::array::from_fn(|_| random.between(-PI, PI));
+        q[arm.elbow] = PI + if k % 2 == 0 { off } else { -off };
+        q
+    });
+    let is_bent = |q: &[f64; N]| q.get(arm.elbow + 2).is_none_or(|it| it.sin().abs() > 0.1);
+    drawn.filter(is_bent).collect()
+}
+
+/// Both bends are found next to the fold, the one asked for as exactly as its target tells it; folded,
+/// one stands for all angles of the link.
 fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
     let (model, form) = solved(arm, random);
     let chain = model.chain();
+    let folded = |q: &[f64; N], off: f64| {
+        let is_folded = |it: &&BranchSolution| apart(it.q[arm.elbow], PI) < 2.0 * off + 1e-6;
+        let has_shoulder =
+            |it: &&BranchSolution| (0..arm.elbow - 1).all(|i| apart(it.q[i], q[i]) < 1e-4);
+        let solutions = form.solutions(&chain.fk(q));
+        let solutions = solutions.iter().filter(is_folded).filter(has_shoulder);
+        solutions.cloned().collect::<Vec<_>>()
+    };
     for off in NEXT_TO.into_iter().filter(|off| *off >= arm.told_from) {
-        for k in 0..20 {
-            let mut q: [f64; N] = std::array::from_fn(|_| random.between(-PI, PI));
-            q[arm.elbow] = PI + if k % 2 == 0 { off } else { -off };
-            if let Some(wrist) = q.get(arm.elbow + 2)
-                && wrist.sin().abs() < 0.1
-            {
-                continue;
-            }
-            let solutions = form.solutions(&chain.fk(&q));
-            let is_near = |found: &[f64]| {
-                let joints = (0..N).map(|i| apart(found[i], q[i]));
+        for q in off_the_fold(arm, off, random) {
+            let solutions = folded(&q, off);
+            let is_near = |it: &BranchSolution| {
+                let joints = (0..N).map(|i| apart(it.q[i], q[i]));
                 joints.fold(0.0, f64::max) < 1e-13 / off + 1e-9
             };
             assert!(
-                solutions.iter().any(|it| is_near(&it.q)),
+                solutions.iter().any(is_near),
                 "{off:e} from folded: {q:?} is none of {solutions:?}"
             );
-            // What the wrist's axes and the elbow do is told apart; the shoulder stays.
-            let beside = |found: &[f64]| (0..arm.elbow - 1).all(|i| apart(found[i], q[i]) < 0.1);
-            let count = solutions.iter().filter(|it| beside(&it.q)).count();
-            assert_eq!(count, arm.solutions, "{off:e} from folded: {q:?}");
+            assert_eq!(solutions.len(), arm.solutions, "{off:e} from folded: {q:?}");
         }
+    }
+    for q in off_the_fold(arm, 0.0, random) {
+        let solutions = folded(&q, 0.0);
+        assert_eq!(solutions.len(), arm.solutions / 2, "{q:?}: {solutions:?}");
+        assert!(solutions.iter().all(|it| it.singular), "{solutions:?}");
     }
 }
 
@@ -99,6 +114,32 @@ fn a_folded_arm_with_a_wrist() {
             target: Target::Pose,
             told_from: 1e-10,
             solutions: 4,
+        };
+        has_both_bends::<6>(&arm, &mut random);
+    }
+}
+
+/// Their ends meet beside the plane of the links only when seen along the parallel axes.
+#[test]
+fn a_folded_arm_of_three_parallel_axes() {
+    let mut random = Random(0x3f01d);
+    for _ in 0..3 {
+        let length = random.between(0.2, 0.6);
+        let [offset, wrist, tool] = [(); 3].map(|()| random.between(0.05, 0.15));
+        let arm = Arm {
+            joints: format!(
+                "- {{name: q1, axis: [0, 0, 1]}}\n\
+                 - {{name: q2, xyz: [0, 0, 0.3], axis: [0, 1, 0]}}\n\
+                 - {{name: q3, xyz: [0, 0, {length}], axis: [0, 1, 0]}}\n\
+                 - {{name: q4, xyz: [0, {offset}, {length}], axis: [0, 1, 0]}}\n\
+                 - {{name: q5, xyz: [0, 0, {wrist}], axis: [0, 0, 1]}}\n\
+                 - {{name: q6, axis: [0, 1, 0]}}\n"
+            ),
+            tip: [0.0, tool, 0.0],
+            elbow: 2,
+            target: Target::Pose,
+            told_from: 1e-10,
+            solutions: 2,
         };
         has_both_bends::<6>(&arm, &mut random);
     }

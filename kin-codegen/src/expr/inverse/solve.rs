@@ -93,32 +93,59 @@ impl Writer<'_> {
         CosineSine { a, b, d, unit }
     }
 
-    /// The discriminant of a subproblem 3 of two points as far from the axis, in one plane across it:
-    /// folded they meet, and the square of their distance, which is what is given, is nothing.
+    /// The discriminant of a subproblem 3 of two points as far from the axis: folded they meet, seen
+    /// along it, and the square of their distance across it, which is what is given, is nothing.
     fn of_equal_links(&mut self, relation: &Relation, unknown: Atom) -> Option<Discriminant> {
         if kinds(relation) != (Kind::Point, Some(Kind::Point)) {
             return None;
         }
         let sides = self.sides(relation, unknown);
-        let [near, far] = sides.other?;
         let points = [&sides.left, &sides.right].map(|side| self.point(side));
         let [left, right] = points.map(|point| {
             let square = self.length_squared(point);
             Some([self.g.value(square)?, self.g.value(point[2])?])
         });
         let ([left, height], [right, other]) = (left?, right?);
-        if (left - right).abs() >= EQUAL * left || (height - other).abs() >= EQUAL * left.sqrt() {
+        if (left - right).abs() >= EQUAL * left {
             return None;
         }
-        let half = self.value(relation, &near, &far);
-        let folded = self.g.neg(half);
+        let square = match (height - other).abs() < EQUAL * left.sqrt() {
+            true => {
+                let [near, far] = sides.other?.map(|side| self.point(&side));
+                let gap = self.g.minus(near, far);
+                self.g.dot(gap, gap)
+            }
+            false => self.square_across(relation, unknown)?,
+        };
+        let folded = self.scaled(0.5, square);
         let most = self.g.constant(left + right);
-        let stretched = self.g.add(most, half);
+        let stretched = self.g.sub(most, folded);
         Some(Discriminant {
             value: self.g.mul(folded, stretched),
             noise: self.tolerances.noise,
             factors: Some([folded, stretched]),
         })
+    }
+
+    /// Of two points, one of them on the first of the parallel axes of which the unknown's is one, the
+    /// square of their distance across these, if all joints before them are known.
+    fn square_across(&mut self, relation: &Relation, unknown: Atom) -> Option<Expr> {
+        let (joint, _) = self.extent(unknown);
+        let first = self.linkage.runs[self.linkage.run_of(joint)].joints.start;
+        let (near, far) = (&relation.from, relation.to.as_ref()?);
+        let is_known = self.trig[..first].iter().all(Option::is_some);
+        if !is_known || near.joints.start > first {
+            return None;
+        }
+        let foot = self.bring_before(near, near.joints.end.min(first), first);
+        let foot = self.point(&foot);
+        let beside = self.length_squared(foot);
+        if !self.g.is(beside, 0.0) {
+            return None;
+        }
+        let far = self.bring_before(far, far.joints.end, first);
+        let far = self.point(&far);
+        Some(self.length_squared(far))
     }
 
     /// Of two equations of one unknown, the one that changes faster with it at
