@@ -9,6 +9,7 @@ use kin_codegen::solver::solve;
 use kin_codegen::spec::{ArmSpec, Source};
 use kin_runtime::Target;
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 /// How far from folded, radians.
 const NEXT_TO: [f64; 9] = [1e-10, 1e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-4, 1e-2];
@@ -50,11 +51,16 @@ fn apart(a: f64, b: f64) -> f64 {
     (a - b - ((a - b) / TAU).round() * TAU).abs()
 }
 
-/// Configurations with the elbow so far from folded and, if there is a wrist, it away from stretched.
-fn off_the_fold<const N: usize>(arm: &Arm, off: f64, random: &mut Random) -> Vec<[f64; N]> {
+/// Configurations with the elbow so far from an angle and, if there is a wrist, it away from stretched.
+fn with_elbow<const N: usize>(
+    arm: &Arm,
+    elbow: f64,
+    off: f64,
+    random: &mut Random,
+) -> Vec<[f64; N]> {
     let drawn = (0..20).map(|k| {
         let mut q: [f64; N] = std::array::from_fn(|_| random.between(-PI, PI));
-        q[arm.elbow] = PI + if k % 2 == 0 { off } else { -off };
+        q[arm.elbow] = elbow + if k % 2 == 0 { off } else { -off };
         q
     });
     let is_bent = |q: &[f64; N]| q.get(arm.elbow + 2).is_none_or(|it| it.sin().abs() > 0.1);
@@ -62,12 +68,13 @@ fn off_the_fold<const N: usize>(arm: &Arm, off: f64, random: &mut Random) -> Vec
 }
 
 /// Both bends are found next to the fold, the one asked for as exactly as its target tells it; folded,
-/// one stands for all angles of the link.
+/// one stands for all angles of the link, and stretched the two are one.
 fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
     let (model, form) = solved(arm, random);
     let chain = model.chain();
-    let folded = |q: &[f64; N], off: f64| {
-        let is_folded = |it: &&BranchSolution| apart(it.q[arm.elbow], PI) < 2.0 * off + 1e-6;
+    // With its shoulder, and the elbow no farther from folded or stretched.
+    let beside = |q: &[f64; N], elbow: f64, off: f64| {
+        let is_folded = |it: &&BranchSolution| apart(it.q[arm.elbow], elbow) < 2.0 * off + 1e-6;
         let has_shoulder =
             |it: &&BranchSolution| (0..arm.elbow - 1).all(|i| apart(it.q[i], q[i]) < 1e-4);
         let solutions = form.solutions(&chain.fk(q));
@@ -75,11 +82,15 @@ fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
         solutions.cloned().collect::<Vec<_>>()
     };
     for off in NEXT_TO.into_iter().filter(|off| *off >= arm.told_from) {
-        for q in off_the_fold(arm, off, random) {
-            let solutions = folded(&q, off);
+        for q in with_elbow(arm, PI, off, random) {
+            let solutions = beside(&q, PI, off);
+            // What the shoulder is off moves the ends of the links apart.
             let is_near = |it: &BranchSolution| {
-                let joints = (0..N).map(|i| apart(it.q[i], q[i]));
-                joints.fold(0.0, f64::max) < 1e-13 / off + 1e-9
+                let off_by = |joints: Range<usize>| {
+                    let joints = joints.map(|i| apart(it.q[i], q[i]));
+                    joints.fold(0.0, f64::max)
+                };
+                off_by(0..N) < (1e-13 + 4.0 * off_by(0..arm.elbow - 1)) / off + 1e-9
             };
             assert!(
                 solutions.iter().any(is_near),
@@ -88,10 +99,18 @@ fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
             assert_eq!(solutions.len(), arm.solutions, "{off:e} from folded: {q:?}");
         }
     }
-    for q in off_the_fold(arm, 0.0, random) {
-        let solutions = folded(&q, 0.0);
-        assert_eq!(solutions.len(), arm.solutions / 2, "{q:?}: {solutions:?}");
-        assert!(solutions.iter().all(|it| it.singular), "{solutions:?}");
+    for elbow in [0.0, PI] {
+        for q in with_elbow(arm, elbow, 0.0, random) {
+            let solutions = beside(&q, elbow, 0.0);
+            // Rounding of a shoulder that is nearly singular moves the two apart.
+            let off =
+                |it: &BranchSolution| (0..arm.elbow - 1).any(|i| apart(it.q[i], q[i]) > 1e-14);
+            if solutions.iter().any(off) {
+                continue;
+            }
+            assert_eq!(solutions.len(), arm.solutions / 2, "{q:?}: {solutions:?}");
+            assert!(solutions.iter().all(|it| it.singular), "{solutions:?}");
+        }
     }
 }
 
@@ -184,5 +203,35 @@ fn a_folded_scara() {
             solutions: 2,
         };
         has_both_bends::<4>(&arm, &mut random);
+    }
+}
+
+/// Their difference would be missing from all solutions.
+#[test]
+fn links_that_are_nearly_equal_are_not_taken_for_it() {
+    let mut random = Random(0x4f01d);
+    for more in [1e-3, 1e-4, 1e-5, 1e-6] {
+        let length = random.between(0.2, 0.6);
+        let arm = Arm {
+            joints: format!(
+                "- {{name: q1, axis: [0, 0, 1]}}\n\
+                 - {{name: q2, xyz: [0.1, 0, 0.3], axis: [0, 1, 0]}}\n\
+                 - {{name: q3, xyz: [0, 0, {length}], axis: [0, 1, 0]}}\n"
+            ),
+            tip: [0.0, 0.0, length * (1.0 + more)],
+            elbow: 2,
+            target: Target::Position,
+            told_from: 0.0,
+            solutions: 2,
+        };
+        let (model, form) = solved(&arm, &mut random);
+        let chain = model.chain();
+        for q in with_elbow::<3>(&arm, 2.0, 0.0, &mut random) {
+            let solutions = form.solutions(&chain.fk(&q));
+            assert!(
+                solutions.iter().all(|it| it.residual < 1e-13),
+                "{more:e}: {solutions:?}"
+            );
+        }
     }
 }
