@@ -215,7 +215,7 @@ typedef struct slider_crank_chain0_solution {
 } slider_crank_chain0_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite. */
 #define SLIDER_CRANK_CHAIN0_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define SLIDER_CRANK_CHAIN0_NOT_A_ROTATION (-2)
@@ -313,7 +313,7 @@ typedef struct slider_crank_chain1_solution {
 } slider_crank_chain1_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite. */
 #define SLIDER_CRANK_CHAIN1_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define SLIDER_CRANK_CHAIN1_NOT_A_ROTATION (-2)

@@ -125,7 +125,7 @@ typedef struct ur5e_solution {
 } ur5e_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite. */
 #define UR5E_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define UR5E_NOT_A_ROTATION (-2)

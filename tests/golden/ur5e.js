@@ -732,7 +732,9 @@ const $arm = (arm) => {
             }
             return parameters;
         };
-        arm.why_none = (pose) => $why_none(form, pose);
+        arm.why_none = (pose, parameters = []) => {
+            return parameters.every(Number.isFinite) ? $why_none(form, pose) : "not finite";
+        };
     }
     if (form && form.parameters.length === 0) {
         arm.ik = (pose) => arm.ik_at(pose, []);

@@ -43,7 +43,7 @@ function inverse(robot, { numbers }, write) {
     write(robot.redundancy(pose, seed));
     const given = numbers(parameters.length);
     const solutions = robot.ik_at(pose, given);
-    write([solutions.length > 0 ? solutions.length : reasons[robot.why_none(pose)]]);
+    write([solutions.length > 0 ? solutions.length : reasons[robot.why_none(pose, given)]]);
     for (const { q, residual, branch, singular } of solutions) {
         write([branch, singular ? 1 : 0, residual]);
         write(q);
@@ -53,7 +53,7 @@ function inverse(robot, { numbers }, write) {
             ? robot.ik_nearest(pose, seed)
             : robot.ik_nearest_at(pose, given, seed);
     const seeded = robot.ik_seeded_at(pose, given, seed);
-    const none = seeded.length > 0 ? -3 : reasons[robot.why_none(pose)];
+    const none = seeded.length > 0 ? -3 : reasons[robot.why_none(pose, given)];
     write([nearest ? 1 : none]);
     if (nearest) {
         write(nearest.q);

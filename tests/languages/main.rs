@@ -281,7 +281,7 @@ fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) 
     }
     assert_eq!(found.max(0) as usize, expected.len(), "{of:?}");
     if found <= 0 && rust.target() == Target::Pose {
-        assert_eq!(found, why_none(pose), "{of:?}");
+        assert_eq!(found, why_none(pose, &parameters), "{of:?}");
     }
     for solution in expected.iter() {
         assert_eq!(written.integer() as u32, solution.branch, "{of:?}");
@@ -306,7 +306,7 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
     let expected = rust.ik_at(pose, &parameters);
     let mut regular: Vec<_> = expected.iter().filter(|it| !it.singular).collect();
     if found <= 0 && rust.target() == Target::Pose {
-        assert_eq!(found, why_none(pose), "{of:?}");
+        assert_eq!(found, why_none(pose, &parameters), "{of:?}");
     }
     let mut singular = 0;
     for place in 0..found {
@@ -378,8 +378,8 @@ fn is_defined(rust: &Robot, pose: &Pose, q: &[f64]) -> bool {
 }
 
 /// The code of a target without solutions, all of whose entries count.
-fn why_none(pose: &Pose) -> i32 {
-    let finite = rows(pose).iter().all(|x| x.is_finite());
+fn why_none(pose: &Pose, parameters: &[f64]) -> i32 {
+    let finite = rows(pose).iter().chain(parameters).all(|x| x.is_finite());
     match pose.rotation_error() {
         _ if !finite => -1,
         1e-9.. => -2,

@@ -87,7 +87,7 @@ fn a_reason_is_told() {
         "{found:?}"
     );
     let found = crate::Panda.try_ik_nearest_at(&far, f64::NAN, &free);
-    assert!(found.is_err());
+    assert_eq!(found, Err(NoSolution::NotFinite));
 }
 
 /// Of all values of the parameter: no value has one that is nearer.

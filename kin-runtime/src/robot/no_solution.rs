@@ -10,7 +10,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoSolution<const N: usize> {
-    /// An entry of the target that counts is not a finite number.
+    /// An entry of the target that counts, or the parameter, is not a finite number.
     NotFinite,
     /// The target's rotation is none.
     NotRotation {
@@ -135,7 +135,7 @@ fn least<'a, const N: usize>(
 impl<const N: usize> fmt::Display for NoSolution<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite => f.write_str("the target is not a number"),
+            Self::NotFinite => f.write_str("the target, or the parameter, is not a number"),
             Self::NotRotation { error } => {
                 write!(f, "the target's rotation is off one by {error:.1e}")
             }

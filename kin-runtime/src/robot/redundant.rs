@@ -138,8 +138,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     ) -> Result<Solution<N>, NoSolution<N>> {
         let solutions = self.ik_seeded_at(target, parameter, &nearest.seed);
         solutions.nearest_by(nearest).ok_or_else(|| {
-            NoSolution::among(&solutions, nearest)
-                .unwrap_or_else(|| NoSolution::of_target(self.counting_at(), target, || None))
+            NoSolution::among(&solutions, nearest).unwrap_or_else(|| match parameter.is_finite() {
+                true => NoSolution::of_target(self.counting_at(), target, || None),
+                false => NoSolution::NotFinite,
+            })
         })
     }
 
