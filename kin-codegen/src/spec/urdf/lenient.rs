@@ -23,13 +23,13 @@ pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, 
         match part {
             Part::Comment => hide_dashes(within, start, &mut strict, diagnostics),
             Part::Instruction if is_first && start > 0 && is_declaration(within) => {
-                overwrite(&mut strict, start, &" ".repeat(within.len()));
+                overwrite(&mut strict, start, &blank(within));
                 let reason = "the XML declaration does not stand at the beginning of the file";
                 let remedy = "remove what stands before it";
                 diagnostics.warn(diagnostics.place(start), reason, remedy);
             }
             Part::Open(_) if is_bare_type(within) => {
-                overwrite(&mut strict, start, &" ".repeat(within.len()));
+                overwrite(&mut strict, start, &blank(within));
             }
             Part::Open(_) | Part::Close => {
                 let mut warn = |prefix, at| {
@@ -56,7 +56,7 @@ pub(super) fn strict<'t>(text: &'t str, diagnostics: &mut Collector) -> Cow<'t, 
                 for (range, name) in attributes(within, 1 + slash + name.len()) {
                     if let Some(prefix) = prefix(name).filter(|it| !declared.contains(it)) {
                         let at = start + range.start;
-                        overwrite(&mut strict, at, &" ".repeat(range.len()));
+                        overwrite(&mut strict, at, &blank(&within[range]));
                         warn(prefix, at);
                     }
                 }
@@ -94,6 +94,13 @@ fn hide_dashes(comment: &str, start: usize, strict: &mut Cow<str>, diagnostics: 
 
 fn overwrite(text: &mut Cow<str>, at: usize, by: &str) {
     text.to_mut().replace_range(at..at + by.len(), by);
+}
+
+/// As many bytes, on as many lines.
+fn blank(text: &str) -> String {
+    let bytes = text.bytes();
+    let blank = bytes.map(|byte| if byte == b'\n' { '\n' } else { ' ' });
+    blank.collect()
 }
 
 fn is_declaration(instruction: &str) -> bool {
