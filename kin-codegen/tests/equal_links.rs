@@ -100,6 +100,7 @@ fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
         }
     }
     for elbow in [0.0, PI] {
+        let mut told = 0;
         for q in with_elbow(arm, elbow, 0.0, random) {
             let solutions = beside(&q, elbow, 0.0);
             // Rounding of a shoulder that is nearly singular moves the two apart.
@@ -108,9 +109,11 @@ fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
             if solutions.iter().any(off) {
                 continue;
             }
+            told += 1;
             assert_eq!(solutions.len(), arm.solutions / 2, "{q:?}: {solutions:?}");
             assert!(solutions.iter().all(|it| it.singular), "{solutions:?}");
         }
+        assert!(told > 5, "{told} of 20");
     }
 }
 
@@ -228,6 +231,7 @@ fn links_that_are_nearly_equal_are_not_taken_for_it() {
         let chain = model.chain();
         for q in with_elbow::<3>(&arm, 2.0, 0.0, &mut random) {
             let solutions = form.solutions(&chain.fk(&q));
+            assert!(!solutions.is_empty(), "{more:e}: {q:?}");
             assert!(
                 solutions.iter().all(|it| it.residual < 1e-13),
                 "{more:e}: {solutions:?}"
