@@ -23,7 +23,8 @@
 extern double sqrt(double) __attribute__((__const__));
 #endif
 
-#if defined(__GNUC__)
+/* Without optimization nothing is inlined: that would take long to compile, and more to step through. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define SLIDER_CRANK_INLINE static inline __attribute__((always_inline))
 #else
 #define SLIDER_CRANK_INLINE static inline
@@ -890,9 +891,9 @@ SLIDER_CRANK_INLINE void slider_crank_chain0_lanes_of(
     }
 }
 
-/* The lanes, by wider vector instructions where the processor has them and the compiler was not
- * told to take them for granted; the results are the same. */
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+/* The lanes, in optimized code by wider vector instructions where the processor has them and the
+ * compiler was not told to take them for granted; the results are the same. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
 static __attribute__((target("avx2"))) void slider_crank_chain0_lanes_by_avx2(
     const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given, double free_below,
     slider_crank_chain0_lanes *lanes)
@@ -905,7 +906,7 @@ static void slider_crank_chain0_compute_lanes(
     const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given, double free_below,
     slider_crank_chain0_lanes *lanes)
 {
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
     if (__builtin_cpu_supports("avx2")) {
         slider_crank_chain0_lanes_by_avx2(target, seed, given, free_below, lanes);
         return;
@@ -1300,9 +1301,9 @@ SLIDER_CRANK_INLINE void slider_crank_chain1_lanes_of(
     }
 }
 
-/* The lanes, by wider vector instructions where the processor has them and the compiler was not
- * told to take them for granted; the results are the same. */
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+/* The lanes, in optimized code by wider vector instructions where the processor has them and the
+ * compiler was not told to take them for granted; the results are the same. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
 static __attribute__((target("avx2"))) void slider_crank_chain1_lanes_by_avx2(
     const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given, double free_below,
     slider_crank_chain1_lanes *lanes)
@@ -1315,7 +1316,7 @@ static void slider_crank_chain1_compute_lanes(
     const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given, double free_below,
     slider_crank_chain1_lanes *lanes)
 {
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
     if (__builtin_cpu_supports("avx2")) {
         slider_crank_chain1_lanes_by_avx2(target, seed, given, free_below, lanes);
         return;
@@ -1736,9 +1737,9 @@ SLIDER_CRANK_INLINE void slider_crank_passive_lanes_of(
     }
 }
 
-/* The lanes, by wider vector instructions where the processor has them and the compiler was not
- * told to take them for granted; the results are the same. */
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+/* The lanes, in optimized code by wider vector instructions where the processor has them and the
+ * compiler was not told to take them for granted; the results are the same. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
 static __attribute__((target("avx2"))) void slider_crank_passive_lanes_by_avx2(
     const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given, double free_below,
     slider_crank_passive_lanes *lanes)
@@ -1751,7 +1752,7 @@ static void slider_crank_passive_compute_lanes(
     const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given, double free_below,
     slider_crank_passive_lanes *lanes)
 {
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
     if (__builtin_cpu_supports("avx2")) {
         slider_crank_passive_lanes_by_avx2(target, seed, given, free_below, lanes);
         return;

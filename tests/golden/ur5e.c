@@ -23,7 +23,8 @@
 extern double sqrt(double) __attribute__((__const__));
 #endif
 
-#if defined(__GNUC__)
+/* Without optimization nothing is inlined: that would take long to compile, and more to step through. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define UR5E_INLINE static inline __attribute__((always_inline))
 #else
 #define UR5E_INLINE static inline
@@ -1327,9 +1328,9 @@ UR5E_INLINE void ur5e_lanes_of(
     }
 }
 
-/* The lanes, by wider vector instructions where the processor has them and the compiler was not
- * told to take them for granted; the results are the same. */
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+/* The lanes, in optimized code by wider vector instructions where the processor has them and the
+ * compiler was not told to take them for granted; the results are the same. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
 static __attribute__((target("avx2"))) void ur5e_lanes_by_avx2(
     const double target[12], const double seed[UR5E_SOLVED], const double *given, double free_below,
     ur5e_lanes *lanes)
@@ -1342,7 +1343,7 @@ static void ur5e_compute_lanes(
     const double target[12], const double seed[UR5E_SOLVED], const double *given, double free_below,
     ur5e_lanes *lanes)
 {
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
     if (__builtin_cpu_supports("avx2")) {
         ur5e_lanes_by_avx2(target, seed, given, free_below, lanes);
         return;

@@ -336,7 +336,7 @@ fn mistakes_in_javascript_are_found() {
             subject.js = text;
             targets.chunks(12).all(|some| {
                 subject.targets = some.to_vec();
-                catch_unwind(AssertUnwindSafe(|| compare_js(&subject))).is_ok()
+                catch_unwind(AssertUnwindSafe(|| compare_js(&subject, 3))).is_ok()
             })
         };
         for (text, mistake) in replaced(&right, mistakes).zip(mistakes) {

@@ -19,7 +19,8 @@ const PREAMBLE: &str = "\
 extern double sqrt(double) __attribute__((__const__));
 #endif
 
-#if defined(__GNUC__)
+/* Without optimization nothing is inlined: that would take long to compile, and more to step through. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define KIN_INLINE static inline __attribute__((always_inline))
 #else
 #define KIN_INLINE static inline

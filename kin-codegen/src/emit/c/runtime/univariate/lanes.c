@@ -9,10 +9,10 @@ typedef double kin_pack[KIN_LANES];
 #define KIN_RESTRICT
 #endif
 
-/* Defines a function by its inline body, `name`_of; by wider vector instructions where the
- * processor has them and the compiler was not told to take them for granted, with the same
- * results. */
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
+/* Defines a function by its inline body, `name`_of; in optimized code by wider vector instructions
+ * where the processor has them and the compiler was not told to take them for granted, with the
+ * same results. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__x86_64__) && !defined(__AVX2__)
 #define KIN_BY_PROCESSOR(name, parameters, arguments) \
     static __attribute__((target("avx2"), noinline)) void name##_by_avx2 parameters \
     { \
