@@ -108,6 +108,9 @@ impl Subject {
         if asked.path == targets::NEXT_TO_AXIS_1 {
             targets = targets::next_to_axis_1(&rust);
         }
+        if asked.path == targets::FOLDED {
+            targets = reproducibly(|| targets::folded(&rust));
+        }
         let mut subject = Subject {
             path: asked.path,
             rust,
@@ -360,8 +363,7 @@ fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &m
     let found = written.integer();
     assert_eq!(found == 1, nearest.is_some(), "{of:?}");
     if let Some(nearest) = nearest {
-        let is_alone = rust.ik_seeded_at(pose, parameters, seed).len() == 1;
-        if !(subject.eliminates && nearest.singular && is_alone) {
+        if !(subject.eliminates && nearest.singular) {
             for (x, seed) in nearest.q.iter().zip(seed) {
                 // Half a turn may be told by either sign where a seed says nothing of it.
                 let half = seed.is_nan() && (x.abs() - PI).abs() < MET;
@@ -371,7 +373,7 @@ fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &m
             }
             return;
         }
-        // Where nothing else is found it was led along a family, how far depends on rounding.
+        // Which members of a family are found, and how far one was led along it, depends on rounding.
         let q: Vec<f64> = seed.iter().map(|_| written.number()).collect();
         let missed = rust.target().distance(&rust.fk(&q), pose, 1.0);
         assert!(missed <= REACHED, "{of:?}: {q:?}");

@@ -71,6 +71,7 @@ const ELIMINATED: &[(&str, Option<Target>)] = &[
     ("robots/xarm6.yaml", None),
     ("tests/robots/folding.yaml", None),
     ("tests/robots/crx10ial.yaml", None),
+    (targets::FOLDED, None),
     ("tests/robots/table/one_slide.yaml", None),
     ("tests/robots/targets/five_skew.yaml", None),
     (

@@ -198,3 +198,17 @@ pub fn next_to_axis_1(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
     all.extend(far);
     all
 }
+
+/// The arm of [`folded`].
+pub const FOLDED: &str = "tests/robots/crx3ia.yaml";
+
+/// Folded, where it has families of solutions that no target beside has any near.
+pub fn folded(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
+    let mut random = Random::new(67);
+    let mut target = || {
+        let mut q: Vec<f64> = (0..6).map(|_| random.angle()).collect();
+        q[2] = -FRAC_PI_2;
+        (robot.fk(&q), vec![0.0; 6])
+    };
+    (0..15).map(|_| target()).collect()
+}

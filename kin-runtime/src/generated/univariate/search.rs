@@ -234,6 +234,7 @@ impl<'a> Search<'a> {
             ..Told::default()
         };
         let Some(roots) = (f.noise < DROWNED).then(|| roots(&f)) else {
+            self.take_members(&recovery);
             self.ask_beside(elimination);
             return told;
         };
@@ -255,6 +256,30 @@ impl<'a> Search<'a> {
         }
         told.certain = may_be_certain && self.has_all(&unclear);
         told
+    }
+
+    /// Where a family of solutions makes a polynomial of zeros, every value that the kept joint has in
+    /// the family is a root: adds the members at some, which are alone there or two.
+    #[cold]
+    fn take_members(&mut self, recovery: &Recovery) {
+        let before = self.found.singular.len();
+        for offset in [0.0, 0.5] {
+            let kept = core::array::from_fn(|k| (k as f64 + offset) * (TAU / LANES as f64));
+            let alone = recovery.joints(&kept);
+            (0..LANES).for_each(|k| self.start_of(&alone, k, EXTRANEOUS));
+            self.arrive();
+            if self.found.singular.len() > before {
+                return;
+            }
+            let space = recovery.null_space::<2>(&kept).vectors;
+            for starts in recovery.sharing(&kept, &space, RATIOS[0]) {
+                (0..LANES).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
+            }
+            self.arrive();
+            if self.found.singular.len() > before {
+                return;
+            }
+        }
     }
 
     /// Whether there is nothing left to look for, and what was known before was found again.

@@ -572,6 +572,39 @@ static void kin_ask_beside(kin_search *search, const kin_elimination *eliminatio
     kin_meet(search);
 }
 
+/* Where a family of solutions makes a polynomial of zeros, every value that the kept joint has in the
+ * family is a root: adds the members at some, which are alone there or two. */
+static void kin_take_members(kin_search *search, const kin_recovery *recovery)
+{
+    kin_pack kept, space[KIN_SHARING][16], lengths[KIN_SHARING];
+    kin_starts alone, starts[KIN_SHARING];
+    const int before = search->found.singular_count;
+    for (int half = 0; half < 2; ++half) {
+        for (int k = 0; k < KIN_LANES; ++k) {
+            kept[k] = (k + 0.5 * half) * (6.283185307179586 / KIN_LANES);
+        }
+        kin_recover(recovery, kept, &alone);
+        for (int k = 0; k < KIN_LANES; ++k) {
+            kin_start_unknown(search, &alone, k, KIN_EXTRANEOUS);
+        }
+        kin_arrive(search);
+        if (search->found.singular_count > before) {
+            return;
+        }
+        kin_find_null_space(recovery, kept, 2, space, lengths);
+        kin_recover_sharing(recovery, kept, space, 2, 0, starts);
+        for (int n = 0; n < 2; ++n) {
+            for (int k = 0; k < KIN_LANES; ++k) {
+                kin_start_unknown(search, &starts[n], k, KIN_EXTRANEOUS);
+            }
+        }
+        kin_arrive(search);
+        if (search->found.singular_count > before) {
+            return;
+        }
+    }
+}
+
 /* Whether there is nothing left to look for, and what was known before was found again. */
 static int kin_has_all(const kin_search *search, const kin_candidates *unclear)
 {
@@ -589,6 +622,7 @@ static int kin_ask(kin_search *search, const kin_elimination *elimination)
     kin_begin_recovery(elimination, &search->problem, &recovery);
     kin_polynomial(&recovery, &f);
     if (!(f.noise < 1e-3)) {
+        kin_take_members(search, &recovery);
         kin_ask_beside(search, elimination);
         return 0;
     }

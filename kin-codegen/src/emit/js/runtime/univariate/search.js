@@ -368,6 +368,22 @@ const $ask_beside = (search, elimination) => {
     $meet(search);
 };
 
+/* Where a family of solutions makes a polynomial of zeros, every value that the kept joint has in the
+ * family is a root: adds the members at some, which are alone there or two. */
+const $take_members = (search, loop) => {
+    const before = search.singular.length;
+    const two_at = (kept) => $recover_sharing(loop, kept, $null_space_at(loop, kept, 2).space, $RATIOS[0]);
+    for (const offset of [0.0, 0.5]) {
+        const kept = Array.from({ length: 8 }, (_, k) => (k + offset) * (6.283185307179586 / 8));
+        for (const starts_at of [(at) => [$recover(loop, at)], two_at]) {
+            kept.flatMap(starts_at).forEach((start) => $start_unknown(search, start, $EXTRANEOUS));
+            if (search.singular.length > before) {
+                return;
+            }
+        }
+    }
+};
+
 /* Whether there is nothing left to look for, and what was known before was found again. */
 const $has_all = (search, unclear) =>
     unclear.length === 0 && search.again === (1 << search.regular.length) - 1;
@@ -377,6 +393,7 @@ const $ask = (search, elimination) => {
     const loop = $loop(search.of, elimination, search.target);
     const f = $polynomial(loop);
     if (!(f.noise < 1e-3)) {
+        $take_members(search, loop);
         $ask_beside(search, elimination);
         return false;
     }
