@@ -4,6 +4,7 @@ use crate::batch::Share;
 use crate::table::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use kin_codegen::{Diagnostics, Ik, Options, Scalar, Source, Target};
+use std::num::ParseFloatError;
 use std::path::{Path, PathBuf};
 
 /// The kinematics of a robot file, compiled and verified.
@@ -118,6 +119,7 @@ pub struct Check {
         long,
         value_name = "Q1,Q2,..",
         value_delimiter = ',',
+        value_parser = number,
         allow_hyphen_values = true,
         conflicts_with = "targets"
     )]
@@ -160,6 +162,7 @@ pub struct Plot {
         long,
         value_name = "Q1,Q2,..",
         value_delimiter = ',',
+        value_parser = number,
         allow_hyphen_values = true,
         requires = "to"
     )]
@@ -169,6 +172,7 @@ pub struct Plot {
         long,
         value_name = "Q1,Q2,..",
         value_delimiter = ',',
+        value_parser = number,
         allow_hyphen_values = true,
         requires = "from"
     )]
@@ -250,6 +254,7 @@ pub struct InverseOfMany {
         long,
         value_name = "VALUE,..",
         value_delimiter = ',',
+        value_parser = number,
         allow_hyphen_values = true
     )]
     pub at: Vec<f64>,
@@ -287,6 +292,11 @@ fn share(text: &str) -> Result<Share, String> {
         Some((number, of)) if 1 <= number && number <= of => Ok(Share { number, of }),
         _ => Err("two numbers, for example 3/16".into()),
     }
+}
+
+/// A number of a list, which may have spaces behind its commas.
+fn number(text: &str) -> Result<f64, ParseFloatError> {
+    text.trim().parse()
 }
 
 fn at_least_one(text: &str) -> Result<usize, String> {

@@ -124,7 +124,7 @@ fn one_configuration_is_shown_in_full() {
     let json = check(&[
         "robots/ur5e.urdf",
         "--at",
-        "-0.3,-1.2,1.5,-0.7,1.1,0.4",
+        "-0.3, -1.2, 1.5, -0.7, 1.1, 0.4",
         "--json",
     ]);
     let json: Value = serde_json::from_slice(&json.stdout).unwrap();
