@@ -307,7 +307,7 @@ fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) 
             written.same(solution.q, 1e-9, of);
         }
     }
-    nearest_is_the_same(subject, pose, seed, written);
+    nearest_is_the_same(subject, pose, seed, &[], written);
 }
 
 /// The same of an arm that is solved by a polynomial in one joint: the regular solutions are those
@@ -320,7 +320,7 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
     if found <= 0 && rust.target() == Target::Pose {
         assert_eq!(found, why_none(pose, &parameters), "{of:?}");
     }
-    let mut singular = 0;
+    let (mut singular, mut listed) = (0, Vec::new());
     for place in 0..found {
         let branch = written.integer();
         assert!(branch == place || subject.refines, "{of:?}");
@@ -329,6 +329,7 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
         let q: Vec<f64> = seed.iter().map(|_| written.number()).collect();
         let missed = rust.target().distance(&rust.fk(&q), pose, 1.0);
         assert!(missed.max(residual) <= REACHED, "{of:?}: {q:?}");
+        listed.push(q.clone());
         if is_singular {
             singular += 1;
             continue;
@@ -348,11 +349,18 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
     assert!(regular.is_empty(), "{of:?}: {regular:?}");
     let has_singular = expected.iter().any(|it| it.singular);
     assert_eq!(singular > 0, has_singular, "{of:?}: {expected:?}");
-    nearest_is_the_same(subject, pose, seed, written);
+    nearest_is_the_same(subject, pose, seed, &listed, written);
 }
 
-/// The solution nearest to the seed, of a target that has solutions or none.
-fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) {
+/// The solution nearest to the seed, of a target that has solutions or none; those that were
+/// listed of an elimination.
+fn nearest_is_the_same(
+    subject: &Subject,
+    pose: &Pose,
+    seed: &[f64],
+    listed: &[Vec<f64>],
+    written: &mut Written,
+) {
     let of = &(subject.path, pose, seed);
     let rust = &subject.rust;
     let parameters = &rust.redundancy(pose, seed);
@@ -377,6 +385,24 @@ fn nearest_is_the_same(subject: &Subject, pose: &Pose, seed: &[f64], written: &m
         let q: Vec<f64> = seed.iter().map(|_| written.number()).collect();
         let missed = rust.target().distance(&rust.fk(&q), pose, 1.0);
         assert!(missed <= REACHED, "{of:?}: {q:?}");
+        // None of those that are listed is nearer.
+        let moved = |q: &[f64]| {
+            let joints = q.iter().zip(seed).zip(rust.limits());
+            let by = joints.map(|((&q, &seed), it)| {
+                let by = it.nearest(q, seed)? - seed;
+                Some(if by.is_finite() { by * by } else { 0.0 })
+            });
+            by.sum::<Option<f64>>()
+        };
+        let least = listed
+            .iter()
+            .filter_map(|it| moved(it))
+            .fold(f64::INFINITY, f64::min);
+        let by = moved(&q).unwrap_or_else(|| panic!("{of:?}: {q:?} is not within limits"));
+        assert!(
+            by <= least + MET,
+            "{of:?}: {q:?} moves by {by}, one listed by {least}"
+        );
     } else {
         // None at all, or none within limits.
         let is_reached = !rust.ik_seeded_at(pose, parameters, seed).is_empty();
