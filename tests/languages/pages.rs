@@ -3,7 +3,7 @@
 use crate::js::{JsRobot, NAMES, is_no_markup, named};
 use crate::read;
 use kin_cli::view::page;
-use kin_codegen::{Compiled, Options, Target, compile};
+use kin_codegen::{Compiled, Options, compile};
 
 /// Where the scripts that need a page begin.
 const PAGE: &str = "// The page: what is shown";
@@ -57,11 +57,11 @@ fn arms_and_mechanisms_follow_their_target() {
     ];
     let by_default = robots.map(|(path, least)| (path, Options::default(), least));
     // No elimination stands beside these branches.
-    let to_position = Options {
-        target: Some(Target::Position),
+    let by_swivel = Options {
+        free: vec!["swivel".into()],
         ..Options::default()
     };
-    let followed = ("tests/robots/noisy/calibrated.yaml", to_position, 0.0);
+    let followed = ("tests/robots/redundant/stray_iiwa.yaml", by_swivel, 0.0);
     for (path, options, least) in by_default.into_iter().chain([followed]) {
         let (page, _) = page(&read(path), &options).unwrap();
         let (before, after) = script(&page).split_once(PAGE).unwrap();

@@ -103,8 +103,8 @@ fn posing(step: &plan::Step) -> Vec<&Relation> {
 fn can_degenerate(step: &plan::Step, relations: &[&Relation]) -> bool {
     let unknown = |atom: Atom| step.unknowns.contains(&atom);
     match (relations, &step.unknowns[..]) {
-        ([first, second], [_, eliminated]) => first
-            .independence(second, *eliminated)
+        ([first, second], &[one, other]) => first
+            .independence(second, [one, other])
             .is_some_and(|independence| !independence.steady),
         (_, [a, b]) => extent(*a).end != extent(*b).start,
         ([one], _) => one

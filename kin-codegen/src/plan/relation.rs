@@ -350,70 +350,80 @@ fn strength(linkage: &Linkage, sample: &Sample, ends: &Ends, joint: usize) -> St
     }
 }
 
-/// How independently two relations determine an unknown.
+/// How independently two relations determine two unknowns of both.
 #[derive(Clone, Copy, Debug)]
 pub struct Independence {
-    /// The determinant of their coefficients of its cosine and sine relative to their
-    /// amplitudes, at its weakest.
-    pub sine: f64,
-    /// The same relative to the arm's size, at its strongest.
-    pub amplitude: f64,
-    /// Whether it is a constant of the arm.
+    /// The determinant of their slopes relative to all coefficients, at its strongest.
+    pub slopes: f64,
+    /// Whether those of one unknown are independent by themselves, and constants of the arm.
     pub steady: bool,
 }
 
 impl Relation {
-    /// How independently two relations determine an unknown of both.
-    pub fn independence(&self, other: &Relation, atom: Atom) -> Option<Independence> {
-        let find = |relation: &Relation| {
+    /// How independently two relations determine two unknowns of both.
+    pub fn independence(&self, other: &Relation, atoms: [Atom; 2]) -> Option<Independence> {
+        let find = |relation: &Relation, atom: Atom| {
             let mut depends = relation.depends.iter();
             depends.find(|d| d.atom == atom).copied()
         };
+        let find = |relation| Some([find(relation, atoms[0])?, find(relation, atoms[1])?]);
         let (a, b) = (find(self)?, find(other)?);
-        let least = |all: &[f64]| all.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-        let pairs = a.derivatives.iter().zip(&b.derivatives);
-        let sines: Vec<f64> = pairs.clone().map(|(a, b)| apart(*a, *b)).collect();
-        let determinants: Vec<f64> = pairs.map(|(a, b)| determinant(*a, *b).abs()).collect();
-        let same = most(&sines) - least(&sines) < 1e-9 * most(&sines);
+        let coefficients = |all: &[Dependence; 2], k: usize| {
+            let [[s, t], [u, v]] = all.map(|it| it.derivatives[k]);
+            [s, t, u, v]
+        };
+        let slopes = (0..SAMPLES).map(|k| {
+            let (a, b) = (coefficients(&a, k), coefficients(&b, k));
+            determinant([a[0], a[2]], [b[0], b[2]]).abs() / (size(a) * size(b))
+        });
+        let is_steady = |(a, b): (&Dependence, &Dependence)| {
+            let sines = (0..SAMPLES).map(|k| apart(a.derivatives[k], b.derivatives[k]));
+            let least = sines.clone().fold(f64::INFINITY, f64::min);
+            let most = sines.fold(0.0, f64::max);
+            a.steady && b.steady && most - least < 1e-9 * most
+        };
         Some(Independence {
-            sine: least(&sines),
-            amplitude: most(&determinants),
-            steady: same && a.steady && b.steady,
+            slopes: slopes.fold(0.0, f64::max),
+            steady: a.iter().zip(&b).any(is_steady),
         })
     }
-}
 
-impl Relation {
-    /// Bit k is set where two relations do not determine a joint on their inner arcs in the
-    /// k-th of the configurations that a plan has to tell.
+    /// Bit k is set where two relations are one about two joints in the k-th of the
+    /// configurations that a plan has to tell.
     pub fn dependent_at(
         &self,
         other: &Relation,
         linkage: &Linkage,
         told: &Samples,
-        joint: usize,
+        joints: [usize; 2],
     ) -> u64 {
         told.bits(|_, sample| {
             let [a, b] = [self, other].map(|relation| {
                 let ends = sample.ends(&relation.from, relation.to.as_ref());
-                let Strength { slope, bend, .. } = strength(linkage, sample, &ends, joint);
-                [slope, bend]
+                let [one, other] = joints.map(|joint| strength(linkage, sample, &ends, joint));
+                [one.slope, one.bend, other.slope, other.bend]
             });
             apart(a, b) < NEARLY_NOTHING
         })
     }
 }
 
-/// The sine of the angle between two pairs of coefficients, of a sine and of a cosine.
-fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let square = |[x, y]: [f64; 2]| x * x + y * y;
-    let amplitudes = (square(a) * square(b)).sqrt();
-    if amplitudes > 0.0 {
-        determinant(a, b).abs() / amplitudes
-    } else {
-        0.0
+/// The sine of the angle between the coefficients of two relations.
+fn apart<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    let (a_size, b_size) = (size(a), size(b));
+    if a_size == 0.0 || b_size == 0.0 {
+        return 0.0;
     }
+    let apart = |sign: f64| {
+        size(std::array::from_fn::<_, N, _>(|i| {
+            a[i] / a_size + sign * b[i] / b_size
+        }))
+    };
+    0.5 * apart(1.0) * apart(-1.0)
+}
+
+fn size<const N: usize>(v: [f64; N]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 fn determinant([s, t]: [f64; 2], [u, v]: [f64; 2]) -> f64 {

@@ -30,11 +30,7 @@ const ALONG: f64 = 1e-3;
 /// determine it.
 const WEAK: f64 = 1e-6;
 /// Two relations more alike than this cannot determine two unknowns.
-const DEPENDENT: f64 = 1e-4;
-/// Subproblem 6 eliminates its unknown on the inner arc, unless the determinant of that one's
-/// coefficients is below this share of the other's: relations that degenerate but for the noise of a
-/// file.
-const NOISE: f64 = 1e-2;
+const DEPENDENT: f64 = 1e-2;
 
 /// Plans for a linkage, the cheapest first, each found when it is asked for. The
 /// joints that the linkage has locked are known from the start.
@@ -133,6 +129,10 @@ impl Iterator for Plans<'_> {
                     atoms: &self.relations.atoms,
                     told: &self.relations.told,
                     determined,
+                    weak: match self.target {
+                        Target::Position => 0.0,
+                        _ => WEAK,
+                    },
                 };
                 let successors = partial.successors(&known);
                 self.queue.extend(successors);
@@ -378,6 +378,9 @@ struct Known<'a> {
     told: &'a Samples,
     /// Whether the target has as many coordinates as there are joints.
     determined: bool,
+    /// Relations of two unknowns depend on both by more: what noise alone tells of a pose an
+    /// elimination tells better. Of a position there is none.
+    weak: f64,
 }
 
 impl Partial {
@@ -478,7 +481,7 @@ impl Partial {
                 && !outer.inner
                 && [a, b]
                     .iter()
-                    .all(|d| d.weakest > WEAK && !slides(linkage, d.atom));
+                    .all(|d| d.weakest >= arm.weak && !slides(linkage, d.atom));
             if usable {
                 groups
                     .entry((outer.atom, inner.atom))
@@ -490,7 +493,7 @@ impl Partial {
         for ((outer, inner), group) in groups {
             for (i, &first) in group.iter().enumerate() {
                 let pairs = group[i + 1..].iter().map(|&second| [first, second]);
-                found.extend(pairs.filter_map(|pair| pair_up(arm, pair, outer, inner)));
+                found.extend(pairs.filter_map(|pair| pair_up(arm, pair, [outer, inner])));
             }
         }
         found
@@ -567,20 +570,13 @@ impl Partial {
     }
 }
 
-/// Two relations that pose subproblem 6. The unknown that is eliminated stands behind the one that the
-/// quartic is in.
-fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<(Asked, Candidate)> {
+/// Two relations that pose subproblem 6.
+fn pair_up(arm: &Known, pair: [usize; 2], unknowns: [Atom; 2]) -> Option<(Asked, Candidate)> {
     let [first, second] = pair.map(|number| &arm.relations[number]);
-    let told = first.independence(second, inner)?;
-    if told.sine < DEPENDENT {
+    let independence = first.independence(second, unknowns)?;
+    if independence.slopes < DEPENDENT {
         return None;
     }
-    let other = first.independence(second, outer)?;
-    let is_noise = told.amplitude < NOISE * other.amplitude;
-    let (kept, eliminated, independence) = match is_noise {
-        true => (inner, outer, other),
-        false => (outer, inner, told),
-    };
     let known = (first.depends.len() + second.depends.len() - 4) as u32;
     let penalty = match independence.steady {
         true => 0,
@@ -591,11 +587,10 @@ fn pair_up(arm: &Known, pair: [usize; 2], outer: Atom, inner: Atom) -> Option<(A
             relation: pair[0],
             with: Some(pair[1]),
         },
-        weak_at: first.dependent_at(second, arm.linkage, arm.told, joint_of(eliminated))
-            | arm.told.parallel(joint_of(outer), joint_of(inner)),
+        weak_at: first.dependent_at(second, arm.linkage, arm.told, unknowns.map(joint_of)),
         cost: 300 + 9 * known + penalty,
     };
-    Some(((Subproblem::Sp6, vec![kept, eliminated]), candidate))
+    Some(((Subproblem::Sp6, unknowns.to_vec()), candidate))
 }
 
 fn slides(linkage: &Linkage, atom: Atom) -> bool {

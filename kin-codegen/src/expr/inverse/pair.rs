@@ -3,7 +3,7 @@
 use super::Writer;
 use crate::expr::linear::Trig;
 use crate::expr::{Expr, RootField};
-use crate::plan::{Atom, Relation};
+use crate::plan::{Atom, Relation, Target};
 
 /// a cos θ + b sin θ + rest.
 struct Side {
@@ -12,39 +12,128 @@ struct Side {
     rest: Expr,
 }
 
+/// row · (cos θ₁, sin θ₁, cos θ₂, sin θ₂) = level.
+struct Plane {
+    row: [Expr; 4],
+    level: Expr,
+}
+
+/// Householder's reflection v − k (w · v) w, which takes a unit vector to the first axis, up to
+/// its sign.
+struct Reflection {
+    w: Vec<Expr>,
+    k: Expr,
+}
+
+/// The radius of a circle of which rounding leaves none.
+const LEAST: f64 = 1e-8;
+/// Rounding leaves of terms of order one that cancel, and of the sum of some of them, no more.
+const ROUNDING: f64 = 1e-12;
+
 impl Writer<'_> {
     /// Two relations, each the same along both arcs of the loop, on one of which it depends
-    /// on the unknown that is kept, and on the other on the one that is eliminated:
-    /// B y + l = A x + k with x = (cos, sin) of the former and y of the latter. Then |y|² = 1 is
-    /// a trigonometric quartic in the angle that is kept.
-    pub(super) fn sp6(&mut self, relation: &Relation, kept: Atom, eliminated: Atom) {
-        let Some(second) = &relation.with else { return };
-        let rows = [relation, second]
-            .map(|relation| [self.side(relation, eliminated), self.side(relation, kept)]);
-        let [[b1, a1], [b2, a2]] = rows;
-        let determinant = self.determinant(b1.cos, b1.sin, b2.cos, b2.sin);
-        let one = self.g.one();
-        let inverse = self.g.div(one, determinant);
-        // y = M x + m, column by column of (cos, sin, 1).
-        let rest = [self.g.sub(a1.rest, b1.rest), self.g.sub(a2.rest, b2.rest)];
-        let columns = [[a1.cos, a2.cos], [a1.sin, a2.sin], rest].map(|[first, second]| {
-            let cos = self.determinant(first, b1.sin, second, b2.sin);
-            let sin = self.determinant(b1.cos, first, b2.cos, second);
-            [self.g.mul(inverse, cos), self.g.mul(inverse, sin)]
+    /// on the first unknown, and on the other on the second: two planes in the space of
+    /// z = (cos θ₁, sin θ₁, cos θ₂, sin θ₂), where |z|² = 2. On the circle in which all three
+    /// meet, |(z₁, z₂)|² = |(z₃, z₄)|² is a trigonometric quartic in its angle. No block of the
+    /// coefficients has to be regular, and where each of the relations has nearly an unknown of
+    /// its own, roots are as far apart as the solutions.
+    pub(super) fn sp6(&mut self, relation: &Relation, first: Atom, second: Atom) {
+        let Some(with) = &relation.with else { return };
+        let planes = [relation, with].map(|relation| self.plane(relation, first, second));
+        let circle = self.circle(planes);
+        let [one, other] = [0, 2].map(|i| {
+            let columns = circle.each_ref().map(|column| [column[i], column[i + 1]]);
+            self.square(columns)
         });
-        let x = self.quartic(columns);
-        let y: [Expr; 2] = [0, 1].map(|i| {
-            let [c, s, m] = columns.map(|column| column[i]);
-            let [cx, sx] = [self.g.mul(c, x.cos), self.g.mul(s, x.sin)];
-            let turning = self.g.add(cx, sx);
-            self.g.add(turning, m)
+        let coefficients = [0, 1, 2, 3, 4].map(|i| self.g.sub(one[i], other[i]));
+        // Of a pose an elimination finds what rounding has lost.
+        let rounding = (self.target == Target::Position).then_some(ROUNDING);
+        let phi = self.quartic_roots(coefficients, rounding);
+        let [cos, sin, centre] = circle;
+        let z = [0, 1, 2, 3].map(|i| {
+            let [c, s] = [self.g.mul(cos[i], phi.cos), self.g.mul(sin[i], phi.sin)];
+            let turning = self.g.add(c, s);
+            self.g.add(turning, centre[i])
         });
-        self.set(kept, x);
-        let y = self.unit(Trig {
-            cos: y[0],
-            sin: y[1],
+        for (unknown, i) in [(first, 0), (second, 2)] {
+            let trig = self.unit(Trig {
+                cos: z[i],
+                sin: z[i + 1],
+            });
+            self.set(unknown, trig);
+        }
+    }
+
+    fn plane(&mut self, relation: &Relation, first: Atom, second: Atom) -> Plane {
+        let [x, y] = [first, second].map(|unknown| self.side(relation, unknown));
+        let [cos, sin] = [y.cos, y.sin].map(|it| self.g.neg(it));
+        Plane {
+            row: [x.cos, x.sin, cos, sin],
+            level: self.g.sub(y.rest, x.rest),
+        }
+    }
+
+    /// Where two planes meet the sphere |z|² = 2, as c cos φ + s sin φ + m: behind a reflection each
+    /// plane tells a coordinate.
+    fn circle(&mut self, [first, second]: [Plane; 2]) -> [Vec<Expr>; 3] {
+        let (outer, x) = self.reflection(&first.row, first.level);
+        let across = self.reflect(&outer, &second.row);
+        let told = self.g.mul(across[0], x);
+        let level = self.g.sub(second.level, told);
+        let (inner, y) = self.reflection(&across[1..], level);
+        let [xx, yy] = [x, y].map(|told| self.g.square(told));
+        let (two, told) = (self.g.constant(2.0), self.g.add(xx, yy));
+        let square = self.g.sub(two, told);
+        let least = self.g.constant(LEAST * LEAST);
+        let radius = self.g.max(square, least);
+        let radius = self.g.sqrt(radius);
+        let zero = self.g.zero();
+        let inside = [[radius, zero], [zero, radius], [zero; 2]];
+        let told = [[zero; 2], [zero; 2], [x, y]];
+        [0, 1, 2].map(|i| {
+            let [[x, y], [cos, sin]] = [told[i], inside[i]];
+            let mut all = vec![x];
+            all.extend(self.reflect(&inner, &[y, cos, sin]));
+            self.reflect(&outer, &all)
+        })
+    }
+
+    /// The reflection that takes a plane's normal to the first axis, and where it takes the plane.
+    fn reflection(&mut self, row: &[Expr], level: Expr) -> (Reflection, Expr) {
+        let (zero, one) = (self.g.zero(), self.g.one());
+        let minus = self.g.neg(one);
+        let length = self.inner(row, row);
+        let length = self.g.sqrt(length);
+        let inverse = self.g.div(one, length);
+        let mut w: Vec<Expr> = row.iter().map(|&it| self.g.mul(it, inverse)).collect();
+        // Away from the axis that is nearer.
+        let sign = self.g.select_less(w[0], zero, minus, one);
+        let size = self.g.mul(sign, w[0]);
+        let size = self.g.add(one, size);
+        let k = self.g.div(one, size);
+        w[0] = self.g.add(w[0], sign);
+        let level = self.g.mul(level, inverse);
+        let level = self.g.mul(sign, level);
+        (Reflection { w, k }, self.g.neg(level))
+    }
+
+    fn reflect(&mut self, Reflection { w, k }: &Reflection, v: &[Expr]) -> Vec<Expr> {
+        let along = self.inner(w, v);
+        let along = self.g.mul(*k, along);
+        let pairs = v.iter().zip(w);
+        let moved = pairs.map(|(&v, &w)| {
+            let w = self.g.mul(along, w);
+            self.g.sub(v, w)
         });
-        self.set(eliminated, y);
+        moved.collect()
+    }
+
+    fn inner(&mut self, a: &[Expr], b: &[Expr]) -> Expr {
+        let zero = self.g.zero();
+        a.iter().zip(b).fold(zero, |sum, (&a, &b)| {
+            let product = self.g.mul(a, b);
+            self.g.add(sum, product)
+        })
     }
 
     /// A vector of nearly unit length, or of any where there is no root.
@@ -55,20 +144,6 @@ impl Writer<'_> {
             sin: self.g.div(t.sin, length),
             cos: self.g.div(t.cos, length),
         }
-    }
-
-    /// p s − q r.
-    fn determinant(&mut self, p: Expr, q: Expr, r: Expr, s: Expr) -> Expr {
-        let [ps, qr] = [self.g.mul(p, s), self.g.mul(q, r)];
-        self.g.sub(ps, qr)
-    }
-
-    /// |M x + m|² = 1 for the unit vector x, by its columns.
-    fn quartic(&mut self, columns: [[Expr; 2]; 3]) -> Trig {
-        let mut coefficients = self.square(columns);
-        let minus = self.g.constant(-1.0);
-        coefficients[4] = self.g.add(coefficients[4], minus);
-        self.quartic_roots(coefficients)
     }
 
     /// |c cos θ + s sin θ + m|² as a cos 2θ + b sin 2θ + c cos θ + d sin θ + e.
@@ -93,18 +168,39 @@ impl Writer<'_> {
     }
 
     /// The roots of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, in all four
-    /// places at once: two signs choose among them.
-    pub(super) fn quartic_roots(&mut self, coefficients: [Expr; 5]) -> Trig {
+    /// places at once: two signs choose among them. Of two roots that rounding of so much may have
+    /// parted from zero the first stands.
+    pub(super) fn quartic_roots(&mut self, coefficients: [Expr; 5], rounding: Option<f64>) -> Trig {
         let signs = [self.g.sign(), self.g.sign()];
         let [sin, cos, state] = [RootField::Sin, RootField::Cos, RootField::State].map(|field| {
             let places = [0, 1, 2, 3].map(|place| self.g.trig_root(coefficients, place, field));
             self.choose(signs, places)
         });
+        let trig = Trig { sin, cos };
         let [zero, one] = [self.g.zero(), self.g.one()];
         let [some, double] = [0.5, 1.5].map(|k| self.g.constant(k));
-        let is_double = self.g.select_less(double, state, one, zero);
+        let not_simple = match rounding {
+            Some(_) => some,
+            None => double,
+        };
+        let is_double = self.g.select_less(not_simple, state, one, zero);
         self.singular = self.g.max(self.singular, is_double);
-        let present = self.g.select_less(double, state, zero, one);
+        let absent = match rounding {
+            Some(rounding) => {
+                let [height, slope, bend] = self.derivatives(coefficients, trig);
+                // 2 f″ times the height of the extremum nearby.
+                let slope = self.g.square(slope);
+                let height = self.g.mul(height, bend);
+                let height = self.scaled(2.0, height);
+                let extremum = self.g.sub(height, slope);
+                let bend = self.scaled(2.0 * rounding, bend);
+                let [extremum, most] = [extremum, bend].map(|x| self.g.square(x));
+                let later = self.g.neg(signs[0]);
+                self.g.select_less(extremum, most, later, one)
+            }
+            None => one,
+        };
+        let present = self.g.select_less(double, state, zero, absent);
         let absent = self.g.select_less(some, state, present, zero);
         match &self.deviation {
             None => self.refuse(absent),
@@ -115,7 +211,28 @@ impl Writer<'_> {
         let margin = self.g.select_less(some, state, one, minus);
         self.narrow(margin);
         self.arguments = None;
-        Trig { sin, cos }
+        trig
+    }
+
+    /// a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, and its first two derivatives.
+    fn derivatives(&mut self, [a, b, c, d, e]: [Expr; 5], t: Trig) -> [Expr; 3] {
+        let twice = self.g.angle_sum(t, t);
+        // k cos + l sin, and that turned by a right angle.
+        let mut wave = |k, l, t: Trig| {
+            let [kc, ls, lc, ks] =
+                [(k, t.cos), (l, t.sin), (l, t.cos), (k, t.sin)].map(|(x, y)| self.g.mul(x, y));
+            (self.g.add(kc, ls), self.g.sub(lc, ks))
+        };
+        let (second, second_slope) = wave(a, b, twice);
+        let (first, first_slope) = wave(c, d, t);
+        let waves = self.g.add(second, first);
+        let second_slope = self.scaled(2.0, second_slope);
+        let second = self.scaled(-4.0, second);
+        [
+            self.g.add(waves, e),
+            self.g.add(second_slope, first_slope),
+            self.g.sub(second, first),
+        ]
     }
 
     /// One of four values by two signs.

@@ -44,7 +44,7 @@ impl Writer<'_> {
     pub(super) fn solve(&mut self, step: &Step, relation: &Relation) {
         match (step.subproblem, &step.unknowns[..]) {
             (Subproblem::Sp2, &[first, second]) => self.sp2(relation, first, second),
-            (Subproblem::Sp6, &[kept, eliminated]) => self.sp6(relation, kept, eliminated),
+            (Subproblem::Sp6, &[first, second]) => self.sp6(relation, first, second),
             (Subproblem::Sp1, &[unknown]) => {
                 let turn = self.sp1(relation, unknown);
                 let other = step.complement.as_ref();
