@@ -15,6 +15,7 @@ mod line;
 mod pair;
 mod parity;
 mod project;
+mod quartic;
 mod root;
 mod rotate;
 mod slide;

@@ -1,0 +1,104 @@
+//! The roots of trigonometric quartics, in four places at once.
+
+use super::Writer;
+use crate::expr::linear::Trig;
+use crate::expr::{Expr, RootField};
+
+impl Writer<'_> {
+    /// |c cos θ + s sin θ + m|² as a cos 2θ + b sin 2θ + c cos θ + d sin θ + e.
+    pub(super) fn square(&mut self, [c, s, m]: [[Expr; 2]; 3]) -> [Expr; 5] {
+        let mut dot = |a: [Expr; 2], b: [Expr; 2]| {
+            let [p, q] = [self.g.mul(a[0], b[0]), self.g.mul(a[1], b[1])];
+            self.g.add(p, q)
+        };
+        let (cc, ss, cs) = (dot(c, c), dot(s, s), dot(c, s));
+        let (cm, sm, mm) = (dot(c, m), dot(s, m), dot(m, m));
+        let [half, two] = [0.5, 2.0].map(|k| self.g.constant(k));
+        let difference = self.g.sub(cc, ss);
+        let sum = self.g.add(cc, ss);
+        let mean = self.g.mul(half, sum);
+        [
+            self.g.mul(half, difference),
+            cs,
+            self.g.mul(two, cm),
+            self.g.mul(two, sm),
+            self.g.add(mean, mm),
+        ]
+    }
+
+    /// The roots of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, in all four
+    /// places at once: two signs choose among them. Of two roots that rounding of so much may have
+    /// parted from zero the first stands.
+    pub(super) fn quartic_roots(&mut self, coefficients: [Expr; 5], rounding: Option<f64>) -> Trig {
+        let signs = [self.g.sign(), self.g.sign()];
+        let [sin, cos, state] = [RootField::Sin, RootField::Cos, RootField::State].map(|field| {
+            let places = [0, 1, 2, 3].map(|place| self.g.trig_root(coefficients, place, field));
+            self.choose(signs, places)
+        });
+        let trig = Trig { sin, cos };
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let [some, double] = [0.5, 1.5].map(|k| self.g.constant(k));
+        let not_simple = match rounding {
+            Some(_) => some,
+            None => double,
+        };
+        let is_double = self.g.select_less(not_simple, state, one, zero);
+        self.singular = self.g.max(self.singular, is_double);
+        let absent = match rounding {
+            Some(rounding) => {
+                let [height, slope, bend] = self.derivatives(coefficients, trig);
+                // 2 f″ times the height of the extremum nearby.
+                let slope = self.g.square(slope);
+                let height = self.g.mul(height, bend);
+                let height = self.scaled(2.0, height);
+                let extremum = self.g.sub(height, slope);
+                let bend = self.scaled(2.0 * rounding, bend);
+                let [extremum, most] = [extremum, bend].map(|x| self.g.square(x));
+                let later = self.g.neg(signs[0]);
+                self.g.select_less(extremum, most, later, one)
+            }
+            None => one,
+        };
+        let present = self.g.select_less(double, state, zero, absent);
+        let absent = self.g.select_less(some, state, present, zero);
+        match &self.deviation {
+            None => self.refuse(absent),
+            // Roots that nearly exist are not seen.
+            Some(_) => self.singular = one,
+        }
+        let minus = self.g.constant(-1.0);
+        let margin = self.g.select_less(some, state, one, minus);
+        self.narrow(margin);
+        self.arguments = None;
+        trig
+    }
+
+    /// a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, and its first two derivatives.
+    fn derivatives(&mut self, [a, b, c, d, e]: [Expr; 5], t: Trig) -> [Expr; 3] {
+        let twice = self.g.angle_sum(t, t);
+        // k cos + l sin, and that turned by a right angle.
+        let mut wave = |k, l, t: Trig| {
+            let [kc, ls, lc, ks] =
+                [(k, t.cos), (l, t.sin), (l, t.cos), (k, t.sin)].map(|(x, y)| self.g.mul(x, y));
+            (self.g.add(kc, ls), self.g.sub(lc, ks))
+        };
+        let (second, second_slope) = wave(a, b, twice);
+        let (first, first_slope) = wave(c, d, t);
+        let waves = self.g.add(second, first);
+        let second_slope = self.scaled(2.0, second_slope);
+        let second = self.scaled(-4.0, second);
+        [
+            self.g.add(waves, e),
+            self.g.add(second_slope, first_slope),
+            self.g.sub(second, first),
+        ]
+    }
+
+    /// One of four values by two signs.
+    fn choose(&mut self, [first, second]: [Expr; 2], values: [Expr; 4]) -> Expr {
+        let zero = self.g.zero();
+        let high = self.g.select_less(second, zero, values[2], values[0]);
+        let low = self.g.select_less(second, zero, values[3], values[1]);
+        self.g.select_less(first, zero, low, high)
+    }
+}
