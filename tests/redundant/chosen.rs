@@ -235,17 +235,18 @@ fn an_arm_off_its_design_is_given_a_joint() {
     let arm = compiled.unwrap().arm().unwrap().clone();
     assert_eq!(arm.redundancy.as_ref().unwrap().joints, [4]);
     assert!(arm.form().unwrap().is_exact());
-    let told = |joint| {
-        let robot = source("robots/redundant/stray_iiwa.yaml");
-        let explained = explain(&robot, &free(&[joint])).unwrap();
+    let told = |robot, joint| {
+        let explained = explain(&source(robot), &free(&[joint])).unwrap();
         let inverse = explained.arm().unwrap().inverse.unwrap();
         inverse.idealization.unwrap().refinement
     };
-    let refinement = told("joint_a3");
-    assert!(
-        refinement.contains("the roots of a polynomial of degree"),
-        "{refinement}"
-    );
+    for joint in ["joint_a7", "joint_a3"] {
+        let refinement = told("robots/redundant/stray_iiwa.yaml", joint);
+        assert!(
+            refinement.contains("the roots of a polynomial of degree"),
+            "{refinement}"
+        );
+    }
 }
 
 /// The elimination of others does not depend on the value of an inner joint, or is moved by it: of

@@ -131,8 +131,8 @@ fn a_seed_that_reaches_a_singular_target_is_the_answer<
     robot: &Subject<K, N>,
 ) {
     // Off its design an arm has isolated solutions there, which Newton's method from those of the
-    // design misses by up to a radian; where no elimination is asked nothing tells the others.
-    let is_alone = matches!(K::PARAMETER, Parameter::Swivel(_) | Parameter::Joint(4 | 6));
+    // design misses by up to a radian; without an elimination beside nothing tells the others.
+    let is_alone = matches!(K::PARAMETER, Parameter::Swivel(_) | Parameter::Joint(4));
     if robot.path.contains("stray") && is_alone {
         return;
     }

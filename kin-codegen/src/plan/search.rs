@@ -29,6 +29,9 @@ const ALONG: f64 = 1e-3;
 /// Relations whose dependence on an unknown is weaker than this cannot
 /// determine it.
 const WEAK: f64 = 1e-6;
+/// Of a pair of relations of a pose: what noise alone tells of it an elimination tells better. Beside
+/// those of a position there is none.
+const WEAK_IN_PAIR: f64 = 1e-5;
 /// Two relations more alike than this cannot determine two unknowns.
 const DEPENDENT: f64 = 1e-2;
 
@@ -131,7 +134,7 @@ impl Iterator for Plans<'_> {
                     determined,
                     weak: match self.target {
                         Target::Position => 0.0,
-                        _ => WEAK,
+                        _ => WEAK_IN_PAIR,
                     },
                 };
                 let successors = partial.successors(&known);
@@ -378,8 +381,7 @@ struct Known<'a> {
     told: &'a Samples,
     /// Whether the target has as many coordinates as there are joints.
     determined: bool,
-    /// Relations of two unknowns depend on both by more: what noise alone tells of a pose an
-    /// elimination tells better. Of a position there is none.
+    /// Relations of a pair depend on both of its unknowns by as much.
     weak: f64,
 }
 
