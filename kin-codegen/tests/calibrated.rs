@@ -402,6 +402,7 @@ fn nothing_is_lost_of_short(model: &Model, targets: usize) {
     let form = solve(model, &Linkage::new(model), Target::Pose)
         .expect("a plan")
         .form;
+    assert!(matches!(form.refinement, Refinement::Univariate(_)));
     let (chain, length) = (model.chain(), size(model));
     let mut random = Random(0x5eed);
     for k in 0..targets {
