@@ -298,6 +298,19 @@ impl<L: Lanes> Triangle<L> {
         pivots
     }
 
+    /// About the norm of the inverse, and no more: by a step of inverse iteration on Rᵀ R.
+    #[inline(always)]
+    pub fn inverse_norm(&self) -> L {
+        let mut x = [L::ZERO; SIZE];
+        for (i, x) in x.iter_mut().enumerate() {
+            *x = L::splat(START[i]);
+        }
+        back_substitute_transposed(&self.rows, &self.inverses, &mut x);
+        x = unit(&x);
+        back_substitute(&self.rows, &self.inverses, &mut x);
+        dot(&x, &x).sqrt()
+    }
+
     /// An orthonormal basis of what Q R nearly takes to zero: the least right singular
     /// vectors, by subspace iteration on Rᵀ R; and about how long what they are taken to is.
     #[inline(always)]

@@ -47,6 +47,7 @@ impl Eliminant {
             sines: [0.0; DEGREE + 1],
             size: 1.0,
             noise: self.noise,
+            shift: 0.0,
         };
         f.cosines.copy_from_slice(&self.harmonics[..=DEGREE]);
         f.sines[1..].copy_from_slice(&self.harmonics[DEGREE + 1..]);

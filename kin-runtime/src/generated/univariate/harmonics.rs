@@ -15,11 +15,13 @@ pub(super) struct Harmonics {
     pub degree: usize,
     pub cosines: [f64; DEGREE + 1],
     pub sines: [f64; DEGREE + 1],
-    /// What all are shares of: the largest, or half of it.
+    /// What all are shares of: the largest, or half of it, times the number of samples.
     pub size: f64,
     /// How far values are off by rounding: as large as the harmonics are that
     /// have to vanish, or more.
     pub noise: f64,
+    /// How far rounding of the target moves values, where that may be more.
+    pub shift: f64,
 }
 
 /// A turn in `MOST_SAMPLES · 3` parts: 24 and 32 samples are on it.
@@ -93,6 +95,7 @@ impl Harmonics {
             sines: [0.0; DEGREE + 1],
             size: 0.0,
             noise: 0.0,
+            shift: 0.0,
         };
         let [cosines, sines] = match values.len() < MOST_SAMPLES {
             true => FEW.sums(values),

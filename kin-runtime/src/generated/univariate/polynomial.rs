@@ -40,6 +40,8 @@ impl<const REFLECTED: bool> InLanes<&Recovery<'_>> for Sampled<REFLECTED> {
         let mut at_values = none();
         let mut values = [0.0; MOST_SAMPLES];
         let values = &mut values[..samples(degree)];
+        // How fast the determinants change with the entries.
+        let mut slopes = L::ZERO;
         let mut largest: Vectors<L> = [L::ZERO; SIZE];
         let step = HALF_ANGLES.len() / values.len();
         for (chunk, values) in values.chunks_exact_mut(LANES).enumerate() {
@@ -48,11 +50,14 @@ impl<const REFLECTED: bool> InLanes<&Recovery<'_>> for Sampled<REFLECTED> {
                 [cosine[k], sine[k]] = HALF_ANGLES[step * (LANES * chunk + k)];
             }
             equations.write(L::of(cosine), L::of(sine), &mut at_values);
-            let pivots = match REFLECTED {
-                true => Triangle::new(places, &at_values).pivots(),
+            let (pivots, inverse_norm) = match REFLECTED {
+                true => {
+                    let triangle = Triangle::new(places, &at_values);
+                    (triangle.pivots(), triangle.inverse_norm())
+                }
                 false => {
                     factors.factor(places, &at_values);
-                    factors.pivots()
+                    (factors.pivots(), L::ZERO)
                 }
             };
             // Fifteen reflections have the determinant −1.
@@ -62,8 +67,11 @@ impl<const REFLECTED: bool> InLanes<&Recovery<'_>> for Sampled<REFLECTED> {
                 *largest = largest.max(pivot.abs());
             }
             values.copy_from_slice(&determinants.numbers());
+            slopes = slopes.plus(determinants.abs(), inverse_norm);
         }
         let mut f = Harmonics::new(degree, values);
+        let slopes: f64 = slopes.numbers().into_iter().sum();
+        f.shift = f64::EPSILON * slopes / f.size;
         // What rounding leaves of a pivot that is zero for all angles may be the same for
         // all, so that the harmonics that have to vanish do.
         for pivot in largest {

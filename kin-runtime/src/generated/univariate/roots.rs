@@ -379,6 +379,9 @@ impl Search<'_> {
             self.bracket(arc, [low, t], math::max(t - apart, low), !opens, found);
             let guess = -math::max(-(t + apart), -high);
             self.bracket(arc, [t, high], guess, opens, found);
+        } else if f.abs() <= 2.0 * UNSIGNED * self.f.shift {
+            // Next to a family of solutions what the target is rounded by parts two that meet.
+            found.push_double(middle(arc) + 2.0 * math::atan2(t, 1.0));
         }
         true
     }

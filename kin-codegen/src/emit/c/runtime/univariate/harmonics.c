@@ -5,6 +5,10 @@ typedef struct kin_harmonics {
     /* How far values are off by rounding, if the largest harmonic is 1: as large as the harmonics
      * are that have to vanish, or more. */
     double noise;
+    /* How far rounding of the target moves values, where that may be more. */
+    double shift;
+    /* What all are shares of, times the number of samples. */
+    double size;
 } kin_harmonics;
 
 /* The sine of a part of a turn, from 0 to 191 of 192. */
@@ -47,6 +51,8 @@ static void kin_transform(int degree, const double *values, int count, kin_harmo
         f->sines[k] /= largest;
     }
     f->noise = sqrt(vanishing) / largest + 2.220446049250313e-16;
+    f->shift = 0.0;
+    f->size = largest;
 }
 
 /* Divides by 1 - cos(angle - fold): from the highest harmonic down, each is told by the two above

@@ -6,7 +6,9 @@ KIN_INLINE void kin_sample(
     const kin_elimination *elimination = of->elimination;
     const int degree = elimination->degree, count = degree <= 8 ? 24 : 32;
     double values[32];
-    kin_pack largest[16], cosine, sine;
+    /* How fast the determinants change with the entries. */
+    double slopes = 0.0;
+    kin_pack largest[16], cosine, sine, inverse_norm;
     union {
         kin_factors factors;
         kin_triangle triangle;
@@ -23,8 +25,10 @@ KIN_INLINE void kin_sample(
         if (reflected) {
             kin_matrices(of, cosine, sine, matrices.triangle.rows);
             kin_triangulate(&matrices.triangle);
+            kin_inverse_norm(&matrices.triangle, inverse_norm);
         } else {
             kin_factorize(of, cosine, sine, &matrices.factors);
+            kin_fill(inverse_norm, 0.0);
         }
         /* Fifteen reflections have the determinant -1. */
         kin_fill(determinants, reflected ? -1.0 : 1.0);
@@ -34,8 +38,12 @@ KIN_INLINE void kin_sample(
             kin_times(determinants, pivot);
             kin_at_least(largest[i], pivot);
         }
+        for (int k = 0; k < KIN_LANES; ++k) {
+            slopes += fabs(determinants[k]) * inverse_norm[k];
+        }
     }
     kin_transform(degree, values, count, f);
+    f->shift = 2.220446049250313e-16 * slopes / f->size;
     /* What rounding leaves of a pivot that is zero for all angles may be the same for all, so that
      * the harmonics that have to vanish do. */
     for (int i = 0; i < 16; ++i) {

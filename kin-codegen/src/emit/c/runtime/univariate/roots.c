@@ -202,6 +202,10 @@ static int kin_at_extremum(kin_isolation *search, const kin_interval *interval, 
         const double low = interval->low, high = interval->high;
         kin_bracket(search, low, t, kin_max(t - apart, low), !opens, found);
         kin_bracket(search, t, high, -kin_max(-(t + apart), -high), opens, found);
+    } else if (fabs(f) <= 2.0 * KIN_UNSIGNED * search->f->shift) {
+        /* Next to a family of solutions what the target is rounded by parts two that meet. */
+        found->twice |= 1u << found->count % KIN_MOST_ROOTS;
+        kin_push_root(kin_arc_angle(search, t), found);
     }
     return 1;
 }

@@ -57,18 +57,34 @@ KIN_INLINE void kin_improve(kin_triangle *t, kin_pack x[16])
     }
 }
 
+/* Starts that no arm is square to: the fractional parts of multiples of the golden ratio, about 0. */
+KIN_INLINE void kin_first_vector(int n, kin_pack x[16])
+{
+    for (int i = 0; i < 16; ++i) {
+        const double part = ((n + 1) * i % 61 + 1) * 0.6180339887498948;
+        kin_fill(x[i], part - (int)part - 0.48);
+    }
+}
+
+/* About the norm of the inverse, and no more. */
+KIN_INLINE void kin_inverse_norm(kin_triangle *t, kin_pack norm)
+{
+    kin_pack x[16];
+    kin_first_vector(0, x);
+    kin_improve(t, x);
+    kin_dot(norm, x, x, 16);
+    for (int k = 0; k < KIN_LANES; ++k) {
+        norm[k] = sqrt(norm[k]);
+    }
+}
+
 /* An orthonormal basis of what Q R nearly takes to zero: the least right singular vectors, by
  * subspace iteration; and about how long what they are taken to is. */
 KIN_INLINE void kin_null_space(
     kin_triangle *t, int count, kin_pack space[][16], kin_pack lengths[])
 {
     for (int n = 0; n < count; ++n) {
-        for (int i = 0; i < 16; ++i) {
-            /* Starts that no arm is square to: the fractional parts of multiples of the golden
-             * ratio, about 0. */
-            const double x = ((n + 1) * i % 61 + 1) * 0.6180339887498948;
-            kin_fill(space[n][i], x - (int)x - 0.48);
-        }
+        kin_first_vector(n, space[n]);
     }
     for (int round = 0; round < 3; ++round) {
         for (int n = 0; n < count; ++n) {

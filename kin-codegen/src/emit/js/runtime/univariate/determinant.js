@@ -170,15 +170,23 @@ const $improve = ({ rows, inverses }, x) => {
     }
 };
 
+/* Starts that no arm is square to: the fractional parts of multiples of the golden ratio, about 0. */
+const $first_vector = (n) => new Float64Array(16).map((_, i) => {
+    const x = ((((n + 1) * i) % 61) + 1) * 0.6180339887498948;
+    return x - Math.trunc(x) - 0.48;
+});
+
+/* About the norm of the inverse, and no more. */
+const $inverse_norm = (triangle) => {
+    const x = $first_vector(0);
+    $improve(triangle, x);
+    return Math.sqrt($dot(x, x));
+};
+
 /* An orthonormal basis of what Q R nearly takes to zero: the least right singular vectors, by
  * subspace iteration; and about how long what they are taken to is. */
 const $null_space = (triangle, count) => {
-    const space = Array.from({ length: count }, (_, n) => new Float64Array(16).map((__, i) => {
-        /* Starts that no arm is square to: the fractional parts of multiples of the golden ratio,
-         * about 0. */
-        const x = ((((n + 1) * i) % 61) + 1) * 0.6180339887498948;
-        return x - Math.trunc(x) - 0.48;
-    }));
+    const space = Array.from({ length: count }, (_, n) => $first_vector(n));
     const lengths = new Float64Array(count);
     for (let round = 0; round < 3; ++round) {
         space.forEach((vector, n) => {
@@ -203,10 +211,13 @@ const $sampled_polynomial = (loop, is_reflected) => {
     const count = degree <= 8 ? 24 : 32;
     const values = new Float64Array(count);
     const largest = new Float64Array(16);
+    /* How fast the determinants change with the entries. */
+    let slopes = 0.0;
     for (let k = 0; k < count; ++k) {
         const part = (96 / count) * k;
         const half = { sine: $sine_of_part(part), cosine: $cosines[part] };
-        const { rows } = is_reflected ? $triangulate(loop, half) : $factorize(loop, half);
+        const matrix = is_reflected ? $triangulate(loop, half) : $factorize(loop, half);
+        const { rows } = matrix;
         /* Fifteen reflections have the determinant -1. */
         values[k] = is_reflected ? -1.0 : 1.0;
         for (let i = 0; i < 16; ++i) {
@@ -214,14 +225,18 @@ const $sampled_polynomial = (loop, is_reflected) => {
             values[k] *= pivot;
             largest[i] = $max(largest[i], Math.abs(pivot));
         }
+        if (is_reflected) {
+            slopes += Math.abs(values[k]) * $inverse_norm(matrix);
+        }
     }
     const f = $transform(degree, values);
+    const shift = (2.220446049250313e-16 * slopes) / f.size;
     /* What rounding leaves of a pivot that is zero for all angles may be the same for all, so that the
      * harmonics that have to vanish do. */
     for (const most of largest) {
         f.noise = $max(2.220446049250313e-16 / most, f.noise);
     }
-    return fold === null ? f : $divided_by_fold(fold, f);
+    return { ...(fold === null ? f : $divided_by_fold(fold, f)), shift };
 };
 
 /* Above this noise no pivot can be trusted that was not chosen for the target. */

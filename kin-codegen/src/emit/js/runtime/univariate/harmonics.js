@@ -11,6 +11,7 @@ const $by_largest = (degree, cosines, sines, largest, noise) => ({
     cosines: cosines.slice(0, degree + 1).map((x) => x / largest),
     sines: sines.slice(0, degree + 1).map((x) => x / largest),
     noise,
+    size: largest,
 });
 
 /* From values at equal distances: so many that some harmonics have to vanish. */

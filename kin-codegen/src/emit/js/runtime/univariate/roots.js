@@ -201,6 +201,9 @@ const $at_extremum = (isolation, interval) => {
         const apart = 0.5 * Math.sqrt(Math.abs((2.0 * value) / curvature));
         $bracket(isolation, low, t, $max(t - apart, low), !opens);
         $bracket(isolation, t, high, -$max(-(t + apart), -high), opens);
+    } else if (Math.abs(value) <= 2.0 * $UNSIGNED * isolation.f.shift) {
+        /* Next to a family of solutions what the target is rounded by parts two that meet. */
+        $push_root(found, $arc_angle(isolation, t), { is_twice: true });
     }
     return true;
 };
