@@ -60,11 +60,7 @@ pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Erro
         return Err(refused(diagnostic).into());
     }
     let robot = compile(source, options)?;
-    let mut warnings = robot.warnings().to_vec();
-    warnings.extend(match &robot {
-        Compiled::Arm(arm) => c::refused(arm),
-        Compiled::Mechanism(mechanism) => c::refused_mechanism(mechanism),
-    });
+    let warnings = robot.warnings().to_vec();
     if options.strict
         && let Some(warnings) = Diagnostics::of(&source.path, warnings.clone())
     {

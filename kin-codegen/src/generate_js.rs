@@ -68,8 +68,7 @@ impl GeneratedJs {
     /// A robot as JavaScript that was compiled from a file with some options.
     #[doc(hidden)]
     pub fn of(robot: Compiled, source: &Source, options: &Options) -> Self {
-        let mut warnings = robot.warnings().to_vec();
-        warnings.extend(js::refused(&robot));
+        let warnings = robot.warnings().to_vec();
         let hash = fnv1a(source.text.as_bytes());
         let name = stem(&source.path);
         let told = header::of(&robot, name, hash, options, Some(" --lang js"));

@@ -48,6 +48,7 @@ impl Forward {
         let accept = Acceptance {
             size: accept.size as f32,
             tolerance: accept.tolerance as f32,
+            taken: accept.taken as f32,
             nearly: accept.nearly as f32,
             near_singular: 0.0,
             prismatic: accept.prismatic,

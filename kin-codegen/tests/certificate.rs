@@ -171,14 +171,14 @@ tip: {link: tool, xyz: [0.043, 0, 0]}
     );
 }
 
-/// A calibrated arm's certificate excuses next to nothing. Where curves are followed from
-/// the branches, more than a few percent are no certificate.
+/// A calibrated arm's certificate excuses next to nothing. Where no elimination stands
+/// beside the branches, more than a few percent are no certificate.
 #[test]
 fn what_is_excused_is_counted() {
     let arm = Arm::read("tests/robots/noisy/calibrated.yaml");
     let mut found = solve(&arm.model, &arm.linkage, arm.target).unwrap();
     assert!(found.certificate.excused_share < 0.01, "{found:?}");
-    found.form.refinement = Refinement::Branches(24);
+    found.form.refinement = Refinement::Correction;
     let trials = Trials::new(&arm.model, &arm.linkage, arm.target);
     let seen = certify(&trials, &found.form, usize::MAX).unwrap_err();
     assert!(

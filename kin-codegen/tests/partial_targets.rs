@@ -104,7 +104,6 @@ joints:
 tip: {link: pen, xyz: [0.05, 0.02, 0.01], rpy: [0.2, 0.4, 0.1]}
 ";
 
-/// No curves are followed for targets that leave the turn of the tool free.
 #[test]
 fn five_joints_off_their_design_are_solved_by_an_elimination() {
     let design = model(FIVE);

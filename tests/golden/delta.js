@@ -397,7 +397,7 @@ const $swivel_slopes = (arm, q, wanted, wrist) => {
     return { slopes, off: $wrap(wanted - angle) };
 };
 
-/* A branch at a swivel angle that rounding keeps from its target, corrected: the angle tells one
+/* A branch at a swivel angle that misses its target, corrected: the angle tells one
  * of the joints that turn the elbow from the others. Null if it stays off. */
 const $at_swivel = (arm, target, given, whole, branch, singular) => {
     const wrist = $point(target, arm.form.swivel.wrist);
@@ -432,7 +432,7 @@ const $at_swivel = (arm, target, given, whole, branch, singular) => {
     };
     const linearize = (some) => $linearize(arm.form, target, seen, some);
     const start = others.map((joint) => whole[joint]);
-    const found = $correct(linearize, arm.form.size, start, 12);
+    const found = $correct(linearize, arm.form.size, start, $steps(arm.form));
     if (!(found.residual <= arm.form.tolerance)) {
         return null;
     }
@@ -604,8 +604,11 @@ const $insert = (arm, found, solutions) => {
     }
 };
 
-/* A branch that rounding keeps from its target, corrected; it may stay off. */
-const $corrected = (arm, target, given, solved, branch, singular, evaluations = 12) => {
+/* Evaluations for a correction: the branches of an arm's design are farther from the solutions. */
+const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
+
+/* A branch that misses its target, corrected; it may stay off. */
+const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
@@ -618,7 +621,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     };
 };
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 const $reaching = (arm, target, given, lanes) => {
     const { form } = arm;
     const solutions = [];
@@ -631,7 +634,7 @@ const $reaching = (arm, target, given, lanes) => {
         if (!(lanes.invalid[k] <= 0.0)) {
             continue;
         }
-        if (residual <= form.tolerance) {
+        if (residual <= form.taken) {
             const q = $whole(arm, lanes.q.map((lane) => lane[k]), given);
             solutions.push({ q, residual, branch: k, singular: lanes.singular[k] > 0.0 });
         } else if (corrects && residual <= form.nearly) {
@@ -874,7 +877,6 @@ return $mechanism({
     freedom: 3,
     actuated: [0, 5, 10],
     aim: "translation",
-    refused: null,
     chains: [{
         name: "arm1",
         arm: $arm({
@@ -942,7 +944,6 @@ return $mechanism({
                 counts_axis: false,
             },
             form: null,
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[0] + (q[1] - 2.0014839778199303);
@@ -1361,6 +1362,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 3.4399999999999963e-6,
                 free_angles: [],
                 counts_translation: true,
@@ -1465,7 +1467,6 @@ return $mechanism({
                     return lanes;
                 },
             },
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[0] + (q[1] - 2.0014839778199303);
@@ -1719,6 +1720,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
+                taken: 1.0239019559141966e-10,
                 nearly: 1.0239019559141966e-6,
                 free_angles: [],
                 counts_translation: false,
@@ -1782,7 +1784,6 @@ return $mechanism({
                     return lanes;
                 },
             },
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[1] + 0.43068765102503376;
@@ -1998,7 +1999,6 @@ return $mechanism({
                 counts_axis: false,
             },
             form: null,
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[0] + (q[1] - 0.43068765102503376);
@@ -2477,6 +2477,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 3.4399999999999963e-6,
                 free_angles: [],
                 counts_translation: true,
@@ -2586,7 +2587,6 @@ return $mechanism({
                     return lanes;
                 },
             },
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[0] + (q[1] - 0.43068765102503376);
@@ -2881,6 +2881,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                taken: 1.0239019559141965e-10,
                 nearly: 1.0239019559141966e-6,
                 free_angles: [],
                 counts_translation: false,
@@ -2999,7 +3000,6 @@ return $mechanism({
                     return lanes;
                 },
             },
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[1] + 0.4306876510250337;
@@ -3239,7 +3239,6 @@ return $mechanism({
                 counts_axis: false,
             },
             form: null,
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[0] + (q[1] - 0.43068765102503376);
@@ -3718,6 +3717,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 3.4399999999999963e-6,
                 free_angles: [],
                 counts_translation: true,
@@ -3827,7 +3827,6 @@ return $mechanism({
                     return lanes;
                 },
             },
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[0] + (q[1] - 0.43068765102503376);
@@ -4122,6 +4121,7 @@ return $mechanism({
                 swivel: null,
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                taken: 1.0239019559141965e-10,
                 nearly: 1.0239019559141966e-6,
                 free_angles: [],
                 counts_translation: false,
@@ -4240,7 +4240,6 @@ return $mechanism({
                     return lanes;
                 },
             },
-            refused: null,
             fk: (q) => {
                 const pose = new Float64Array(12);
                 const t1 = q[1] + 0.4306876510250337;

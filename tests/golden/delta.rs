@@ -266,6 +266,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -583,6 +584,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
+                taken: 1.0239019559141966e-10,
                 nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -1030,6 +1032,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -1368,6 +1371,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                taken: 1.0239019559141965e-10,
                 nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -1951,6 +1955,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -2289,6 +2294,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
+                taken: 1.0239019559141965e-10,
                 nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,

@@ -397,7 +397,7 @@ const $swivel_slopes = (arm, q, wanted, wrist) => {
     return { slopes, off: $wrap(wanted - angle) };
 };
 
-/* A branch at a swivel angle that rounding keeps from its target, corrected: the angle tells one
+/* A branch at a swivel angle that misses its target, corrected: the angle tells one
  * of the joints that turn the elbow from the others. Null if it stays off. */
 const $at_swivel = (arm, target, given, whole, branch, singular) => {
     const wrist = $point(target, arm.form.swivel.wrist);
@@ -432,7 +432,7 @@ const $at_swivel = (arm, target, given, whole, branch, singular) => {
     };
     const linearize = (some) => $linearize(arm.form, target, seen, some);
     const start = others.map((joint) => whole[joint]);
-    const found = $correct(linearize, arm.form.size, start, 12);
+    const found = $correct(linearize, arm.form.size, start, $steps(arm.form));
     if (!(found.residual <= arm.form.tolerance)) {
         return null;
     }
@@ -604,8 +604,11 @@ const $insert = (arm, found, solutions) => {
     }
 };
 
-/* A branch that rounding keeps from its target, corrected; it may stay off. */
-const $corrected = (arm, target, given, solved, branch, singular, evaluations = 12) => {
+/* Evaluations for a correction: the branches of an arm's design are farther from the solutions. */
+const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
+
+/* A branch that misses its target, corrected; it may stay off. */
+const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
@@ -618,7 +621,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     };
 };
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 const $reaching = (arm, target, given, lanes) => {
     const { form } = arm;
     const solutions = [];
@@ -631,7 +634,7 @@ const $reaching = (arm, target, given, lanes) => {
         if (!(lanes.invalid[k] <= 0.0)) {
             continue;
         }
-        if (residual <= form.tolerance) {
+        if (residual <= form.taken) {
             const q = $whole(arm, lanes.q.map((lane) => lane[k]), given);
             solutions.push({ q, residual, branch: k, singular: lanes.singular[k] > 0.0 });
         } else if (corrects && residual <= form.nearly) {
@@ -852,6 +855,7 @@ return $arm({
         swivel: null,
         size: 0.9880918706887848,
         tolerance: 9.88091870688785e-10,
+        taken: 9.88091870688785e-10,
         nearly: 9.88091870688785e-6,
         free_angles: [],
         counts_translation: true,
@@ -1108,7 +1112,6 @@ return $arm({
             return lanes;
         },
     },
-    refused: null,
     fk: (q) => {
         const pose = new Float64Array(12);
         const { sine: s1, cosine: c1 } = $sin_cos(q[0]);

@@ -198,6 +198,7 @@ mod __Scara {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.2,
             tolerance: 0.000023999999,
+            taken: 0.000023999999,
             nearly: 0.006,
             near_singular: 0.0,
             prismatic: 8,

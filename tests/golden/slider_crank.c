@@ -747,12 +747,13 @@ int slider_crank_chain0_within_limits(const double q[SLIDER_CRANK_CHAIN0_JOINTS]
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
- * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * and by how much solutions may miss the target, branches that are solutions as they are, and those that are
+ * corrected, metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
  * design. */
 #define SLIDER_CRANK_CHAIN0_SOLVED 3
 #define SLIDER_CRANK_CHAIN0_SIZE 3.999999999999997
 #define SLIDER_CRANK_CHAIN0_TOLERANCE 3.999999999999997e-9
+#define SLIDER_CRANK_CHAIN0_TAKEN 3.999999999999997e-9
 #define SLIDER_CRANK_CHAIN0_NEARLY 3.999999999999997e-5
 #define SLIDER_CRANK_CHAIN0_NEAR_SINGULAR 0.0
 
@@ -966,17 +967,20 @@ static int slider_crank_chain0_insert(const slider_crank_chain0_solution *found,
     return count;
 }
 
-/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+/* A branch that misses its target, corrected; whether it reaches it then. */
 static int slider_crank_chain0_corrected(
     const slider_crank_chain0_lanes *lanes, int k, const double target[12], const double *given,
     slider_crank_chain0_solution *found)
 {
     const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN0_SOLVED, slider_crank_chain0_see_joints, given};
+    /* Those of an arm's design are farther from the solutions. */
+    const int steps = SLIDER_CRANK_CHAIN0_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
-    found->singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    found->singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, steps, &here)
+        || lanes->singular[k] > 0.0;
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
         here.q[i] = slider_crank_chain0_turns[slider_crank_chain0_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
@@ -986,7 +990,7 @@ static int slider_crank_chain0_corrected(
     return found->residual <= SLIDER_CRANK_CHAIN0_TOLERANCE;
 }
 
-/* Adds the branches that rounding keeps from their target, corrected. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
 static int slider_crank_chain0_add_corrected(
     const slider_crank_chain0_lanes *lanes, const double target[12], const double *given,
     slider_crank_chain0_solution *solutions, int count)
@@ -997,7 +1001,7 @@ static int slider_crank_chain0_add_corrected(
     for (int k = 0; k < SLIDER_CRANK_CHAIN0_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
         slider_crank_chain0_solution found;
-        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN0_TOLERANCE && residual <= SLIDER_CRANK_CHAIN0_NEARLY
+        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN0_TAKEN && residual <= SLIDER_CRANK_CHAIN0_NEARLY
             && slider_crank_chain0_corrected(lanes, k, target, given, &found)) {
             count = slider_crank_chain0_insert(&found, solutions, count);
         }
@@ -1005,7 +1009,7 @@ static int slider_crank_chain0_add_corrected(
     return count;
 }
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 static int slider_crank_chain0_solve(
     const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given,
     slider_crank_chain0_solution *solutions)
@@ -1015,7 +1019,7 @@ static int slider_crank_chain0_solve(
     int nearly = 0;
     slider_crank_chain0_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < SLIDER_CRANK_CHAIN0_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_TOLERANCE) {
+        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_TAKEN) {
             double q[SLIDER_CRANK_CHAIN0_SOLVED];
             for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
                 q[i] = lanes.q[i][k];
@@ -1216,12 +1220,13 @@ int slider_crank_chain1_within_limits(const double q[SLIDER_CRANK_CHAIN1_JOINTS]
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
- * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * and by how much solutions may miss the target, branches that are solutions as they are, and those that are
+ * corrected, metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
  * design. */
 #define SLIDER_CRANK_CHAIN1_SOLVED 1
 #define SLIDER_CRANK_CHAIN1_SIZE 3.9983311292135726
 #define SLIDER_CRANK_CHAIN1_TOLERANCE 3.9983311292135726e-9
+#define SLIDER_CRANK_CHAIN1_TAKEN 3.9983311292135726e-9
 #define SLIDER_CRANK_CHAIN1_NEARLY 3.998331129213573e-5
 #define SLIDER_CRANK_CHAIN1_NEAR_SINGULAR 0.0
 
@@ -1376,17 +1381,20 @@ static int slider_crank_chain1_insert(const slider_crank_chain1_solution *found,
     return count;
 }
 
-/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+/* A branch that misses its target, corrected; whether it reaches it then. */
 static int slider_crank_chain1_corrected(
     const slider_crank_chain1_lanes *lanes, int k, const double target[12], const double *given,
     slider_crank_chain1_solution *found)
 {
     const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN1_SOLVED, slider_crank_chain1_see_joints, given};
+    /* Those of an arm's design are farther from the solutions. */
+    const int steps = SLIDER_CRANK_CHAIN1_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
-    found->singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    found->singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, steps, &here)
+        || lanes->singular[k] > 0.0;
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
         here.q[i] = slider_crank_chain1_turns[slider_crank_chain1_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
@@ -1396,7 +1404,7 @@ static int slider_crank_chain1_corrected(
     return found->residual <= SLIDER_CRANK_CHAIN1_TOLERANCE;
 }
 
-/* Adds the branches that rounding keeps from their target, corrected. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
 static int slider_crank_chain1_add_corrected(
     const slider_crank_chain1_lanes *lanes, const double target[12], const double *given,
     slider_crank_chain1_solution *solutions, int count)
@@ -1407,7 +1415,7 @@ static int slider_crank_chain1_add_corrected(
     for (int k = 0; k < SLIDER_CRANK_CHAIN1_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
         slider_crank_chain1_solution found;
-        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN1_TOLERANCE && residual <= SLIDER_CRANK_CHAIN1_NEARLY
+        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN1_TAKEN && residual <= SLIDER_CRANK_CHAIN1_NEARLY
             && slider_crank_chain1_corrected(lanes, k, target, given, &found)) {
             count = slider_crank_chain1_insert(&found, solutions, count);
         }
@@ -1415,7 +1423,7 @@ static int slider_crank_chain1_add_corrected(
     return count;
 }
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 static int slider_crank_chain1_solve(
     const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given,
     slider_crank_chain1_solution *solutions)
@@ -1425,7 +1433,7 @@ static int slider_crank_chain1_solve(
     int nearly = 0;
     slider_crank_chain1_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < SLIDER_CRANK_CHAIN1_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_TOLERANCE) {
+        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_TAKEN) {
             double q[SLIDER_CRANK_CHAIN1_SOLVED];
             for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
                 q[i] = lanes.q[i][k];
@@ -1595,12 +1603,13 @@ static void slider_crank_passive_fk_jacobian(const double q[SLIDER_CRANK_PASSIVE
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
- * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * and by how much solutions may miss the target, branches that are solutions as they are, and those that are
+ * corrected, metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
  * design. */
 #define SLIDER_CRANK_PASSIVE_SOLVED 3
 #define SLIDER_CRANK_PASSIVE_SIZE 6.99833112921357
 #define SLIDER_CRANK_PASSIVE_TOLERANCE 6.9983311292135705e-9
+#define SLIDER_CRANK_PASSIVE_TAKEN 6.9983311292135705e-9
 #define SLIDER_CRANK_PASSIVE_NEARLY 6.99833112921357e-5
 #define SLIDER_CRANK_PASSIVE_NEAR_SINGULAR 0.0
 
@@ -1812,17 +1821,20 @@ static int slider_crank_passive_insert(const slider_crank_passive_solution *foun
     return count;
 }
 
-/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+/* A branch that misses its target, corrected; whether it reaches it then. */
 static int slider_crank_passive_corrected(
     const slider_crank_passive_lanes *lanes, int k, const double target[12], const double *given,
     slider_crank_passive_solution *found)
 {
     const slider_crank_solved_for joints = {SLIDER_CRANK_PASSIVE_SOLVED, slider_crank_passive_see_joints, given};
+    /* Those of an arm's design are farther from the solutions. */
+    const int steps = SLIDER_CRANK_PASSIVE_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
-    found->singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    found->singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, steps, &here)
+        || lanes->singular[k] > 0.0;
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
         here.q[i] = slider_crank_passive_turns[slider_crank_passive_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
@@ -1832,7 +1844,7 @@ static int slider_crank_passive_corrected(
     return found->residual <= SLIDER_CRANK_PASSIVE_TOLERANCE;
 }
 
-/* Adds the branches that rounding keeps from their target, corrected. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
 static int slider_crank_passive_add_corrected(
     const slider_crank_passive_lanes *lanes, const double target[12], const double *given,
     slider_crank_passive_solution *solutions, int count)
@@ -1843,7 +1855,7 @@ static int slider_crank_passive_add_corrected(
     for (int k = 0; k < SLIDER_CRANK_PASSIVE_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
         slider_crank_passive_solution found;
-        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_PASSIVE_TOLERANCE && residual <= SLIDER_CRANK_PASSIVE_NEARLY
+        if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_PASSIVE_TAKEN && residual <= SLIDER_CRANK_PASSIVE_NEARLY
             && slider_crank_passive_corrected(lanes, k, target, given, &found)) {
             count = slider_crank_passive_insert(&found, solutions, count);
         }
@@ -1851,7 +1863,7 @@ static int slider_crank_passive_add_corrected(
     return count;
 }
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 static int slider_crank_passive_solve(
     const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given,
     slider_crank_passive_solution *solutions)
@@ -1861,7 +1873,7 @@ static int slider_crank_passive_solve(
     int nearly = 0;
     slider_crank_passive_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < SLIDER_CRANK_PASSIVE_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_TOLERANCE) {
+        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_TAKEN) {
             double q[SLIDER_CRANK_PASSIVE_SOLVED];
             for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
                 q[i] = lanes.q[i][k];

@@ -1003,12 +1003,13 @@ int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
 }
 
 /* The joints that are solved for; the arm's size, at whose distance angles count as lengths,
- * and by how much solutions may miss the target, and by how much branches do that rounding keeps from it,
- * metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
+ * and by how much solutions may miss the target, branches that are solutions as they are, and those that are
+ * corrected, metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
  * design. */
 #define UR5E_SOLVED 6
 #define UR5E_SIZE 1.3122999999999998
 #define UR5E_TOLERANCE 1.3123e-9
+#define UR5E_TAKEN 1.3123e-9
 #define UR5E_NEARLY 1.3123e-5
 #define UR5E_NEAR_SINGULAR 0.0
 
@@ -1549,17 +1550,20 @@ static int ur5e_insert(const ur5e_solution *found, ur5e_solution *solutions, int
     return count;
 }
 
-/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+/* A branch that misses its target, corrected; whether it reaches it then. */
 static int ur5e_corrected(
     const ur5e_lanes *lanes, int k, const double target[12], const double *given,
     ur5e_solution *found)
 {
     const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given};
+    /* Those of an arm's design are farther from the solutions. */
+    const int steps = UR5E_TAKEN < 0.0 ? 60 : 12;
     ur5e_linearization here;
     for (int i = 0; i < UR5E_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
-    found->singular = ur5e_correct(&ur5e_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    found->singular = ur5e_correct(&ur5e_own_metric, &joints, target, steps, &here)
+        || lanes->singular[k] > 0.0;
     for (int i = 0; i < UR5E_SOLVED; ++i) {
         here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
     }
@@ -1569,7 +1573,7 @@ static int ur5e_corrected(
     return found->residual <= UR5E_TOLERANCE;
 }
 
-/* Adds the branches that rounding keeps from their target, corrected. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
 static int ur5e_add_corrected(
     const ur5e_lanes *lanes, const double target[12], const double *given,
     ur5e_solution *solutions, int count)
@@ -1580,7 +1584,7 @@ static int ur5e_add_corrected(
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
         ur5e_solution found;
-        if (lanes->invalid[k] <= 0.0 && residual > UR5E_TOLERANCE && residual <= UR5E_NEARLY
+        if (lanes->invalid[k] <= 0.0 && residual > UR5E_TAKEN && residual <= UR5E_NEARLY
             && ur5e_corrected(lanes, k, target, given, &found)) {
             count = ur5e_insert(&found, solutions, count);
         }
@@ -1588,7 +1592,7 @@ static int ur5e_add_corrected(
     return count;
 }
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 static int ur5e_solve(
     const double target[12], const double seed[UR5E_SOLVED], const double *given,
     ur5e_solution *solutions)
@@ -1598,7 +1602,7 @@ static int ur5e_solve(
     int nearly = 0;
     ur5e_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_TOLERANCE) {
+        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_TAKEN) {
             double q[UR5E_SOLVED];
             for (int i = 0; i < UR5E_SOLVED; ++i) {
                 q[i] = lanes.q[i][k];

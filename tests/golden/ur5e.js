@@ -396,7 +396,7 @@ const $swivel_slopes = (arm, q, wanted, wrist) => {
     return { slopes, off: $wrap(wanted - angle) };
 };
 
-/* A branch at a swivel angle that rounding keeps from its target, corrected: the angle tells one
+/* A branch at a swivel angle that misses its target, corrected: the angle tells one
  * of the joints that turn the elbow from the others. Null if it stays off. */
 const $at_swivel = (arm, target, given, whole, branch, singular) => {
     const wrist = $point(target, arm.form.swivel.wrist);
@@ -431,7 +431,7 @@ const $at_swivel = (arm, target, given, whole, branch, singular) => {
     };
     const linearize = (some) => $linearize(arm.form, target, seen, some);
     const start = others.map((joint) => whole[joint]);
-    const found = $correct(linearize, arm.form.size, start, 12);
+    const found = $correct(linearize, arm.form.size, start, $steps(arm.form));
     if (!(found.residual <= arm.form.tolerance)) {
         return null;
     }
@@ -603,8 +603,11 @@ const $insert = (arm, found, solutions) => {
     }
 };
 
-/* A branch that rounding keeps from its target, corrected; it may stay off. */
-const $corrected = (arm, target, given, solved, branch, singular, evaluations = 12) => {
+/* Evaluations for a correction: the branches of an arm's design are farther from the solutions. */
+const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
+
+/* A branch that misses its target, corrected; it may stay off. */
+const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
@@ -617,7 +620,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     };
 };
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 const $reaching = (arm, target, given, lanes) => {
     const { form } = arm;
     const solutions = [];
@@ -630,7 +633,7 @@ const $reaching = (arm, target, given, lanes) => {
         if (!(lanes.invalid[k] <= 0.0)) {
             continue;
         }
-        if (residual <= form.tolerance) {
+        if (residual <= form.taken) {
             const q = $whole(arm, lanes.q.map((lane) => lane[k]), given);
             solutions.push({ q, residual, branch: k, singular: lanes.singular[k] > 0.0 });
         } else if (corrects && residual <= form.nearly) {
@@ -842,6 +845,7 @@ return $arm({
         swivel: null,
         size: 1.3122999999999998,
         tolerance: 1.3123e-9,
+        taken: 1.3123e-9,
         nearly: 1.3123e-5,
         free_angles: [3],
         counts_translation: true,
@@ -1125,7 +1129,6 @@ return $arm({
             return lanes;
         },
     },
-    refused: null,
     fk: (q) => {
         const pose = new Float64Array(12);
         const t1 = q[1] + q[2];

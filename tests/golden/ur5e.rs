@@ -249,6 +249,7 @@ mod __Ur5e {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.3122999999999998,
             tolerance: 1.3123e-9,
+            taken: 1.3123e-9,
             nearly: 0.000013123,
             near_singular: 0.0,
             prismatic: 0,

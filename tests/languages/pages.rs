@@ -3,7 +3,7 @@
 use crate::js::{JsRobot, NAMES, is_no_markup, named};
 use crate::read;
 use kin_cli::view::page;
-use kin_codegen::{Compiled, Options, compile};
+use kin_codegen::{Compiled, Ik, Options, compile};
 
 /// Where the scripts that need a page begin.
 const PAGE: &str = "// The page: what is shown";
@@ -56,12 +56,11 @@ fn arms_and_mechanisms_follow_their_target() {
         ("robots/stewart.yaml", 0.0),
     ];
     let by_default = robots.map(|(path, least)| (path, Options::default(), least));
-    // No elimination stands beside these branches.
-    let by_swivel = Options {
-        free: vec!["swivel".into()],
+    let without = Options {
+        ik: Ik::None,
         ..Options::default()
     };
-    let followed = ("tests/robots/redundant/stray_iiwa.yaml", by_swivel, 0.0);
+    let followed = ("robots/ur5e.urdf", without, 0.0);
     for (path, options, least) in by_default.into_iter().chain([followed]) {
         let (page, _) = page(&read(path), &options).unwrap();
         let (before, after) = script(&page).split_once(PAGE).unwrap();

@@ -8,8 +8,8 @@ use kinematics::RobotOptions;
 pub struct Asked {
     pub path: &'static str,
     pub options: RobotOptions,
-    /// Whether a polynomial in one joint takes part: what of a family of solutions is found depends
-    /// on rounding.
+    /// Whether a polynomial in one joint takes part, or a correction of all branches: what of a
+    /// family of solutions is found depends on rounding.
     pub eliminates: bool,
     /// Whether branches of an idealized arm are refined.
     pub refines: bool,
@@ -158,6 +158,16 @@ pub fn all() -> Vec<Asked> {
         ..RobotOptions::default()
     };
     let seven = Asked::of("robots/iiwa14.yaml", free);
+    // Off its design, and no elimination stands beside its branches.
+    let swivel = RobotOptions {
+        free: vec!["swivel".into()],
+        ..RobotOptions::default()
+    };
+    let swivelled = Asked {
+        eliminates: true,
+        refines: true,
+        ..Asked::of("tests/robots/redundant/stray_iiwa.yaml", swivel)
+    };
     let between = BETWEEN.iter().map(|&(path, free, refines)| {
         let options = RobotOptions {
             free: free.iter().map(|&joint| joint.into()).collect(),
@@ -190,6 +200,6 @@ pub fn all() -> Vec<Asked> {
         .chain(refined)
         .chain(aimed)
         .chain(between)
-        .chain([seven, carried]);
+        .chain([seven, swivelled, carried]);
     all.chain(forward_alone).collect()
 }

@@ -51,9 +51,8 @@ impl Idealization {
 
 fn refinement(form: &ClosedForm) -> String {
     match &form.refinement {
-        Refinement::None => String::new(),
-        Refinement::Branches(steps) => {
-            format!("At most {steps} Newton steps refine every branch onto the file's arm.")
+        Refinement::Correction => {
+            "Levenberg's method takes every branch onto the file's arm.".to_owned()
         }
         Refinement::Univariate(arm) => {
             let degree = arm.kept[0].elimination.degree;

@@ -8,7 +8,7 @@ class ArmView {
         this.chain = chains[0];
         this.size = size;
         this.form = arm.form;
-        this.why = why ?? arm.refused;
+        this.why = why;
         this.joints = arm.joints;
         this.counts = arm.form ?? arm.aim;
         this.canTurn = this.counts.counts_rotation || !arm.form;

@@ -5,7 +5,7 @@ class MechanismView {
         this.mechanism = mechanism;
         this.chains = chains;
         this.size = size;
-        this.why = why ?? mechanism.refused;
+        this.why = why;
         const all = mechanism.chains.flatMap(({ arm, name }) => arm.joints.map((joint) => ({ ...joint, chain: name })));
         this.all = all;
         this.joints = mechanism.actuated.map((joint) => all[joint]);

@@ -17,7 +17,7 @@ use crate::scalar::Tolerances;
 use crate::single;
 use crate::univariate;
 use branches::existing;
-use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
+use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches};
 use kin_runtime::__private::{Acceptance, Completion};
 use kin_runtime::{Chain, Pose, Solution, Solutions};
 
@@ -26,6 +26,9 @@ use kin_runtime::{Chain, Pose, Solution, Solutions};
 /// as given: two roots that are nearer may have met on one of the two arms and
 /// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
+
+/// Of branches that are none of the arm's: how near they are to a target tells nothing.
+const NONE: f64 = -1.0;
 
 /// Below this conditioning an elimination may not tell two solutions apart.
 const DROWNED: f64 = 1e-4;
@@ -66,11 +69,9 @@ pub struct ClosedForm {
 /// From the branches of the plan to the solutions of the arm as given.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refinement {
-    /// They are the same.
-    None,
-    /// So many steps of Newton's method at most, and where roots have nearly met,
-    /// curves are followed to where others went.
-    Branches(usize),
+    /// They are the same, but for what rounding does where roots nearly meet; of an arm off its
+    /// design each leads to one, by Levenberg's method.
+    Correction,
     /// Newton's method, and where the branches do not tell all solutions, because the arm
     /// is off the idealized one or a step degenerates, an elimination of all joints but one.
     Univariate(Box<univariate::Arm>),
@@ -141,7 +142,7 @@ impl ClosedForm {
             free: FreeAngles::Seeded,
             inverse: Inverse::Univariate(Box::new(arm)),
             tip_shift: 0.0,
-            refinement: Refinement::None,
+            refinement: Refinement::Correction,
             single: None,
         }
     }
@@ -378,10 +379,7 @@ impl ClosedForm {
         if let Some(forward) = &self.single {
             return forward.corrected(target, self.plan.target, starts, &accept);
         }
-        match self.refinement {
-            Refinement::Branches(steps) => refine_branches(&problem, starts, &accept, steps),
-            _ => correct_branches(&problem, starts, &accept),
-        }
+        correct_branches(&problem, starts, &accept)
     }
 
     /// The same as [`Self::solved_near`] at a swivel angle.
@@ -401,12 +399,8 @@ impl ClosedForm {
             links: |q: &[f64; 7]| swivel.links(&twists, q),
             fk_jacobian: |q: &[f64; 7]| self.given.fk_jacobian(q, &[]),
         };
-        let steps = match self.refinement {
-            Refinement::Branches(steps) => Some(steps),
-            _ => None,
-        };
         let branches = self.branches::<7>(target, parameters, seed);
-        arm.refined(target, branches.into_iter(), steps, &self.acceptance())
+        arm.corrected(target, branches.into_iter(), &self.acceptance())
     }
 
     /// Below this conditioning of the Jacobian solutions may be lost, 0 if none
@@ -414,8 +408,7 @@ impl ClosedForm {
     pub fn near_singular(&self) -> f64 {
         match self.refinement {
             _ if self.is_exact() => self.tolerances().near_singular,
-            Refinement::None => 0.0,
-            Refinement::Branches(_) => self.untold(),
+            Refinement::Correction => self.untold(),
             Refinement::Univariate(_) => DROWNED,
         }
     }
@@ -439,10 +432,19 @@ impl ClosedForm {
             true => tolerances.nearly_by_quartic,
             false => tolerances.nearly,
         };
+        let tolerance = tolerances.solved * size;
+        let is_corrected = self.refinement == Refinement::Correction
+            && !self.is_exact()
+            && !self.plan.target.is_projected();
+        let (taken, nearly) = match is_corrected {
+            true => (NONE, size),
+            false => (tolerance, nearly * size),
+        };
         Acceptance {
             size,
-            tolerance: tolerances.solved * size,
-            nearly: nearly * size,
+            tolerance,
+            taken,
+            nearly,
             near_singular: self.untold(),
             prismatic: sliding.fold(0, |mask, i| mask | 1 << i),
         }

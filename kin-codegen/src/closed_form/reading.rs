@@ -11,10 +11,6 @@ use crate::single;
 /// Axes of an idealized arm meet to this, in radians and of its size.
 const EXACT: f64 = 1e-11;
 
-/// Newton doubles the digits: two or three steps do at a regular
-/// configuration. Near a singular one the first steps have to find the way.
-const REFINEMENT: usize = 24;
-
 /// An idealized arm beside the given one.
 pub struct Reading {
     idealized: Idealized,
@@ -68,12 +64,9 @@ impl Reading {
 
     /// The closed form by a plan.
     pub fn form(&self, plan: &Plan, free: FreeAngles) -> ClosedForm {
-        let (margin, refinement) = match self.is_exact() {
-            true => (0.0, Refinement::None),
-            false => (
-                self.tip_shift / self.linkage.size,
-                Refinement::Branches(REFINEMENT),
-            ),
+        let margin = match self.is_exact() {
+            true => 0.0,
+            false => self.tip_shift / self.linkage.size,
         };
         let inverse = inverse(&self.linkage, plan, DomainMargin(margin), &free);
         ClosedForm {
@@ -84,7 +77,7 @@ impl Reading {
             free,
             inverse: Inverse::Expressions(Box::new(inverse)),
             tip_shift: self.tip_shift,
-            refinement,
+            refinement: Refinement::Correction,
             single: self.single.clone(),
         }
     }

@@ -10,7 +10,6 @@ pub(crate) mod js;
 mod lanes;
 mod language;
 pub mod postures;
-mod refused;
 pub mod rust;
 mod straight;
 mod text;

@@ -20,7 +20,8 @@ const OFTEN: f64 = 25.0;
 /// lost, if it can; where nothing is, only targets that no branch reaches.
 pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     let form = &best.form;
-    let asks = form.is_exact() && form.refinement == Refinement::None && form.single.is_none();
+    let asks =
+        form.is_exact() && form.refinement == Refinement::Correction && form.single.is_none();
     let arm = asks
         .then(|| univariate::Arm::of_targets(trials.model(), trials.linkage(), form.plan.target));
     let Some(mut arm) = arm.flatten() else {
@@ -60,7 +61,7 @@ pub(super) fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<
     let near = trials.near_singular(form.untold());
     let mut arms = univariate::Arm::keeping_each(trials.model(), trials.linkage());
     arms.retain(|arm| arm.kept[0].noise < NOISY);
-    // Those that say nothing are taken where all do: curves cost more.
+    // Those that say nothing are taken where all do.
     if !arms.iter().all(univariate::Arm::says_nothing) {
         arms.retain(|arm| !arm.says_nothing());
     }

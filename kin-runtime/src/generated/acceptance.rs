@@ -9,7 +9,10 @@ pub struct Acceptance {
     pub size: Real,
     /// Solutions may miss the target by this, metres.
     pub tolerance: Real,
-    /// Branches that miss it by more than this, metres, do so not by rounding.
+    /// Branches that miss it by no more, metres, are solutions as they are; negative where none
+    /// is, because they are those of an idealized arm.
+    pub taken: Real,
+    /// Branches that miss it by more than this, metres, cannot be corrected.
     pub nearly: Real,
     /// The near-singular threshold: where the Jacobian's least pivot by its
     /// largest is below this, the branches of the idealized arm do not tell

@@ -4,7 +4,7 @@ use super::super::scalar::Real;
 use super::super::types::nearest::Motion;
 use super::super::{Jacobian, Pose, Solution, Solutions, Target, math};
 use super::acceptance::{Acceptance, Completion};
-use super::refinement::{AtSwivel, Problem, correct_branches, refine_branches};
+use super::refinement::{AtSwivel, Problem, correct_branches};
 
 /// All branches of one target as array lanes: lane k is the branch whose i-th
 /// choice is + where bit i of k is clear.
@@ -37,7 +37,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     pub fn solutions(&self, accept: &Acceptance) -> Solutions<N> {
         Solutions::build_with_prismatic(accept.prismatic, |solutions| {
             for k in 0..L {
-                let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
+                let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.taken);
                 solutions.push_if(reaches, self.lane(k));
             }
         })
@@ -61,7 +61,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
                 motion += cost;
                 allowed &= is_allowed;
             }
-            let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.tolerance);
+            let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.taken);
             // What is too much for a number is still a motion.
             let motion = math::min(motion, Real::MAX);
             motions[k] = math::select(reaches & allowed, motion, Real::INFINITY);
@@ -81,7 +81,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         Some(solution)
     }
 
-    /// The branches that reach the target, those that rounding keeps from it
+    /// The branches that reach the target, those that rounding or idealization keeps from it
     /// after a correction; see [`correct_branches`]. The arm is given by its pose
     /// and spatial Jacobian.
     #[inline(always)]
@@ -98,12 +98,12 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         }
     }
 
-    /// Whether rounding may keep a branch from its target.
+    /// Whether a branch may be corrected.
     #[inline(always)]
     pub(super) fn nearly(&self, accept: &Acceptance) -> bool {
         let mut nearly = false;
         for k in 0..L {
-            let misses = self.residual[k] > accept.tolerance;
+            let misses = self.residual[k] > accept.taken;
             let little = self.residual[k] <= accept.nearly;
             nearly |= (self.invalid[k] <= 0.0) & misses & little;
         }
@@ -131,7 +131,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         let [mut reached, mut near, mut degenerate] = [false; 3];
         for k in 0..L {
             let exists = self.invalid[k] <= 0.0;
-            reached |= exists & (self.residual[k] <= accept.tolerance);
+            reached |= exists & (self.residual[k] <= accept.taken);
             near |= self.residual[k] <= accept.nearly;
             degenerate |= self.is_degenerate(k, accept);
         }
@@ -207,21 +207,6 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         }
         best
     }
-
-    /// The branches of an idealized arm, refined to those of the arm as given, which is given
-    /// by its pose and spatial Jacobian; see [`refine_branches`].
-    #[inline]
-    pub fn refined(
-        &self,
-        fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
-        target: &Pose,
-        counts: Target,
-        steps: usize,
-        accept: &Acceptance,
-    ) -> Solutions<N> {
-        let problem = Problem::new(fk_jacobian, target, counts, accept);
-        refine_branches(&problem, self.existing(), accept, steps)
-    }
 }
 
 /// The least of numbers, by halves: as many as there are branches, a power of two.
@@ -239,8 +224,7 @@ fn least<const L: usize>(mut numbers: [Real; L]) -> Real {
 }
 
 impl<const L: usize> Branches<7, L> {
-    /// The branches at an angle of a swivel. Of an arm that was idealized they are refined in so
-    /// many steps; of an exact one, where rounding keeps one from its target.
+    /// The branches at an angle of a swivel that reach the target, the others after a correction.
     #[inline]
     pub fn at_swivel(
         &self,
@@ -249,11 +233,10 @@ impl<const L: usize> Branches<7, L> {
             impl Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
         >,
         target: &Pose,
-        steps: Option<usize>,
         accept: &Acceptance,
     ) -> Solutions<7> {
-        match steps.is_some() || self.nearly(accept) {
-            true => arm.refined(target, self.existing(), steps, accept),
+        match self.nearly(accept) {
+            true => arm.corrected(target, self.existing(), accept),
             false => self.solutions(accept),
         }
     }

@@ -68,7 +68,7 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
         let mut unsettled = [0.0; T];
         for k in 0..L {
             for t in 0..T {
-                let misses = self.residual[k][t] > accept.tolerance;
+                let misses = self.residual[k][t] > accept.taken;
                 let little = self.residual[k][t] <= accept.nearly;
                 let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
                 unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, 0.0));
@@ -101,7 +101,7 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
 
     #[inline(always)]
     fn reaches(&self, k: usize, t: usize, accept: &Acceptance) -> bool {
-        (self.invalid[k][t] <= 0.0) & (self.residual[k][t] <= accept.tolerance)
+        (self.invalid[k][t] <= 0.0) & (self.residual[k][t] <= accept.taken)
     }
 
     /// Writes down the branches that reach target `t`.

@@ -5,7 +5,7 @@ use super::super::scalar::Real;
 use super::super::{Jacobian, Pose, Solution, Solutions, Target, math};
 use super::acceptance::Acceptance;
 use super::branches::Branches;
-use super::refinement::{Problem, correct_branches, refine_branches};
+use super::refinement::{Problem, correct_branches};
 
 /// Joints that are given, with their values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl<const K: usize> Locked<K> {
         Solutions::build_with_prismatic(self.prismatic, |solutions| {
             for k in 0..L {
                 let exists = finite & (branches.invalid[k] <= 0.0);
-                let reaches = branches.residual[k] <= accept.tolerance;
+                let reaches = branches.residual[k] <= accept.taken;
                 solutions.push_if(exists & reaches, self.widened(&branches.lane(k)));
             }
         })
@@ -150,26 +150,6 @@ impl<const K: usize> Locked<K> {
     ) -> Solutions<M> {
         let problem = self.problem(fk_jacobian, target, counts, accept);
         self.all(&correct_branches(&problem, branches.existing(), accept))
-    }
-
-    /// As [`Branches::refined`].
-    #[inline]
-    pub fn refined<const N: usize, const M: usize, const L: usize>(
-        &self,
-        branches: &Branches<N, L>,
-        fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>),
-        target: &Pose,
-        counts: Target,
-        steps: usize,
-        accept: &Acceptance,
-    ) -> Solutions<M> {
-        let problem = self.problem(fk_jacobian, target, counts, accept);
-        self.all(&refine_branches(
-            &problem,
-            branches.existing(),
-            accept,
-            steps,
-        ))
     }
 
     /// The arm of the others.

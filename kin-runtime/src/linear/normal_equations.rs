@@ -2,7 +2,6 @@
 
 use super::super::scalar::{Real, tolerance::PIVOT};
 use super::cholesky;
-use super::vector::norm;
 
 /// The normal equations (JᵀJ + μ) x = Jᵀe, factored.
 pub(crate) struct Factor<const N: usize> {
@@ -33,11 +32,6 @@ impl<const N: usize> Factor<N> {
                 x[i] += row[i] * e;
             }
         }
-        self.solve_square(x)
-    }
-
-    /// x of JᵀJ x = b.
-    fn solve_square(&self, mut x: [Real; N]) -> [Real; N] {
         cholesky::solve(self.lower.as_flattened(), &mut x);
         x
     }
@@ -47,17 +41,5 @@ impl<const N: usize> Factor<N> {
         let inverses = (0..N).map(|i| self.lower[i][i]);
         let least = inverses.clone().fold(0.0, Real::max);
         inverses.fold(Real::INFINITY, Real::min) / least
-    }
-
-    /// The eigenvector of JᵀJ to its least eigenvalue, by inverse iteration.
-    pub fn weak(&self) -> [Real; N] {
-        // A start that no arm is square to.
-        let mut x: [Real; N] = core::array::from_fn(|i| 1.0 + 0.3 * i as Real);
-        for _ in 0..3 {
-            x = self.solve_square(x);
-            let whole = norm(x);
-            x = x.map(|x| x / whole);
-        }
-        x
     }
 }

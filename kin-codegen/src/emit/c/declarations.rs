@@ -2,7 +2,7 @@
 
 use super::inverse::size;
 use super::name::named;
-use super::{form, refused, text};
+use super::text;
 use crate::arm::CompiledArm;
 use crate::closed_form::{ClosedForm, Inverse};
 use crate::emit::headings::{list, steps};
@@ -62,7 +62,7 @@ pub fn of_arm(compiled: &CompiledArm, prefix: &str) -> String {
     if !compiled.model.frames.is_empty() {
         parts.push(FRAMES);
     }
-    if let Some(form) = form(compiled) {
+    if let Some(form) = compiled.form() {
         parts.push(SOLUTION);
         parts.push(match compiled.redundancy {
             Some(_) => IK_AT,
@@ -76,7 +76,7 @@ pub fn of_arm(compiled: &CompiledArm, prefix: &str) -> String {
 
 /// An arm's sizes and types.
 pub fn types(compiled: &CompiledArm) -> String {
-    let solution = form(compiled).map_or("", |_| SOLUTION);
+    let solution = compiled.form().map_or("", |_| SOLUTION);
     format!("{}\n{solution}", sizes(compiled))
 }
 
@@ -87,7 +87,7 @@ fn sizes(compiled: &CompiledArm) -> String {
         let _ = writeln!(sizes, "#define KIN_FRAMES {}", model.frames.len());
         sizes += "#define KIN_NO_SUCH_FRAME (-1)\n";
     }
-    if let Some(form) = form(compiled) {
+    if let Some(form) = compiled.form() {
         let branches = form.plan.branches();
         let _ = writeln!(
             sizes,
@@ -121,13 +121,8 @@ pub fn about(compiled: &CompiledArm) -> Vec<String> {
         String::new(),
     ];
     out.extend((0..model.variables.len()).map(|i| joint(model, i)));
-    match (form(compiled), refused(compiled)) {
-        (Some(form), _) => out.extend(solved(compiled, form)),
-        (None, Some(refused)) => {
-            out.push(String::new());
-            out.push(format!("{}: {}.", refused.reason, refused.remedy));
-        }
-        (None, None) => {}
+    if let Some(form) = compiled.form() {
+        out.extend(solved(compiled, form));
     }
     out
 }

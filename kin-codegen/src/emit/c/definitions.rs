@@ -3,7 +3,7 @@
 use super::language::signed;
 use super::name::named;
 use super::text::string;
-use super::{form, forward, frames, inverse, runtime};
+use super::{forward, frames, inverse, runtime};
 use crate::arm::CompiledArm;
 use crate::model::Variable;
 use crate::spec::Rating;
@@ -48,7 +48,7 @@ pub fn functions(compiled: &CompiledArm) -> String {
         true => String::new(),
         false => format!("{}\n", frames::function(compiled)),
     };
-    let inverse = match form(compiled) {
+    let inverse = match compiled.form() {
         Some(form) => {
             let redundancy = compiled.redundancy.as_ref();
             format!("\n{}", inverse::functions(model, form, redundancy))

@@ -88,14 +88,15 @@ fn constants(solver: &ClosedForm) -> String {
         ("SOLVED", solver.given.variables().to_string()),
         ("SIZE", signed(size)),
         ("TOLERANCE", signed(accept.tolerance)),
+        ("TAKEN", signed(accept.taken)),
         ("NEARLY", signed(accept.nearly)),
         ("NEAR_SINGULAR", signed(accept.near_singular)),
     ];
     let counts = [translation, target != Target::Position, target.fixes_axis()];
     let mut out = String::from(
         "/* The joints that are solved for; the arm's size, at whose distance angles count as \
-         lengths,\n * and by how much solutions may miss the target, and by how much branches do that rounding keeps \
-         from it,\n * metres; below which conditioning of the Jacobian branches do not tell solutions, of an \
+         lengths,\n * and by how much solutions may miss the target, branches that are solutions as they are, and those \
+         that are\n * corrected, metres; below which conditioning of the Jacobian branches do not tell solutions, of an \
          arm off its\n * design. */\n",
     );
     for (name, value) in all {
@@ -205,7 +206,7 @@ fn free_angles(inverse: &InverseGraph) -> String {
 /// The branches that reach their target, or what becomes of them by the statements `refined`: of all
 /// of an arm off its design, and of an exact one where its branches are completed.
 fn solve(solver: &ClosedForm, refined: &str) -> String {
-    if !solver.is_exact() {
+    if !refined.is_empty() && !solver.is_exact() {
         return format!(
             "/* The branches, refined to the arm as given. */\n\
              static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
@@ -249,13 +250,13 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
         ),
     };
     format!(
-        "/* The branches that reach their target, those that rounding keeps from it corrected. */\n\
+        "/* The branches that reach their target, the others corrected. */\n\
          static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
          const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
          int count = 0;\n{mark}{flag}    kin_compute_branches(target, seed, given, &lanes);\n\
          {degenerate}    \
          for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
-         if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_TOLERANCE) {{\n            \
+         if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_TAKEN) {{\n            \
          double q[KIN_SOLVED];\n            \
          for (int i = 0; i < KIN_SOLVED; ++i) {{\n                q[i] = lanes.q[i][k];\n            }}\n            \
          kin_whole(q, given, solutions[count].q);\n            \

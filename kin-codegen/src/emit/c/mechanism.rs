@@ -5,8 +5,8 @@ use super::declarations::{about as about_arm, guarded, of_arm, types};
 use super::definitions::{constants, file, functions, limits};
 use super::language::signed;
 use super::name::{named, of_part};
+use super::runtime;
 use super::text::{comment, string};
-use super::{form, refused_mechanism, runtime};
 use crate::arm::CompiledArm;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Rod};
 use kin_runtime::Pose;
@@ -84,11 +84,10 @@ fn parts(compiled: &CompiledMechanism) -> Vec<Part<'_>> {
     parts
 }
 
-/// Inverse kinematics, where it is written as C.
+/// Inverse kinematics.
 fn inverse(compiled: &CompiledMechanism) -> Option<(Aim, &[LegForm])> {
     let inverse = compiled.inverse.as_ref()?;
-    let is_written = refused_mechanism(compiled).is_none();
-    is_written.then_some((inverse.aim, &inverse.legs))
+    Some((inverse.aim, &inverse.legs))
 }
 
 /// A closed form of forward kinematics.
@@ -100,7 +99,7 @@ enum Forward<'a> {
 /// The same of forward kinematics; by spheres, it needs the inverse.
 fn forward(compiled: &CompiledMechanism) -> Option<Forward<'_>> {
     match &compiled.forward {
-        ForwardMethod::Loop(found) => form(&found.passive).map(|_| Forward::Loop(found)),
+        ForwardMethod::Loop(found) => found.passive.form().map(|_| Forward::Loop(found)),
         ForwardMethod::Spheres(rods) => inverse(compiled).map(|_| Forward::Spheres(rods)),
         ForwardMethod::Newton => None,
     }
@@ -109,11 +108,10 @@ fn forward(compiled: &CompiledMechanism) -> Option<Forward<'_>> {
 /// The header, behind the comment at the top.
 pub fn declarations(compiled: &CompiledMechanism, prefix: &str) -> String {
     let mechanism = &compiled.mechanism;
-    let mut about = vec![format!(
+    let about = vec![format!(
         "The mechanism `{}` from `{}` to `{}`, compiled from `{}`.",
         mechanism.name, mechanism.base, mechanism.platform, compiled.file
     )];
-    about.extend(refused_mechanism(compiled).map(|it| format!("{}: {}.", it.reason, it.remedy)));
     let mut sizes = String::new();
     for (name, value) in [
         ("JOINTS", mechanism.joints()),

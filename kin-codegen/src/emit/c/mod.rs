@@ -18,11 +18,8 @@ mod univariate;
 pub(crate) use name::prefix;
 
 use super::header::Header;
-use super::refused;
 use crate::arm::CompiledArm;
-use crate::closed_form::ClosedForm;
 use crate::mechanism::CompiledMechanism;
-use crate::spec::Diagnostic;
 
 /// The two files.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,19 +46,4 @@ pub(crate) fn mechanism(compiled: &CompiledMechanism, prefix: &str, told: &Heade
         header: format!("{told}\n{}", mechanism::declarations(compiled, prefix)),
         source: format!("{told}\n{}", mechanism::definitions(compiled, prefix)),
     }
-}
-
-/// Why the inverse kinematics of a mechanism is left out of its C, if it has any and it is.
-pub(crate) fn refused_mechanism(compiled: &CompiledMechanism) -> Option<Diagnostic> {
-    refused::of_mechanism(compiled, "C")
-}
-
-/// Why the inverse kinematics of an arm is left out of its C, if it has any and it is.
-pub(crate) fn refused(compiled: &CompiledArm) -> Option<Diagnostic> {
-    refused::refused(compiled, "C")
-}
-
-/// The closed form, where it is written as C.
-fn form(compiled: &CompiledArm) -> Option<&ClosedForm> {
-    compiled.form().filter(|_| refused(compiled).is_none())
 }

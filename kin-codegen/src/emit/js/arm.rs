@@ -4,10 +4,8 @@ use super::form;
 use super::language::{JavaScript, array, filling, numbers, object, rows, signed};
 use super::text::string;
 use crate::arm::CompiledArm;
-use crate::closed_form::ClosedForm;
 use crate::emit::curly::forward::{body, jacobian, links_of_joints, pose};
 use crate::emit::curly::indented;
-use crate::emit::refused::refused;
 use crate::emit::straight::Writer;
 use crate::expr::forward::Outputs;
 use crate::expr::jacobian::Columns;
@@ -23,9 +21,8 @@ pub fn arm(compiled: &CompiledArm) -> String {
     let f = compiled.forward();
     let (g, both) = (&f.graph, &f.both);
     let all: Vec<usize> = (0..model.joints.len()).collect();
-    let form = form(compiled).map(|form| form::form(compiled, form));
+    let form = compiled.form().map(|form| form::form(compiled, form));
     let none = || "null".to_owned();
-    let why = refused(compiled, "JavaScript").map(|it| string(&it.reason));
     let aim = [
         ("size", signed(size(model))),
         ("counts_translation", "true".into()),
@@ -46,7 +43,6 @@ pub fn arm(compiled: &CompiledArm) -> String {
         ("home", numbers(rows(&model.home))),
         ("aim", object(&aim)),
         ("form", form.unwrap_or_else(none)),
-        ("refused", why.unwrap_or_else(none)),
         (
             "fk",
             function("pose", 12, g, &f.tip.expressions(), n, |w| {
@@ -87,12 +83,6 @@ pub fn arm(compiled: &CompiledArm) -> String {
         ),
     ];
     format!("$arm({})", object(&fields))
-}
-
-/// The closed form, where it is written as JavaScript.
-fn form(compiled: &CompiledArm) -> Option<&ClosedForm> {
-    let is_written = refused(compiled, "JavaScript").is_none();
-    compiled.form().filter(|_| is_written)
 }
 
 /// What q is of.

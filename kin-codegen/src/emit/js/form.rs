@@ -61,6 +61,7 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
         ),
         ("size", signed(size)),
         ("tolerance", signed(accept.tolerance)),
+        ("taken", signed(accept.taken)),
         ("nearly", signed(accept.nearly)),
         ("free_angles", places(free_angles.collect())),
     ];

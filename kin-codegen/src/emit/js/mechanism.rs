@@ -3,19 +3,16 @@
 use super::arm::arm;
 use super::language::{array, numbers, object, rows, signed};
 use super::text::string;
-use crate::emit::refused::of_mechanism;
 use crate::mechanism::{Aim, CompiledMechanism, LegForm};
-use crate::spec::Diagnostic;
 
 /// The expression that is a mechanism.
 pub fn mechanism(compiled: &CompiledMechanism) -> String {
     let mechanism = &compiled.mechanism;
     let actuated = mechanism.actuated();
-    let why = why_not(compiled);
     let aim = match compiled.inverse.as_ref().map(|inverse| inverse.aim) {
-        Some(Aim::Pose) if why.is_none() => "\"pose\"".into(),
-        Some(Aim::Translation) if why.is_none() => "\"translation\"".into(),
-        Some(Aim::Lead(lead)) if why.is_none() => lead.to_string(),
+        Some(Aim::Pose) => "\"pose\"".into(),
+        Some(Aim::Translation) => "\"translation\"".into(),
+        Some(Aim::Lead(lead)) => lead.to_string(),
         _ => "null".into(),
     };
     let fields = [
@@ -29,10 +26,6 @@ pub fn mechanism(compiled: &CompiledMechanism) -> String {
         ("freedom", compiled.freedom.platform.to_string()),
         ("actuated", array(actuated.iter().map(usize::to_string))),
         ("aim", aim),
-        (
-            "refused",
-            why.map_or_else(|| "null".into(), |it| string(&it.reason)),
-        ),
         (
             "chains",
             array((0..compiled.legs.len()).map(|i| chain(compiled, i))),
@@ -53,9 +46,4 @@ fn chain(compiled: &CompiledMechanism, i: usize) -> String {
         fields.push(("point", numbers(split.point)));
     }
     object(&fields)
-}
-
-/// Why inverse kinematics is left out, if a chain's is.
-pub fn why_not(compiled: &CompiledMechanism) -> Option<Diagnostic> {
-    of_mechanism(compiled, "JavaScript")
 }

@@ -9,9 +9,7 @@ mod text;
 mod univariate;
 
 use super::header::Header;
-use super::refused;
 use crate::compiled::Compiled;
-use crate::spec::Diagnostic;
 
 /// The module whose default export is the robot.
 pub(crate) fn robot(compiled: &Compiled, told: &Header) -> String {
@@ -25,12 +23,4 @@ pub(crate) fn robot(compiled: &Compiled, told: &Header) -> String {
         "{header}\nconst robot = (() => {{\n\"use strict\";\n\n{pieces}\nreturn {robot};\n}})();\n\n\
          export default robot;\n"
     )
-}
-
-/// Why the inverse kinematics of a robot is left out of its JavaScript, if it has any and it is.
-pub(crate) fn refused(compiled: &Compiled) -> Option<Diagnostic> {
-    match compiled {
-        Compiled::Arm(arm) => refused::refused(arm, "JavaScript"),
-        Compiled::Mechanism(mechanism) => mechanism::why_not(mechanism),
-    }
 }

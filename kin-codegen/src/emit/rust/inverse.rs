@@ -311,15 +311,7 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
         branches.corrected(|q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT)
     };
     match &solver.refinement {
-        Refinement::None => corrected,
-        Refinement::Branches(steps) => {
-            let steps = Literal::usize_unsuffixed(*steps);
-            quote! {
-                branches.refined(
-                    |q| self.fk_jacobian(q), pose, Target::#target, #steps, &Self::ACCEPT
-                )
-            }
-        }
+        Refinement::Correction => corrected,
         Refinement::Univariate(_) => {
             let refined =
                 quote!(branches.refined_onto(&Self::UNIVARIATE, pose, seed, &Self::ACCEPT));
@@ -361,12 +353,13 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
     let Acceptance {
         size,
         tolerance,
+        taken,
         nearly,
         near_singular,
         prismatic,
     } = solver.acceptance();
-    let [size, tolerance, nearly, near_singular] =
-        [size, tolerance, nearly, near_singular].map(literal);
+    let [size, tolerance, taken, nearly, near_singular] =
+        [size, tolerance, taken, nearly, near_singular].map(literal);
     let prismatic = Literal::u64_unsuffixed(prismatic);
     let beside = match &solver.refinement {
         Refinement::Univariate(arm) => Some(univariate::constant(arm)),
@@ -376,6 +369,7 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
         const ACCEPT: Acceptance = Acceptance {
             size: #size,
             tolerance: #tolerance,
+            taken: #taken,
             nearly: #nearly,
             near_singular: #near_singular,
             prismatic: #prismatic,

@@ -214,7 +214,7 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> [TokenS
             let swivel = (seen > k).then(|| parameter(k));
             let given: Vec<TokenStream> = given.into_iter().chain(swivel.clone()).collect();
             let sorted = match &swivel {
-                Some(angle) => at_swivel(solver, angle),
+                Some(angle) => at_swivel(angle),
                 None => sorted(solver, &given, &seed),
             };
             let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
@@ -242,10 +242,6 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
     let arm = quote!(|q| self.fk_jacobian(q), pose, Target::#target);
     let corrected = quote!(locked.corrected(&branches, #arm, &Self::ACCEPT));
     match &solver.refinement {
-        Refinement::Branches(steps) => {
-            let steps = usize_literal(*steps);
-            quote!(locked.refined(&branches, #arm, #steps, &Self::ACCEPT))
-        }
         Refinement::Univariate(_) => {
             let (arm, target) = (at_given(solver, given), carried(solver, given));
             let refined = quote! {
@@ -253,19 +249,12 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
             };
             inverse::completed(solver, &corrected, refined)
         }
-        Refinement::None => corrected,
+        Refinement::Correction => corrected,
     }
 }
 
 /// How the branches at a swivel angle become solutions.
-fn at_swivel(solver: &ClosedForm, angle: &TokenStream) -> TokenStream {
-    let steps = match solver.refinement {
-        Refinement::Branches(steps) => {
-            let steps = usize_literal(steps);
-            quote!(::core::option::Option::Some(#steps))
-        }
-        _ => quote!(::core::option::Option::None),
-    };
+fn at_swivel(angle: &TokenStream) -> TokenStream {
     quote! {
         let arm = AtSwivel {
             swivel: &Self::SWIVEL,
@@ -273,7 +262,7 @@ fn at_swivel(solver: &ClosedForm, angle: &TokenStream) -> TokenStream {
             links: |q: &_| self.fk_links(q),
             fk_jacobian: |q: &_| self.fk_jacobian(q),
         };
-        branches.at_swivel(&arm, pose, #steps, &Self::ACCEPT)
+        branches.at_swivel(&arm, pose, &Self::ACCEPT)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Branches that rounding keeps from their target.
+//! Branches that rounding keeps from their target, or that the arm is off its design.
 //!
 //! Where two roots meet, an angle is known to the square root of rounding only,
 //! and what follows from it misses the target by as much. A step of Newton's
@@ -11,8 +11,11 @@ use super::super::super::{Jacobian, Pose, Solution, Solutions, math};
 use super::levenberg::levenberg;
 use super::linearization::Problem;
 
-/// Evaluations at most; a regular branch takes two.
+/// Evaluations at most; a regular branch of an exact arm takes two.
 const STEPS: usize = 12;
+
+/// The same of branches of an arm's design.
+const STEPS_OF_DESIGN: usize = 60;
 
 /// The branches that reach their target, those that nearly do after a
 /// correction.
@@ -21,7 +24,11 @@ pub fn correct_branches<const N: usize>(
     branches: impl Iterator<Item = Solution<N>> + Clone,
     accept: &Acceptance,
 ) -> Solutions<N> {
-    let reaches = |branch: &Solution<N>| branch.residual <= accept.tolerance;
+    let reaches = |branch: &Solution<N>| branch.residual <= accept.taken;
+    let steps = match accept.taken < 0.0 {
+        true => STEPS_OF_DESIGN,
+        false => STEPS,
+    };
     let nearly = |branch: &Solution<N>| branch.residual <= accept.nearly;
     Solutions::build_with_prismatic(accept.prismatic, |solutions| {
         for branch in branches.clone().filter(reaches) {
@@ -31,7 +38,7 @@ pub fn correct_branches<const N: usize>(
             return;
         }
         for branch in branches.filter(|branch| !reaches(branch) && nearly(branch)) {
-            let found = levenberg(problem, branch.q, STEPS);
+            let found = levenberg(problem, branch.q, steps);
             let q = core::array::from_fn(|i| {
                 let slides = accept.prismatic >> i & 1 == 1;
                 math::select(slides, found.q[i], math::wrap(found.q[i]))
@@ -40,7 +47,7 @@ pub fn correct_branches<const N: usize>(
                 solutions.insert_distinct(Solution {
                     q,
                     residual: found.residual,
-                    singular: branch.singular | found.singular(),
+                    singular: branch.singular | found.singular,
                     ..branch
                 });
             }

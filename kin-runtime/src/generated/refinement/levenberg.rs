@@ -1,11 +1,22 @@
-//! Arriving where the Jacobian has lost more than one rank.
+//! Levenberg's method, which arrives where the Jacobian loses rank.
 
 use super::super::super::linear::normal_equations::Factor;
 use super::super::super::linear::vector::norm;
-use super::super::super::scalar::Real;
+use super::super::super::scalar::{Real, tolerance};
 use super::super::super::{Jacobian, Pose};
 use super::linearization::{Linearization, Problem};
-use super::newton::{ROUNDING, Refined};
+
+/// Where [`levenberg`] has arrived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrived<const N: usize> {
+    /// The last configuration; angles are not wrapped.
+    pub q: [Real; N],
+    /// Its distance from the target, metres: the translation error and the
+    /// angle times the arm's size, as the legs of a right triangle.
+    pub residual: Real,
+    /// The Jacobian loses rank there.
+    pub singular: bool,
+}
 
 /// Levenberg's method from a configuration that nearly reaches the target, for
 /// at most `steps` evaluations.
@@ -15,16 +26,30 @@ use super::newton::{ROUNDING, Refined};
 /// by the square of what is missing they arrive, and in the end as fast as
 /// Newton's (Yamashita and Fukushima, "On the rate of convergence of the
 /// Levenberg-Marquardt method", Computing Supplement 15, 2001).
+///
+/// ```
+/// use kin_runtime::{Jacobian, Pose, Target, Twist, __private::refinement::{Problem, levenberg}};
+/// // One joint about z, with the tip one metre out.
+/// let arm = |q: &[f64; 1]| {
+///     let turn = Pose::from_axis_angle([0.0, 0.0, 1.0], q[0], [0.0; 3]);
+///     let out = Pose { translation: [1.0, 0.0, 0.0], ..Pose::IDENTITY };
+///     (turn * out, Jacobian::from_columns([Twist::revolute([0.0, 0.0, 1.0], [0.0; 3])]))
+/// };
+/// let (target, _) = arm(&[0.5]);
+/// let problem = Problem { fk_jacobian: arm, target: &target, size: 1.0, counts: Target::Pose };
+/// let arrived = levenberg(&problem, [0.501], 4);
+/// assert!((arrived.q[0] - 0.5).abs() < 1e-15 && arrived.residual < 1e-15);
+/// ```
 pub fn levenberg<const N: usize>(
     problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     q: [Real; N],
     steps: usize,
-) -> Refined<N> {
+) -> Arrived<N> {
     let mut here = Linearization::new(q, problem);
     let mut miss = norm(here.error);
     let mut weight = 1.0;
     for _ in 0..steps {
-        if here.residual < ROUNDING * problem.size || weight > 1e12 {
+        if here.residual < tolerance::ROUNDING * problem.size || weight > 1e12 {
             break;
         }
         let step = Factor::new(&here.rows, weight * miss * miss).solve(&here.error);
@@ -37,5 +62,9 @@ pub fn levenberg<const N: usize>(
             weight *= 8.0;
         }
     }
-    Refined::at(&here)
+    Arrived {
+        q: here.q,
+        residual: here.residual,
+        singular: Factor::new(&here.rows, 0.0).independence() < tolerance::SINGULAR,
+    }
 }

@@ -38,8 +38,6 @@ pub(super) struct Linearization<const N: usize> {
     /// units of the arm's size; zero where the target does not count.
     pub error: [Real; 6],
     pub rows: [[Real; N]; 6],
-    /// Unit vectors along which nothing can be missing; see [`idle`].
-    pub idle: [[Real; 6]; 4],
 }
 
 impl<const N: usize> Linearization<N> {
@@ -66,29 +64,6 @@ impl<const N: usize> Linearization<N> {
             residual: counts.distance(&pose, target, size),
             error,
             rows,
-            idle: idle_directions(counts, &pose),
         }
-    }
-}
-
-/// In how many of six directions nothing can be missing.
-pub(super) fn idle(counts: Target) -> usize {
-    if counts.is_free() {
-        6 - counts.coordinates()
-    } else {
-        0
-    }
-}
-
-/// These directions, from the front; a turn about the z axis leaves it in
-/// place.
-fn idle_directions(counts: Target, pose: &Pose) -> [[Real; 6]; 4] {
-    let unit = |i: usize| core::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
-    let z = [0, 1, 2].map(|i| pose.rotation[i][2]);
-    let about_z = [0.0, 0.0, 0.0, z[0], z[1], z[2]];
-    match counts {
-        Target::Position => [unit(3), unit(4), unit(5), about_z],
-        Target::PositionAxis => [about_z; 4],
-        _ => [unit(0), unit(1), unit(2), about_z],
     }
 }

@@ -1,19 +1,12 @@
-//! From nearly right configurations to solutions of the arm as given.
-//!
-//! An arm whose geometry is a little off an ideal one is solved in the ideal
-//! one's closed form; what that answers is refined here.
+//! From branches that nearly reach their target to solutions: rounding keeps some of an exact
+//! arm from it, and those of an arm that is a little off its design are the design's.
 
-mod branches;
 mod correction;
-mod curve;
 mod levenberg;
 mod linearization;
-mod newton;
 mod swivel;
 
-pub use branches::refine_branches;
 pub use correction::correct_branches;
-pub use levenberg::levenberg;
+pub use levenberg::{Arrived, levenberg};
 pub use linearization::Problem;
-pub use newton::{Refined, newton};
 pub use swivel::AtSwivel;

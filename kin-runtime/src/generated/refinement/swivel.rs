@@ -1,13 +1,13 @@
-//! Branches at a swivel angle, refined onto the arm as given.
+//! Branches at a swivel angle, corrected.
 //!
 //! The angle tells one of the joints that turn the elbow from the others, so that what is
-//! refined is an arm of six joints, as any other.
+//! corrected is an arm of six joints, as any other.
 
 use super::super::super::generated::acceptance::Acceptance;
 use super::super::super::linear::vector::{add, cross, dot};
 use super::super::super::scalar::{Real, tolerance};
 use super::super::super::{Jacobian, Pose, Solution, Solutions, Swivel, Target, Twist, math};
-use super::{Problem, correct_branches, refine_branches};
+use super::{Problem, correct_branches};
 
 /// Newton's method for one angle, from one that is right but for noise, doubles the digits.
 const STEPS: usize = 8;
@@ -36,36 +36,26 @@ where
     Links: Fn(&[Real; 7]) -> [Pose; 7],
     FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
 {
-    /// Every branch as a solution of the arm: of an arm that was idealized by
-    /// [`refine_branches`], in so many steps, of an exact one by [`correct_branches`].
-    pub fn refined(
+    /// The branches that reach the target, the others by [`correct_branches`].
+    pub fn corrected(
         &self,
         target: &Pose,
-        starts: impl Iterator<Item = Solution<7>> + Clone,
-        steps: Option<usize>,
+        branches: impl Iterator<Item = Solution<7>> + Clone,
         accept: &Acceptance,
     ) -> Solutions<7> {
         let wrist = target.transform_point(self.swivel.wrist);
         Solutions::build_with_prismatic(accept.prismatic, |solutions| {
             // What is corrected may come together with one that reaches its target as it is.
-            let reaches =
-                |start: &Solution<7>| steps.is_none() && start.residual <= accept.tolerance;
-            for start in starts.clone().filter(reaches) {
-                solutions.push_if(true, start);
+            let reaches = |branch: &Solution<7>| branch.residual <= accept.taken;
+            for branch in branches.clone().filter(reaches) {
+                solutions.push_if(true, branch);
             }
-            for start in starts.filter(|start| !reaches(start)) {
-                let told = self.told(&start.q, wrist);
-                let others = core::iter::once(told.without(&start));
-                let problem = Problem::new(
-                    |q: &[Real; 6]| told.fk_jacobian(q),
-                    target,
-                    Target::Pose,
-                    accept,
-                );
-                let found = match steps {
-                    Some(steps) => refine_branches(&problem, others, accept, steps),
-                    None => correct_branches(&problem, others, accept),
-                };
+            for branch in branches.filter(|branch| !reaches(branch)) {
+                let told = self.told(&branch.q, wrist);
+                let others = core::iter::once(told.without(&branch));
+                let fk_jacobian = |q: &[Real; 6]| told.fk_jacobian(q);
+                let problem = Problem::new(fk_jacobian, target, Target::Pose, accept);
+                let found = correct_branches(&problem, others, accept);
                 for found in &found {
                     let q = told.whole(&found.q).map(math::wrap);
                     // Where the angle hardly tells its joint, nothing was solved.

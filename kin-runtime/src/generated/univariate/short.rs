@@ -75,7 +75,7 @@ fn arrived<const N: usize>(
         false => math::wrap(arrived.q[i]),
     });
     (arrived.residual <= REACHED * arm.size).then(|| Solution {
-        singular: arrived.singular(),
+        singular: arrived.singular,
         ..with(from, q, arrived.residual)
     })
 }

@@ -1,14 +1,17 @@
-/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+/* A branch that misses its target, corrected; whether it reaches it then. */
 static int kin_corrected(
     const kin_lanes *lanes, int k, const double target[12], const double *given,
     kin_solution *found)
 {
     const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given};
+    /* Those of an arm's design are farther from the solutions. */
+    const int steps = KIN_TAKEN < 0.0 ? 60 : 12;
     kin_linearization here;
     for (int i = 0; i < KIN_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
-    found->singular = kin_correct(&kin_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    found->singular = kin_correct(&kin_own_metric, &joints, target, steps, &here)
+        || lanes->singular[k] > 0.0;
     for (int i = 0; i < KIN_SOLVED; ++i) {
         here.q[i] = kin_turns[kin_solved[i]] ? kin_wrap(here.q[i]) : here.q[i];
     }

@@ -1,8 +1,10 @@
-/* A branch that rounding keeps from its target, corrected; whether it reaches it then. */
+/* A branch that misses its target, corrected; whether it reaches it then. */
 static int kin_corrected(
     const kin_lanes *lanes, int k, const double target[12], const double *angle,
     kin_solution *found)
 {
+    /* Those of an arm's design are farther from the solutions. */
+    const int steps = KIN_TAKEN < 0.0 ? 60 : 12;
     kin_linearization here;
     kin_given given;
     kin_solved_for joints;
@@ -22,7 +24,8 @@ static int kin_corrected(
     joints.count = KIN_CORRECTED;
     joints.see = kin_see_joints;
     joints.given = &given;
-    found->singular = kin_correct(&kin_own_metric, &joints, target, 12, &here) || lanes->singular[k] > 0.0;
+    found->singular = kin_correct(&kin_own_metric, &joints, target, steps, &here)
+        || lanes->singular[k] > 0.0;
     if (!(here.residual <= KIN_TOLERANCE)) {
         return 0;
     }

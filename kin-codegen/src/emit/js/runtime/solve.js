@@ -157,8 +157,11 @@ const $insert = (arm, found, solutions) => {
     }
 };
 
-/* A branch that rounding keeps from its target, corrected; it may stay off. */
-const $corrected = (arm, target, given, solved, branch, singular, evaluations = 12) => {
+/* Evaluations for a correction: the branches of an arm's design are farther from the solutions. */
+const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
+
+/* A branch that misses its target, corrected; it may stay off. */
+const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
     const { form } = arm;
     const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
@@ -171,7 +174,7 @@ const $corrected = (arm, target, given, solved, branch, singular, evaluations = 
     };
 };
 
-/* The branches that reach their target, those that rounding keeps from it corrected. */
+/* The branches that reach their target, the others corrected. */
 const $reaching = (arm, target, given, lanes) => {
     const { form } = arm;
     const solutions = [];
@@ -184,7 +187,7 @@ const $reaching = (arm, target, given, lanes) => {
         if (!(lanes.invalid[k] <= 0.0)) {
             continue;
         }
-        if (residual <= form.tolerance) {
+        if (residual <= form.taken) {
             const q = $whole(arm, lanes.q.map((lane) => lane[k]), given);
             solutions.push({ q, residual, branch: k, singular: lanes.singular[k] > 0.0 });
         } else if (corrects && residual <= form.nearly) {

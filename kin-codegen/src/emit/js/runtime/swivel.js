@@ -49,7 +49,7 @@ const $swivel_slopes = (arm, q, wanted, wrist) => {
     return { slopes, off: $wrap(wanted - angle) };
 };
 
-/* A branch at a swivel angle that rounding keeps from its target, corrected: the angle tells one
+/* A branch at a swivel angle that misses its target, corrected: the angle tells one
  * of the joints that turn the elbow from the others. Null if it stays off. */
 const $at_swivel = (arm, target, given, whole, branch, singular) => {
     const wrist = $point(target, arm.form.swivel.wrist);
@@ -84,7 +84,7 @@ const $at_swivel = (arm, target, given, whole, branch, singular) => {
     };
     const linearize = (some) => $linearize(arm.form, target, seen, some);
     const start = others.map((joint) => whole[joint]);
-    const found = $correct(linearize, arm.form.size, start, 12);
+    const found = $correct(linearize, arm.form.size, start, $steps(arm.form));
     if (!(found.residual <= arm.form.tolerance)) {
         return null;
     }
