@@ -140,16 +140,14 @@ fn javascript_is_written_as_a_module() {
 }
 
 #[test]
-fn what_is_not_written_as_c_is_a_warning() {
+fn warnings_of_a_file_are_said_where_it_becomes_c() {
     let folder = temporary("c_warned");
     std::fs::create_dir_all(&folder).unwrap();
     let command = [
         "generate",
         "--lang",
         "c",
-        "tests/robots/redundant/stray_iiwa.yaml",
-        "--free",
-        "swivel",
+        "kin-codegen/tests/warned/a_jaw_is_the_only_leaf.urdf",
         "-o",
     ];
     let warned = kin(&[&command[..], &[folder.to_str().unwrap()]].concat());
@@ -157,11 +155,11 @@ fn what_is_not_written_as_c_is_a_warning() {
     let said = stderr(&warned);
     assert!(
         said.starts_with(
-            "tests/robots/redundant/stray_iiwa.yaml: warning: no inverse kinematics in C: "
+            "kin-codegen/tests/warned/a_jaw_is_the_only_leaf.urdf: warning: the arm is taken from "
         ),
         "{said}"
     );
-    assert!(folder.join("stray_iiwa.h").exists());
+    assert!(folder.join("a_jaw_is_the_only_leaf.h").exists());
 }
 
 #[test]
