@@ -55,6 +55,22 @@ const OF_REFINEMENT: [[&str; 2]; 3] = [
     ["return solution->branch", "return -solution->branch"],
 ];
 
+/// The same of the correction of the branches of a design: none of them is taken as it is, and the
+/// angle tells a joint.
+const OF_CORRECTION: [[&str; 2]; 3] = [
+    [
+        "residual > MISTAKEN_TAKEN && ",
+        "residual > MISTAKEN_TOLERANCE && ",
+    ],
+    ["<= MISTAKEN_TAKEN)", "<= MISTAKEN_TOLERANCE)"],
+    ["q[given->joint] += by >", "q[given->joint] -= by >"],
+];
+
+const OF_CORRECTION_IN_JS: [[&str; 2]; 2] = [
+    ["residual <= form.taken", "residual <= form.tolerance"],
+    ["q[told] += by >", "q[told] -= by >"],
+];
+
 /// The same of what tells that a step of an exact arm's plan degenerates.
 const OF_COMPLETION: [[&str; 2]; 1] = [[
     "(lanes->singular[k] > 0.0 ||",
@@ -229,6 +245,23 @@ fn mistakes_of_the_refinement_are_found() {
     each_is_found("mistakes_of_refinement", &asked, &right, &all);
 }
 
+/// At a swivel angle, without one.
+fn of_design() -> Asked {
+    let options = Options {
+        free: vec!["swivel".into()],
+        ..Options::default()
+    };
+    refined("tests/robots/redundant/stray_iiwa.yaml", options)
+}
+
+#[test]
+fn mistakes_of_corrections_are_found() {
+    let asked = of_design();
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, &OF_CORRECTION).collect();
+    each_is_found("mistakes_of_correction", &asked, &right, &all);
+}
+
 fn of_completion() -> Asked {
     refined("tests/robots/noisy/truncated_pi.yaml", Options::default())
 }
@@ -306,6 +339,7 @@ fn mistakes_in_javascript_are_found() {
         (of_parabolas, &OF_PARABOLAS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement(), &OF_REFINEMENT_IN_JS[..]),
+        (of_design(), &OF_CORRECTION_IN_JS[..]),
     ];
     for (asked, mistakes) in each {
         let c = generated(asked.path, "mistaken", &asked.options);
