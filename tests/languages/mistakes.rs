@@ -219,9 +219,7 @@ fn mistakes_of_the_search_are_found() {
         eliminates: true,
         ..Asked::of("robots/xarm6.yaml", Options::default())
     };
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_SEARCH).collect();
-    each_is_found("mistakes_of_search", &asked, &right, &all);
+    each_of_is_found("mistakes_of_search", &asked, &OF_SEARCH);
 }
 
 /// Branches with an elimination beside.
@@ -239,10 +237,7 @@ fn of_refinement() -> Asked {
 
 #[test]
 fn mistakes_of_the_refinement_are_found() {
-    let asked = of_refinement();
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_REFINEMENT).collect();
-    each_is_found("mistakes_of_refinement", &asked, &right, &all);
+    each_of_is_found("mistakes_of_refinement", &of_refinement(), &OF_REFINEMENT);
 }
 
 /// At a swivel angle, without one.
@@ -256,10 +251,7 @@ fn of_design() -> Asked {
 
 #[test]
 fn mistakes_of_corrections_are_found() {
-    let asked = of_design();
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_CORRECTION).collect();
-    each_is_found("mistakes_of_correction", &asked, &right, &all);
+    each_of_is_found("mistakes_of_correction", &of_design(), &OF_CORRECTION);
 }
 
 fn of_completion() -> Asked {
@@ -268,10 +260,7 @@ fn of_completion() -> Asked {
 
 #[test]
 fn mistakes_of_completion_are_found() {
-    let asked = of_completion();
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_COMPLETION).collect();
-    each_is_found("mistakes_of_completion", &asked, &right, &all);
+    each_of_is_found("mistakes_of_completion", &of_completion(), &OF_COMPLETION);
 }
 
 fn of_unanswered() -> Asked {
@@ -280,26 +269,19 @@ fn of_unanswered() -> Asked {
 
 #[test]
 fn mistakes_of_what_is_unanswered_are_found() {
-    let asked = of_unanswered();
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_UNANSWERED).collect();
-    each_is_found("mistakes_of_unanswered", &asked, &right, &all);
+    each_of_is_found("mistakes_of_unanswered", &of_unanswered(), &OF_UNANSWERED);
 }
 
 #[test]
 fn mistakes_of_turning_are_found() {
     let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_TURNING).collect();
-    each_is_found("mistakes_of_turning", &asked, &right, &all);
+    each_of_is_found("mistakes_of_turning", &asked, &OF_TURNING);
 }
 
 #[test]
 fn mistakes_of_parabolas_are_found() {
     let asked = Asked::of(targets::UPRIGHT, Options::default());
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_PARABOLAS).collect();
-    each_is_found("mistakes_of_parabolas", &asked, &right, &all);
+    each_of_is_found("mistakes_of_parabolas", &asked, &OF_PARABOLAS);
 }
 
 /// With joints given everywhere.
@@ -317,10 +299,7 @@ fn of_given() -> Asked {
 
 #[test]
 fn mistakes_of_what_is_given_are_found() {
-    let asked = of_given();
-    let right = generated(asked.path, "mistaken", &asked.options);
-    let all: Vec<String> = replaced(&right.source, &OF_GIVEN).collect();
-    each_is_found("mistakes_of_what_is_given", &asked, &right, &all);
+    each_of_is_found("mistakes_of_what_is_given", &of_given(), &OF_GIVEN);
 }
 
 #[test]
@@ -399,6 +378,13 @@ fn each_is_found(name: &str, asked: &Asked, right: &GeneratedC, wrong: &[String]
         let changed = text.lines().zip(source.lines()).find(|(a, b)| a != b);
         assert_eq!(is_right, changed.is_none(), "{changed:?}");
     }
+}
+
+/// The same of passages that are replaced.
+fn each_of_is_found(name: &str, asked: &Asked, mistakes: &[[&str; 2]]) {
+    let right = generated(asked.path, "mistaken", &asked.options);
+    let all: Vec<String> = replaced(&right.source, mistakes).collect();
+    each_is_found(name, asked, &right, &all);
 }
 
 /// The same under another name.

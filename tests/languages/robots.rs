@@ -131,6 +131,14 @@ const BETWEEN: &[(&str, &[&str], bool)] = &[
 /// Without inverse kinematics; it has joints that follow others, with frames on their links.
 const FORWARD_ALONE: &[&str] = &["tests/frames/cell.urdf"];
 
+/// With these given beside a target.
+pub fn given(free: &[&str]) -> RobotOptions {
+    RobotOptions {
+        free: free.iter().map(|&joint| joint.into()).collect(),
+        ..RobotOptions::default()
+    }
+}
+
 fn aimed_at(target: Option<Target>) -> RobotOptions {
     RobotOptions {
         target,
@@ -153,40 +161,25 @@ pub fn all() -> Vec<Asked> {
     });
     let aimed = AIMED.iter();
     let aimed = aimed.map(|&(path, target)| Asked::of(path, aimed_at(Some(target))));
-    let free = RobotOptions {
-        free: vec!["joint_a3".into()],
-        ..RobotOptions::default()
-    };
-    let seven = Asked::of("robots/iiwa14.yaml", free);
+    let seven = Asked::of("robots/iiwa14.yaml", given(&["joint_a3"]));
     // Off its design, and no elimination stands beside its branches.
-    let swivel = RobotOptions {
-        free: vec!["swivel".into()],
-        ..RobotOptions::default()
-    };
     let swivelled = Asked {
         eliminates: true,
         refines: true,
-        ..Asked::of("tests/robots/redundant/stray_iiwa.yaml", swivel)
+        ..Asked::of("tests/robots/redundant/stray_iiwa.yaml", given(&["swivel"]))
     };
-    let between = BETWEEN.iter().map(|&(path, free, refines)| {
-        let options = RobotOptions {
-            free: free.iter().map(|&joint| joint.into()).collect(),
-            ..RobotOptions::default()
-        };
-        Asked {
-            eliminates: true,
-            refines,
-            ..Asked::of(path, options)
-        }
+    let between = BETWEEN.iter().map(|&(path, free, refines)| Asked {
+        eliminates: true,
+        refines,
+        ..Asked::of(path, given(free))
     });
-    let rail = RobotOptions {
-        free: vec!["rail".into()],
-        ..RobotOptions::default()
-    };
     let carried = Asked {
         eliminates: true,
         refines: true,
-        ..Asked::of("tests/robots/redundant/calibrated_rail.yaml", rail)
+        ..Asked::of(
+            "tests/robots/redundant/calibrated_rail.yaml",
+            given(&["rail"]),
+        )
     };
     let forward_alone = FORWARD_ALONE.iter().map(|&path| {
         let options = RobotOptions {
