@@ -4,7 +4,7 @@
 mod random;
 
 use kinematics::{Chain, Pose, Robot, RobotOptions, RobotSource, SearchOptions, Twist};
-use nalgebra::Matrix6;
+use nalgebra::DMatrix;
 use random::Random;
 use std::f64::consts::TAU;
 
@@ -81,9 +81,7 @@ impl Arm {
     /// The least singular value of the Jacobian; dimensions are about a metre.
     fn conditioning(&self, q: &[f64]) -> f64 {
         let columns = self.chain.geometric_jacobian(q);
-        Matrix6::from_fn(|i, j| columns[j].to_array()[i])
-            .singular_values()
-            .min()
+        singular_values::of(DMatrix::from_fn(6, 6, |i, j| columns[j].to_array()[i]))[5]
     }
 
     /// Whether there is no configuration in which the tip can move in all directions.

@@ -180,7 +180,7 @@ fn conditioning(robot: &Robot, q: &[f64]) -> f64 {
 
 fn least_by_largest(rows: usize, columns: &[&[f64]]) -> f64 {
     let matrix = nalgebra::DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i]);
-    let values = matrix.singular_values();
+    let values = singular_values::of(matrix);
     values[values.len() - 1] / values[0]
 }
 

@@ -109,7 +109,7 @@ impl<K: RedundantKinematics<N>, const N: usize> Subject<K, N> {
             6 => along[j],
             _ => rows[j][i],
         });
-        let values = matrix.singular_values();
+        let values = singular_values::of(matrix);
         least.min(values[rows.len() - 1] / values[0])
     }
 

@@ -61,11 +61,5 @@ pub fn singular_values(columns: &[Twist], counts: Target, size: f64) -> Vec<f64>
         DVector::from_iterator(rows, linear.into_iter().chain(twist.angular).take(rows))
     };
     let columns: Vec<_> = columns.iter().map(column).collect();
-    let mut values = DMatrix::from_columns(&columns)
-        .singular_values()
-        .data
-        .as_vec()
-        .clone();
-    values.sort_by(|a, b| b.total_cmp(a));
-    values
+    singular_values::of(DMatrix::from_columns(&columns))
 }

@@ -141,9 +141,7 @@ fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
 
 fn conditioning<K: Kinematics<6>>(arm: &K, q: &[f64; 6]) -> f64 {
     let rows = arm.geometric_jacobian(q).rows;
-    DMatrix::from_fn(6, 6, |i, j| rows[i][j])
-        .singular_values()
-        .min()
+    singular_values::of(DMatrix::from_fn(6, 6, |i, j| rows[i][j]))[5]
 }
 
 /// The configuration that differs from `q` in one joint, by less than `reach`

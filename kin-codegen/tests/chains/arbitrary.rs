@@ -1,9 +1,9 @@
 //! Chains of any structure: their expressions are right, and inverse
 //! kinematics is right or refused.
 
-use crate::arm::{Arm, any_arm, configuration, structure};
+use crate::arm::{Arm, any_arm, placed, structure};
 use crate::check::Solved;
-use crate::settings::cases;
+use crate::settings::in_cases;
 use kin_codegen::expr::forward::{JointTrig, Outputs, link_frames, tip};
 use kin_codegen::expr::jacobian::{Which, jacobian, tip_and_jacobian};
 use kin_codegen::expr::{Expr, Graph};
@@ -13,15 +13,15 @@ use kin_runtime::{Pose, Target, Twist};
 use proptest::prelude::*;
 
 /// An arm of any structure, and a configuration.
-fn arm_and_configuration() -> impl Strategy<Value = (Arm, Vec<f64>)> {
-    structure().prop_flat_map(|steps| (any_arm(&steps), configuration(&steps)))
+fn arm_and_configuration() -> BoxedStrategy<(Arm, Vec<f64>)> {
+    structure()
+        .prop_flat_map(|steps| placed(any_arm(&steps), &steps))
+        .boxed()
 }
 
-proptest! {
-    #![proptest_config(cases(64))]
-
-    #[test]
-    fn poses_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
+#[test]
+fn poses_are_those_of_the_chain() {
+    in_cases(64, arm_and_configuration(), &|(arm, q)| {
         let chain = arm.0.chain();
         let found = evaluated(&arm, &q, |g, linkage, q| {
             let trig = JointTrig::at(g, linkage, q);
@@ -35,30 +35,49 @@ proptest! {
         });
         let links: Vec<f64> = chain.fk_links(&q).iter().flat_map(pose_entries).collect();
         assert_close(&found, &links);
-    }
+        Ok(())
+    });
+}
 
-    #[test]
-    fn jacobians_are_those_of_the_chain((arm, q) in arm_and_configuration()) {
+#[test]
+fn jacobians_are_those_of_the_chain() {
+    in_cases(64, arm_and_configuration(), &|(arm, q)| {
         let chain = arm.0.chain();
         let columns = |which| evaluated(&arm, &q, |g, linkage, q| jacobian(g, linkage, q, which));
-        assert_close(&columns(Which::Spatial), &column_entries(&chain.spatial_jacobian(&q)));
-        assert_close(&columns(Which::Body), &column_entries(&chain.body_jacobian(&q)));
-        assert_close(&columns(Which::Geometric), &column_entries(&chain.geometric_jacobian(&q)));
+        assert_close(
+            &columns(Which::Spatial),
+            &column_entries(&chain.spatial_jacobian(&q)),
+        );
+        assert_close(
+            &columns(Which::Body),
+            &column_entries(&chain.body_jacobian(&q)),
+        );
+        assert_close(
+            &columns(Which::Geometric),
+            &column_entries(&chain.geometric_jacobian(&q)),
+        );
         let together = evaluated(&arm, &q, |g, linkage, q| {
             tip_and_jacobian(g, linkage, q, Which::Spatial)
         });
         let tip = pose_entries(&chain.fk(&q));
-        assert_close(&together, &[tip, column_entries(&chain.spatial_jacobian(&q))].concat());
-    }
+        assert_close(
+            &together,
+            &[tip, column_entries(&chain.spatial_jacobian(&q))].concat(),
+        );
+        Ok(())
+    });
+}
 
-    #[test]
-    fn inverse_kinematics_is_right_or_refused((arm, q) in arm_and_configuration()) {
+#[test]
+fn inverse_kinematics_is_right_or_refused() {
+    in_cases(64, arm_and_configuration(), &|(arm, q)| {
         let singular_everywhere = rank(&arm.0, Target::Pose) < arm.0.joints.len().min(6);
         prop_assume!(!singular_everywhere);
         if let Ok(solved) = Solved::try_new(&arm) {
             solved.check(&q)?;
         }
-    }
+        Ok(())
+    });
 }
 
 /// The values of what is built for an arm at a configuration.

@@ -67,16 +67,16 @@ fn turn() -> impl Strategy<Value = f64> {
 }
 
 /// Joint values: any angle, half a metre to both sides.
-pub fn configuration(steps: &[Step]) -> impl Strategy<Value = Vec<f64>> + use<> {
+fn configuration(steps: &[Step]) -> BoxedStrategy<Vec<f64>> {
     let value = |step: &Step| match step.0 {
         JointKind::Revolute => turn().boxed(),
         JointKind::Prismatic => (-0.5..0.5).boxed(),
     };
-    steps.iter().map(value).collect::<Vec<_>>()
+    steps.iter().map(value).collect::<Vec<_>>().boxed()
 }
 
 /// One to seven joints of any kind, anyhow.
-pub fn structure() -> impl Strategy<Value = Vec<Step>> {
+pub fn structure() -> BoxedStrategy<Vec<Step>> {
     let kind = prop_oneof![4 => Just(JointKind::Revolute), 1 => Just(JointKind::Prismatic)];
     let to = prop_oneof![
         3 => Just(To::Skew),
@@ -85,20 +85,21 @@ pub fn structure() -> impl Strategy<Value = Vec<Step>> {
         3 => Just(To::Parallel),
         1 => Just(To::Same),
     ];
-    vec((kind, to), 1..=7)
+    vec((kind, to), 1..=7).boxed()
 }
 
 /// Anywhere in space.
-fn placement() -> impl Strategy<Value = Pose> {
+fn placement() -> BoxedStrategy<Pose> {
     let axis = prop_oneof![
         Just([0.0, 0.0, 1.0]),
         (0.0..PI, turn()).prop_map(|(a, b)| [a.sin() * b.cos(), a.sin() * b.sin(), a.cos()]),
     ];
     let point = prop_oneof![Just([0.0; 3]), [-1.0..1.0, -1.0..1.0, -1.0..1.0]];
-    (axis, turn(), point).prop_map(|(axis, turn, point)| Pose {
+    let pose = (axis, turn(), point).prop_map(|(axis, turn, point)| Pose {
         translation: point,
         ..Pose::from_axis_angle(axis, turn, [0.0; 3])
-    })
+    });
+    pose.boxed()
 }
 
 /// What lies between an axis and the next: modified Denavit-Hartenberg
@@ -141,28 +142,50 @@ fn link(to: To) -> BoxedStrategy<Link> {
 
 /// Arms of a structure, but for those that are singular in every
 /// configuration.
-pub fn arm(steps: &[Step]) -> impl Strategy<Value = Arm> + use<> {
+pub fn arm(steps: &[Step]) -> BoxedStrategy<Arm> {
     let moves = |Arm(model): &Arm| rank(model, Target::Pose) == model.joints.len().min(6);
-    any_arm(steps).prop_filter("singular everywhere", moves)
+    any_arm(steps)
+        .prop_filter("singular everywhere", moves)
+        .boxed()
 }
 
 /// Arms of a structure. The points that are given on the axes are not those
 /// where anything meets.
-pub fn any_arm(steps: &[Step]) -> impl Strategy<Value = Arm> + use<> {
+pub fn any_arm(steps: &[Step]) -> BoxedStrategy<Arm> {
     let kinds: Vec<JointKind> = steps.iter().map(|step| step.0).collect();
     let links: Vec<_> = steps[1..].iter().map(|step| link(step.1)).collect();
     let slides = vec(prop_oneof![Just(0.0), length()], steps.len());
-    (placement(), links, slides, placement()).prop_map(move |(base, links, slides, tool)| {
-        let mut frame = base;
-        let mut joints = Vec::new();
-        for (i, &kind) in kinds.iter().enumerate() {
-            if i > 0 {
-                frame = frame * links[i - 1].pose();
+    let arms =
+        (placement(), links, slides, placement()).prop_map(move |(base, links, slides, tool)| {
+            let mut frame = base;
+            let mut joints = Vec::new();
+            for (i, &kind) in kinds.iter().enumerate() {
+                if i > 0 {
+                    frame = frame * links[i - 1].pose();
+                }
+                joints.push(joint(i, kind, frame, slides[i]));
             }
-            joints.push(joint(i, kind, frame, slides[i]));
-        }
-        Arm(model(joints, frame * tool))
-    })
+            Arm(model(joints, frame * tool))
+        });
+    arms.boxed()
+}
+
+/// An arm of a structure in a configuration.
+pub fn placed(arm: BoxedStrategy<Arm>, steps: &[Step]) -> BoxedStrategy<(Arm, Vec<f64>)> {
+    (arm, configuration(steps)).boxed()
+}
+
+/// An arm of a structure in a configuration, half of them read from tip to base, and for some of them
+/// that they are searched.
+pub fn either_way(steps: &[Step]) -> BoxedStrategy<(Arm, Vec<f64>, bool)> {
+    let backwards = (any::<bool>(), prop::bool::weighted(0.05));
+    let either = |((arm, q), (backwards, searched))| {
+        let arm = if backwards { mirrored(&arm) } else { arm };
+        (arm, q, searched)
+    };
+    (placed(arm(steps), steps), backwards)
+        .prop_map(either)
+        .boxed()
 }
 
 /// A turn and a shift in [-1, 1]³.
@@ -170,11 +193,13 @@ type Flaw = [[f64; 3]; 2];
 
 /// Arms of a structure whose axes are off it by up to one of the `levels`: an
 /// angle, and a distance.
-pub fn noisy_arm(steps: &[Step], levels: &[[f64; 2]]) -> impl Strategy<Value = Arm> + use<> {
+pub fn noisy_arm(steps: &[Step], levels: &[[f64; 2]]) -> BoxedStrategy<Arm> {
     let vector = || [-1.0..1.0, -1.0..1.0, -1.0..1.0];
     let flaws = vec([vector(), vector()], steps.len());
     let level = proptest::sample::select(levels.to_vec());
-    (arm(steps), flaws, level).prop_map(|(arm, flaws, level)| flawed(arm, &flaws, level))
+    (arm(steps), flaws, level)
+        .prop_map(|(arm, flaws, level)| flawed(arm, &flaws, level))
+        .boxed()
 }
 
 /// Turns and shifts the axes.

@@ -6,23 +6,20 @@ macro_rules! structures {
         $(mod $name {
             use crate::arm::*;
             use crate::check::Solved;
-            use crate::settings::cases;
-            use proptest::prelude::*;
+            use crate::settings::in_cases;
 
             const STEPS: &[Step] = &[$($step),*];
 
-            proptest! {
-                #![proptest_config(cases(6))]
+            #[test]
+            fn as_it_stands() {
+                in_cases(6, placed(arm(STEPS), STEPS), &|(arm, q)| Solved::new(&arm)?.check(&q));
+            }
 
-                #[test]
-                fn as_it_stands(arm in arm(STEPS), q in configuration(STEPS)) {
-                    Solved::new(&arm)?.check(&q)?;
-                }
-
-                #[test]
-                fn read_backwards(arm in arm(STEPS), q in configuration(STEPS)) {
-                    Solved::new(&mirrored(&arm))?.check(&q)?;
-                }
+            #[test]
+            fn read_backwards() {
+                in_cases(6, placed(arm(STEPS), STEPS), &|(arm, q)| {
+                    Solved::new(&mirrored(&arm))?.check(&q)
+                });
             }
         })*
     };
@@ -35,25 +32,16 @@ macro_rules! table {
         $(mod $name {
             use crate::arm::*;
             use crate::check::Solved;
-            use crate::settings::cases;
-            use proptest::prelude::*;
+            use crate::settings::in_cases;
 
             const STEPS: &[Step] = &[$($step),*];
 
-            proptest! {
-                #![proptest_config(cases(80))]
-
-                #[test]
-                fn is_solved(
-                    arm in arm(STEPS),
-                    q in configuration(STEPS),
-                    backwards in any::<bool>(),
-                    searched in prop::bool::weighted(0.05),
-                ) {
-                    let arm = if backwards { mirrored(&arm) } else { arm };
+            #[test]
+            fn is_solved() {
+                in_cases(80, either_way(STEPS), &|(arm, q, searched)| {
                     let solved = Solved::new(&arm)?;
-                    if searched { solved.check(&q)?; } else { solved.check_quickly(&q)?; }
-                }
+                    if searched { solved.check(&q) } else { solved.check_quickly(&q) }
+                });
             }
         })*
     };

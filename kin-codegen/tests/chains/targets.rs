@@ -6,20 +6,18 @@ macro_rules! targets {
         $(mod $name {
             use crate::arm::*;
             use crate::check::{Solved, commands};
-            use crate::settings::cases;
+            use crate::settings::in_cases;
             use kin_codegen::Target;
-            use proptest::prelude::*;
+            use proptest::prop_assume;
 
             const STEPS: &[Step] = &[$($step),*];
 
-            proptest! {
-                #![proptest_config(cases(16))]
-
-                #[test]
-                fn is_solved(arm in arm(STEPS), q in configuration(STEPS)) {
+            #[test]
+            fn is_solved() {
+                in_cases(16, placed(arm(STEPS), STEPS), &|(arm, q)| {
                     prop_assume!(commands(&arm, Target::$target));
-                    Solved::new_for_target(&arm, Target::$target)?.check(&q)?;
-                }
+                    Solved::new_for_target(&arm, Target::$target)?.check(&q)
+                });
             }
         })*
     };
