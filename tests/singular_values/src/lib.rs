@@ -1,5 +1,5 @@
-//! nalgebra's singular values, an oracle beside the runtime's own. Most of the time of tests that do
-//! not optimize them goes into them; here they are compiled once, and optimized.
+//! nalgebra's singular values, an oracle beside the runtime's own. Tests ask for them more than for
+//! anything else, and their own packages are not optimized.
 
 use nalgebra::DMatrix;
 
