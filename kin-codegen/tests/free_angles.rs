@@ -248,3 +248,37 @@ fn a_free_sum_beside_a_given_joint_turns() {
         assert!(!found.is_empty(), "{q:?}");
     }
 }
+
+/// The first three axes are parallel, and where the fourth and fifth joints are at right angles the
+/// sixth is as well: no relation tells its angle, and the quartic of both is nothing but rounding.
+#[test]
+fn a_fourth_parallel_axis_leaves_a_pair_of_relations_free() {
+    let mut random = Random(0x5_b6);
+    let (right_angle, half_turn) = (FRAC_PI_2.to_string(), PI.to_string());
+    let back = format!("-{right_angle}");
+    for i in 0..6 {
+        let mut length = |from, to| random.between(from, to);
+        let (model, form) = arm_of(&[
+            (&half_turn, length(0.2, 0.5), 0.0, length(0.1, 0.4)),
+            ("0", length(0.1, 0.4), 0.0, 0.0),
+            (&back, 0.0, 0.0, 0.0),
+            (&right_angle, length(0.2, 0.4), 0.0, length(0.1, 0.2)),
+            (&right_angle, length(0.02, 0.1), 0.0, 0.0),
+            ("0", 0.0, 0.0, length(0.2, 0.4)),
+        ]);
+        let chain = model.chain();
+        let is_missing = |k: &usize| {
+            let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
+            q[3] = FRAC_PI_2 - PI * (k % 2) as f64;
+            q[4] = FRAC_PI_2 - PI * (k / 2 % 2) as f64;
+            if k / 4 % 2 == 1 {
+                q[2] = PI * (k / 8 % 2) as f64;
+            }
+            let solutions = form.solutions(&chain.fk(&q));
+            // All of the family is singular, and told to be.
+            !solutions.iter().any(|it| it.singular) || solutions.iter().any(|it| !it.singular)
+        };
+        let missing = (0..2 * CONFIGURATIONS).filter(is_missing).count();
+        assert_eq!(missing, 0, "arm {i}, {}", form.plan);
+    }
+}

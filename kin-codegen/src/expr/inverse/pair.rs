@@ -1,6 +1,7 @@
 //! Subproblem 6: two relations between two unknowns.
 
-use super::Writer;
+use super::quartic::Free;
+use super::{MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::Trig;
 use crate::plan::{Atom, Relation, Target};
@@ -48,8 +49,9 @@ impl Writer<'_> {
         let coefficients = [0, 1, 2, 3, 4].map(|i| self.g.sub(one[i], other[i]));
         // Of a pose an elimination finds what rounding has lost.
         let rounding = (self.target == Target::Position).then_some(ROUNDING);
-        let phi = self.quartic_roots(coefficients, rounding);
         let [cos, sin, centre] = circle;
+        let free = self.free_circle([first, second], [&cos, &sin], &coefficients);
+        let phi = self.quartic_roots(coefficients, rounding, free);
         let z = [0, 1, 2, 3].map(|i| {
             let [c, s] = [self.g.mul(cos[i], phi.cos), self.g.mul(sin[i], phi.sin)];
             let turning = self.g.add(c, s);
@@ -62,6 +64,33 @@ impl Writer<'_> {
             });
             self.set(unknown, trig);
         }
+    }
+
+    /// Where the quartic vanishes, all of the circle: of it, where it is nearest to the seed.
+    fn free_circle(
+        &mut self,
+        unknowns: [Atom; 2],
+        circle: [&[Expr]; 2],
+        coefficients: &[Expr],
+    ) -> Option<Free> {
+        if self.deviation.is_some() {
+            return None; // Its branches are followed wherever they lead.
+        }
+        let (square, scale) = (self.inner(coefficients, coefficients), self.g.one());
+        let below = self.nothing(square, scale);
+        self.may_be_free.extend(unknowns.map(|unknown| MayBeFree {
+            unknown,
+            factor: square,
+            scale,
+        }));
+        let seed = unknowns.map(|unknown| self.seeded(unknown));
+        let seed = seed.map(|it| [it.cos, it.sin]).concat();
+        let [cos, sin] = circle.map(|along| self.inner(along, &seed));
+        // Across the circle from the seed all of it is as near.
+        let least = self.g.constant(LEAST * LEAST);
+        let cos = self.g.add(cos, least);
+        let at = self.unit(Trig { sin, cos });
+        Some(Free { square, below, at })
     }
 
     fn plane(&mut self, relation: &Relation, first: Atom, second: Atom) -> Plane {

@@ -4,6 +4,13 @@ use super::Writer;
 use crate::expr::linear::Trig;
 use crate::expr::{Expr, RootField};
 
+/// An angle that nothing tells where the square of what tells it is below a bound.
+pub(super) struct Free {
+    pub square: Expr,
+    pub below: Expr,
+    pub at: Trig,
+}
+
 impl Writer<'_> {
     /// |c cos θ + s sin θ + m|² as a cos 2θ + b sin 2θ + c cos θ + d sin θ + e.
     pub(super) fn square(&mut self, [c, s, m]: [[Expr; 2]; 3]) -> [Expr; 5] {
@@ -28,15 +35,29 @@ impl Writer<'_> {
 
     /// The roots of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, in all four
     /// places at once: two signs choose among them. Of two roots that rounding of so much may have
-    /// parted from zero the first stands.
-    pub(super) fn quartic_roots(&mut self, coefficients: [Expr; 5], rounding: Option<f64>) -> Trig {
+    /// parted from zero the first stands. Where all of it vanishes, what it is `free` for is the only
+    /// one.
+    pub(super) fn quartic_roots(
+        &mut self,
+        coefficients: [Expr; 5],
+        rounding: Option<f64>,
+        free: Option<Free>,
+    ) -> Trig {
         let signs = [self.g.sign(), self.g.sign()];
         let [sin, cos, state] = [RootField::Sin, RootField::Cos, RootField::State].map(|field| {
             let places = [0, 1, 2, 3].map(|place| self.g.trig_root(coefficients, place, field));
             self.choose(signs, places)
         });
-        let trig = Trig { sin, cos };
         let [zero, one] = [self.g.zero(), self.g.one()];
+        let [sin, cos, state] = match free {
+            None => [sin, cos, state],
+            Some(Free { square, below, at }) => {
+                let only = self.choose(signs, [zero, one, one, one]);
+                [(at.sin, sin), (at.cos, cos), (only, state)]
+                    .map(|(free, root)| self.g.select_less(square, below, free, root))
+            }
+        };
+        let trig = Trig { sin, cos };
         let [some, double] = [0.5, 1.5].map(|k| self.g.constant(k));
         let not_simple = match rounding {
             Some(_) => some,
