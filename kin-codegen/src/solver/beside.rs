@@ -39,10 +39,13 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
         form.inverse = Inverse::Expressions(Box::new(flagged));
         form.free = free;
     }
+    // Singular targets that are left without an answer are few of many, whose neighbours it answers.
+    let is_asked = |missing: (usize, usize)| match best.certificate.missing() {
+        (0, unanswered) => missing <= (0, unanswered),
+        more => missing < more,
+    };
     match certify(trials, &form, best.certificate.lost) {
-        Ok(certificate) if certificate.missing() < best.certificate.missing() => {
-            Certified { form, certificate }
-        }
+        Ok(certificate) if is_asked(certificate.missing()) => Certified { form, certificate },
         _ => best,
     }
 }
