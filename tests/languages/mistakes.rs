@@ -265,7 +265,7 @@ fn mistakes_of_completion_are_found() {
 }
 
 fn of_unanswered() -> Asked {
-    refined("tests/robots/table/wrist_alone.yaml", Options::default())
+    refined("tests/languages/parallel_456.yaml", Options::default())
 }
 
 #[test]
