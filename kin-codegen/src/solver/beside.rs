@@ -39,7 +39,7 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
         form.inverse = Inverse::Expressions(Box::new(flagged));
         form.free = free;
     }
-    // Singular targets that are left without an answer are few of many, whose neighbours it answers.
+    // The certificate tries few of the targets next to singular ones, where the branches may reach none.
     let is_asked = |missing: (usize, usize)| match best.certificate.missing() {
         (0, unanswered) => missing <= (0, unanswered),
         more => missing < more,

@@ -4,10 +4,13 @@ use super::Writer;
 use crate::expr::linear::Trig;
 use crate::expr::{Expr, RootField};
 
-/// An angle that nothing tells where the square of what tells it is below a bound.
+/// What becomes of an angle that a singular target leaves free.
 pub(super) struct Free {
+    /// The square of what tells it.
     pub square: Expr,
+    /// Below this it is free.
     pub below: Expr,
+    /// And then here.
     pub at: Trig,
 }
 
@@ -35,8 +38,8 @@ impl Writer<'_> {
 
     /// The roots of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, in all four
     /// places at once: two signs choose among them. Of two roots that rounding of so much may have
-    /// parted from zero the first stands. Where all of it vanishes, what it is `free` for is the only
-    /// one.
+    /// parted from zero the first stands. Where all coefficients vanish, the angle is `free`, and there
+    /// is one branch.
     pub(super) fn quartic_roots(
         &mut self,
         coefficients: [Expr; 5],
