@@ -1,7 +1,7 @@
 //! The configurations that a plan is tried on, and which of them some plan has lost.
 
 use super::held::{Held, Trial};
-use super::parameters;
+use super::{REGULAR, parameters};
 use crate::closed_form::ClosedForm;
 use crate::geometry::Linkage;
 use crate::model::{Model, anywhere};
@@ -75,6 +75,17 @@ impl<'a> Trials<'a> {
                 .is_err()
         };
         lost.iter().map(is_lost).collect()
+    }
+
+    /// Whether the branches of an idealized arm are known to be all there are at some target of a
+    /// regular configuration.
+    pub fn are_told_by_branches(&self, form: &ClosedForm) -> bool {
+        let all = self.held.iter().flat_map(|held| &held.all);
+        let is_regular = |trial: &&Rc<Trial>| !trial.may_degenerate && trial.conditioning > REGULAR;
+        all.filter(is_regular).any(|trial| {
+            let branches = form.branches_at(&trial.pose, &trial.parameters);
+            branches.iter().any(|branch| !branch.singular)
+        })
     }
 
     /// All configurations: those that were lost before, and the others.

@@ -86,6 +86,8 @@ const SAMPLES: usize = 3;
 pub struct Samples(Vec<Sample>);
 
 struct Sample {
+    /// By joint.
+    q: Vec<f64>,
     /// Of the links, base first.
     bodies: Vec<Pose>,
     axes: Vec<Line>,
@@ -109,12 +111,18 @@ impl Samples {
 
     /// Moves the chain to some configurations, by joint.
     pub fn at(linkage: &Linkage, configurations: &[Vec<f64>]) -> Self {
-        Self(
-            configurations
-                .iter()
-                .map(|q| Sample::new(linkage, q))
-                .collect(),
-        )
+        let all = configurations.iter();
+        Self(all.map(|q| Sample::new(linkage, q.clone())).collect())
+    }
+
+    /// The same configurations with some joints at zero.
+    fn without(&self, linkage: &Linkage, joints: &[usize]) -> Self {
+        let at_zero = |sample: &Sample| {
+            let mut q = sample.q.clone();
+            joints.iter().for_each(|&joint| q[joint] = 0.0);
+            Sample::new(linkage, q)
+        };
+        Self(self.0.iter().map(at_zero).collect())
     }
 
     /// Bit k is set where two joints are parallel in the k-th configuration.
@@ -133,7 +141,7 @@ impl Samples {
 }
 
 impl Sample {
-    fn new(linkage: &Linkage, q: &[f64]) -> Self {
+    fn new(linkage: &Linkage, q: Vec<f64>) -> Self {
         let mut bodies = vec![Pose::IDENTITY];
         let mut axes = Vec::new();
         for (i, q) in q.iter().enumerate() {
@@ -145,7 +153,7 @@ impl Sample {
             });
             bodies.push(here * Pose::exp(&linkage.twist(i), *q));
         }
-        Self { bodies, axes }
+        Self { q, bodies, axes }
     }
 
     /// An invariant where this configuration has it.
@@ -176,7 +184,47 @@ struct Ends {
 impl Relation {
     /// The relation between invariants, unless it says nothing. `told` are configurations
     /// that a plan has to tell.
+    ///
+    /// A joint that it does not depend on wherever the loop is closed is crossed as if it stood at
+    /// zero ([`crate::expr`]): what it says of the others, it has to say there.
     pub fn new(
+        linkage: &Linkage,
+        samples: &Samples,
+        told: &Samples,
+        from: &Invariant,
+        to: Option<&Invariant>,
+    ) -> Option<Self> {
+        let relation = Self::seen(linkage, samples, told, from, to)?;
+        let is_crossed = |&joint: &usize| relation.depends_on(linkage, joint).is_none();
+        let crossed: Vec<usize> = relation.between(linkage).filter(is_crossed).collect();
+        if crossed.is_empty() {
+            return Some(relation);
+        }
+        let samples = samples.without(linkage, &crossed);
+        let at_zero = Self::seen(linkage, &samples, &Samples(Vec::new()), from, to)?;
+        let atoms = |relation: &Self| {
+            relation
+                .depends
+                .iter()
+                .map(|it| it.atom)
+                .collect::<Vec<_>>()
+        };
+        (atoms(&at_zero) == atoms(&relation)).then_some(relation)
+    }
+
+    /// The joints between its invariants, in the order of the loop beginning behind `from`.
+    fn between(&self, linkage: &Linkage) -> impl Iterator<Item = usize> + use<> {
+        between(linkage.links.len(), &self.from, self.to.as_ref())
+    }
+
+    /// What it depends on by a joint.
+    fn depends_on(&self, linkage: &Linkage, joint: usize) -> Option<&Dependence> {
+        let atom = atom_of(linkage, joint, self.from.kind == Kind::Direction);
+        self.depends.iter().find(|it| it.atom == atom)
+    }
+
+    /// What these configurations show of it.
+    fn seen(
         linkage: &Linkage,
         samples: &Samples,
         told: &Samples,
@@ -185,16 +233,12 @@ impl Relation {
     ) -> Option<Self> {
         let n = linkage.links.len();
         let behind = to.map_or(n, |to| to.joints.start);
-        let again = to.map_or(n, |to| to.joints.end);
-        let between = (from.joints.end..behind)
-            .chain(again..n)
-            .chain(0..from.joints.start);
         let directional = from.kind == Kind::Direction;
         let ends = |sample: &Sample| sample.ends(from, to);
         let places: Vec<Ends> = samples.0.iter().map(ends).collect();
         let told_places: Vec<Ends> = told.0.iter().map(ends).collect();
         let mut depends: Vec<Dependence> = Vec::new();
-        for joint in between {
+        for joint in between(n, from, to) {
             let atom = atom_of(linkage, joint, directional);
             if depends.iter().any(|d| d.atom == atom) {
                 continue;
@@ -253,6 +297,20 @@ impl Relation {
             ..relation
         })
     }
+}
+
+/// The joints between two invariants, or all that move one: in the order of the loop beginning
+/// behind the first.
+fn between(
+    n: usize,
+    from: &Invariant,
+    to: Option<&Invariant>,
+) -> impl Iterator<Item = usize> + use<> {
+    let behind = to.map_or(n, |to| to.joints.start);
+    let again = to.map_or(n, |to| to.joints.end);
+    (from.joints.end..behind)
+        .chain(again..n)
+        .chain(0..from.joints.start)
 }
 
 fn dependence(atom: Atom, inner: bool, strengths: &[Strength; SAMPLES]) -> Option<Dependence> {

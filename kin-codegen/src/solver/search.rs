@@ -212,7 +212,7 @@ impl<'a> Search<'a> {
                 self.refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
                 break;
             }
-            if self.beside.is_some() && has(InverseGraph::tells_nothing) {
+            if self.beside.is_some() && !self.trials.are_told_by_branches(&form) {
                 // The elimination would be asked at every target, and does as well alone.
                 break;
             }

@@ -65,11 +65,6 @@ impl InverseGraph {
         self.arguments.is_none()
     }
 
-    /// Whether the branches of an idealized arm are never known to be all there are.
-    pub fn tells_nothing(&self) -> bool {
-        self.graph.is(self.singular, 1.0)
-    }
-
     /// What its steps divide by, and the lengths of the vectors that they tell angles by: sines and
     /// cosines.
     pub(crate) fn divisors(&self) -> Vec<(Expr, Option<Expr>)> {
