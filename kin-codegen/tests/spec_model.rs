@@ -529,6 +529,8 @@ fn the_tip_has_a_name() {
         (&["camera_tcp", "gripper_tcp"], "gripper_tcp", 0),
         (&["camera_tcp", "robot_ee"], "robot_ee", 0),
         (&["camera_tcp"], "camera_tcp", 0),
+        (&["camera1_link"], "flange_of_arm", 0),
+        (&["plate", "camera2"], "plate", 0),
         // The same name twice.
         (&["x_tool0", "tool0"], "tool0", 0),
         (&["left_tcp", "right_tcp"], "left_tcp", 1),
@@ -540,6 +542,21 @@ fn the_tip_has_a_name() {
             "{names:?}"
         );
     }
+}
+
+/// A camera that hangs on what would be the tip leaves it that.
+#[test]
+fn what_carries_a_camera_is_a_leaf() {
+    let joints = [
+        joint("j1", "continuous", "base", "a", ""),
+        joint("j2", "continuous", "a", "b", ""),
+        joint("j3", "continuous", "b", "c", ""),
+        joint("j4", "continuous", "c", "d", ""),
+        joint("bolts", "fixed", "d", "plate", ""),
+        joint("eye", "fixed", "plate", "camera1_link", ""),
+    ];
+    let arm = accept(&urdf("base a b c d plate camera1_link", &joints.concat()));
+    assert_eq!((arm.tip.as_str(), arm.warnings.len()), ("plate", 0));
 }
 
 /// A head carries a camera as its tool, and what a file calls the tip is it.
@@ -605,6 +622,58 @@ fn a_wrist_may_carry_a_jaw() {
         ("finger_tip", "finger"),
     ];
     assert_eq!(tip(&finger), "finger");
+}
+
+/// Two jaws that slide by themselves hang on a joint of the arm, whatever it is called; one that drives
+/// them, or of a finger, is none.
+#[test]
+fn what_jaws_slide_on_is_no_finger() {
+    let slide = |name: &str, parent: &str, child: &str, mimic: &str| {
+        let inner = format!(r#"<limit lower="0" upper="0.04"/>{mimic}"#);
+        joint(name, "prismatic", parent, child, &inner)
+    };
+    let tip = |kind: &str, behind: String| {
+        let arm = [
+            joint("elbow", "continuous", "base", "a", ""),
+            joint("wrist", "continuous", "a", "b", ""),
+            joint("claw_base_joint", kind, "b", "claw_base", ""),
+        ]
+        .concat();
+        accept(&urdf("base a b claw_base l r", &(arm + &behind))).tip
+    };
+    let jaws = |mimic: &str| {
+        slide("claw_left", "claw_base", "l", mimic) + &slide("claw_right", "claw_base", "r", mimic)
+    };
+    assert_eq!(tip("continuous", jaws("")), "claw_base");
+    assert_eq!(
+        tip("continuous", jaws(r#"<mimic joint="claw_base_joint"/>"#)),
+        "b"
+    );
+    let fingers = joint("claw_left", "continuous", "claw_base", "l", "")
+        + &joint("claw_right", "continuous", "claw_base", "r", "");
+    assert_eq!(tip("continuous", fingers), "b");
+}
+
+/// A hoist may carry a gripper and have its name; no finger goes so far.
+#[test]
+fn a_long_slide_is_no_finger() {
+    let tip = |upper: f64| {
+        let limit = |upper: f64| format!(r#"<limit lower="0" upper="{upper}"/>"#);
+        let joints = [
+            joint("slew", "continuous", "base", "jib", ""),
+            joint("trolley", "prismatic", "jib", "carriage", &limit(1.2)),
+            joint(
+                "to_gripper",
+                "prismatic",
+                "carriage",
+                "gripper",
+                &limit(upper),
+            ),
+        ];
+        accept(&urdf("base jib carriage gripper", &joints.concat())).tip
+    };
+    assert_eq!(tip(1.2), "gripper");
+    assert_eq!(tip(0.1), "carriage");
 }
 
 /// Fingers on an arm of fewer joints than those that carry a hand elsewhere were told as two arms,

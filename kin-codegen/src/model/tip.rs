@@ -7,7 +7,7 @@
 //!    forks, joints that mimic others than those before them, short slides and joints that are named
 //!    as a gripper's at the end of the chain, and a last joint beside which a
 //!    link hangs under one of the [`NAMES`]. A warning says so. A wrist that carries a jaw may move a
-//!    link named as one; a short slide is the arm's if it moves a link under one of the [`NAMES`] or
+//!    link named as one, and what two jaws slide on, or slides far itself, may be named so; a short slide is the arm's if it moves a link under one of the [`NAMES`] or
 //!    is the quill of a SCARA; of a robot that is a finger nothing is left out.
 //! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
@@ -253,7 +253,8 @@ impl Below<'_> {
             return false;
         }
         let name = name.to_lowercase();
-        let mut words = name.split(|c: char| !c.is_alphanumeric());
+        // Of two or more, each has its number.
+        let mut words = name.split(|c: char| !c.is_alphabetic());
         words.any(|word| ASIDE.contains(&word))
     }
 
@@ -417,7 +418,9 @@ impl Below<'_> {
         if fingers {
             return link;
         }
-        let is_leaf = |link: &&usize| self.children[**link].is_empty() && !self.is_aside(**link);
+        let is_aside = |&j: &usize| self.is_aside(self.spec.joints[j].child);
+        let is_leaf =
+            |link: &&usize| self.children[**link].iter().all(is_aside) && !self.is_aside(**link);
         let leaves: Vec<usize> = rigid.iter().filter(is_leaf).copied().collect();
         if leaves.is_empty() {
             return link;

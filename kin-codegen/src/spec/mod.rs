@@ -48,10 +48,10 @@ use kin_runtime::Pose;
 /// forks off behind an arm of three joints or more, in lines of no more joints than the arm has, nor
 /// than four, or five where there are three lines or more; and at the end of a chain joints that
 /// mimic others than those before them, slides of less than 12 cm and joints named as a gripper's, or
-/// that move a link named so, unless they turn the wrist that carries a jaw. Such a slide is
-/// the arm's where it moves a link that is called as a tip is, or, in a chain of up to five joints, is
-/// parallel to the axes of all that turn before it, two at least, with nothing beside it that moves,
-/// as the quill of a SCARA.
+/// that move a link named so, unless they turn the wrist that carries a jaw, turn what two jaws slide
+/// on that do not mimic them, or slide by 12 cm or more. A shorter slide is the arm's where it moves a
+/// link that is called as a tip is, or, in a chain of up to five joints, is parallel to the axes of
+/// all that turn before it, two at least, with nothing beside it that moves, as the quill of a SCARA.
 /// Of the links that the last joint moves the tip is the first that
 /// is called, perhaps behind a prefix, `tool0`, `tcp`, `tcp_link`, `tool`,
 /// `tool_link`, `tool_frame`, `flange`, `flange_link`, `ee_link`, `ee`,

@@ -35,12 +35,17 @@ impl Below<'_> {
         let carries = joint.kind != JointType::Prismatic
             && joint.mimic.is_none()
             && (self.carries_tool(last) || WRISTS.iter().any(|word| name.contains(word)));
-        mimics_finger
-            || (name.contains(GRIPPERS[0]) && !carries)
+        let is_named = (name.contains(GRIPPERS[0]) && !carries)
             || GRIPPERS[1..]
                 .iter()
-                .any(|word| name.contains(word) || link.contains(word))
-            || (self.is_short_slide(last) && !self.carries_tool(last) && !self.is_quill(chain))
+                .any(|word| name.contains(word) || link.contains(word));
+        let stroke = self.stroke(last);
+        // A hoist may carry a gripper, and have its name.
+        let is_long = stroke.is_some_and(|stroke| stroke >= FINGER_STROKE);
+        let is_short = stroke.is_some_and(|stroke| stroke < FINGER_STROKE);
+        mimics_finger
+            || (is_named && !is_long && !self.turns_jaws(last))
+            || (is_short && !self.carries_tool(last) && !self.is_quill(chain))
     }
 
     /// Whether a joint that carries a jaw turns the wrist: it is named so, or not as a gripper's,
@@ -53,13 +58,27 @@ impl Below<'_> {
         turns && (is_named(&WRISTS) || !is_named(&GRIPPERS))
     }
 
-    fn is_short_slide(&self, joint: usize) -> bool {
+    /// How far a slide goes, metres, if it has limits.
+    fn stroke(&self, joint: usize) -> Option<f64> {
         let joint = &self.spec.joints[joint];
-        let stroke = match joint.limits {
-            Limits::Range { lower, upper, .. } => (upper - lower).abs(),
-            Limits::Missing | Limits::Unlimited => f64::INFINITY,
-        };
-        joint.kind == JointType::Prismatic && stroke < FINGER_STROKE
+        match joint.limits {
+            Limits::Range { lower, upper, .. } if joint.kind == JointType::Prismatic => {
+                Some((upper - lower).abs())
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a joint turns what several jaws slide on, none of which it drives.
+    fn turns_jaws(&self, joint: usize) -> bool {
+        let turning = &self.spec.joints[joint];
+        let jaws = self.hanging_on(turning.child);
+        let slides = jaws.filter(|&j| self.spec.joints[j].kind == JointType::Prismatic);
+        let leaders: Vec<usize> = slides.map(|j| self.followed[j].leader).collect();
+        turning.kind != JointType::Prismatic
+            && turning.mimic.is_none()
+            && leaders.len() > 1
+            && !leaders.contains(&joint)
     }
 
     /// Whether a link that a joint moves has the name of a tip: no finger carries the tool.
@@ -76,7 +95,8 @@ impl Below<'_> {
             return false;
         };
         let slide = &self.spec.joints[last];
-        if self.moving_on(self.spec.joints[carrier].child) > 1 {
+        let moving = self.hanging_on(self.spec.joints[carrier].child);
+        if moving.count() > 1 {
             return false;
         }
         let mut direction = slide.origin.rotate(slide.axis);
@@ -97,13 +117,10 @@ impl Below<'_> {
         turning >= 2
     }
 
-    /// How many joints that move hang on a link, and on what moves with it.
-    fn moving_on(&self, link: usize) -> usize {
-        let hung = self
-            .rigid(link)
-            .into_iter()
-            .flat_map(|it| &self.children[it]);
-        hung.filter(|&&j| self.spec.joints[j].kind != JointType::Fixed)
-            .count()
+    /// The joints that move and hang on a link, or on what moves with it.
+    fn hanging_on(&self, link: usize) -> impl Iterator<Item = usize> {
+        let links = self.rigid(link).into_iter();
+        let hung = links.flat_map(|it| self.children[it].iter().copied());
+        hung.filter(|&j| self.spec.joints[j].kind != JointType::Fixed)
     }
 }
