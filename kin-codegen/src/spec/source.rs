@@ -3,6 +3,7 @@
 use super::places::Places;
 use super::{Diagnostic, Diagnostics, Location};
 use std::io::ErrorKind;
+use std::ops::Range;
 use std::path::Path;
 
 /// A robot file in memory: the text, and the path that messages name.
@@ -59,9 +60,47 @@ fn text(mut bytes: Vec<u8>) -> Result<String, Diagnostic> {
             "give a URDF or YAML file, which are text",
         ));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let end = error.utf8_error().valid_up_to();
-        let bytes = error.as_bytes();
+    let mut text = String::with_capacity(bytes.len());
+    let mut read = 0;
+    for comment in comments(&bytes) {
+        text += in_utf8(&bytes, read..comment.start)?;
+        text += &String::from_utf8_lossy(&bytes[comment.clone()]);
+        read = comment.end;
+    }
+    text += in_utf8(&bytes, read..bytes.len())?;
+    Ok(text)
+}
+
+/// Comments are not read, and may have any encoding: where they stand in markup, and in YAML those
+/// that are lines of their own.
+fn comments(bytes: &[u8]) -> Vec<Range<usize>> {
+    let first = |bytes: &[u8]| bytes.iter().find(|it| !it.is_ascii_whitespace()).copied();
+    let begin = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if first(begin) != Some(b'<') {
+        let mut next = 0;
+        let lines = bytes.split_inclusive(|it| *it == b'\n').map(|line| {
+            next += line.len();
+            (next - line.len()..next, first(line))
+        });
+        let comments = lines.filter(|(_, first)| *first == Some(b'#'));
+        return comments.map(|(line, _)| line).collect();
+    }
+    let find = |word: &[u8], from: usize| {
+        let mut words = bytes[from..].windows(word.len());
+        words.position(|it| it == word).map(|place| from + place)
+    };
+    let (mut all, mut read) = (Vec::new(), 0);
+    while let Some(start) = find(b"<!--", read) {
+        read = find(b"-->", start).unwrap_or(bytes.len());
+        all.push(start..read);
+    }
+    all
+}
+
+/// A part of a file, or where it is not UTF-8.
+fn in_utf8(bytes: &[u8], part: Range<usize>) -> Result<&str, Diagnostic> {
+    str::from_utf8(&bytes[part.clone()]).map_err(|error| {
+        let end = part.start + error.valid_up_to();
         let start = bytes[..end]
             .iter()
             .rposition(|b| *b == b'\n')
@@ -139,7 +178,28 @@ mod tests {
             "arm.urdf:2:10: the byte 0xfc is not UTF-8\n  name=\"M\u{fffd}ller\">\n         ^\n\
              help: save the file in UTF-8"
         );
+        assert_eq!(
+            message(b"<!-- \xfc -->\n<!-- -->\xe4<!-- \xf6 -->"),
+            "arm.urdf:2:9: the byte 0xe4 is not UTF-8\n<!-- -->\u{fffd}<!-- \u{fffd} -->\n        ^\n\
+             help: save the file in UTF-8"
+        );
+        assert!(message(b"a: 1 # gr\xfcn\n").starts_with("arm.urdf:1:10: the byte 0xfc"));
         assert!(message(b"\xff\xfe<\0").starts_with("arm.urdf: the file is in UTF-16"));
         assert!(message(b"solid \0\x01").starts_with("arm.urdf: the file is binary"));
+    }
+
+    /// As many files have them, in the encoding of whoever wrote them.
+    #[test]
+    fn comments_may_have_any_encoding() {
+        let read = |bytes: &[u8]| text(bytes.to_vec()).unwrap();
+        // In GBK, and one that never ends.
+        assert_eq!(
+            read(b"\xef\xbb\xbf<robot><!-- \xb9\xd8\xbd\xda --><!---->\n<!-- \xfc"),
+            "\u{feff}<robot><!-- \u{fffd}\u{63d}\u{fffd} --><!---->\n<!-- \u{fffd}"
+        );
+        assert_eq!(
+            read(b"robot: arm\r\n  # gr\xfcn\r\na: \"#\xc3\xa4\"\n#\xe4"),
+            "robot: arm\r\n  # gr\u{fffd}n\r\na: \"#\u{e4}\"\n#\u{fffd}"
+        );
     }
 }
