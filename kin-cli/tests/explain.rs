@@ -230,6 +230,34 @@ fn a_delta_is_explained() {
 
 /// The directions that a step is read from are not told of: plans that differ in them alone would
 /// be the same words again.
+/// One that moves as the joint that it mimics does is told from it.
+#[test]
+fn joints_that_mimic_others_say_what_they_move_by() {
+    let explanation = told(&robot("../tests/robots/coupled/remote_centre.yaml"));
+    let text = explanation.to_string();
+    let row = |name: &str| {
+        let words = |line: &&str| line.split_whitespace().nth(1) == Some(name);
+        text.lines().find(words).unwrap().to_owned()
+    };
+    assert!(!row("pitch").contains("moves"));
+    assert!(
+        row("bottom").ends_with("-53.0° to 53.0°, moves by −q2"),
+        "{}",
+        row("bottom")
+    );
+    assert!(
+        row("end").ends_with("-53.0° to 53.0°, moves by q2"),
+        "{}",
+        row("end")
+    );
+    let joints = explanation.chain.joints.iter();
+    let mimics: Vec<bool> = joints.map(|joint| joint.mimic.is_some()).collect();
+    assert_eq!(
+        mimics,
+        [false, false, true, true, false, false, false, false]
+    );
+}
+
 #[test]
 fn no_plan_is_told_of_twice() {
     for file in ["iiwa14.yaml", "panda.yaml", "ur5e.urdf"] {

@@ -53,7 +53,7 @@ pub struct Joint {
     pub limits: Option<[f64; 2]>,
     /// The coordinate of q that moves it: 1 for q₁.
     pub coordinate: usize,
-    /// How it follows that coordinate, unless it is that coordinate.
+    /// How it follows that coordinate, unless it is the joint that the coordinate is.
     pub mimic: Option<Mimic>,
 }
 
@@ -119,6 +119,7 @@ fn joint(model: &Model, joint: &model::Joint) -> Joint {
         let [a, b] = ends.map(|end| joint.multiplier * end + joint.offset);
         [a.min(b), a.max(b)]
     });
+    let is_own = joint.is_coordinate(joint.variable) && joint.name == variable.name;
     Joint {
         name: joint.name.clone(),
         motion,
@@ -126,6 +127,6 @@ fn joint(model: &Model, joint: &model::Joint) -> Joint {
         point: joint.point,
         limits,
         coordinate: joint.variable + 1,
-        mimic: (!joint.is_coordinate(joint.variable)).then_some(mimic),
+        mimic: (!is_own).then_some(mimic),
     }
 }

@@ -124,13 +124,20 @@ fn travel(joint: &Joint) -> String {
         }
         Some([lower, upper]) => format!("{:.1}° to {:.1}°", lower.to_degrees(), upper.to_degrees()),
     };
-    match joint.mimic {
-        Some(mimic) => format!(
-            "{range}, moves by {} q{} + {}",
-            mimic.multiplier, joint.coordinate, mimic.offset
-        ),
-        None => range,
-    }
+    let Some(mimic) = joint.mimic else {
+        return range;
+    };
+    let times = match mimic.multiplier {
+        1.0 => String::new(),
+        -1.0 => "−".into(),
+        other => format!("{other} "),
+    };
+    let offset = match mimic.offset {
+        0.0 => String::new(),
+        offset if offset < 0.0 => format!(" − {}", -offset),
+        offset => format!(" + {offset}"),
+    };
+    format!("{range}, moves by {times}q{}{offset}", joint.coordinate)
 }
 
 impl Display for Inverse {

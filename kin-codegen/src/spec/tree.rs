@@ -236,7 +236,9 @@ fn check_tree(spec: &ArmSpec, diagnostics: &mut Collector) {
                 "link `{child}` hangs on two joints, `{first}` and `{}`: that closes a loop, and this robot must be a tree",
                 joint.name
             );
-            diagnostics.at(joint.at, reason, "give each joint a child of its own");
+            let remedy = "give each joint a child of its own; of a mechanism with loops, let a \
+                          <loop_joint> join the two";
+            diagnostics.at(joint.at, reason, remedy);
         } else {
             above[joint.child] = Some(i);
         }
