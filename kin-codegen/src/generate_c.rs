@@ -59,27 +59,32 @@ pub fn generate_c(source: &Source, options: &Options) -> Result<GeneratedC, Erro
             Diagnostic::whole(reason, "leave out the option `scalar`, or generate Rust");
         return Err(refused(diagnostic).into());
     }
-    let robot = compile(source, options)?;
-    let warnings = robot.warnings().to_vec();
+    let generated = GeneratedC::of(compile(source, options)?, name, source, options);
     if options.strict
-        && let Some(warnings) = Diagnostics::of(&source.path, warnings.clone())
+        && let Some(warnings) = Diagnostics::of(&source.path, generated.warnings.clone())
     {
         return Err(warnings.into_errors().into());
     }
-    let hash = fnv1a(source.text.as_bytes());
-    let told = header::of(&robot, &name, hash, options, Some(" --lang c"));
-    let Files {
-        header,
-        source: code,
-    } = match &robot {
-        Compiled::Arm(arm) => c::arm(arm, &name, &told),
-        Compiled::Mechanism(mechanism) => c::mechanism(mechanism, &name, &told),
-    };
-    Ok(GeneratedC {
-        name,
-        header,
-        source: code,
-        warnings,
-        robot,
-    })
+    Ok(generated)
+}
+
+impl GeneratedC {
+    /// A robot as C that was compiled from a file with some options.
+    #[doc(hidden)]
+    pub fn of(robot: Compiled, name: String, source: &Source, options: &Options) -> Self {
+        let warnings = robot.warnings().to_vec();
+        let hash = fnv1a(source.text.as_bytes());
+        let told = header::of(&robot, &name, hash, options, Some(" --lang c"));
+        let Files { header, source } = match &robot {
+            Compiled::Arm(arm) => c::arm(arm, &name, &told),
+            Compiled::Mechanism(mechanism) => c::mechanism(mechanism, &name, &told),
+        };
+        Self {
+            name,
+            header,
+            source,
+            robot,
+            warnings,
+        }
+    }
 }

@@ -4,6 +4,8 @@
 #[path = "../random.rs"]
 mod random;
 
+#[path = "../cached.rs"]
+mod cached;
 mod js;
 mod mechanisms;
 mod meeting;
@@ -22,7 +24,7 @@ use js::JsRobot;
 use kin_codegen::{GeneratedC, GeneratedJs};
 use kinematics::__private::math;
 use kinematics::__private::reproducible::reproducibly;
-use kinematics::{Pose, Robot, RobotSource, Target, Twist};
+use kinematics::{Pose, Robot, RobotOptions, RobotSource, Target, Twist};
 use program::{Compiler, Program, generated};
 use robots::{Asked, all};
 use std::f64::consts::PI;
@@ -63,13 +65,18 @@ fn read(path: &str) -> RobotSource {
     RobotSource::read(path, &root).unwrap()
 }
 
+/// A robot as it is read while a program runs.
+fn loaded(path: &str, options: &RobotOptions) -> Robot {
+    cached::cached(&format!("../{path}"), options)
+}
+
 /// All robots in all languages, on two cores.
 fn compiled() -> Vec<(Asked, GeneratedC, String, Robot)> {
     let both = |(number, asked): (usize, Asked)| {
         let source = read(asked.path);
         let c = generated(asked.path, &format!("robot{number}"), &asked.options);
         let js = GeneratedJs::of(c.robot.clone(), &source, &asked.options).source;
-        let rust = Robot::load(&source, &asked.options).unwrap();
+        let rust = loaded(asked.path, &asked.options);
         (asked, c, js, rust)
     };
     let mut all: Vec<_> = all().into_iter().enumerate().collect();
@@ -480,7 +487,7 @@ fn optimized_c_is_the_same() {
     let asked = all().into_iter().find(|asked| asked.path == calibrated);
     let asked = asked.unwrap();
     let c = generated(asked.path, "arm", &asked.options);
-    let rust = Robot::load(&read(asked.path), &asked.options).unwrap();
+    let rust = loaded(asked.path, &asked.options);
     let mut program = Program::new("optimized");
     program.add(&c);
     let input = Subject::new(&asked, &c, String::new(), rust).input;

@@ -4,7 +4,7 @@
 
 use crate::js::JsRobot;
 use crate::random::Random;
-use crate::{read, rows};
+use crate::{loaded, read, rows};
 use kin_codegen::{Options, generate_js};
 use kinematics::__private::math;
 use kinematics::{Robot, RobotOptions};
@@ -30,7 +30,7 @@ pub fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn rust() -> Robot {
-    Robot::load(&read(ARM), &RobotOptions::default()).unwrap()
+    loaded(ARM, &RobotOptions::default())
 }
 
 /// Of solutions that have nearly met, as Rust has them, either leads to next to the other, to second

@@ -325,7 +325,7 @@ fn mistakes_in_javascript_are_found() {
         let c = generated(asked.path, "mistaken", &asked.options);
         let source = read(asked.path);
         let right = GeneratedJs::of(c.robot.clone(), &source, &asked.options).source;
-        let rust = Robot::load(&source, &asked.options).unwrap();
+        let rust = loaded(asked.path, &asked.options);
         let mut subject = Subject::new(&asked, &c, String::new(), rust);
         subject.configurations.clear();
         let targets = std::mem::take(&mut subject.targets);
@@ -358,7 +358,7 @@ fn each_is_found(name: &str, asked: &Asked, right: &GeneratedC, wrong: &[String]
     if !Compiler::C.is_there() {
         return;
     }
-    let rust = Robot::load(&read(asked.path), &asked.options).unwrap();
+    let rust = loaded(asked.path, &asked.options);
     let subject = Subject::new(asked, right, String::new(), rust);
     let text = &right.source;
     let all: Vec<&String> = [text].into_iter().chain(wrong).collect();

@@ -1,7 +1,8 @@
 //! A program of many robots' C, and a driver that asks all of them.
 
-use kin_codegen::{Compiled, GeneratedC, Options, generate_c};
-use kinematics::RobotSource;
+use crate::cached::folder;
+use crate::read;
+use kin_codegen::{Compiled, GeneratedC, Options, compile_cached};
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
@@ -187,11 +188,8 @@ impl Built {
 
 /// The C of a robot file, whose names begin with `name`.
 pub fn generated(path: &str, name: &str, options: &Options) -> GeneratedC {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let source = RobotSource::read(path, &root).unwrap();
-    let options = Options {
-        name: Some(name.into()),
-        ..options.clone()
-    };
-    generate_c(&source, &options).unwrap_or_else(|error| panic!("{error}"))
+    let source = read(path);
+    let robot = compile_cached(&source, options, folder());
+    let robot = robot.unwrap_or_else(|error| panic!("{error}"));
+    GeneratedC::of(robot, name.into(), &source, options)
 }
