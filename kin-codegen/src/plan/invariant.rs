@@ -1,12 +1,16 @@
 //! What a row of joints leaves alone: points, directions and planes.
 
 use super::Target;
-use crate::geometry::{Line, Linkage, Vec3, concurrency, cross, dot, norm, unit};
+use crate::geometry::{Line, Linkage, Vec3, concurrency, cross, dot, norm, sub, unit};
 use std::ops::Range;
 
 /// Relations of the idealized chain hold to rounding; this is far above it and
 /// far below any dimension. Radians, and multiples of the arm's size.
 const EXACT: f64 = 1e-11;
+
+/// Axes that meet farther away, in multiples of the arm's size, are parallel but for the digits of a file:
+/// of where they meet they tell few.
+const FARTHEST: f64 = 1e5;
 
 /// Directions with a larger sine between them span a plane.
 const SKEW: f64 = 1e-3;
@@ -71,7 +75,8 @@ fn common_point(linkage: &Linkage, axes: &[Line], joints: Range<usize>) -> Optio
     }
     let point = match &axes[joints.clone()] {
         [line] => line.point,
-        lines => concurrency(lines, EXACT, EXACT * linkage.size)?,
+        lines => concurrency(lines, EXACT, EXACT * linkage.size)
+            .filter(|point| norm(sub(*point, lines[0].point)) < FARTHEST * linkage.size)?,
     };
     Some(Invariant {
         kind: Kind::Point,
