@@ -133,6 +133,77 @@ fn all_plans_about_a_remote_centre_tell_solutions() {
     assert!(plans >= 20, "{plans}");
 }
 
+/// An axis of the wrist is two degrees off a right angle, and passes 4 mm beside the point of the others.
+/// Read as a wrist, it is never stretched; next to that, where the first axis moves the wrist little, its
+/// root has no value by more than the first derivatives allow for, but what it tells is in doubt.
+const SKEW_WRIST: &str = "\
+robot: skew_wrist
+units: {angle: rad, length: m}
+screws:
+  - {name: a, axis: [0, 0, -1], point: [0, 0, 0]}
+  - {name: b, axis: [0.999396, 0.034755, 0], point: [-0.014774, -0.150604, 0.16]}
+  - {name: c, axis: [-0.999396, -0.034755, 0], point: [-0.014774, -0.150604, 0.52]}
+  - {name: d, axis: [-0.034755, 0.999396, 0], point: [0.027726, -0.394787, 0.5625]}
+  - {name: e, axis: [-0.999396, -0.034755, 0], point: [0.032726, -0.517869, 0.5625]}
+  - {name: f, axis: [0, 1, 0], point: [0.027726, -0.611395, 0.5625]}
+home: {xyz: [0.027726, -0.611395, 0.5625]}
+";
+
+#[test]
+fn no_branch_that_is_in_doubt_is_dropped() {
+    let model = written(SKEW_WRIST);
+    let (chain, length) = (model.chain(), size(&model));
+    let found = solve(&model, &Linkage::new(&model), Target::Pose).unwrap();
+    assert!(matches!(found.form.refinement, Refinement::Univariate(_)));
+    for (q, least) in [
+        ([-1.567, -1.731, -2.116, -0.911, 0.0239, -1.795], 3e-3),
+        (
+            [
+                0.49494950,
+                -2.22072391,
+                -2.82852853,
+                -0.84308019,
+                -0.00694337,
+                2.6011,
+            ],
+            1e-4,
+        ),
+        (
+            [
+                1.7442353583137375,
+                -2.848446576541183,
+                -1e-6,
+                -0.5549516679352049,
+                1e-12,
+                PI,
+            ],
+            1e-4,
+        ),
+    ] {
+        let conditioning = conditioning(&chain, &q, length, Target::Pose);
+        let back = recovered(
+            &model,
+            &q,
+            &found.form.solutions(&chain.fk(&q)),
+            conditioning,
+        );
+        assert!(conditioning > least, "{conditioning:e}");
+        assert!(back.is_ok(), "{back:?}");
+    }
+    let mut random = Random(0x5eed);
+    for _ in 0..20_000 {
+        let mut q = configuration(6, 0, &mut random);
+        // Next to where the wrist is stretched.
+        q[4] = random.between(-0.05, 0.05);
+        let conditioning = conditioning(&chain, &q, length, Target::Pose);
+        if conditioning > DROWNED {
+            let solutions = found.form.solutions(&chain.fk(&q));
+            let back = recovered(&model, &q, &solutions, conditioning);
+            assert!(back.is_ok(), "{conditioning:e}: {back:?}");
+        }
+    }
+}
+
 /// Of seven joints, at values of one that is given: at an end of the chain, where an arm is not asked
 /// for another, or between the others, for which eliminations are asked that do not depend on it.
 /// Two of the configurations tried while an arm of the last kind is compiled are 2.4e-3 rad apart,

@@ -6,8 +6,8 @@
 // Forward kinematics: 108 multiplications, 69 additions, 6 sines with cosines.
 // With the spatial Jacobian: 165 multiplications, 99 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 514 multiplications, 362 additions, 9 divisions, 8 roots, 4
-// sines with cosines, 6 arctangents, 56 selections.
+// branches; one branch: 514 multiplications, 359 additions, 9 divisions, 8 roots, 4
+// sines with cosines, 6 arctangents, 57 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
@@ -1410,8 +1410,8 @@ mod __Calibrated {
                 .of([seed[4], seed[5], seed[0], t1]);
             aligned!(
                 t10_, t11_, t12_, t13_, t14_, t15_, t16_, t17_, t18_, t19_, t20_, t21_,
-                t22_, t23_, t24_, t25_, t26_, t27_, t37_, t38_, t41_, t42_, t43_, t44_,
-                t46_, t47_, t48_, t49_, t50_, t58_ = [0.0; T]
+                t22_, t23_, t24_, t25_, t26_, t27_, t36_, t37_, t40_, t41_, t42_, t43_,
+                t45_, t46_, t47_, t48_, t49_, t57_ = [0.0; T]
             );
             for t in 0..T {
                 let t10 = 0.099599986933972 * r12[t];
@@ -1441,54 +1441,53 @@ mod __Calibrated {
                 let t33 = t32 + t32;
                 let t34 = 0.0000028031111066080745 * A::fma(t31, t31, t33 * t33);
                 let t35 = math::max(t29, 0.0000037062571448321162);
-                let t36 = math::select(A::fma(t35, t35, t34) < t28 * t28, 0.0, 1.0);
-                let t37 = math::select(t28 < 0.0, 1.0 - t36, 0.0);
-                let t38 = math::sqrt(math::max(t28, t29));
-                let t39 = -math::sqrt(t27);
-                let t40 = math::max(t39, -math::max(-0.13345477303994718, t39));
-                let t41 = t26 * t40;
-                let t42 = t25 * t40;
-                let t43 = math::max(
-                    t36,
+                let t36 = math::select(t28 < 0.0, 1.0, 0.0);
+                let t37 = math::sqrt(math::max(t28, t29));
+                let t38 = -math::sqrt(t27);
+                let t39 = math::max(t38, -math::max(-0.13345477303994718, t38));
+                let t40 = t26 * t39;
+                let t41 = t25 * t39;
+                let t42 = math::max(
+                    math::select(A::fma(t35, t35, t34) < t28 * t28, 0.0, 1.0),
                     math::select(t34 + 1.373634202361911e-11 < t27 * t27, 0.0, 1.0),
                 );
-                let t44 = 1.0 / t27;
+                let t43 = 1.0 / t27;
                 // 2. q5 and q6 by SP2, given q1 (what all branches share)
-                let t45 = 0.5 / t38;
-                let t46 = t31 * t45;
-                let t47 = 1.1498670199252323 * t40;
-                let t48 = t44 * (t31 * t44);
-                let t49 = t33 * t45;
-                let t50 = t44 * (t33 * t44);
+                let t44 = 0.5 / t37;
+                let t45 = t31 * t44;
+                let t46 = 1.1498670199252323 * t39;
+                let t47 = t43 * (t31 * t43);
+                let t48 = t33 * t44;
+                let t49 = t43 * (t33 * t43);
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t51 = 0.5
+                let t50 = 0.5
                     * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
                         - 1.0);
-                let t52 = 0.5
+                let t51 = 0.5
                     * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
                         - 1.0);
-                let t53 = A::fma(
+                let t52 = A::fma(
                     r31[t],
                     r32[t],
                     A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t54 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t55 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t56 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t57 = A::fma(
-                    t56,
-                    t56,
+                let t53 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t54 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t55 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t56 = A::fma(
+                    t55,
+                    t55,
                     A::fma(
-                        t55,
-                        t55,
-                        A::fma(t54, t54, A::fma(t53, t53, A::fma(t51, t51, t52 * t52))),
+                        t54,
+                        t54,
+                        A::fma(t53, t53, A::fma(t52, t52, A::fma(t50, t50, t51 * t51))),
                     ),
                 );
-                let t58 = A::fma(
+                let t57 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.3221941635117347 * t57,
+                    1.3221941635117347 * t56,
                 );
                 t10_[t] = t10;
                 t11_[t] = t11;
@@ -1508,564 +1507,561 @@ mod __Calibrated {
                 t25_[t] = t25;
                 t26_[t] = t26;
                 t27_[t] = t27;
+                t36_[t] = t36;
                 t37_[t] = t37;
-                t38_[t] = t38;
+                t40_[t] = t40;
                 t41_[t] = t41;
                 t42_[t] = t42;
                 t43_[t] = t43;
-                t44_[t] = t44;
+                t45_[t] = t45;
                 t46_[t] = t46;
                 t47_[t] = t47;
                 t48_[t] = t48;
                 t49_[t] = t49;
-                t50_[t] = t50;
-                t58_[t] = t58;
+                t57_[t] = t57;
             }
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             aligned!(
-                s1_, c1_, t154_, t155_, invalid_, t228_, t229_, t233_, t234_, t235_,
-                t236_, t239_, singular_, t266_, t280_, t281_, t283_, t284_, t295_, q1_,
-                t296_, q5_, q6_ = [[0.0; T]; 4]
+                s1_, c1_, t152_, t153_, t227_, t228_, t232_, t233_, t234_, t235_, t238_,
+                singular_, t265_, t279_, t280_, t282_, t283_, t294_, q1_, t295_, q5_,
+                q6_, invalid_ = [[0.0; T]; 4]
             );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
-                    let t59 = e1[k] * t38_[t];
-                    let t60 = A::fma(t26_[t], t59, t42_[t]);
-                    let t61 = A::fma(-t25_[t], t59, t41_[t]);
+                    let t58 = e1[k] * t37_[t];
+                    let t59 = A::fma(t26_[t], t58, t41_[t]);
+                    let t60 = A::fma(-t25_[t], t58, t40_[t]);
                     let s1 = math::select(
                         t27_[t] < 1.3221941635117346e-24,
                         t4,
-                        t60 * t44_[t],
+                        t59 * t43_[t],
                     );
                     let c1 = math::select(
                         t27_[t] < 1.3221941635117346e-24,
                         t8,
-                        t61 * t44_[t],
+                        t60 * t43_[t],
                     );
                     // 2. q5 and q6 by SP2, given q1
-                    let t62 = r11[t] * s1;
-                    let t63 = r21[t] * c1;
-                    let t64 = t62 - t63;
-                    let t65 = r13[t] * s1;
-                    let t66 = r23[t] * c1;
-                    let t67 = t65 - t66;
-                    let t68 = t63 - t62;
-                    let t69 = A::fma(r22[t], c1, -(r12[t] * s1));
-                    let t70 = A::fma(t69, t69, t68 * t68);
-                    let t71 = 1e-13 * t70;
-                    let t72 = e1[k] * t46_[t];
-                    let t73 = 1.1498670199252323 * t59;
+                    let t61 = r11[t] * s1;
+                    let t62 = r21[t] * c1;
+                    let t63 = t61 - t62;
+                    let t64 = r13[t] * s1;
+                    let t65 = r23[t] * c1;
+                    let t66 = t64 - t65;
+                    let t67 = t62 - t61;
+                    let t68 = A::fma(r22[t], c1, -(r12[t] * s1));
+                    let t69 = A::fma(t68, t68, t67 * t67);
+                    let t70 = 1e-13 * t69;
+                    let t71 = e1[k] * t45_[t];
+                    let t72 = 1.1498670199252323 * t58;
+                    let t73 = math::select(
+                        t27_[t] < 1.3221941635117346e-24,
+                        0.0,
+                        A::fma(t43_[t], A::fma(t26_[t], t71, t46_[t]), -(t59 * t47_[t])),
+                    );
                     let t74 = math::select(
                         t27_[t] < 1.3221941635117346e-24,
                         0.0,
-                        A::fma(t44_[t], A::fma(t26_[t], t72, t47_[t]), -(t60 * t48_[t])),
+                        -A::fma(t60, t47_[t], t43_[t] * A::fma(t25_[t], t71, t72)),
                     );
-                    let t75 = math::select(
+                    let t75 = A::fma(r21[t], t74, -(r11[t] * t73));
+                    let t76 = A::fma(r22[t], t74, -(r12[t] * t73));
+                    let t77 = t68 * t76;
+                    let t78 = t67 * t75;
+                    let t79 = t77 + t77 + (t78 + t78);
+                    let t80 = e1[k] * t48_[t];
+                    let t81 = math::select(
                         t27_[t] < 1.3221941635117346e-24,
                         0.0,
-                        -A::fma(t61, t48_[t], t44_[t] * A::fma(t25_[t], t72, t73)),
+                        A::fma(t59, t49_[t], -(t43_[t] * A::fma(t26_[t], t80, t72))),
                     );
-                    let t76 = A::fma(r21[t], t75, -(r11[t] * t74));
-                    let t77 = A::fma(r22[t], t75, -(r12[t] * t74));
-                    let t78 = t69 * t77;
-                    let t79 = t68 * t76;
-                    let t80 = t78 + t78 + (t79 + t79);
-                    let t81 = e1[k] * t49_[t];
                     let t82 = math::select(
                         t27_[t] < 1.3221941635117346e-24,
                         0.0,
-                        A::fma(t60, t50_[t], -(t44_[t] * A::fma(t26_[t], t81, t73))),
+                        A::fma(t60, t49_[t], t43_[t] * A::fma(t25_[t], t80, -t46_[t])),
                     );
-                    let t83 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
-                        0.0,
-                        A::fma(t61, t50_[t], t44_[t] * A::fma(t25_[t], t81, -t47_[t])),
-                    );
-                    let t84 = A::fma(r21[t], t83, -(r11[t] * t82));
-                    let t85 = A::fma(r22[t], t83, -(r12[t] * t82));
-                    let t86 = t69 * t85;
-                    let t87 = t68 * t84;
-                    let t88 = t86 + t86 + (t87 + t87);
-                    let t89 = t66 - t65;
-                    let t90 = t69 * t89;
-                    let t91 = t90 + t90;
-                    let t92 = t67 * t68;
-                    let t93 = t92 + t92;
-                    let t94 = t64 * t69;
-                    let t95 = t68 * t69;
-                    let t96 = t94 + t94 + (t95 + t95);
-                    let t97 = 0.0000028031111066080745
+                    let t83 = A::fma(r21[t], t82, -(r11[t] * t81));
+                    let t84 = A::fma(r22[t], t82, -(r12[t] * t81));
+                    let t85 = t68 * t84;
+                    let t86 = t67 * t83;
+                    let t87 = t85 + t85 + (t86 + t86);
+                    let t88 = t65 - t64;
+                    let t89 = t68 * t88;
+                    let t90 = t89 + t89;
+                    let t91 = t66 * t67;
+                    let t92 = t91 + t91;
+                    let t93 = t63 * t68;
+                    let t94 = t67 * t68;
+                    let t95 = t93 + t93 + (t94 + t94);
+                    let t96 = 0.0000028031111066080745
                         * A::fma(
-                            t96,
-                            t96,
+                            t95,
+                            t95,
                             A::fma(
-                                t93,
-                                t93,
-                                A::fma(t91, t91, A::fma(t80, t80, t88 * t88)),
+                                t92,
+                                t92,
+                                A::fma(t90, t90, A::fma(t79, t79, t87 * t87)),
                             ),
                         );
-                    let t98 = math::max(0.0000028031111066080745, t71);
-                    let t99 = t70 * t70;
-                    let t100 = math::max(
-                        t43_[t],
-                        math::select(A::fma(t98, t98, t97) < t99, 0.0, 1.0),
-                    );
-                    let t101 = math::max(
+                    let t97 = math::max(0.0000028031111066080745, t70);
+                    let t98 = t69 * t69;
+                    let t99 = math::max(
                         math::max(
-                            t37_[t],
+                            t36_[t],
                             math::select(t27_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
                         ),
-                        math::select(t70 < 0.0, 1.0 - t100, 0.0),
+                        math::select(t69 < 0.0, 1.0, 0.0),
                     );
-                    let t102 = math::sqrt(math::max(t70, t71));
-                    let t103 = e2[k] * t102;
-                    let t104 = -math::sqrt(t70);
-                    let t105 = math::max(t104, -math::max(0.0, t104));
-                    let t106 = t69 * t105;
-                    let t107 = t69 * t103;
-                    let t108 = t68 * t105 + t107;
-                    let t109 = A::fma(-t68, t103, t106);
-                    let t110 = 1.0 / t70;
-                    let s6 = math::select(t70 < 1e-24, t3, t108 * t110);
-                    let c6 = math::select(t70 < 1e-24, t7, t109 * t110);
-                    let t111 = t68 * c6;
-                    let t112 = t69 * s6;
-                    let t113 = t111 - t112;
-                    let t114 = math::sqrt(A::fma(t113, t113, t67 * t67));
-                    let t115 = 0.5 / t102;
-                    let t116 = e2[k] * (t80 * t115);
-                    let t117 = t110 * (t80 * t110);
+                    let t100 = math::sqrt(math::max(t69, t70));
+                    let t101 = e2[k] * t100;
+                    let t102 = -math::sqrt(t69);
+                    let t103 = math::max(t102, -math::max(0.0, t102));
+                    let t104 = t68 * t103;
+                    let t105 = t68 * t101;
+                    let t106 = t67 * t103 + t105;
+                    let t107 = A::fma(-t67, t101, t104);
+                    let t108 = math::max(
+                        math::max(
+                            t42_[t],
+                            math::select(A::fma(t97, t97, t96) < t98, 0.0, 1.0),
+                        ),
+                        math::select(t96 + 7.857431875989545e-12 < t98, 0.0, 1.0),
+                    );
+                    let t109 = 1.0 / t69;
+                    let s6 = math::select(t69 < 1e-24, t3, t106 * t109);
+                    let c6 = math::select(t69 < 1e-24, t7, t107 * t109);
+                    let t110 = t67 * c6;
+                    let t111 = t68 * s6;
+                    let t112 = t110 - t111;
+                    let t113 = math::sqrt(A::fma(t112, t112, t66 * t66));
+                    let t114 = 0.5 / t100;
+                    let t115 = e2[k] * (t79 * t114);
+                    let t116 = t109 * (t79 * t109);
+                    let t117 = math::select(
+                        t69 < 1e-24,
+                        0.0,
+                        A::fma(
+                            t109,
+                            t75 * t103 + A::fma(t68, t115, t76 * t101),
+                            -(t106 * t116),
+                        ),
+                    );
                     let t118 = math::select(
-                        t70 < 1e-24,
+                        t69 < 1e-24,
                         0.0,
                         A::fma(
-                            t110,
-                            t76 * t105 + A::fma(t69, t116, t77 * t103),
-                            -(t108 * t117),
+                            t109,
+                            t76 * t103 - A::fma(t67, t115, t75 * t101),
+                            -(t107 * t116),
                         ),
                     );
-                    let t119 = math::select(
-                        t70 < 1e-24,
+                    let t119 = t66 * A::fma(r13[t], t73, -(r23[t] * t74));
+                    let t120 = t112
+                        * (A::fma(t67, t118, t75 * c6) - A::fma(t68, t117, t76 * s6));
+                    let t121 = 0.5 / t113;
+                    let t122 = (t119 + t119 + (t120 + t120)) * t121;
+                    let t123 = e2[k] * (t87 * t114);
+                    let t124 = t109 * (t87 * t109);
+                    let t125 = math::select(
+                        t69 < 1e-24,
                         0.0,
                         A::fma(
-                            t110,
-                            t77 * t105 - A::fma(t68, t116, t76 * t103),
-                            -(t109 * t117),
+                            t109,
+                            t83 * t103 + A::fma(t68, t123, t84 * t101),
+                            -(t106 * t124),
                         ),
                     );
-                    let t120 = t67 * A::fma(r13[t], t74, -(r23[t] * t75));
-                    let t121 = t113
-                        * (A::fma(t68, t119, t76 * c6) - A::fma(t69, t118, t77 * s6));
-                    let t122 = 0.5 / t114;
-                    let t123 = (t120 + t120 + (t121 + t121)) * t122;
-                    let t124 = e2[k] * (t88 * t115);
-                    let t125 = t110 * (t88 * t110);
                     let t126 = math::select(
-                        t70 < 1e-24,
+                        t69 < 1e-24,
                         0.0,
                         A::fma(
-                            t110,
-                            t84 * t105 + A::fma(t69, t124, t85 * t103),
-                            -(t108 * t125),
+                            t109,
+                            t84 * t103 - A::fma(t67, t123, t83 * t101),
+                            -(t107 * t124),
                         ),
                     );
-                    let t127 = math::select(
-                        t70 < 1e-24,
+                    let t127 = t66 * A::fma(r13[t], t81, -(r23[t] * t82));
+                    let t128 = t112
+                        * (A::fma(t67, t126, t83 * c6) - A::fma(t68, t125, t84 * s6));
+                    let t129 = t121 * (t127 + t127 + (t128 + t128));
+                    let t130 = e2[k] * (t90 * t114);
+                    let t131 = t109 * (t90 * t109);
+                    let t132 = math::select(
+                        t69 < 1e-24,
                         0.0,
-                        A::fma(
-                            t110,
-                            t85 * t105 - A::fma(t68, t124, t84 * t103),
-                            -(t109 * t125),
-                        ),
+                        A::fma(t109, A::fma(t68, t130, t88 * t101), -(t106 * t131)),
                     );
-                    let t128 = t67 * A::fma(r13[t], t82, -(r23[t] * t83));
-                    let t129 = t113
-                        * (A::fma(t68, t127, t84 * c6) - A::fma(t69, t126, t85 * s6));
-                    let t130 = t122 * (t128 + t128 + (t129 + t129));
-                    let t131 = e2[k] * (t91 * t115);
-                    let t132 = t110 * (t91 * t110);
                     let t133 = math::select(
-                        t70 < 1e-24,
+                        t69 < 1e-24,
                         0.0,
-                        A::fma(t110, A::fma(t69, t131, t89 * t103), -(t108 * t132)),
+                        A::fma(t109, A::fma(-t67, t130, t88 * t103), -(t107 * t131)),
                     );
-                    let t134 = math::select(
-                        t70 < 1e-24,
+                    let t134 = t66 * t68;
+                    let t135 = t112 * A::fma(t67, t133, -A::fma(t68, t132, t88 * s6));
+                    let t136 = t121 * (t134 + t134 + (t135 + t135));
+                    let t137 = e2[k] * (t92 * t114);
+                    let t138 = t109 * (t92 * t109);
+                    let t139 = math::select(
+                        t69 < 1e-24,
                         0.0,
-                        A::fma(t110, A::fma(-t68, t131, t89 * t105), -(t109 * t132)),
+                        A::fma(t109, A::fma(t68, t137, t66 * t103), -(t106 * t138)),
                     );
-                    let t135 = t67 * t69;
-                    let t136 = t113 * A::fma(t68, t134, -A::fma(t69, t133, t89 * s6));
-                    let t137 = t122 * (t135 + t135 + (t136 + t136));
-                    let t138 = e2[k] * (t93 * t115);
-                    let t139 = t110 * (t93 * t110);
                     let t140 = math::select(
-                        t70 < 1e-24,
+                        t69 < 1e-24,
                         0.0,
-                        A::fma(t110, A::fma(t69, t138, t67 * t105), -(t108 * t139)),
+                        -A::fma(t107, t138, t109 * A::fma(t67, t137, t66 * t101)),
                     );
-                    let t141 = math::select(
-                        t70 < 1e-24,
+                    let t141 = t63 * t66;
+                    let t142 = t112 * A::fma(-t68, t139, A::fma(t67, t140, t66 * c6));
+                    let t143 = t121 * (t141 + t141 + (t142 + t142));
+                    let t144 = e2[k] * (t95 * t114);
+                    let t145 = t109 * (t95 * t109);
+                    let t146 = math::select(
+                        t69 < 1e-24,
                         0.0,
-                        -A::fma(t109, t139, t110 * A::fma(t68, t138, t67 * t103)),
+                        A::fma(
+                            t109,
+                            t104 + A::fma(t68, t144, t63 * t101),
+                            -(t106 * t145),
+                        ),
                     );
-                    let t142 = t64 * t67;
-                    let t143 = t113 * A::fma(-t69, t140, A::fma(t68, t141, t67 * c6));
-                    let t144 = t122 * (t142 + t142 + (t143 + t143));
-                    let t145 = e2[k] * (t96 * t115);
-                    let t146 = t110 * (t96 * t110);
                     let t147 = math::select(
-                        t70 < 1e-24,
+                        t69 < 1e-24,
                         0.0,
                         A::fma(
-                            t110,
-                            t106 + A::fma(t69, t145, t64 * t103),
-                            -(t108 * t146),
+                            t109,
+                            t63 * t103 - A::fma(t67, t144, t105),
+                            -(t107 * t145),
                         ),
                     );
-                    let t148 = math::select(
-                        t70 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t110,
-                            t64 * t105 - A::fma(t68, t145, t107),
-                            -(t109 * t146),
-                        ),
-                    );
-                    let t149 = t113
-                        * (A::fma(t69, c6, t68 * t148) - A::fma(t69, t147, t64 * s6));
-                    let t150 = t122 * (t149 + t149);
-                    let t151 = A::fma(
+                    let t148 = t112
+                        * (A::fma(t68, c6, t67 * t147) - A::fma(t68, t146, t63 * s6));
+                    let t149 = t121 * (t148 + t148);
+                    let t150 = A::fma(
                         0.0000028031111066080745,
                         A::fma(
-                            t150,
-                            t150,
+                            t149,
+                            t149,
                             A::fma(
-                                t144,
-                                t144,
-                                A::fma(t137, t137, A::fma(t123, t123, t130 * t130)),
+                                t143,
+                                t143,
+                                A::fma(t136, t136, A::fma(t122, t122, t129 * t129)),
                             ),
                         ),
                         7.857431875989545e-12,
                     );
-                    let t152 = math::max(
-                        math::max(
-                            t100,
-                            math::select(t97 + 7.857431875989545e-12 < t99, 0.0, 1.0),
-                        ),
-                        math::select(t151 < t114 * t114, 0.0, 1.0),
-                    );
-                    let t153 = 1.0 / t114;
-                    let s5 = math::select(t114 < 1e-24, t2, (t112 - t111) * t153);
-                    let c5 = math::select(t114 < 1e-24, t6, t67 * t153);
+                    let t151 = 1.0 / t113;
+                    let s5 = math::select(t113 < 1e-24, t2, (t111 - t110) * t151);
+                    let c5 = math::select(t113 < 1e-24, t6, t66 * t151);
                     // 3. q2+q3+q4 by SP1, given q5 and q6
-                    let t154 = A::fma(r31[t], s6, r32[t] * c6);
-                    let t155 = A::fma(
+                    let t152 = A::fma(r31[t], s6, r32[t] * c6);
+                    let t153 = A::fma(
                         r33[t],
                         s5,
                         c5 * A::fma(r32[t], s6, -(r31[t] * c6)),
                     );
                     // 4. q3 by SP3, given q6
-                    let t156 = 0.099747579771028 * c6;
-                    let t157 = A::fma(0.099747579771028, s6, -0.000038951164947);
-                    let t158 = px[t] + (A::fma(r11[t], t157, r12[t] * t156) - t22_[t]);
-                    let t159 = py[t] + (A::fma(r21[t], t157, r22[t] * t156) - t23_[t]);
-                    let t160 = pz[t] + (A::fma(r31[t], t157, r32[t] * t156) - t24_[t])
+                    let t154 = 0.099747579771028 * c6;
+                    let t155 = A::fma(0.099747579771028, s6, -0.000038951164947);
+                    let t156 = px[t] + (A::fma(r11[t], t155, r12[t] * t154) - t22_[t]);
+                    let t157 = py[t] + (A::fma(r21[t], t155, r22[t] * t154) - t23_[t]);
+                    let t158 = pz[t] + (A::fma(r31[t], t155, r32[t] * t154) - t24_[t])
                         - 0.1626;
-                    let t161 = t160 * t160;
-                    let t162 = 0.5 * (t161 + A::fma(t158, t158, t159 * t159));
-                    let t163 = 0.17606709553354122 - t162;
-                    let t164 = A::fma(-t163, t163, 0.02776733395938961);
-                    let t165 = 0.099747579771028 * t119;
-                    let t166 = 0.099747579771028 * t118;
-                    let t167 = A::fma(r21[t], t166, r22[t] * t165);
-                    let t168 = A::fma(r11[t], t166, r12[t] * t165) + 1.1498670199252323;
-                    let t169 = t158 * t168;
-                    let t170 = t159 * t167;
-                    let t171 = t160 * A::fma(r31[t], t166, r32[t] * t165);
-                    let t172 = t171 + t171;
-                    let t173 = t172 + (t169 + t169 + (t170 + t170));
-                    let t174 = t163 * (0.5 * t173);
-                    let t175 = t174 + t174;
-                    let t176 = 0.099747579771028 * t127;
-                    let t177 = 0.099747579771028 * t126;
-                    let t178 = A::fma(r11[t], t177, r12[t] * t176);
-                    let t179 = A::fma(r21[t], t177, r22[t] * t176) + 1.1498670199252323;
-                    let t180 = t158 * t178;
-                    let t181 = t159 * t179;
-                    let t182 = t160 * A::fma(r31[t], t177, r32[t] * t176);
-                    let t183 = t182 + t182;
-                    let t184 = t183 + (t180 + t180 + (t181 + t181));
-                    let t185 = t163 * (0.5 * t184);
+                    let t159 = t158 * t158;
+                    let t160 = 0.5 * (t159 + A::fma(t156, t156, t157 * t157));
+                    let t161 = 0.17606709553354122 - t160;
+                    let t162 = A::fma(-t161, t161, 0.02776733395938961);
+                    let t163 = 0.099747579771028 * t118;
+                    let t164 = 0.099747579771028 * t117;
+                    let t165 = A::fma(r21[t], t164, r22[t] * t163);
+                    let t166 = A::fma(r11[t], t164, r12[t] * t163) + 1.1498670199252323;
+                    let t167 = t156 * t166;
+                    let t168 = t157 * t165;
+                    let t169 = t158 * A::fma(r31[t], t164, r32[t] * t163);
+                    let t170 = t169 + t169;
+                    let t171 = t170 + (t167 + t167 + (t168 + t168));
+                    let t172 = t161 * (0.5 * t171);
+                    let t173 = t172 + t172;
+                    let t174 = 0.099747579771028 * t126;
+                    let t175 = 0.099747579771028 * t125;
+                    let t176 = A::fma(r11[t], t175, r12[t] * t174);
+                    let t177 = A::fma(r21[t], t175, r22[t] * t174) + 1.1498670199252323;
+                    let t178 = t156 * t176;
+                    let t179 = t157 * t177;
+                    let t180 = t158 * A::fma(r31[t], t175, r32[t] * t174);
+                    let t181 = t180 + t180;
+                    let t182 = t181 + (t178 + t178 + (t179 + t179));
+                    let t183 = t161 * (0.5 * t182);
+                    let t184 = t183 + t183;
+                    let t185 = 1.1498670199252323 * t158;
                     let t186 = t185 + t185;
-                    let t187 = 1.1498670199252323 * t160;
+                    let t187 = t161 * (0.5 * t186);
                     let t188 = t187 + t187;
-                    let t189 = t163 * (0.5 * t188);
-                    let t190 = t189 + t189;
-                    let t191 = 0.099747579771028 * t134;
-                    let t192 = 0.099747579771028 * t133;
-                    let t193 = t10_[t]
-                        + A::fma(r11[t], t192, A::fma(r12[t], t191, r13[t] * t156))
+                    let t189 = 0.099747579771028 * t133;
+                    let t190 = 0.099747579771028 * t132;
+                    let t191 = t10_[t]
+                        + A::fma(r11[t], t190, A::fma(r12[t], t189, r13[t] * t154))
                         - t10_[t];
-                    let t194 = t11_[t]
-                        + A::fma(r21[t], t192, A::fma(r22[t], t191, r23[t] * t156))
+                    let t192 = t11_[t]
+                        + A::fma(r21[t], t190, A::fma(r22[t], t189, r23[t] * t154))
                         - t11_[t];
-                    let t195 = t158 * t193;
-                    let t196 = t159 * t194;
-                    let t197 = t160
+                    let t193 = t156 * t191;
+                    let t194 = t157 * t192;
+                    let t195 = t158
                         * (t12_[t]
-                            + A::fma(r31[t], t192, A::fma(r32[t], t191, r33[t] * t156))
+                            + A::fma(r31[t], t190, A::fma(r32[t], t189, r33[t] * t154))
                             - t12_[t]);
-                    let t198 = t197 + t197;
-                    let t199 = t198 + (t195 + t195 + (t196 + t196));
-                    let t200 = t163 * (0.5 * t199);
-                    let t201 = t200 + t200;
-                    let t202 = 0.099747579771028 * t141;
-                    let t203 = 0.099747579771028 * t140;
-                    let t204 = t14_[t]
-                        + (A::fma(r12[t], t202, A::fma(r11[t], t203, -(r13[t] * t157)))
+                    let t196 = t195 + t195;
+                    let t197 = t196 + (t193 + t193 + (t194 + t194));
+                    let t198 = t161 * (0.5 * t197);
+                    let t199 = t198 + t198;
+                    let t200 = 0.099747579771028 * t140;
+                    let t201 = 0.099747579771028 * t139;
+                    let t202 = t14_[t]
+                        + (A::fma(r12[t], t200, A::fma(r11[t], t201, -(r13[t] * t155)))
                             - t13_[t]);
-                    let t205 = t16_[t]
-                        + (A::fma(r22[t], t202, A::fma(r21[t], t203, -(r23[t] * t157)))
+                    let t203 = t16_[t]
+                        + (A::fma(r22[t], t200, A::fma(r21[t], t201, -(r23[t] * t155)))
                             - t15_[t]);
-                    let t206 = t158 * t204;
-                    let t207 = t159 * t205;
-                    let t208 = t160
+                    let t204 = t156 * t202;
+                    let t205 = t157 * t203;
+                    let t206 = t158
                         * (t18_[t]
                             + (A::fma(
                                 r32[t],
-                                t202,
-                                A::fma(r31[t], t203, -(r33[t] * t157)),
+                                t200,
+                                A::fma(r31[t], t201, -(r33[t] * t155)),
                             ) - t17_[t]));
-                    let t209 = t208 + t208;
-                    let t210 = t209 + (t206 + t206 + (t207 + t207));
-                    let t211 = t163 * (0.5 * t210);
-                    let t212 = t211 + t211;
-                    let t213 = 0.099747579771028 * t148;
-                    let t214 = 0.099747579771028 * t147;
-                    let t215 = t19_[t]
-                        + (A::fma(r11[t], t214, r12[t] * t157)
-                            + A::fma(r12[t], t213, -(r11[t] * t156)));
-                    let t216 = t20_[t]
-                        + (A::fma(r21[t], t214, r22[t] * t157)
-                            + A::fma(r22[t], t213, -(r21[t] * t156)));
-                    let t217 = t158 * t215;
-                    let t218 = t159 * t216;
-                    let t219 = t160
+                    let t207 = t206 + t206;
+                    let t208 = t207 + (t204 + t204 + (t205 + t205));
+                    let t209 = t161 * (0.5 * t208);
+                    let t210 = t209 + t209;
+                    let t211 = 0.099747579771028 * t147;
+                    let t212 = 0.099747579771028 * t146;
+                    let t213 = t19_[t]
+                        + (A::fma(r11[t], t212, r12[t] * t155)
+                            + A::fma(r12[t], t211, -(r11[t] * t154)));
+                    let t214 = t20_[t]
+                        + (A::fma(r21[t], t212, r22[t] * t155)
+                            + A::fma(r22[t], t211, -(r21[t] * t154)));
+                    let t215 = t156 * t213;
+                    let t216 = t157 * t214;
+                    let t217 = t158
                         * (t21_[t]
-                            + (A::fma(r31[t], t214, r32[t] * t157)
-                                + A::fma(r32[t], t213, -(r31[t] * t156))));
-                    let t220 = t219 + t219;
-                    let t221 = t220 + (t217 + t217 + (t218 + t218));
-                    let t222 = t163 * (0.5 * t221);
-                    let t223 = t222 + t222;
-                    let t224 = A::fma(
-                        t223,
-                        t223,
+                            + (A::fma(r31[t], t212, r32[t] * t155)
+                                + A::fma(r32[t], t211, -(r31[t] * t154))));
+                    let t218 = t217 + t217;
+                    let t219 = t218 + (t215 + t215 + (t216 + t216));
+                    let t220 = t161 * (0.5 * t219);
+                    let t221 = t220 + t220;
+                    let t222 = A::fma(
+                        t221,
+                        t221,
                         A::fma(
-                            t212,
-                            t212,
+                            t210,
+                            t210,
                             A::fma(
-                                t201,
-                                t201,
-                                A::fma(t190, t190, A::fma(t175, t175, t186 * t186)),
+                                t199,
+                                t199,
+                                A::fma(t188, t188, A::fma(t173, t173, t184 * t184)),
                             ),
                         ),
                     );
-                    let t225 = math::max(
-                        t152,
+                    let t223 = math::max(
+                        math::max(t108, math::select(t150 < t113 * t113, 0.0, 1.0)),
                         math::select(
-                            A::fma(0.0000028031111066080745, t224, 2.40138374939562e-11)
-                                < t164 * t164,
+                            A::fma(0.0000028031111066080745, t222, 2.40138374939562e-11)
+                                < t162 * t162,
                             0.0,
                             1.0,
                         ),
                     );
-                    let invalid = math::max(
-                        math::max(t101, math::select(t70 < 1e-24, -e2[k], 0.0)),
-                        math::select(t164 < 0.0, 1.0 - t225, 0.0),
+                    let t224 = math::max(
+                        math::max(t99, math::select(t69 < 1e-24, -e2[k], 0.0)),
+                        math::select(t162 < 0.0, 1.0, 0.0),
                     );
-                    let t226 = math::sqrt(math::max(t164, 2.7767333959389613e-15));
-                    let t227 = math::max(
+                    let t225 = math::sqrt(math::max(t162, 2.7767333959389613e-15));
+                    let t226 = math::max(
                         -0.16663533226596816,
-                        -math::max(-0.16663533226596816, t162 - 0.17606709553354122),
+                        -math::max(-0.16663533226596816, t160 - 0.17606709553354122),
                     );
+                    let t227 = 6.0011282505434735 * t225;
                     let t228 = 6.0011282505434735 * t226;
-                    let t229 = 6.0011282505434735 * t227;
-                    let c3 = -t229;
+                    let c3 = -t228;
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t230 = A::fma(c1, t158, s1 * t159);
-                    let t231 = 2.3542705697195427 * t226;
-                    let t232 = A::fma(-2.3542705697195427, t227, 0.424760013934646);
-                    let t233 = t160 * t232;
-                    let t234 = t230 * t231;
-                    let t235 = t230 * t232;
-                    let t236 = t160 * t231;
-                    let t237 = A::fma(t230, t230, t161);
-                    let t238 = A::fma(t232, t232, t231 * t231);
-                    let t239 = math::sqrt(t237 * t238);
-                    let t240 = 0.5 / t226;
-                    let t241 = t230
-                        * (A::fma(c1, t168, t75 * t158) + A::fma(s1, t167, t74 * t159));
-                    let t242 = t232 * (1.1771352848597714 * t173);
-                    let t243 = t231 * (2.3542705697195427 * (t175 * t240));
-                    let t244 = 0.5 / t239;
-                    let t245 = A::fma(
-                        t237,
-                        t242 + t242 + (t243 + t243),
-                        t238 * (t172 + (t241 + t241)),
-                    ) * t244;
-                    let t246 = t230
-                        * (A::fma(c1, t178, t83 * t158) + A::fma(s1, t179, t82 * t159));
-                    let t247 = t232 * (1.1771352848597714 * t184);
-                    let t248 = t231 * (2.3542705697195427 * (t186 * t240));
-                    let t249 = t244
+                    let t229 = A::fma(c1, t156, s1 * t157);
+                    let t230 = 2.3542705697195427 * t225;
+                    let t231 = A::fma(-2.3542705697195427, t226, 0.424760013934646);
+                    let t232 = t158 * t231;
+                    let t233 = t229 * t230;
+                    let t234 = t229 * t231;
+                    let t235 = t158 * t230;
+                    let t236 = A::fma(t229, t229, t159);
+                    let t237 = A::fma(t231, t231, t230 * t230);
+                    let t238 = math::sqrt(t236 * t237);
+                    let t239 = 0.5 / t225;
+                    let t240 = t229
+                        * (A::fma(c1, t166, t74 * t156) + A::fma(s1, t165, t73 * t157));
+                    let t241 = t231 * (1.1771352848597714 * t171);
+                    let t242 = t230 * (2.3542705697195427 * (t173 * t239));
+                    let t243 = 0.5 / t238;
+                    let t244 = A::fma(
+                        t236,
+                        t241 + t241 + (t242 + t242),
+                        t237 * (t170 + (t240 + t240)),
+                    ) * t243;
+                    let t245 = t229
+                        * (A::fma(c1, t176, t82 * t156) + A::fma(s1, t177, t81 * t157));
+                    let t246 = t231 * (1.1771352848597714 * t182);
+                    let t247 = t230 * (2.3542705697195427 * (t184 * t239));
+                    let t248 = t243
                         * A::fma(
-                            t237,
-                            t247 + t247 + (t248 + t248),
-                            t238 * (t183 + (t246 + t246)),
+                            t236,
+                            t246 + t246 + (t247 + t247),
+                            t237 * (t181 + (t245 + t245)),
                         );
-                    let t250 = t232 * (1.1771352848597714 * t188);
-                    let t251 = t231 * (2.3542705697195427 * (t190 * t240));
-                    let t252 = t244
-                        * A::fma(t237, t250 + t250 + (t251 + t251), t188 * t238);
-                    let t253 = t230 * A::fma(c1, t193, s1 * t194);
-                    let t254 = t232 * (1.1771352848597714 * t199);
-                    let t255 = t231 * (2.3542705697195427 * (t201 * t240));
-                    let t256 = t244
+                    let t249 = t231 * (1.1771352848597714 * t186);
+                    let t250 = t230 * (2.3542705697195427 * (t188 * t239));
+                    let t251 = t243
+                        * A::fma(t236, t249 + t249 + (t250 + t250), t186 * t237);
+                    let t252 = t229 * A::fma(c1, t191, s1 * t192);
+                    let t253 = t231 * (1.1771352848597714 * t197);
+                    let t254 = t230 * (2.3542705697195427 * (t199 * t239));
+                    let t255 = t243
                         * A::fma(
-                            t237,
-                            t254 + t254 + (t255 + t255),
-                            t238 * (t198 + (t253 + t253)),
+                            t236,
+                            t253 + t253 + (t254 + t254),
+                            t237 * (t196 + (t252 + t252)),
                         );
-                    let t257 = t230 * A::fma(c1, t204, s1 * t205);
-                    let t258 = t232 * (1.1771352848597714 * t210);
-                    let t259 = t231 * (2.3542705697195427 * (t212 * t240));
-                    let t260 = t244
+                    let t256 = t229 * A::fma(c1, t202, s1 * t203);
+                    let t257 = t231 * (1.1771352848597714 * t208);
+                    let t258 = t230 * (2.3542705697195427 * (t210 * t239));
+                    let t259 = t243
                         * A::fma(
-                            t237,
-                            t258 + t258 + (t259 + t259),
-                            t238 * (t209 + (t257 + t257)),
+                            t236,
+                            t257 + t257 + (t258 + t258),
+                            t237 * (t207 + (t256 + t256)),
                         );
-                    let t261 = t230 * A::fma(c1, t215, s1 * t216);
-                    let t262 = t232 * (1.1771352848597714 * t221);
-                    let t263 = t231 * (2.3542705697195427 * (t223 * t240));
-                    let t264 = t244
+                    let t260 = t229 * A::fma(c1, t213, s1 * t214);
+                    let t261 = t231 * (1.1771352848597714 * t219);
+                    let t262 = t230 * (2.3542705697195427 * (t221 * t239));
+                    let t263 = t243
                         * A::fma(
-                            t237,
-                            t262 + t262 + (t263 + t263),
-                            t238 * (t220 + (t261 + t261)),
+                            t236,
+                            t261 + t261 + (t262 + t262),
+                            t237 * (t218 + (t260 + t260)),
                         );
-                    let t265 = A::fma(
-                        t264,
-                        t264,
+                    let t264 = A::fma(
+                        t263,
+                        t263,
                         A::fma(
-                            t260,
-                            t260,
+                            t259,
+                            t259,
                             A::fma(
-                                t256,
-                                t256,
-                                A::fma(t252, t252, A::fma(t245, t245, t249 * t249)),
+                                t255,
+                                t255,
+                                A::fma(t251, t251, A::fma(t244, t244, t248 * t248)),
                             ),
                         ),
                     );
                     let singular = math::max(
-                        t225,
+                        t223,
                         math::select(
-                            A::fma(0.0000028031111066080745, t265, 1.373634202361911e-11)
-                                < t239 * t239,
+                            A::fma(0.0000028031111066080745, t264, 1.373634202361911e-11)
+                                < t238 * t238,
                             0.0,
                             1.0,
                         ),
                     );
-                    let t266 = 1.0 / t239;
+                    let t265 = 1.0 / t238;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t267 = s6 * c5;
-                    let t268 = s6 * s5;
-                    let t269 = A::fma(t155, t267, c6 * t154);
-                    let t270 = A::fma(c6, t155, -(t154 * t267));
-                    let t271 = A::fma(c1, t270, -(s1 * t268));
-                    let t272 = A::fma(s1, t270, c1 * t268);
-                    let t273 = s5 * t155;
-                    let t274 = s5 * t154;
-                    let t275 = A::fma(s1, c5, -(c1 * t274));
-                    let t276 = A::fma(s1, t274, c1 * c5);
-                    let t277 = 0.000038951164947 * c6;
-                    let t278 = A::fma(c5, t277, -(0.099599986933972 * s5));
-                    let t279 = A::fma(0.000038951164947, s6, -0.099747579771028);
-                    let t280 = A::fma(t154, t279, -(t155 * t278));
-                    let t281 = A::fma(t154, t278, t155 * t279);
-                    let t282 = -0.133454773039947
-                        - A::fma(0.099599986933972, c5, s5 * t277);
-                    let t283 = c1 * t282;
-                    let t284 = s1 * t282;
-                    let t285 = A::fma(t272, t273, t269 * t276) - r11[t];
-                    let t286 = t271 - r12[t];
-                    let t287 = t275 - r13[t];
-                    let t288 = A::fma(t269, t275, -(t271 * t273)) - r21[t];
-                    let t289 = t272 - r22[t];
-                    let t290 = r23[t] + t276;
-                    let t291 = A::fma(
-                        t290,
-                        t290,
+                    let t266 = s6 * c5;
+                    let t267 = s6 * s5;
+                    let t268 = A::fma(t153, t266, c6 * t152);
+                    let t269 = A::fma(c6, t153, -(t152 * t266));
+                    let t270 = A::fma(c1, t269, -(s1 * t267));
+                    let t271 = A::fma(s1, t269, c1 * t267);
+                    let t272 = s5 * t153;
+                    let t273 = s5 * t152;
+                    let t274 = A::fma(s1, c5, -(c1 * t273));
+                    let t275 = A::fma(s1, t273, c1 * c5);
+                    let t276 = 0.000038951164947 * c6;
+                    let t277 = A::fma(c5, t276, -(0.099599986933972 * s5));
+                    let t278 = A::fma(0.000038951164947, s6, -0.099747579771028);
+                    let t279 = A::fma(t152, t278, -(t153 * t277));
+                    let t280 = A::fma(t152, t277, t153 * t278);
+                    let t281 = -0.133454773039947
+                        - A::fma(0.099599986933972, c5, s5 * t276);
+                    let t282 = c1 * t281;
+                    let t283 = s1 * t281;
+                    let t284 = A::fma(t271, t272, t268 * t275) - r11[t];
+                    let t285 = t270 - r12[t];
+                    let t286 = t274 - r13[t];
+                    let t287 = A::fma(t268, t274, -(t270 * t272)) - r21[t];
+                    let t288 = t271 - r22[t];
+                    let t289 = r23[t] + t275;
+                    let t290 = A::fma(
+                        t289,
+                        t289,
                         A::fma(
-                            t289,
-                            t289,
+                            t288,
+                            t288,
                             A::fma(
-                                t288,
-                                t288,
-                                A::fma(t287, t287, A::fma(t285, t285, t286 * t286)),
+                                t287,
+                                t287,
+                                A::fma(t286, t286, A::fma(t284, t284, t285 * t285)),
                             ),
                         ),
                     );
-                    let t292 = r31[t] + A::fma(t271, t276, t272 * t275);
-                    let t293 = t269 - r32[t];
-                    let t294 = t273 - r33[t];
-                    let t295 = 0.6610970817558673
+                    let t291 = r31[t] + A::fma(t270, t275, t271 * t274);
+                    let t292 = t268 - r32[t];
+                    let t293 = t272 - r33[t];
+                    let t294 = 0.6610970817558673
                         * A::fma(
-                            t294,
-                            t294,
-                            A::fma(t293, t293, A::fma(t292, t292, t291)),
+                            t293,
+                            t293,
+                            A::fma(t292, t292, A::fma(t291, t291, t290)),
                         );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(s1, c1);
-                    let t296 = A::angle(-t228, c3);
+                    let t295 = A::angle(-t227, c3);
                     let q5 = A::angle(s5, c5);
                     let q6 = A::angle(s6, c6);
+                    let invalid = math::select(0.0 < singular, 0.0, t224);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
-                    t154_[k][t] = t154;
-                    t155_[k][t] = t155;
-                    invalid_[k][t] = invalid;
+                    t152_[k][t] = t152;
+                    t153_[k][t] = t153;
+                    t227_[k][t] = t227;
                     t228_[k][t] = t228;
-                    t229_[k][t] = t229;
+                    t232_[k][t] = t232;
                     t233_[k][t] = t233;
                     t234_[k][t] = t234;
                     t235_[k][t] = t235;
-                    t236_[k][t] = t236;
-                    t239_[k][t] = t239;
+                    t238_[k][t] = t238;
                     singular_[k][t] = singular;
-                    t266_[k][t] = t266;
+                    t265_[k][t] = t265;
+                    t279_[k][t] = t279;
                     t280_[k][t] = t280;
-                    t281_[k][t] = t281;
+                    t282_[k][t] = t282;
                     t283_[k][t] = t283;
-                    t284_[k][t] = t284;
-                    t295_[k][t] = t295;
+                    t294_[k][t] = t294;
                     q1_[k][t] = q1;
-                    t296_[k][t] = t296;
+                    t295_[k][t] = t295;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
+                    invalid_[k][t] = invalid;
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             widen!(
-                s1_, c1_, t154_, t155_, invalid_, t228_, t229_, t233_, t234_, t235_,
-                t236_, t239_, singular_, t266_, t280_, t281_, t283_, t284_, t295_, q1_,
-                t296_, q5_, q6_ from 4 to 8 of T
+                s1_, c1_, t152_, t153_, t227_, t228_, t232_, t233_, t234_, t235_, t238_,
+                singular_, t265_, t279_, t280_, t282_, t283_, t294_, q1_, t295_, q5_,
+                q6_, invalid_ from 4 to 8 of T
             );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
@@ -2074,54 +2070,54 @@ mod __Calibrated {
                 for t in 0..T {
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t239_[k][t] < 1.3221941635117346e-24,
+                        t238_[k][t] < 1.3221941635117346e-24,
                         t5,
-                        A::fma(e3[k], t236_[k][t], -t235_[k][t]) * t266_[k][t],
+                        A::fma(e3[k], t235_[k][t], -t234_[k][t]) * t265_[k][t],
                     );
                     let c2 = math::select(
-                        t239_[k][t] < 1.3221941635117346e-24,
+                        t238_[k][t] < 1.3221941635117346e-24,
                         t9,
-                        A::fma(e3[k], t234_[k][t], t233_[k][t]) * t266_[k][t],
+                        A::fma(e3[k], t233_[k][t], t232_[k][t]) * t265_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t297 = A::fma(t155_[k][t], s2, -(t154_[k][t] * c2));
-                    let t298 = A::fma(t155_[k][t], c2, t154_[k][t] * s2);
+                    let t296 = A::fma(t153_[k][t], s2, -(t152_[k][t] * c2));
+                    let t297 = A::fma(t153_[k][t], c2, t152_[k][t] * s2);
                     // Residual: forward kinematics against the target
-                    let t299 = A::fma(
+                    let t298 = A::fma(
                         0.424760013934646,
                         c2,
                         0.392304658629206
-                            * A::fma(e3[k], t228_[k][t] * s2, -(t229_[k][t] * c2)),
-                    ) + t280_[k][t];
-                    let t300 = t281_[k][t]
+                            * A::fma(e3[k], t227_[k][t] * s2, -(t228_[k][t] * c2)),
+                    ) + t279_[k][t];
+                    let t299 = t280_[k][t]
                         - A::fma(
                             0.424760013934646,
                             s2,
                             -(0.392304658629206
-                                * A::fma(t229_[k][t], s2, e3[k] * (t228_[k][t] * c2))),
+                                * A::fma(t228_[k][t], s2, e3[k] * (t227_[k][t] * c2))),
                         );
-                    let t301 = A::fma(c1_[k][t], t300, -t284_[k][t]) - px[t];
-                    let t302 = A::fma(s1_[k][t], t300, t283_[k][t]) - py[t];
-                    let t303 = t299 + 0.1626 - pz[t];
+                    let t300 = A::fma(c1_[k][t], t299, -t283_[k][t]) - px[t];
+                    let t301 = A::fma(s1_[k][t], t299, t282_[k][t]) - py[t];
+                    let t302 = t298 + 0.1626 - pz[t];
                     let residual = math::sqrt(
-                        t58_[t] + A::fma(t303, t303, A::fma(t301, t301, t302 * t302))
-                            + t295_[k][t],
+                        t57_[t] + A::fma(t302, t302, A::fma(t300, t300, t301 * t301))
+                            + t294_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = math::wrap(A::angle(s2, c2) - 1.5707023922013317);
-                    let t304 = e3[k] * t296_[k][t];
+                    let t303 = e3[k] * t295_[k][t];
                     let q3 = math::wrap(
                         math::select(
-                            -3.141592653589793 < t304,
-                            t304,
-                            t304 + 6.283185307179586,
+                            -3.141592653589793 < t303,
+                            t303,
+                            t303 + 6.283185307179586,
                         ) - 0.00044313587806694065,
                     );
-                    let t305 = A::angle(
-                        -A::fma(t229_[k][t], t297, e3[k] * (t228_[k][t] * t298)),
-                        A::fma(t229_[k][t], t298, -(e3[k] * (t228_[k][t] * t297))),
+                    let t304 = A::angle(
+                        -A::fma(t228_[k][t], t296, e3[k] * (t227_[k][t] * t297)),
+                        A::fma(t228_[k][t], t297, -(e3[k] * (t227_[k][t] * t296))),
                     );
-                    let q4 = math::wrap(t305 - 3.1412434523052912);
+                    let q4 = math::wrap(t304 - 3.1412434523052912);
                     residual_[k][t] = residual;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;

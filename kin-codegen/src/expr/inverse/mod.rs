@@ -381,6 +381,11 @@ impl<'a> Writer<'a> {
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
         let q = self.angles();
+        if self.deviation.is_some() {
+            // Where a step is in doubt, so is what is read from it, before and behind.
+            let zero = self.g.zero();
+            self.invalid = self.g.select_less(zero, self.singular, zero, self.invalid);
+        }
         let mut inverse = InverseGraph {
             parts: self.parts,
             q,

@@ -176,8 +176,7 @@ impl Writer<'_> {
         let square = self.g.constant(unit * unit);
         self.doubt(value, square, least);
         let [zero, one] = [self.g.zero(), self.g.one()];
-        let certain = self.g.sub(one, self.singular);
-        let invalid = self.g.select_less(value, zero, certain, zero);
+        let invalid = self.g.select_less(value, zero, one, zero);
         self.refuse(invalid);
         let kept = self.g.max(value, least);
         self.follow(kept, value);
