@@ -18,7 +18,7 @@ use kin_codegen::univariate::Kept;
 use kin_runtime::Pose;
 use measured::{configuration, measured};
 use std::collections::BTreeSet;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
 /// Below this conditioning solutions may be lost.
@@ -201,6 +201,73 @@ fn no_branch_that_is_in_doubt_is_dropped() {
             let back = recovered(&model, &q, &solutions, conditioning);
             assert!(back.is_ok(), "{conditioning:e}: {back:?}");
         }
+    }
+}
+
+/// Right angles of three digits. Where all joints are nearly at quarter turns, a family of solutions is
+/// near: more than one vector is then nearly taken to zero at every value of the kept joint, so that what
+/// is read from a root leads to the solution at another one, or is off as that of an extraneous root.
+const THREE_DIGITS: &str = "\
+robot: three_digits
+units: {angle: rad, length: m}
+joints:
+  - {name: waist,    axis: [0, 0, 1]}
+  - {name: shoulder, xyz: [0.075, 0.015, 0.05597], rpy: [-1.57, 0, 0], axis: [0, 0, 1]}
+  - {name: elbow,    xyz: [-0.3, 0, 0], axis: [0, 0, 1]}
+  - {name: forearm,  xyz: [-0.15, 0, 0], rpy: [0, 1.57, 0], axis: [0, 0, 1]}
+  - {name: hand,     xyz: [0, 0, -0.15], rpy: [0, 1.57, 3.14], axis: [0, 0, 1]}
+tip: {xyz: [0.08, 0, 0], rpy: [0, -1.57, 0]}
+";
+
+#[test]
+fn solutions_beside_a_family_are_told_apart() {
+    let model = written(THREE_DIGITS);
+    let (chain, length, target) = (model.chain(), size(&model), Target::PositionAxis);
+    let linkage = Linkage::for_target(&model, target);
+    let Certified { form, .. } = solve(&model, &linkage, target).unwrap();
+    assert!(form.elimination().is_some());
+    let is_recovered = |q: &[f64]| {
+        let conditioning = conditioning(&chain, q, length, target);
+        let back = recovered(&model, q, &form.solutions(&chain.fk(q)), conditioning);
+        assert!(
+            conditioning < DROWNED || back.is_ok(),
+            "{conditioning:e}: {back:?}"
+        );
+    };
+    for q in [
+        [
+            0.16005556804228993,
+            -1.5707963418707656,
+            1.5707959538550846,
+            3.1415676578436837,
+            -1.5707963267676381,
+        ],
+        [
+            0.7118185782144688,
+            1.5707963267314526,
+            1.5707963824435733,
+            9.17656453862701e-12,
+            -1.5707849703320966,
+        ],
+        [
+            -1.7049261421401924,
+            -0.7162264212558909,
+            1.570796326803671,
+            -3.1408344230200647,
+            -1.5707963452398064,
+        ],
+    ] {
+        is_recovered(&q);
+    }
+    let mut random = Random(0x5eed);
+    for _ in 0..10_000 {
+        let mut q = configuration(5, 0, &mut random);
+        for joint in &mut q[1..] {
+            let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
+            let off = sign * 10_f64.powf(random.between(-12.0, -3.0));
+            *joint = random.below(4) as f64 * FRAC_PI_2 - PI + off;
+        }
+        is_recovered(&q);
     }
 }
 

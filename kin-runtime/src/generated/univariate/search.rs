@@ -337,6 +337,9 @@ impl<'a> Search<'a> {
                 } else if !known && off < EXTRANEOUS {
                     candidates[new.count] = candidate;
                     new.push(starts.q.map(|q| q[k]));
+                } else if !known && recovery.null_space::<2>(&[chunk[k]; LANES]).dimension(0) > 1 {
+                    // Where more is taken to zero than what is of a solution, a vector need not be.
+                    unclear.push(roots, candidate);
                 }
             }
             if new.count == 0 {
@@ -347,7 +350,11 @@ impl<'a> Search<'a> {
             for (k, &candidate) in candidates[..count].iter().enumerate() {
                 let before = self.found.again;
                 self.insert(&arrived, k);
-                if self.found.again == before {
+                let new = self.found.again & !before;
+                let root = roots.angles[candidate];
+                // It may have led to the solution at another root.
+                let mut near = self.kept_near(recovery.elimination, root);
+                if !near.any(|(place, _)| new >> place & 1 == 1) {
                     unclear.push(roots, candidate);
                 }
             }
@@ -426,7 +433,7 @@ impl<'a> Search<'a> {
         let elimination = recovery.elimination;
         let several = unclear.all().filter(|it| it.is_several);
         let (mut kept, mut count) = ([0.0; LANES], 0);
-        for known in several.flat_map(|it| self.kept_near(elimination, it.angle)) {
+        for (_, known) in several.flat_map(|it| self.kept_near(elimination, it.angle)) {
             let is_new = kept[..count].iter().all(|it| !is_same(*it, known));
             if is_new && count < LANES && self.sharing(elimination, known) < SHARING {
                 kept[count] = known;
@@ -470,10 +477,14 @@ impl<'a> Search<'a> {
         self.kept(elimination).filter(same).count()
     }
 
-    /// Those of them that are near a root.
-    fn kept_near(&self, elimination: &Elimination, root: f64) -> impl Iterator<Item = f64> {
-        let near = move |kept: &f64| math::wrap(kept - root).abs() < CLUSTER;
-        self.kept(elimination).filter(near)
+    /// Those of them that are near a root, and the solutions' places.
+    fn kept_near(
+        &self,
+        elimination: &Elimination,
+        root: f64,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let near = move |(_, kept): &(usize, f64)| math::wrap(kept - root).abs() < CLUSTER;
+        self.kept(elimination).enumerate().filter(near)
     }
 
     /// Adds the solutions that nearly singular ones have nearly met, and those between

@@ -268,6 +268,38 @@ static void kin_count_zeros(
     }
 }
 
+/* The kept joint's value at a regular solution. */
+static double kin_kept_at(
+    const kin_search *search, const kin_elimination *elimination, int solution)
+{
+    const double q = search->found.regular[solution].q[elimination->joints[0]];
+    return elimination->backwards ? -q : q;
+}
+
+/* Whether one of some regular solutions is near a root. */
+static int kin_is_near_root(
+    const kin_search *search, const kin_elimination *elimination, unsigned places, double root)
+{
+    for (int i = 0; i < search->found.regular_count; ++i) {
+        const double kept = kin_kept_at(search, elimination, i);
+        if ((places >> i & 1) && fabs(kin_wrap(kept - root)) < KIN_CLUSTER) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Whether more is taken to zero at a root than what is of a solution: then a vector need not be. */
+static int kin_is_of_several(const kin_recovery *recovery, double root)
+{
+    kin_pack kept, space[2][16], lengths[2];
+    for (int k = 0; k < KIN_LANES; ++k) {
+        kept[k] = root;
+    }
+    kin_find_null_space(recovery, kept, 2, space, lengths);
+    return lengths[0][0] < KIN_NULL && lengths[1][0] < KIN_NULL;
+}
+
 /* Adds the solution at every root, if it has one; those that may have more. */
 static void kin_one_each(
     kin_search *search, const kin_recovery *recovery, const kin_roots *roots,
@@ -303,6 +335,8 @@ static void kin_one_each(
             } else if (!known && off < KIN_EXTRANEOUS) {
                 candidates[fresh.count] = candidate;
                 kin_enqueue(&fresh, q);
+            } else if (!known && kin_is_of_several(recovery, kept[k])) {
+                kin_push_candidate(unclear, roots, candidate);
             }
         }
         if (fresh.count == 0) {
@@ -312,20 +346,14 @@ static void kin_one_each(
         kin_polish(&search->problem, from, KIN_NEWTON_STEPS, &arrived);
         for (int k = 0; k < waiting; ++k) {
             const unsigned before = found->again;
+            const double root = roots->angles[candidates[k]];
             kin_insert_new(search, &arrived, k);
-            if (found->again == before) {
+            /* It may have led to the solution at another root. */
+            if (!kin_is_near_root(search, recovery->elimination, found->again & ~before, root)) {
                 kin_push_candidate(unclear, roots, candidates[k]);
             }
         }
     }
-}
-
-/* The kept joint's value at a regular solution. */
-static double kin_kept_at(
-    const kin_search *search, const kin_elimination *elimination, int solution)
-{
-    const double q = search->found.regular[solution].q[elimination->joints[0]];
-    return elimination->backwards ? -q : q;
 }
 
 /* Whether two of them are one. */

@@ -204,6 +204,10 @@ const $start_unknown = (search, { q, inconsistency }, off) => {
     }
 };
 
+/* The kept joint's values at regular solutions. */
+const $kept = (search, { elimination: { joints, backwards } }) =>
+    search.regular.map(({ q }) => (backwards ? -q[joints[0]] : q[joints[0]]));
+
 /* Adds the solution at every root, if it has one; those that may have more. */
 const $one_each = (search, loop, roots) => {
     const unclear = [];
@@ -218,17 +222,19 @@ const $one_each = (search, loop, roots) => {
             unclear.push({ ...candidate, zeros: null });
         } else if (!is_known && off < $EXTRANEOUS) {
             $insert_new(search, $polish(search.of, search.target, q, $NEWTON_STEPS));
-            if (search.again === before) {
+            /* It may have led to the solution at another root. */
+            const is_its_own = (kept, place) =>
+                ((search.again & ~before) >> place) & 1 && Math.abs($wrap(kept - candidate.angle)) < $CLUSTER;
+            if (!$kept(search, loop).some(is_its_own)) {
                 unclear.push({ ...candidate, zeros: null });
             }
+        } else if (!is_known && $null_space_at(loop, candidate.angle, 2).lengths.every((it) => it < $NULL)) {
+            /* Where more is taken to zero than what is of a solution, a vector need not be. */
+            unclear.push({ ...candidate, zeros: null });
         }
     }
     return unclear;
 };
-
-/* The kept joint's values at regular solutions. */
-const $kept = (search, { elimination: { joints, backwards } }) =>
-    search.regular.map(({ q }) => (backwards ? -q[joints[0]] : q[joints[0]]));
 
 /* Whether two of them are one. */
 const $is_same = (a, b) => Math.abs($wrap(a - b)) < 1e-9;
