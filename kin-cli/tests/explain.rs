@@ -3,7 +3,7 @@
 use kin_cli::check::{Verdict, check};
 use kin_cli::explain::{ArmExplanation, ObjectKind, explain};
 use kin_codegen::geometry::RowRelation;
-use kin_codegen::{Ik, Options, Source};
+use kin_codegen::{Ik, Options, Source, Target};
 use std::path::Path;
 
 fn robot(file: &str) -> Source {
@@ -255,6 +255,22 @@ fn joints_that_mimic_others_say_what_they_move_by() {
     assert_eq!(
         mimics,
         [false, false, true, true, false, false, false, false]
+    );
+}
+
+/// What a target leaves free is eliminated as a joint is, or kept.
+#[test]
+fn the_turn_about_the_tool_may_be_kept() {
+    let options = Options {
+        target: Some(Target::PositionAxis),
+        ..Options::default()
+    };
+    let source = robot("../tests/robots/targets/five_skew.yaml");
+    let explanation = explain(&source, &options).unwrap().arm().unwrap();
+    let text = explanation.to_string();
+    assert!(
+        text.contains("so is the turn about the tool: degree 8"),
+        "{text}"
     );
 }
 

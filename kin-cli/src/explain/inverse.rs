@@ -10,7 +10,7 @@ use kin_codegen::geometry::{Coupling, Linkage};
 use kin_codegen::plan::{Plan, Plans};
 use kin_codegen::redundancy;
 use kin_codegen::solver::Certified;
-use kin_codegen::univariate::Kept;
+use kin_codegen::univariate::{Arm, Kept};
 use serde::Serialize;
 
 /// Other plans told of.
@@ -63,7 +63,7 @@ pub struct Weighed {
 /// A joint that is kept while all others are eliminated.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptJoint {
-    /// `q4`.
+    /// `q4`, or `the turn about the tool`.
     pub unknown: String,
     /// The degree of the trigonometric polynomial in it.
     pub degree: u8,
@@ -108,8 +108,10 @@ impl Inverse {
             others: others(&form.linkage, plan),
             cost: form.expressions().map(LaneCost::of),
             kept: {
-                let kept = form.elimination().into_iter().flat_map(|arm| &arm.kept);
-                kept.map(|kept| KeptJoint::of(kept, &form.given)).collect()
+                let arms = form.elimination().into_iter();
+                let kept = arms.flat_map(|arm| arm.kept.iter().map(move |kept| (arm, kept)));
+                kept.map(|(arm, kept)| KeptJoint::of(arm, kept, &form.given))
+                    .collect()
             },
             certificate: certified.certificate,
         }
@@ -155,10 +157,9 @@ impl Weighed {
 }
 
 impl KeptJoint {
-    fn of(kept: &Kept, linkage: &Linkage) -> Self {
-        let joint = linkage.joint_of(kept.elimination.joints[0].into());
+    fn of(arm: &Arm, kept: &Kept, given: &Linkage) -> Self {
         Self {
-            unknown: unknowns(joint.as_slice()).concat(),
+            unknown: arm.kept_name(kept, given),
             degree: kept.elimination.degree,
             unsure: kept.unsure,
             noise: kept.noise,

@@ -141,12 +141,21 @@ impl Arm {
         self.kept[0].says_nothing(FEW)
     }
 
-    /// Which joint is kept, of an elimination beside branches: `q4`, and which others where that is
-    /// not sure of its answer; as the joints are numbered of the arm with this linkage.
+    /// What an elimination keeps: `q4`, as the joints are numbered of the arm with this linkage, or what
+    /// is added behind its tip.
+    pub fn kept_name(&self, kept: &Kept, given: &Linkage) -> String {
+        let coordinate = usize::from(kept.elimination.joints[0]);
+        match given.joint_of(coordinate) {
+            Some(joint) => format!("q{}", joint + 1),
+            None if self.counts == Target::PositionAxis => "the turn about the tool".into(),
+            None => "a joint behind the tip".into(),
+        }
+    }
+
+    /// Which joint is kept, of an elimination beside branches, and which others where that is not sure
+    /// of its answer.
     pub fn kept_beside(&self, given: &Linkage) -> String {
-        let joints = self.kept.iter().map(|kept| kept.elimination.joints[0]);
-        let joints = joints.filter_map(|joint| given.joint_of(joint.into()));
-        let mut joints = joints.map(|joint| format!("q{}", joint + 1));
+        let mut joints = self.kept.iter().map(|kept| self.kept_name(kept, given));
         let first = joints.next().unwrap_or_default();
         let others: Vec<String> = joints.collect();
         match others.is_empty() {

@@ -16,7 +16,7 @@ use crate::redundancy::Weighed;
 use crate::scalar::Scalar;
 use crate::solver::Certified;
 use crate::spec::Diagnostic;
-use crate::univariate::{Arm, Kept};
+use crate::univariate::Arm;
 use kin_runtime::__private::Completion;
 use kin_runtime::Pose;
 use proc_macro2::Ident;
@@ -332,11 +332,7 @@ fn inverse(certified: &Certified, target: Target) -> Vec<String> {
 
 /// Which joint is kept, and how well that does.
 fn univariate(arm: &Arm, linkage: &Linkage) -> String {
-    let number = |kept: &Kept| {
-        let joint = linkage.joint_of(kept.elimination.joints[0].into());
-        joint.map(|joint| format!("q{}", joint + 1))
-    };
-    let mut kept = arm.kept.iter().filter_map(number);
+    let mut kept = arm.kept.iter().map(|kept| arm.kept_name(kept, linkage));
     let joint = kept.next().unwrap_or_default();
     let degree = arm.kept.first().map_or(0, |kept| kept.elimination.degree);
     let others: Vec<String> = kept.collect();

@@ -11,6 +11,9 @@ const REACHED: f64 = 1e-13;
 /// Below this independence of the Jacobian's columns a configuration is singular.
 const SINGULAR: f64 = 1e-5;
 
+/// Solutions that are nearer to each other, radians or half the arm's size, are one.
+const SAME: f64 = 1e-6;
+
 /// Singular solutions that are nearer to each other, radians or half the arm's size, are one,
 /// or members of a family.
 const FAMILY: f64 = 1e-4;
@@ -81,13 +84,22 @@ impl Found {
             }
             return false;
         }
-        if !solution.singular {
-            if let Some(place) = self.regular.insert_distinct(solution) {
+        let prismatic = self.regular.prismatic();
+        let is_same = |known: &Solution<6>| within(SAME, prismatic, &known.q, &solution.q);
+        // Next to the threshold one that is found twice is what it was the first time.
+        if self.singular.iter().any(is_same) {
+            return true;
+        }
+        if !solution.singular || self.regular.iter().any(is_same) {
+            let regular = Solution {
+                singular: false,
+                ..solution
+            };
+            if let Some(place) = self.regular.insert_distinct(regular) {
                 self.again |= 1 << place;
                 self.independence[place] = independence;
             }
         } else {
-            let prismatic = self.regular.prismatic();
             let known = |known: &Solution<6>| within(FAMILY, prismatic, &known.q, &solution.q);
             if !self.singular.iter().any(known) {
                 self.singular.push_if(true, solution);
@@ -214,5 +226,48 @@ impl Waiting {
             core::array::from_fn(|j| core::array::from_fn(|k| at(k)[j])),
             count,
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generated::univariate::Frames;
+    use crate::{Pose, Target};
+
+    /// Newton's method from elsewhere ends a little beside, on the other side of the threshold.
+    #[test]
+    fn what_is_nearly_singular_is_told_once() {
+        let arm = Univariate {
+            frames: Frames {
+                fixed: [Pose::IDENTITY; 7],
+                prismatic: 0,
+            },
+            size: 2.0,
+            counts: Target::Pose,
+            eliminations: &[],
+        };
+        let arrived = |x: f64, independence: f64| Polished {
+            q: [[x; LANES]; 6],
+            residual: [1e-16; LANES],
+            independence: [independence; LANES],
+        };
+        for (first, second, regular) in [(1.01e-5, 0.99e-5, 1), (0.99e-5, 1.01e-5, 0)] {
+            let mut found = Found::new(&arm, 0.0);
+            assert!(found.insert(&arrived(0.3, first), 0, 4));
+            found.again = 0;
+            assert!(found.insert(&arrived(0.3 + 1e-9, second), 0, 5));
+            assert_eq!((found.regular.len(), found.len()), (regular, 1));
+            assert!(found.all_again());
+            assert!(
+                found
+                    .by_branch()
+                    .iter()
+                    .all(|it| it.singular == (regular == 0))
+            );
+            // Another one, a little farther away.
+            assert!(found.insert(&arrived(0.3 + 1e-3, second), 0, 6));
+            assert_eq!(found.len(), 2);
+        }
     }
 }

@@ -67,6 +67,8 @@ static int kin_place_of(kin_found *found, const kin_six *solution)
 
 /* Below this independence of the Jacobian's columns a configuration is singular. */
 #define KIN_SINGULAR 1e-5
+/* Solutions that are nearer to each other, radians or half the arm's size, are one. */
+#define KIN_SAME 1e-6
 /* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
  * members of a family; from so near, Newton's method leads to a regular solution. */
 #define KIN_FAMILY 1e-4
@@ -93,6 +95,17 @@ static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int 
             found->nearest_by = residual;
         }
         return 0;
+    }
+    /* Next to the threshold one that is found twice is what it was the first time. */
+    for (int i = 0; i < found->singular_count; ++i) {
+        if (kin_are_within(KIN_SAME, found->singular[i].q, solution.q)) {
+            return 1;
+        }
+    }
+    for (int i = 0; i < found->regular_count; ++i) {
+        if (kin_are_within(KIN_SAME, found->regular[i].q, solution.q)) {
+            solution.singular = 0;
+        }
     }
     if (!solution.singular) {
         const int place = kin_place_of(found, &solution);

@@ -5,6 +5,8 @@ const $MOST_FOUND = 16;
 const $MOST_WAITING = 8;
 /* Below this independence of the Jacobian's columns a configuration is singular. */
 const $SINGULAR = 1e-5;
+/* Solutions that are nearer to each other, radians or half the arm's size, are one. */
+const $SAME = 1e-6;
 /* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
  * members of a family; from so near, Newton's method leads to a regular solution. */
 const $FAMILY = 1e-4;
@@ -66,6 +68,12 @@ const $insert_arrived = (search, arrived, branch) => {
         search.nearest_by = Math.min(residual, search.nearest_by);
         return false;
     }
+    /* Next to the threshold one that is found twice is what it was the first time. */
+    const is_same = ({ q }) => $are_within(search, $SAME, q, solution.q);
+    if (singular.some(is_same)) {
+        return true;
+    }
+    solution.singular = solution.singular && !regular.some(is_same);
     if (!solution.singular) {
         const place = $place_of(search, solution);
         if (place >= 0) {
