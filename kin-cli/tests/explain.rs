@@ -95,6 +95,39 @@ fn wrists_and_shoulders_have_their_names() {
     );
 }
 
+/// Fewer joints than a pose has coordinates: what reaches few targets is told, and what would
+/// reach more is a target that those joints are solved for.
+#[test]
+fn too_few_joints_for_whole_poses_are_told() {
+    let few = [[0.3, 0.0, 90.0], [0.0, 0.3, 0.0], [0.0, 0.2, 0.0]];
+    let four = chain(&[&few[..], &[[0.0, 0.1, 0.0]]].concat());
+    let five = chain(&[&few[..], &[[0.0, 0.0, 90.0], [0.1, 0.0, 0.0]]].concat());
+    let arms = [
+        (five, 5, Target::PositionAxis),
+        (four, 4, Target::Position),
+        (robot("scara.yaml"), 4, Target::PositionYaw),
+    ];
+    for (source, joints, target) in arms {
+        let explanation = told(&source);
+        let text = explanation.to_string();
+        let expected = format!(
+            "  Targets are whole poses. With {joints} joints few of them are within reach, those of \
+             `fk`, and no others have solutions. With `target = {}` they are {}.\n",
+            target.word(),
+            target.phrase()
+        );
+        assert!(text.contains(&expected), "{text}");
+        let options = Options {
+            target: Some(target),
+            ..Options::default()
+        };
+        let explanation = explain(&source, &options).unwrap().arm().unwrap();
+        let targets = explanation.inverse.unwrap().targets.unwrap();
+        assert!(targets.ends_with("the rest of a pose is not read."));
+    }
+    assert_eq!(told(&robot("ur5e.urdf")).inverse.unwrap().targets, None);
+}
+
 #[test]
 fn branches_share_work() {
     let cost = told(&robot("ur5e.urdf")).inverse.unwrap().cost;

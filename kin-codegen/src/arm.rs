@@ -302,6 +302,36 @@ impl CompiledArm {
         isolated.map_or(0, |form| form.plan.branches())
     }
 
+    /// What of targets counts, as sentences; none where six joints or more have whole poses for
+    /// targets.
+    pub fn targets(&self) -> Option<String> {
+        let joints = self.model.variables.len();
+        let target = self.target();
+        if target != Target::Pose {
+            return Some(format!(
+                "Targets are {}: the rest of a pose is not read.",
+                target.phrase()
+            ));
+        }
+        let reached = (joints < target.coordinates()).then(|| {
+            format!(
+                "Targets are whole poses. With {joints} joints few of them are within reach, those \
+                 of `fk`, and no others have solutions."
+            )
+        })?;
+        let fits = match joints {
+            5 => Target::PositionAxis,
+            4 if admits(&self.model, Target::PositionYaw).is_ok() => Target::PositionYaw,
+            4 => Target::Position,
+            _ => return Some(reached),
+        };
+        Some(format!(
+            "{reached} With `target = {}` they are {}.",
+            fits.word(),
+            fits.phrase()
+        ))
+    }
+
     /// What of targets counts: the whole pose unless said otherwise.
     pub fn target(&self) -> Target {
         match &self.redundancy {

@@ -56,6 +56,8 @@ mod __Scara {
     ///
     /// # Inverse kinematics
     ///
+    /// Targets are whole poses. With 4 joints few of them are within reach, those of `fk`, and no others have solutions. With `target = position_yaw` they are positions of the tip with its turn about the first axis.
+    ///
     /// 1. q1+q2+q3 by SP1: turn a vector onto another
     /// 2. q4 by T2: slide a point to a height
     /// 3. q2 by SP3, given q4: turn a point to a distance

@@ -1,7 +1,6 @@
 //! The closed form: its plan, why it was chosen, and what it costs.
 
 use super::{Idealization, Step};
-use kin_codegen::Target;
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::certificate::Certificate;
 use kin_codegen::expr::Operations;
@@ -23,6 +22,8 @@ const LOOKED_AT: usize = 24;
 pub struct Inverse {
     /// What of a pose counts, as the option `target` has it.
     pub target: &'static str,
+    /// The same as sentences; none where six joints or more have whole poses for targets.
+    pub targets: Option<String>,
     /// What is given beside a target: a joint, `q7`, `swivel`, or `turn`, that of the tool; empty
     /// where targets have isolated solutions.
     pub free: Vec<String>,
@@ -95,6 +96,7 @@ impl Inverse {
         let steps = plan.steps.iter();
         Self {
             target: arm.target().word(),
+            targets: arm.targets(),
             free: joints
                 .chain(swivel.map(|_| redundancy::SWIVEL.into()))
                 .chain(turn.map(|_| "turn".into()))
@@ -129,14 +131,6 @@ fn others(linkage: &Linkage, plan: &Plan) -> Vec<String> {
         }
     }
     names.split_off(1)
-}
-
-impl Inverse {
-    /// What of a pose counts in words, if it is not all.
-    pub(super) fn part_of_pose(&self) -> Option<&'static str> {
-        let target = Target::from_word(self.target)?;
-        (target != Target::Pose).then(|| target.phrase())
-    }
 }
 
 /// `q1`, for each.

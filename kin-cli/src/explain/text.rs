@@ -142,8 +142,8 @@ fn travel(joint: &Joint) -> String {
 
 impl Display for Inverse {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        if let Some(target) = self.part_of_pose() {
-            writeln!(f, "  Targets are {target}: the rest of a pose is not read.")?;
+        if let Some(targets) = &self.targets {
+            writeln!(f, "  {targets}")?;
         }
         if !self.free.is_empty() {
             self.write_free(f)?;

@@ -4,11 +4,13 @@
 //!    cameras and collision links that hang on the way do not count, nor do
 //!    struts whose joints mimic those of the chain.
 //! 2. Fingers are left out: what moves behind a link at which a longer chain
-//!    forks, joints that mimic others than those before them, short slides and joints that are named
-//!    as a gripper's at the end of the chain, and a last joint beside which a
-//!    link hangs under one of the [`NAMES`]. A warning says so. A wrist that carries a jaw may move a
-//!    link named as one, and what two jaws slide on, or slides far itself, may be named so; a short slide is the arm's if it moves a link under one of the [`NAMES`] or
-//!    is the quill of a SCARA; of a robot that is a finger nothing is left out.
+//!    forks, joints that mimic others than those before them, short slides and
+//!    joints that are named as a gripper's at the end of the chain, and a last
+//!    joint beside which a link hangs under one of the [`NAMES`]. A warning says
+//!    so. A wrist that carries a jaw may move a link named as one, and what two
+//!    jaws slide on, or slides far itself, may be named so; a short slide is the
+//!    arm's if it moves a link under one of the [`NAMES`] or is the quill of a
+//!    SCARA; of a robot that is a finger nothing is left out.
 //! 3. Of the links that the last joint moves, the first of the [`NAMES`] is the
 //!    tip; without any, the only leaf; otherwise the link that the joint moves,
 //!    or on which the fingers hang. Cameras and the like, by their [names](ASIDE), are no tips;

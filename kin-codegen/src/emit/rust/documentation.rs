@@ -10,7 +10,6 @@ use crate::emit::text::{code, degrees, number, one_line};
 use crate::geometry::{Linkage, structure};
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};
-use crate::plan::Target;
 use crate::random::Random;
 use crate::redundancy::Weighed;
 use crate::scalar::Scalar;
@@ -62,7 +61,7 @@ pub fn arm(compiled: &CompiledArm, name: &Ident, postures: Option<&Postures>) ->
         None => lines.push("None: generated with `ik = none`.".into()),
         Some(certified) => {
             lines.extend(redundancy(compiled));
-            lines.extend(inverse(certified, compiled.target()));
+            lines.extend(inverse(certified, compiled.targets()));
             lines.extend(section("Branches"));
             lines.extend(branches(&certified.form, postures));
         }
@@ -245,16 +244,12 @@ fn redundancy(compiled: &CompiledArm) -> Vec<String> {
     ]
 }
 
-fn inverse(certified: &Certified, target: Target) -> Vec<String> {
+fn inverse(certified: &Certified, targets: Option<String>) -> Vec<String> {
     let (solver, seen) = (&certified.form, &certified.certificate);
     let plan = &solver.plan;
     let mut lines = Vec::new();
-    if target != Target::Pose {
-        lines.push(format!(
-            "Targets are {}: the rest of a pose is not read.",
-            target.phrase()
-        ));
-        lines.push(String::new());
+    if let Some(targets) = targets {
+        lines.extend([targets, String::new()]);
     }
     if let Some(coupling) = &solver.linkage.coupling {
         lines.extend([coupling.sentence(), String::new()]);

@@ -3,6 +3,7 @@
 use super::frames::{within, wrapped};
 use super::polish::Polished;
 use super::{LANES, Univariate};
+use crate::scalar::tolerance::SAME;
 use crate::{Solution, Solutions, math};
 
 /// Solutions reach the target to this, in units of the arm's size.
@@ -10,9 +11,6 @@ const REACHED: f64 = 1e-13;
 
 /// Below this independence of the Jacobian's columns a configuration is singular.
 const SINGULAR: f64 = 1e-5;
-
-/// Solutions that are nearer to each other, radians or half the arm's size, are one.
-const SAME: f64 = 1e-6;
 
 /// Singular solutions that are nearer to each other, radians or half the arm's size, are one,
 /// or members of a family.

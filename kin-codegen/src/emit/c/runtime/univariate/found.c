@@ -40,6 +40,9 @@ static int kin_are_within(double distance, const double a[6], const double b[6])
     return are;
 }
 
+/* Solutions that are nearer to each other, radians or half the arm's size, are one. */
+#define KIN_SAME 1e-6
+
 /* The place of a regular solution, which is appended unless it is there: of two the better one is
  * kept. -1 if there is no place left. */
 static int kin_place_of(kin_found *found, const kin_six *solution)
@@ -47,7 +50,7 @@ static int kin_place_of(kin_found *found, const kin_six *solution)
     for (int known = 0; known < found->regular_count; ++known) {
         int same = 1;
         for (int i = 0; i < 6; ++i) {
-            same = same && kin_apart(i, found->regular[known].q[i], solution->q[i]) < 1e-6;
+            same = same && kin_apart(i, found->regular[known].q[i], solution->q[i]) < KIN_SAME;
         }
         if (same) {
             if (solution->residual < found->regular[known].residual) {
@@ -67,8 +70,6 @@ static int kin_place_of(kin_found *found, const kin_six *solution)
 
 /* Below this independence of the Jacobian's columns a configuration is singular. */
 #define KIN_SINGULAR 1e-5
-/* Solutions that are nearer to each other, radians or half the arm's size, are one. */
-#define KIN_SAME 1e-6
 /* Singular solutions that are nearer to each other, radians or half the arm's size, are one, or
  * members of a family; from so near, Newton's method leads to a regular solution. */
 #define KIN_FAMILY 1e-4

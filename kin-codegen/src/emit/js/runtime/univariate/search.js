@@ -38,7 +38,7 @@ const $are_within = (search, distance, a, b) =>
  * kept. -1 if there is no place left. */
 const $place_of = (search, solution) => {
     const { regular } = search;
-    const is_same = (known) => known.q.every((x, i) => $apart(search, i, x, solution.q[i]) < 1e-6);
+    const is_same = (known) => known.q.every((x, i) => $apart(search, i, x, solution.q[i]) < $SAME);
     const known = regular.findIndex(is_same);
     if (known >= 0) {
         if (solution.residual < regular[known].residual) {
