@@ -2,7 +2,7 @@
 
 use super::places::Places;
 use super::{Diagnostic, Diagnostics, Location, Severity, Source, did_you_mean, list_names};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// Diagnostics of one file that look for the name that was meant.
 const SUGGESTIONS: usize = 100;
@@ -83,11 +83,27 @@ impl<'s> Collector<'s> {
         self.warnings.extend(warnings);
     }
 
-    /// Takes the warnings, in the order of the file.
+    /// Takes the warnings, in the order of the file; what is found at several places is told at the
+    /// first.
     pub(crate) fn take_warnings(&mut self) -> Vec<Diagnostic> {
-        let mut warnings = std::mem::take(&mut self.warnings);
-        warnings.sort_by_key(|warning| (warning.at.is_none(), warning.at));
-        warnings.dedup();
+        let mut all = std::mem::take(&mut self.warnings);
+        all.sort_by_key(|warning| (warning.at.is_none(), warning.at));
+        all.dedup();
+        let key = |warning: &Diagnostic| [warning.reason.clone(), warning.remedy.clone()];
+        let mut places: HashMap<[String; 2], usize> = HashMap::new();
+        all.iter()
+            .for_each(|it| *places.entry(key(it)).or_default() += 1);
+        let mut warnings = Vec::new();
+        for mut warning in all {
+            // Told, it is no longer there.
+            match places.remove(&key(&warning)) {
+                None => continue,
+                Some(1) => {}
+                Some(2) => warning.reason += ", and at one other place",
+                Some(n) => warning.reason += &format!(", and at {} other places", n - 1),
+            }
+            warnings.push(warning);
+        }
         warnings
     }
 
