@@ -210,8 +210,10 @@ impl Model {
         (0..self.variables.len()).map(limit).collect()
     }
 
-    /// The chain from `base` to `tip`, by the names of links. Without a base
-    /// it starts at the root of the tree. Without a tip it ends with the last
+    /// The chain from `base` to `tip`, by the names of links: any two, such as the hands of two
+    /// arms or a foot and what it carries; joints on the way up from the base to where the branches
+    /// part are passed from their children to their parents, and turn as the file has them. Without
+    /// a base it starts at the root of the tree. Without a tip it ends with the last
     /// joint that moves, fingers left out, at the link that the field calls the
     /// tip (`tool0`, `tcp`, `flange`, `ee_link` and so on), the only leaf there,
     /// or the link that the joint moves.
@@ -260,6 +262,7 @@ fn build(
     tip: Option<&str>,
     diagnostics: &mut Collector,
 ) -> Option<Model> {
+    let spec = &*chain::hung_on_base(spec, base, tip);
     let chain = chain::choose(spec, base, tip, diagnostics)?;
     let mut used = vec![false; spec.joints.len()];
     chain.joints.iter().for_each(|&j| used[j] = true);

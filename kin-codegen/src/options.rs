@@ -20,7 +20,8 @@ pub struct Options {
     /// The name of the generated type; by default the file's stem in
     /// UpperCamelCase.
     pub name: Option<String>,
-    /// The link that the chain begins at; by default the root.
+    /// The link that the chain begins at: any, also one that the tip does not hang on, such as a
+    /// foot; by default the root.
     pub base: Option<String>,
     /// The link that the chain ends at; by default see
     /// [`Spec`](crate::spec::Spec#the-tip).

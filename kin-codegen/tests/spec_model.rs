@@ -2,6 +2,7 @@
 
 use kin_codegen::model::{JointKind, Model};
 use kin_codegen::spec::{ArmSpec, Diagnostics, Source};
+use kin_runtime::{Pose, Target};
 use std::f64::consts::FRAC_PI_2;
 
 fn model(
@@ -1002,4 +1003,150 @@ fn fixed_links_are_frames_of_the_link_that_carries_them() {
     };
     assert_eq!(frames(&accept(&text("0 0 0.1"))).len(), 2);
     assert_eq!(frames(&accept(&text("0 0 O.1"))), []);
+}
+
+/// Two arms on a torso, of joints that turn, slide and mimic, with links that hang on them.
+fn two_arms() -> ArmSpec {
+    let arm = |side: &str, y: f64| {
+        let name = |part: &str| format!("{side}_{part}");
+        let joint = |part: &str, kind: &str, above: &str, rest: &str| {
+            let above = if above == "torso" {
+                above.into()
+            } else {
+                name(above)
+            };
+            joint(&format!("{side}_{part}_j"), kind, &above, &name(part), rest)
+        };
+        [
+            joint(
+                "shoulder",
+                "revolute",
+                "torso",
+                &format!(
+                    r#"<origin xyz="0.1 {y} 0.4" rpy="0.3 -0.2 {y}"/><axis xyz="1 2 2"/>{LIMIT}"#
+                ),
+            ),
+            joint(
+                "slide",
+                "prismatic",
+                "shoulder",
+                &format!(
+                    r#"<origin xyz="0.2 0.3 0" rpy="1 0.5 0.7"/><axis xyz="0 {y} 1"/>{LIMIT}"#
+                ),
+            ),
+            joint(
+                "sensor",
+                "fixed",
+                "slide",
+                r#"<origin xyz="0 0.1 0" rpy="0 0.4 0"/>"#,
+            ),
+            joint(
+                "wrist",
+                "continuous",
+                "sensor",
+                &format!(
+                    r#"<origin xyz="0.2 0 {y}" rpy="0 1 -0.7"/><axis xyz="0 1 0"/><mimic joint="{side}_shoulder_j" multiplier="{y}" offset="0.25"/>"#
+                ),
+            ),
+            joint(
+                "tool",
+                "fixed",
+                "wrist",
+                r#"<origin xyz="0 0 0.1" rpy="0.2 0 0.9"/>"#,
+            ),
+            joint(
+                "camera",
+                "fixed",
+                "shoulder",
+                r#"<origin xyz="0 0 0.3" rpy="0.2 0.7 0.9"/>"#,
+            ),
+        ]
+        .concat()
+    };
+    let links = ["shoulder", "slide", "sensor", "wrist", "tool", "camera"];
+    let links = ["left", "right"].map(|side| links.map(|part| format!("{side}_{part}")));
+    let links = links.concat().join(" ");
+    let joints = [arm("left", 0.5), arm("right", -0.75)].concat();
+    ArmSpec::parse(&Source {
+        path: "two_arms.urdf".into(),
+        text: urdf(&format!("torso {links}"), &joints),
+    })
+    .unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Where a link is in the torso's frame.
+fn in_torso(spec: &ArmSpec, link: &str, [shoulder, slide]: [f64; 2]) -> Pose {
+    if link == "torso" {
+        return Pose::IDENTITY;
+    }
+    let model = Model::new(spec, None, Some(link)).unwrap_or_else(|e| panic!("{e}"));
+    let q = &[shoulder, slide][..model.variables.len()];
+    model.chain().fk(&model.joint_values(q))
+}
+
+/// What is passed upwards turns and slides as the file has it: a hand in the frame of the other
+/// is what the two are in that of the torso.
+#[test]
+fn the_base_may_be_any_link() {
+    let spec = two_arms();
+    let (left, right) = ([0.4, -0.3], [-0.8, 0.6]);
+    let from = |base: &str, tip: &str| {
+        Model::new(&spec, Some(base), Some(tip)).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let near = |a: &Pose, b: &Pose| Target::Pose.distance(a, b, 1.0) < 1e-14;
+
+    let hands = from("left_tool", "right_tool");
+    let names: Vec<&str> = hands.variables.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "left_slide_j",
+            "left_shoulder_j",
+            "right_shoulder_j",
+            "right_slide_j"
+        ]
+    );
+    let q = hands.joint_values(&[left[1], left[0], right[0], right[1]]);
+    let base = in_torso(&spec, "left_tool", left).inverse();
+    assert!(near(
+        &hands.chain().fk(&q),
+        &(base * in_torso(&spec, "right_tool", right))
+    ));
+    let links = hands.chain().fk_links(&q);
+    for (joint, link) in hands.joints.iter().zip(&links) {
+        let (side, _) = joint.link.split_once('_').unwrap_or(("left", ""));
+        let own = if side == "left" { left } else { right };
+        let there = base * in_torso(&spec, &joint.link, own);
+        assert!(near(link, &there), "{}", joint.link);
+    }
+    for frame in &hands.frames {
+        let own = if frame.name.starts_with("left") {
+            left
+        } else {
+            right
+        };
+        let carrier = frame.joint.map_or(Pose::IDENTITY, |joint| links[joint]);
+        let there = base * in_torso(&spec, &frame.name, own);
+        assert!(near(&(carrier * frame.pose), &there), "{}", frame.name);
+    }
+    let frames: Vec<&str> = hands.frames.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(
+        frames,
+        [
+            "left_slide",
+            "left_sensor",
+            "left_wrist",
+            "left_camera",
+            "right_sensor",
+            "right_wrist",
+            "right_tool",
+            "right_camera"
+        ]
+    );
+
+    let up = from("left_tool", "torso");
+    let q = up.joint_values(&[left[1], left[0]]);
+    assert!(near(&up.chain().fk(&q), &base));
+    assert_eq!((up.base.as_str(), up.tip.as_str()), ("left_tool", "torso"));
+    assert_eq!(up.joints.last().map(|it| it.link.as_str()), Some("torso"));
 }

@@ -30,7 +30,8 @@ use proc_macro::TokenStream;
 /// - **`name = Arm`**: the name of the type, with a capital letter in it. By
 ///   default the file's stem in UpperCamelCase: `kr6_r900.yaml` makes `Kr6R900`.
 /// - **`base = "base_link"`**: the link that the chain begins at and that poses
-///   are given in. By default the root of the robot.
+///   are given in: any link, such as a foot, or a hand for the other as the tip.
+///   By default the root of the robot.
 /// - **`tip = "tool0"`**: the link that the chain ends at and that poses are
 ///   of. By default the end of the joints that move, fingers left out: the
 ///   link there that is called `tool0`, `tcp`, `flange`, `ee_link` or the like,

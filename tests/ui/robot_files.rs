@@ -3,6 +3,5 @@
 kinematics::kinematics!("robots/broken.urdf");
 kinematics::kinematics!("robots/two_arms.urdf");
 kinematics::kinematics!("robots/two_arms.urdf", tip = "left_hnad");
-kinematics::kinematics!("robots/two_arms.urdf", base = "left_hand", tip = "right_hand");
 
 fn main() {}

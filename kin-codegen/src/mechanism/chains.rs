@@ -264,12 +264,7 @@ fn chain(looped: &LoopedTree, path: &[Passed]) -> ChainSpec {
         let placed = if passed.1 {
             joint.clone()
         } else {
-            Joint {
-                origin: joint.mount.inverse(),
-                axis: joint.axis.map(|x| 0.0 - x),
-                mount: joint.origin.inverse(),
-                ..joint.clone()
-            }
+            joint.reversed()
         };
         joints.push(Joint {
             parent: i,

@@ -2,9 +2,9 @@
 
 use super::tip::default_tip;
 use crate::spec::{ArmSpec, Collector, JointType, did_you_mean};
-use std::collections::HashSet;
+use std::borrow::Cow;
 
-/// A path down the tree.
+/// A path down the tree, of a robot that hangs on its base.
 pub(super) struct Chain {
     /// Index into the links.
     pub base: usize,
@@ -38,21 +38,38 @@ pub(super) fn choose(
         None => Some(default_tip(spec, base_link?, diagnostics)?),
     };
     let (base, tip) = (base_link?, tip_link?);
-    match tree.path(base, tip) {
-        Some(joints) if joints.is_empty() => {
-            let name = &spec.links[base].name;
-            diagnostics.whole(
-                format!("base and tip are both `{name}`, so there is no chain"),
-                "choose a tip further out",
-            );
-            None
-        }
-        Some(joints) => Some(Chain { base, tip, joints }),
-        None => {
-            explain_no_path(&tree, base, tip, diagnostics);
-            None
-        }
+    let joints = tree.path(base, tip);
+    if joints.is_empty() {
+        let name = &spec.links[base].name;
+        diagnostics.whole(
+            format!("base and tip are both `{name}`, so there is no chain"),
+            "choose a tip further out",
+        );
+        return None;
     }
+    Some(Chain { base, tip, joints })
+}
+
+/// The robot as it hangs on the base, for a tip that is not below that link: every joint from there
+/// up to the root is passed from its child to its parent.
+pub(super) fn hung_on_base<'s>(
+    spec: &'s ArmSpec,
+    base: Option<&str>,
+    tip: Option<&str>,
+) -> Cow<'s, ArmSpec> {
+    let place = |name: &str| spec.links.iter().position(|link| link.name == name);
+    let (Some(base), Some(tip)) = (base.and_then(place), tip.and_then(place)) else {
+        return Cow::Borrowed(spec);
+    };
+    let tree = Tree::new(spec);
+    if tree.ancestors(tip).any(|link| link == base) {
+        return Cow::Borrowed(spec);
+    }
+    let mut hung = spec.clone();
+    for joint in tree.joints_above(base) {
+        hung.joints[joint] = spec.joints[joint].reversed();
+    }
+    Cow::Owned(hung)
 }
 
 fn find(spec: &ArmSpec, role: &str, name: &str, diagnostics: &mut Collector) -> Option<usize> {
@@ -65,30 +82,6 @@ fn find(spec: &ArmSpec, role: &str, name: &str, diagnostics: &mut Collector) -> 
         );
     }
     found
-}
-
-fn explain_no_path(tree: &Tree, base: usize, tip: usize, diagnostics: &mut Collector) {
-    let name = |link: usize| &tree.spec.links[link].name;
-    let reason = format!(
-        "the tip `{}` is not below the base `{}`",
-        name(tip),
-        name(base)
-    );
-    if tree.path(tip, base).is_some() {
-        let remedy = format!(
-            "swap them: base = \"{}\", tip = \"{}\"",
-            name(tip),
-            name(base)
-        );
-        diagnostics.whole(format!("{reason}, but above it"), remedy);
-    } else {
-        let parting = tree.common_ancestor(base, tip);
-        let remedy = format!(
-            "choose a base above both, such as `{}` where their branches part",
-            name(parting)
-        );
-        diagnostics.whole(reason, remedy);
-    }
 }
 
 /// The robot with links that know the joint above them.
@@ -110,30 +103,23 @@ impl<'s> Tree<'s> {
         self.above.iter().position(Option::is_none)
     }
 
-    /// The joints from a link down to another one.
-    fn path(&self, from: usize, to: usize) -> Option<Vec<usize>> {
-        let mut joints = Vec::new();
-        let mut link = to;
-        while link != from {
-            let joint = self.above[link]?;
-            joints.push(joint);
-            link = self.spec.joints[joint].parent;
-        }
-        joints.reverse();
-        Some(joints)
+    /// The joints from a link up to the root.
+    fn joints_above(&self, link: usize) -> impl Iterator<Item = usize> {
+        let next = |&joint: &usize| self.above[self.spec.joints[joint].parent];
+        std::iter::successors(self.above[link], next)
     }
 
     /// A link, its parent, and so on up to the root.
     fn ancestors(&self, link: usize) -> impl Iterator<Item = usize> {
-        std::iter::successors(Some(link), |&link| {
-            self.above[link].map(|joint| self.spec.joints[joint].parent)
-        })
+        let parents = self.joints_above(link);
+        std::iter::once(link).chain(parents.map(|joint| self.spec.joints[joint].parent))
     }
 
-    fn common_ancestor(&self, a: usize, b: usize) -> usize {
-        let above_a: HashSet<usize> = self.ancestors(a).collect();
-        self.ancestors(b)
-            .find(|link| above_a.contains(link))
-            .unwrap_or(a)
+    /// The joints from a link down to one below it.
+    fn path(&self, from: usize, to: usize) -> Vec<usize> {
+        let count = self.ancestors(to).take_while(|&link| link != from).count();
+        let mut joints: Vec<usize> = self.joints_above(to).take(count).collect();
+        joints.reverse();
+        joints
     }
 }

@@ -141,6 +141,20 @@ pub struct Joint {
     pub at: Location,
 }
 
+impl Joint {
+    /// The same joint from its child to its parent.
+    pub fn reversed(&self) -> Self {
+        Self {
+            parent: self.child,
+            child: self.parent,
+            origin: self.mount.inverse(),
+            axis: self.axis.map(|x| 0.0 - x),
+            mount: self.origin.inverse(),
+            ..self.clone()
+        }
+    }
+}
+
 /// How a joint moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointType {
