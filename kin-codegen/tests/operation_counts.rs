@@ -3,6 +3,7 @@
 
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::expr::Operations;
+use kin_codegen::expr::forward::Outputs;
 use kin_codegen::{Compiled, Ik, Options, Source, compile};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -140,6 +141,34 @@ proptest! {
     fn any_six_revolute_joints(source in general()) {
         assert_within(counts(&forward(&source)), [[133, 78], [183, 117]]);
     }
+}
+
+/// Frames of links that are turned against each other in every direction, as CAD exports have them:
+/// each costs what leads there from the one before, however long the chain.
+#[test]
+fn the_frames_of_links_cost_alike_each() {
+    let per_link = |joints: usize| {
+        let mut text = String::from("robot: snake\nunits: {angle: rad, length: m}\njoints:\n");
+        for i in 0..joints {
+            let k = (i % 5) as f64;
+            let rpy = format!("[{}, {}, {}]", 0.3 + k, 0.2 - 0.1 * k, 0.9 * k);
+            writeln!(
+                text,
+                "  - {{name: j{i}, axis: [0, 0, 1], xyz: [{k}, 0.1, 0.3], rpy: {rpy}}}"
+            )
+            .unwrap();
+        }
+        let source = Source {
+            path: "snake.yaml".into(),
+            text,
+        };
+        let (poses, links) = forward(&source).poses_of_links();
+        let all = poses.graph.operations(&links.expressions());
+        assert_eq!(links.len(), joints);
+        (all.multiplications + all.additions) / joints
+    };
+    let costs = [6, 12, 24].map(per_link);
+    assert!(costs.iter().all(|cost| *cost <= 90), "{costs:?}");
 }
 
 /// Base and tip anywhere cost a rotation each, and every joint its zero.

@@ -10,7 +10,7 @@
 
 use super::linear::{Motion, Trig, Vector, transpose};
 use super::{Expr, Graph};
-use crate::geometry::{Axis, Combination, Linkage, Vec3};
+use crate::geometry::{Axis, Combination, Linkage, Run, Vec3};
 use crate::model::JointKind;
 use kin_runtime::Pose;
 
@@ -281,20 +281,60 @@ pub fn tip(g: &mut Graph, linkage: &Linkage, trig: &JointTrig) -> Motion {
     behind(g, linkage, trig, linkage.links.len(), None, &[])[0]
 }
 
-/// The frames of the links that some joints move, in base coordinates. What
-/// one frame takes serves the next.
+/// The frames of the links that some joints move, in base coordinates, each by what the ones before
+/// it leave cheapest, or from the one before it; what is cheaper is counted.
 pub fn link_frames(
     g: &mut Graph,
     linkage: &Linkage,
     trig: &JointTrig,
     joints: &[usize],
 ) -> Vec<Motion> {
-    let mut frames = Vec::new();
-    for &joint in joints {
-        let body = linkage.links[joint].body;
-        frames = behind(g, linkage, trig, joint + 1, Some(body), &frames);
+    cheapest(g, 2, |g, variant| {
+        let mut frames: Vec<Motion> = Vec::new();
+        for (i, &joint) in joints.iter().enumerate() {
+            let before = i.checked_sub(1).filter(|_| variant == 1);
+            let before = before.map(|before| (joints[before], frames[before]));
+            let next = before.and_then(|before| behind_link(g, linkage, trig, before, joint));
+            match next {
+                Some(frame) => frames.push(frame),
+                None => {
+                    let body = linkage.links[joint].body;
+                    frames = behind(g, linkage, trig, joint + 1, Some(body), &frames);
+                }
+            }
+        }
+        frames
+    })
+}
+
+/// The frame of a link from that of the one before it, where the two joints are not of one run.
+fn behind_link(
+    g: &mut Graph,
+    linkage: &Linkage,
+    trig: &JointTrig,
+    (before, frame): (usize, Motion),
+    joint: usize,
+) -> Option<Motion> {
+    let begins = |run: &Run| run.joints.start == joint;
+    if before + 1 != joint || !linkage.runs.iter().any(begins) {
+        return None;
     }
-    frames
+    let (link, travel) = (&linkage.links[before], g.vector([0.0; 3]));
+    let mut between = Stage {
+        turn: None,
+        travel,
+        after: Pose::IDENTITY,
+        advance: [0.0; 3],
+        axes: Vec::new(),
+    };
+    between.end_at(link.body.inverse() * link.after);
+    let mut stage = stages(g, linkage, trig, joint + 1).pop()?;
+    stage.end_at(linkage.links[joint].body);
+    let mut frame = between.leave(g, frame);
+    let travel = g.rotate(&frame.rotation, stage.travel);
+    frame.translation = g.plus(frame.translation, travel);
+    let behind = stage.spin(g, frame);
+    Some(stage.leave(g, behind))
 }
 
 /// The motion from the base to behind joint `upto − 1` and on by its constant
