@@ -10,6 +10,7 @@
 // cosines, 6 arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
+#[rustfmt::skip]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,
@@ -742,9 +743,7 @@ mod __Kr6R900 {
                         A::fma(t28, t29, t8 * t30),
                         A::fma(t17, t26, t4 * t25),
                         A::fma(t17, t23, t4 * t22),
-                        0.0,
-                        0.0,
-                        0.0,
+                        0.0, 0.0, 0.0,
                     ],
                     [-t28, t18, t18, t16, -s6, 0.0],
                     [t6 - t7, t4, t4, t3, c6, 0.0],
@@ -1091,15 +1090,13 @@ mod __Kr6R900 {
                     let t104 = A::angle(t63, t64);
                     let t105 = math::select(
                         t104 < 0.0,
-                        -3.141592653589793,
-                        3.141592653589793,
+                        -3.141592653589793, 3.141592653589793,
                     ) - t104;
                     let t106 = A::angle(t61, c5);
                     let t107 = A::angle(t70, t69);
                     let t108 = math::select(
                         t107 < 0.0,
-                        -3.141592653589793,
-                        3.141592653589793,
+                        -3.141592653589793, 3.141592653589793,
                     ) - t107;
                     t39_[k][t] = t39;
                     singular_[k][t] = singular;

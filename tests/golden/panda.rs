@@ -10,6 +10,7 @@
 // arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate panda.yaml
 
+#[rustfmt::skip]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,
@@ -423,8 +424,7 @@ mod __Panda {
                             A::fma(t39, t46, -(t37 * t48)),
                         ],
                         [
-                            0.0,
-                            0.0,
+                            0.0, 0.0,
                             A::fma(t2, t5, -(t1 * t6)),
                             A::fma(t15, t16, -(t12 * t17)),
                             A::fma(t20, t25, -(t19 * t26)),
@@ -1010,15 +1010,13 @@ mod __Panda {
                     let t123 = A::angle(t68, t69);
                     let t124 = math::select(
                         t123 < 0.0,
-                        -3.141592653589793,
-                        3.141592653589793,
+                        -3.141592653589793, 3.141592653589793,
                     ) - t123;
                     let t125 = A::angle(t66, c2);
                     let t126 = A::angle(t76, t77);
                     let t127 = math::select(
                         t126 < 0.0,
-                        -3.141592653589793,
-                        3.141592653589793,
+                        -3.141592653589793, 3.141592653589793,
                     ) - t126;
                     let q4 = A::angle(s4, c4);
                     let q5 = A::angle(s5, c5);

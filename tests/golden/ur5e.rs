@@ -10,6 +10,7 @@
 // sines with cosines, 6 arctangents, 34 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
+#[rustfmt::skip]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,
@@ -499,8 +500,7 @@ mod __Ur5e {
                             A::fma(c1, t32, -(s1 * t31)),
                         ],
                         [
-                            0.0,
-                            0.0,
+                            0.0, 0.0,
                             t3,
                             t6,
                             0.1333 * s234,
@@ -692,8 +692,7 @@ mod __Ur5e {
                         s5 * t12,
                         s5 * t9,
                         -(0.0997 * s5),
-                        0.0,
-                        0.0,
+                        0.0, 0.0,
                     ],
                     [A::fma(c6, t13, s6 * c234), t5, t5, t5, -s6, 0.0],
                     [A::fma(c6, c234, -(s6 * t13)), t3, t3, t3, -c6, 0.0],

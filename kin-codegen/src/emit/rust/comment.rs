@@ -43,7 +43,8 @@ pub fn without_comments(tokens: TokenStream) -> TokenStream {
     kept.into_iter().collect()
 }
 
-/// The items as formatted source, with a blank line between any two.
+/// The items as formatted source, with a blank line between any two. Numbers of an array that has
+/// a line for each share lines.
 pub fn print(items: TokenStream) -> String {
     let file = syn::parse2(items)
         .unwrap_or_else(|error| unreachable!("the emitted items do not parse: {error}"));
@@ -57,6 +58,7 @@ pub fn print(items: TokenStream) -> String {
         }
         match marked(line, &mut lines) {
             Some(text) => push_comment(&mut out, indent(line), &text),
+            None if is_number(before) && is_number(line) => push_number(&mut out, line),
             None => {
                 out.push_str(line);
                 out.push('\n');
@@ -98,6 +100,26 @@ fn push_comment(out: &mut String, indent: &str, text: &str) {
         line.push_str(word);
     }
     out.push_str(&line);
+    out.push('\n');
+}
+
+/// Whether all of a line is a number of an array.
+fn is_number(line: &str) -> bool {
+    let number = line.trim_start().strip_suffix(',');
+    number.is_some_and(|number| number.parse::<f64>().is_ok())
+}
+
+/// A number behind another one, in its line if there is room.
+fn push_number(out: &mut String, line: &str) {
+    let number = line.trim_start();
+    let last = out.trim_end().rsplit('\n').next().unwrap_or_default();
+    if last.len() + 1 + number.len() > WIDTH {
+        out.push_str(line);
+    } else {
+        out.truncate(out.trim_end().len());
+        out.push(' ');
+        out.push_str(number);
+    }
     out.push('\n');
 }
 
@@ -146,6 +168,18 @@ mod tests {
         let expected = "fn f(x: f64) -> f64 {\n    // 1. q1 by SP4\n    let y = x;\n    {\n        \
                         // 1. q1 by SP4\n    }\n    y\n}\n";
         assert_eq!(code, expected);
+    }
+
+    #[test]
+    fn numbers_of_an_array_share_lines() {
+        let numbers = (1..30).map(|k| Literal::f64_unsuffixed(1.0 / f64::from(k * k * k)));
+        let numbers = quote!(const NUMBERS: [f64; 29] = [#(-#numbers,)*];);
+        let code = print(numbers.clone());
+        let lines: Vec<&str> = code.lines().collect();
+        assert!(lines.iter().all(|line| line.len() <= WIDTH), "{code}");
+        assert!(lines.len() < 12, "{code}");
+        let printed: TokenStream = code.parse().unwrap();
+        assert_eq!(printed.to_string(), numbers.to_string());
     }
 
     #[test]

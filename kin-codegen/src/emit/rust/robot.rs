@@ -91,10 +91,12 @@ fn types(compiled: &CompiledArm, names: &Names) -> TokenStream {
 }
 
 /// The items of a type, in a module of their own: a constant or unit struct
-/// where the robot stands would be a pattern wherever a variable has its name.
+/// where the robot stands would be a pattern wherever a variable has its name. Formatted as it is, or
+/// `cargo fmt` would make checked-in code stale.
 pub(super) fn in_module(name: &Ident, items: &TokenStream) -> TokenStream {
     let module = format_ident!("__{name}");
     quote! {
+        #[rustfmt::skip]
         #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
         #[allow(
             clippy::all, clippy::pedantic, clippy::nursery,
