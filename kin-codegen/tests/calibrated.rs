@@ -664,3 +664,64 @@ joints:
     let plan = form.plan.to_string();
     assert!(plan.contains("q2+q3+q4+q5"), "{plan}");
 }
+
+/// Right angles of five digits leave a wrist on a shoulder whose axes meet at 90.0002 degrees: it
+/// passes the first axis at some micrometres. There the shoulder's root is the wrist's distance
+/// from that axis, whose square is lost in a difference of squares of the whole arm's length.
+#[test]
+fn a_wrist_beside_the_first_axis_of_a_rounded_shoulder_is_found() {
+    let model = written(
+        "robot: rounded\nunits: {angle: rad, length: m}\njoints:\n\
+         - {name: j1, xyz: [0, 0, 0.262], axis: [0, 0, 1]}\n\
+         - {name: j2, rpy: [1.5708, 0, 0], axis: [0, 0, 1]}\n\
+         - {name: j3, xyz: [0, 0.73, 0], rpy: [3.1416, 0, 1.5708], axis: [0, 0, 1]}\n\
+         - {name: j4, rpy: [1.5708, 0, 1.5708], axis: [0, 0, 1]}\n\
+         - {name: j5, xyz: [0, 0, 0.57], rpy: [1.5708, 0, 3.1416], axis: [0, 0, 1]}\n\
+         - {name: j6, rpy: [1.5708, 0, 3.1416], axis: [0, 0, 1]}\n\
+         - {name: tip, type: fixed, xyz: [0, 0.109, 0], rpy: [-1.5708, 1.5708, 0]}\n",
+    );
+    let (linkage, chain) = (Linkage::new(&model), model.chain());
+    let Certified { form, certificate } = solve(&model, &linkage, Target::Pose).unwrap();
+    assert!(form.is_exact());
+    assert_eq!((certificate.lost, certificate.unanswered), (0, 0));
+    let from_axis = |q: &[f64]| {
+        let [x, y, _] = chain.fk_links(q)[4].translation;
+        x.hypot(y)
+    };
+    let mut random = Random(0x0e1f);
+    for k in 0..40 {
+        let mut q = configuration(6, 3 * k, &mut random);
+        // The shoulder's angle that takes the wrist nearest to the axis.
+        let at = |angle: f64| {
+            let mut q = q.clone();
+            q[1] = angle;
+            from_axis(&q)
+        };
+        let step = PI / 64.0;
+        let tried = (0..128).map(|k| f64::from(k) * step);
+        let best = tried.min_by(|&a, &b| at(a).total_cmp(&at(b))).unwrap();
+        let (mut low, mut high) = (best - step, best + step);
+        while high - low > 1e-12 {
+            let third = (high - low) / 3.0;
+            match at(low + third) < at(high - third) {
+                true => high -= third,
+                false => low += third,
+            }
+        }
+        for off in [1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-5, 1e-3] {
+            q[1] = low + off;
+            let found = form.solutions(&chain.fk(&q));
+            let apart = |found: &BranchSolution| {
+                let joints = found.q.iter().zip(&q);
+                let apart = joints.map(|(a, b)| ((a - b + PI).rem_euclid(2.0 * PI) - PI).abs());
+                apart.fold(0.0, f64::max)
+            };
+            let nearest = found.iter().map(apart).fold(f64::INFINITY, f64::min);
+            assert!(
+                nearest < 1e-6,
+                "{off:e} at {q:?}: {nearest:e} of {}",
+                found.len()
+            );
+        }
+    }
+}

@@ -3,8 +3,8 @@
 use super::Writer;
 use super::root::Discriminant;
 use super::transport::Transported;
-use crate::expr::Expr;
 use crate::expr::linear::{Trig, Vector};
+use crate::expr::{Expr, Node};
 use crate::plan::{Atom, Kind, Relation};
 use crate::scalar::Tolerances;
 
@@ -16,6 +16,10 @@ pub(super) struct ScaledTrig {
     pub factor: Expr,
     pub scale: Expr,
 }
+
+/// A component of a vector along an axis, relative to its length or the arm's size, that is small
+/// beside what it is taken from.
+const SMALL: f64 = 1e-3;
 
 impl Writer<'_> {
     /// Rz(θ) right = left.
@@ -120,15 +124,15 @@ impl Writer<'_> {
         } else {
             y_vector
         };
+        let unit = if point { self.linkage.size } else { 1.0 };
         let square = if self.g.is(level, 0.0) {
-            self.gram(x_vector, centred, h)
+            self.gram(x_vector, centred, h, unit)
         } else {
             None
         };
         let squares = square
             .filter(|square| square.is_sum_of_squares(&self.tolerances))
             .map(|squares| squares.value);
-        let unit = if point { self.linkage.size } else { 1.0 };
         let mut trig = self.angle_with(second, a, b, d, square, unit);
         if point && square.is_some() {
             // Of a point out of reach the Gram determinant is that of no angle.
@@ -163,24 +167,24 @@ impl Writer<'_> {
     /// Rotations keep lengths, |x| = |y|, so that with the first axis h and its
     /// component c = h₃ along the second, a² + b² − d² is the Gram determinant
     /// (x₁² + x₂²) − (c|y|)² − y₃² + 2 c y₃ x₃. Where c and y₃ are small constants
-    /// of the arm, it has no cancellation near the first axis, while the
-    /// difference of squares loses all its digits there.
-    fn gram(&mut self, x: Vector, y: Vector, h: Vector) -> Option<Discriminant> {
+    /// of the arm, or small whatever the joints between do, it has no cancellation near the first
+    /// axis, while the difference of squares loses all its digits there.
+    fn gram(&mut self, x: Vector, y: Vector, h: Vector, size: f64) -> Option<Discriminant> {
         let value = |g: &crate::expr::Graph, e| g.value(e);
         let c = value(&self.g, h[2])?;
         let across_h = self.length_squared(h);
         let unit = value(&self.g, across_h)? + c * c;
-        let height = value(&self.g, y[2])?;
-        let length = self.g.dot(y, y);
-        let length = value(&self.g, length);
-        if c != 0.0 && length.is_none() {
-            return None;
-        }
+        let square = self.g.dot(y, y);
+        let length = value(&self.g, square);
+        let height = value(&self.g, y[2]).filter(|_| c == 0.0 || length.is_some());
         // The better side is the one whose component is a constant of the arm.
         if (unit - 1.0).abs() > 1e-15 || value(&self.g, x[2]).is_some() {
             return None;
         }
         let across = self.length_squared(x);
+        let Some(height) = height else {
+            return self.small_gram(across, x, y, c, size);
+        };
         let offset = c * c * length.unwrap_or(0.0) + height * height;
         let Tolerances {
             free_below, noise, ..
@@ -199,5 +203,61 @@ impl Writer<'_> {
             noise,
             factors: None,
         })
+    }
+
+    /// The same where y₃ or |y| is no constant of the arm, and c and y₃ are small: so is what is
+    /// taken from x₁² + x₂², and its rounding.
+    fn small_gram(
+        &mut self,
+        across: Expr,
+        x: Vector,
+        y: Vector,
+        c: f64,
+        size: f64,
+    ) -> Option<Discriminant> {
+        let small = c.abs() + self.bound(y[2]) / size;
+        if small.is_nan() || small > SMALL {
+            return None;
+        }
+        let (square, height) = (self.g.dot(y, y), self.g.square(y[2]));
+        let far = self.scaled(c * c, square);
+        let product = self.g.mul(x[2], y[2]);
+        let rate = self.scaled(2.0 * c, product);
+        let offset = self.g.add(far, height);
+        let rest = self.g.sub(rate, offset);
+        let Tolerances {
+            free_below, noise, ..
+        } = self.tolerances;
+        Some(Discriminant {
+            value: self.g.add(across, rest),
+            noise: free_below + noise * small,
+            factors: None,
+        })
+    }
+
+    /// What an expression of constants and of angles found does not exceed; infinite of others.
+    fn bound(&self, e: Expr) -> f64 {
+        let found = self.trig.iter().chain(&self.sum).flatten();
+        let mut sides = found.flat_map(|trig| [trig.sin, trig.cos]);
+        if let Some(bound) = sides.find_map(|side| self.bound_as_side(e, side)) {
+            return bound;
+        }
+        match self.g.node(e) {
+            Node::Constant(bits) => f64::from_bits(bits).abs(),
+            Node::Add(a, b) | Node::Sub(a, b) => self.bound(a) + self.bound(b),
+            Node::Mul(a, b) => self.bound(a) * self.bound(b),
+            Node::Neg(a) => self.bound(a),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// What an expression does not exceed of which a sine or cosine is a multiple.
+    fn bound_as_side(&self, e: Expr, side: Expr) -> Option<f64> {
+        match self.g.node(side) {
+            _ if side == e => Some(1.0),
+            Node::Neg(a) => self.bound_as_side(e, a),
+            Node::Mul(k, a) | Node::Mul(a, k) if a == e => Some(1.0 / self.g.value(k)?.abs()),
+            _ => None,
+        }
     }
 }
