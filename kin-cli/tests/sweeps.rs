@@ -7,7 +7,7 @@ use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::expr::{Choice, Node, Tape};
 use kin_codegen::geometry::Linkage;
 use kin_codegen::model::Model;
-use kin_codegen::{Compiled, Options, Source, Target, compile, univariate};
+use kin_codegen::{Compiled, Options, Scalar, Source, Target, compile, univariate};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -118,6 +118,54 @@ fn aligned_targets_are_near_singular_ones() {
     assert!(tally.near_singular > SETTINGS.targets / 20, "{tally}");
     assert!(tally.is_clean(), "{tally}");
     assert_eq!(tally.unanswered, 0, "{tally}");
+}
+
+/// A UR5e in single precision.
+fn in_single_precision() -> (Model, ClosedForm) {
+    let options = Options {
+        scalar: Scalar::F32,
+        ..Options::default()
+    };
+    let Compiled::Arm(arm) = compile(&source("robots/ur5e.urdf"), &options).unwrap() else {
+        panic!("an arm");
+    };
+    (arm.model, arm.inverse.unwrap().form)
+}
+
+/// What is rounded to seven digits is held against the search as what is not: one solution in two
+/// that is left out is seen.
+#[test]
+fn single_precision_is_compared() {
+    let (model, mut form) = in_single_precision();
+    let settings = Settings {
+        oracle: 60,
+        ..SETTINGS
+    };
+    let compared = |form: &ClosedForm| sweep(&model, form, &settings, &|_| {}).oracle.unwrap();
+    let all = compared(&form);
+    assert!(all.is_clean() && all.solutions > 400, "{all:?}");
+
+    let plus = Node::Sign(Choice(0));
+    tamper(&mut form, |inverse| {
+        inverse.invalid = inverse.graph.find(plus).unwrap();
+    });
+    let half = compared(&form);
+    assert!(half.missing.regular > 100, "{half:?}");
+}
+
+/// One of these targets has a solution at the very tolerance; seven digits tell a distance to a
+/// tenth of a millionth, and it is kept to with that.
+#[test]
+fn single_precision_keeps_to_its_tolerance() {
+    let (model, form) = in_single_precision();
+    let settings = Settings {
+        targets: 2000,
+        oracle: 0,
+        seed: 9,
+        ..SETTINGS
+    };
+    let tally = sweep(&model, &form, &settings, &|_| {});
+    assert_eq!(tally.unsound, 0, "{tally}");
 }
 
 #[test]

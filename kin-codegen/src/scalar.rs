@@ -22,6 +22,9 @@ pub enum Scalar {
 pub struct Tolerances {
     /// Solutions reach the target to this.
     pub solved: f64,
+    /// Branches are solutions that reach it to this, as far as the scalar tells: no more than
+    /// [`Tolerances::solved`] with the rounding of that distance.
+    pub accepted: f64,
     /// See [`kin_runtime::__private::tolerance`], also for the next ones.
     pub free_below: f64,
     pub nearly_free: f64,
@@ -54,6 +57,7 @@ impl Scalar {
         match self {
             Scalar::F64 => Tolerances {
                 solved: double::SOLVED,
+                accepted: double::SOLVED,
                 free_below: double::FREE_BELOW,
                 nearly_free: double::NEARLY_FREE,
                 nearly: double::NEARLY,
@@ -70,6 +74,7 @@ impl Scalar {
             },
             Scalar::F32 => Tolerances {
                 solved: single::SOLVED.into(),
+                accepted: f64::from(single::SOLVED) - 16.0 * f64::from(f32::EPSILON),
                 free_below: single::FREE_BELOW.into(),
                 nearly_free: single::NEARLY_FREE.into(),
                 nearly: single::NEARLY.into(),

@@ -1540,7 +1540,7 @@ mod __Calibrated {
                     let t66 = t64 - t65;
                     let t67 = t62 - t61;
                     let t68 = A::fma(r22[t], c1, -(r12[t] * s1));
-                    let t69 = A::fma(t68, t68, t67 * t67);
+                    let t69 = A::fma(t67, t67, t68 * t68);
                     let t70 = 1e-13 * t69;
                     let t71 = e1[k] * t45_[t];
                     let t72 = 1.1498670199252323 * t58;
@@ -1556,8 +1556,8 @@ mod __Calibrated {
                     );
                     let t75 = A::fma(r21[t], t74, -(r11[t] * t73));
                     let t76 = A::fma(r22[t], t74, -(r12[t] * t73));
-                    let t77 = t68 * t76;
-                    let t78 = t67 * t75;
+                    let t77 = t67 * t75;
+                    let t78 = t68 * t76;
                     let t79 = t77 + t77 + (t78 + t78);
                     let t80 = e1[k] * t48_[t];
                     let t81 = math::select(
@@ -1572,16 +1572,16 @@ mod __Calibrated {
                     );
                     let t83 = A::fma(r21[t], t82, -(r11[t] * t81));
                     let t84 = A::fma(r22[t], t82, -(r12[t] * t81));
-                    let t85 = t68 * t84;
-                    let t86 = t67 * t83;
+                    let t85 = t67 * t83;
+                    let t86 = t68 * t84;
                     let t87 = t85 + t85 + (t86 + t86);
                     let t88 = t65 - t64;
                     let t89 = t68 * t88;
                     let t90 = t89 + t89;
                     let t91 = t66 * t67;
                     let t92 = t91 + t91;
-                    let t93 = t63 * t68;
-                    let t94 = t67 * t68;
+                    let t93 = t67 * t68;
+                    let t94 = t63 * t68;
                     let t95 = t93 + t93 + (t94 + t94);
                     let t96 = 0.0000028031111066080745
                         * A::fma(
@@ -1624,87 +1624,87 @@ mod __Calibrated {
                     let t111 = t68 * s6;
                     let t112 = t110 - t111;
                     let t113 = math::sqrt(A::fma(t112, t112, t66 * t66));
-                    let t114 = 0.5 / t100;
-                    let t115 = e2[k] * (t79 * t114);
-                    let t116 = t109 * (t79 * t109);
-                    let t117 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t75 * t103 + A::fma(t68, t115, t76 * t101),
-                            -(t106 * t116),
-                        ),
-                    );
+                    let t114 = t66 * A::fma(r13[t], t73, -(r23[t] * t74));
+                    let t115 = 0.5 / t100;
+                    let t116 = e2[k] * (t79 * t115);
+                    let t117 = t109 * (t79 * t109);
                     let t118 = math::select(
                         t69 < 1e-24,
                         0.0,
                         A::fma(
                             t109,
-                            t76 * t103 - A::fma(t67, t115, t75 * t101),
-                            -(t107 * t116),
+                            t75 * t103 + A::fma(t68, t116, t76 * t101),
+                            -(t106 * t117),
                         ),
                     );
-                    let t119 = t66 * A::fma(r13[t], t73, -(r23[t] * t74));
-                    let t120 = t112
-                        * (A::fma(t67, t118, t75 * c6) - A::fma(t68, t117, t76 * s6));
-                    let t121 = 0.5 / t113;
-                    let t122 = (t119 + t119 + (t120 + t120)) * t121;
-                    let t123 = e2[k] * (t87 * t114);
-                    let t124 = t109 * (t87 * t109);
-                    let t125 = math::select(
+                    let t119 = math::select(
                         t69 < 1e-24,
                         0.0,
                         A::fma(
                             t109,
-                            t83 * t103 + A::fma(t68, t123, t84 * t101),
-                            -(t106 * t124),
+                            t76 * t103 - A::fma(t67, t116, t75 * t101),
+                            -(t107 * t117),
                         ),
                     );
+                    let t120 = t112
+                        * (A::fma(t67, t119, t75 * c6) - A::fma(t68, t118, t76 * s6));
+                    let t121 = 0.5 / t113;
+                    let t122 = (t114 + t114 + (t120 + t120)) * t121;
+                    let t123 = t66 * A::fma(r13[t], t81, -(r23[t] * t82));
+                    let t124 = e2[k] * (t87 * t115);
+                    let t125 = t109 * (t87 * t109);
                     let t126 = math::select(
                         t69 < 1e-24,
                         0.0,
                         A::fma(
                             t109,
-                            t84 * t103 - A::fma(t67, t123, t83 * t101),
-                            -(t107 * t124),
+                            t83 * t103 + A::fma(t68, t124, t84 * t101),
+                            -(t106 * t125),
                         ),
                     );
-                    let t127 = t66 * A::fma(r13[t], t81, -(r23[t] * t82));
-                    let t128 = t112
-                        * (A::fma(t67, t126, t83 * c6) - A::fma(t68, t125, t84 * s6));
-                    let t129 = t121 * (t127 + t127 + (t128 + t128));
-                    let t130 = e2[k] * (t90 * t114);
-                    let t131 = t109 * (t90 * t109);
-                    let t132 = math::select(
+                    let t127 = math::select(
                         t69 < 1e-24,
                         0.0,
-                        A::fma(t109, A::fma(t68, t130, t88 * t101), -(t106 * t131)),
+                        A::fma(
+                            t109,
+                            t84 * t103 - A::fma(t67, t124, t83 * t101),
+                            -(t107 * t125),
+                        ),
                     );
+                    let t128 = t112
+                        * (A::fma(t67, t127, t83 * c6) - A::fma(t68, t126, t84 * s6));
+                    let t129 = t121 * (t123 + t123 + (t128 + t128));
+                    let t130 = t66 * t68;
+                    let t131 = e2[k] * (t90 * t115);
+                    let t132 = t109 * (t90 * t109);
                     let t133 = math::select(
                         t69 < 1e-24,
                         0.0,
-                        A::fma(t109, A::fma(-t67, t130, t88 * t103), -(t107 * t131)),
+                        A::fma(t109, A::fma(t68, t131, t88 * t101), -(t106 * t132)),
                     );
-                    let t134 = t66 * t68;
-                    let t135 = t112 * A::fma(t67, t133, -A::fma(t68, t132, t88 * s6));
-                    let t136 = t121 * (t134 + t134 + (t135 + t135));
-                    let t137 = e2[k] * (t92 * t114);
-                    let t138 = t109 * (t92 * t109);
-                    let t139 = math::select(
+                    let t134 = math::select(
                         t69 < 1e-24,
                         0.0,
-                        A::fma(t109, A::fma(t68, t137, t66 * t103), -(t106 * t138)),
+                        A::fma(t109, A::fma(-t67, t131, t88 * t103), -(t107 * t132)),
                     );
+                    let t135 = t112 * A::fma(t67, t134, -A::fma(t68, t133, t88 * s6));
+                    let t136 = t121 * (t130 + t130 + (t135 + t135));
+                    let t137 = t63 * t66;
+                    let t138 = e2[k] * (t92 * t115);
+                    let t139 = t109 * (t92 * t109);
                     let t140 = math::select(
                         t69 < 1e-24,
                         0.0,
-                        -A::fma(t107, t138, t109 * A::fma(t67, t137, t66 * t101)),
+                        A::fma(t109, A::fma(t68, t138, t66 * t103), -(t106 * t139)),
                     );
-                    let t141 = t63 * t66;
-                    let t142 = t112 * A::fma(-t68, t139, A::fma(t67, t140, t66 * c6));
-                    let t143 = t121 * (t141 + t141 + (t142 + t142));
-                    let t144 = e2[k] * (t95 * t114);
+                    let t141 = math::select(
+                        t69 < 1e-24,
+                        0.0,
+                        -A::fma(t107, t139, t109 * A::fma(t67, t138, t66 * t101)),
+                    );
+                    let t142 = t112 * A::fma(-t68, t140, A::fma(t67, t141, t66 * c6));
+                    let t143 = t121 * (t137 + t137 + (t142 + t142));
+                    let t144 = e2[k] * (t95 * t115);
                     let t145 = t109 * (t95 * t109);
                     let t146 = math::select(
                         t69 < 1e-24,
@@ -1761,8 +1761,8 @@ mod __Calibrated {
                     let t160 = 0.5 * (t159 + A::fma(t156, t156, t157 * t157));
                     let t161 = 0.17606709553354122 - t160;
                     let t162 = A::fma(-t161, t161, 0.02776733395938961);
-                    let t163 = 0.099747579771028 * t118;
-                    let t164 = 0.099747579771028 * t117;
+                    let t163 = 0.099747579771028 * t119;
+                    let t164 = 0.099747579771028 * t118;
                     let t165 = A::fma(r21[t], t164, r22[t] * t163);
                     let t166 = A::fma(r11[t], t164, r12[t] * t163) + 1.1498670199252323;
                     let t167 = t156 * t166;
@@ -1772,8 +1772,8 @@ mod __Calibrated {
                     let t171 = t170 + (t167 + t167 + (t168 + t168));
                     let t172 = t161 * (0.5 * t171);
                     let t173 = t172 + t172;
-                    let t174 = 0.099747579771028 * t126;
-                    let t175 = 0.099747579771028 * t125;
+                    let t174 = 0.099747579771028 * t127;
+                    let t175 = 0.099747579771028 * t126;
                     let t176 = A::fma(r11[t], t175, r12[t] * t174);
                     let t177 = A::fma(r21[t], t175, r22[t] * t174) + 1.1498670199252323;
                     let t178 = t156 * t176;
@@ -1787,8 +1787,8 @@ mod __Calibrated {
                     let t186 = t185 + t185;
                     let t187 = t161 * (0.5 * t186);
                     let t188 = t187 + t187;
-                    let t189 = 0.099747579771028 * t133;
-                    let t190 = 0.099747579771028 * t132;
+                    let t189 = 0.099747579771028 * t134;
+                    let t190 = 0.099747579771028 * t133;
                     let t191 = t10_[t]
                         + A::fma(r11[t], t190, A::fma(r12[t], t189, r13[t] * t154))
                         - t10_[t];
@@ -1805,8 +1805,8 @@ mod __Calibrated {
                     let t197 = t196 + (t193 + t193 + (t194 + t194));
                     let t198 = t161 * (0.5 * t197);
                     let t199 = t198 + t198;
-                    let t200 = 0.099747579771028 * t140;
-                    let t201 = 0.099747579771028 * t139;
+                    let t200 = 0.099747579771028 * t141;
+                    let t201 = 0.099747579771028 * t140;
                     let t202 = t14_[t]
                         + (A::fma(r12[t], t200, A::fma(r11[t], t201, -(r13[t] * t155)))
                             - t13_[t]);

@@ -909,12 +909,12 @@ return $arm({
             const t23 = r33 * t20 - (r13 * px + r23 * py) + 0.107;
             const t24 = s7 * t21 + c7 * t22;
             const t25 = c7 * t21 - s7 * t22 - 0.088;
-            const t26 = t23 * t23 + t25 * t25;
-            const t27 = 1e-13 * t26;
-            const t28 = -Math.sqrt(t26);
-            const t29 = $select(t26, 9.763255449212622e-25, 1.0, 0.0);
-            const t30 = 1.0 / t26;
-            const t31 = t24 * t24;
+            const t26 = t24 * t24;
+            const t27 = t23 * t23 + t25 * t25;
+            const t28 = 1e-13 * t27;
+            const t29 = -Math.sqrt(t27);
+            const t30 = $select(t27, 9.763255449212622e-25, 1.0, 0.0);
+            const t31 = 1.0 / t27;
             /* Residual: forward kinematics against the target (what all branches share) */
             const t32 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
             const t33 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
@@ -952,16 +952,16 @@ return $arm({
                 /* 2. q5 and q6 by SP2, given q4 and q7 */
                 const t44 = 19.205104755667552 * t42 + 5.013990956780295 * t41 - 0.384;
                 const t45 = 19.205104755667552 * t41 - 5.013990956780295 * t42 - 0.0825;
-                const t46 = t26 - t44 * t44;
+                const t46 = t27 - t44 * t44;
                 const t47 = -e2;
-                const t48 = e2 * Math.sqrt($select(t46, t27, 0.0, t46));
-                const t49 = $max(t28, -$max(t28, -t44));
-                const t50 = $max($max($select(t14, 1.645395867506249e-15, -e1, 0.0), $select(t46, t27, t47, 0.0)), $select(t26, 9.763255449212622e-25, t47, 0.0));
-                const s6 = $select(t26, 9.763255449212622e-25, t2, -((t25 * t49 + t23 * t48) * t30));
-                const c6 = $select(t26, 9.763255449212622e-25, t5, (t25 * t48 - t23 * t49) * t30);
+                const t48 = e2 * Math.sqrt($select(t46, t28, 0.0, t46));
+                const t49 = $max(t29, -$max(t29, -t44));
+                const t50 = $max($max($select(t14, 1.645395867506249e-15, -e1, 0.0), $select(t46, t28, t47, 0.0)), $select(t27, 9.763255449212622e-25, t47, 0.0));
+                const s6 = $select(t27, 9.763255449212622e-25, t2, -((t25 * t49 + t23 * t48) * t31));
+                const c6 = $select(t27, 9.763255449212622e-25, t5, (t25 * t48 - t23 * t49) * t31);
                 const t51 = t25 * c6 - t23 * s6;
-                const t52 = Math.sqrt(t45 * t45 * (t51 * t51 + t31));
-                const t53 = $max($max($max(t15, $select(t46, t27, 1.0, 0.0)), t29), $select(t52, 9.763255449212622e-25, 1.0, 0.0));
+                const t52 = Math.sqrt(t45 * t45 * (t26 + t51 * t51));
+                const t53 = $max($max($max(t15, $select(t46, t28, 1.0, 0.0)), t30), $select(t52, 9.763255449212622e-25, 1.0, 0.0));
                 const t54 = 1.0 / t52;
                 const s5 = $select(t52, 9.763255449212622e-25, t1, t45 * t24 * t54);
                 const c5 = $select(t52, 9.763255449212622e-25, t4, t45 * t51 * t54);

@@ -797,12 +797,12 @@ mod __Panda {
                     + 0.107;
                 let t24 = A::fma(s7, t21, c7 * t22);
                 let t25 = A::fma(c7, t21, -(s7 * t22)) - 0.088;
-                let t26 = A::fma(t23, t23, t25 * t25);
-                let t27 = 1e-13 * t26;
-                let t28 = -math::sqrt(t26);
-                let t29 = math::select(t26 < 9.763255449212622e-25, 1.0, 0.0);
-                let t30 = 1.0 / t26;
-                let t31 = t24 * t24;
+                let t26 = t24 * t24;
+                let t27 = A::fma(t23, t23, t25 * t25);
+                let t28 = 1e-13 * t27;
+                let t29 = -math::sqrt(t27);
+                let t30 = math::select(t27 < 9.763255449212622e-25, 1.0, 0.0);
+                let t31 = 1.0 / t27;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t32 = 0.5
@@ -870,33 +870,33 @@ mod __Panda {
                         - 0.384;
                     let t45 = A::fma(19.205104755667552, t41, -(5.013990956780295 * t42))
                         - 0.0825;
-                    let t46 = A::fma(-t44, t44, t26_[t]);
+                    let t46 = A::fma(-t44, t44, t27_[t]);
                     let t47 = -e2[k];
-                    let t48 = e2[k] * math::sqrt(math::select(t46 < t27_[t], 0.0, t46));
-                    let t49 = math::max(t28_[t], -math::max(t28_[t], -t44));
+                    let t48 = e2[k] * math::sqrt(math::select(t46 < t28_[t], 0.0, t46));
+                    let t49 = math::max(t29_[t], -math::max(t29_[t], -t44));
                     let t50 = math::max(
                         math::max(
                             math::select(t14_[t] < 1.645395867506249e-15, -e1[k], 0.0),
-                            math::select(t46 < t27_[t], t47, 0.0),
+                            math::select(t46 < t28_[t], t47, 0.0),
                         ),
-                        math::select(t26_[t] < 9.763255449212622e-25, t47, 0.0),
+                        math::select(t27_[t] < 9.763255449212622e-25, t47, 0.0),
                     );
                     let s6 = math::select(
-                        t26_[t] < 9.763255449212622e-25,
+                        t27_[t] < 9.763255449212622e-25,
                         t2,
-                        -(A::fma(t23_[t], t48, t25_[t] * t49) * t30_[t]),
+                        -(A::fma(t23_[t], t48, t25_[t] * t49) * t31_[t]),
                     );
                     let c6 = math::select(
-                        t26_[t] < 9.763255449212622e-25,
+                        t27_[t] < 9.763255449212622e-25,
                         t5,
-                        A::fma(t25_[t], t48, -(t23_[t] * t49)) * t30_[t],
+                        A::fma(t25_[t], t48, -(t23_[t] * t49)) * t31_[t],
                     );
                     let t51 = A::fma(t25_[t], c6, -(t23_[t] * s6));
-                    let t52 = math::sqrt(t45 * t45 * A::fma(t51, t51, t31_[t]));
+                    let t52 = math::sqrt(t45 * t45 * A::fma(t51, t51, t26_[t]));
                     let t53 = math::max(
                         math::max(
-                            math::max(t15_[t], math::select(t46 < t27_[t], 1.0, 0.0)),
-                            t29_[t],
+                            math::max(t15_[t], math::select(t46 < t28_[t], 1.0, 0.0)),
+                            t30_[t],
                         ),
                         math::select(t52 < 9.763255449212622e-25, 1.0, 0.0),
                     );

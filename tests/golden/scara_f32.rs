@@ -200,8 +200,8 @@ mod __Scara {
 
         const ACCEPT: Acceptance = Acceptance {
             size: 1.2,
-            tolerance: 0.000023999999,
-            taken: 0.000023999999,
+            tolerance: 0.000021711181,
+            taken: 0.000021711181,
             nearly: 0.006,
             near_singular: 0.0,
             prismatic: 8,
@@ -215,7 +215,7 @@ mod __Scara {
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
         ///
-        /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 2.4e-5 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
+        /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 2.2e-5 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]

@@ -2,6 +2,7 @@
 
 use super::Settings;
 use super::draw::Ranges;
+use kin_codegen::Scalar;
 use kin_codegen::certificate::{Failure, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm};
 use kin_codegen::geometry::{SINGULAR, size, uncoupled};
@@ -9,6 +10,10 @@ use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
+
+/// The search takes what is this close to a target, of the arm's size: of one that is out of reach
+/// by more a closed form has solutions within its tolerance, and the search none.
+pub(super) const CONVERGED: f64 = 1e-12;
 
 /// An arm and its closed form.
 pub(super) struct Case<'a> {
@@ -83,7 +88,17 @@ impl<'a> Case<'a> {
         counts.distance(&self.fk(q), target, self.size)
     }
 
-    fn fk(&self, q: &[f64]) -> Pose {
+    /// Whether the search would take what is this far from a target, metres; of solutions in single
+    /// precision, whether one would be near.
+    pub(super) fn is_taken(&self, residual: f64) -> bool {
+        match self.form.linkage.scalar {
+            Scalar::F64 => residual <= CONVERGED * self.size,
+            Scalar::F32 => self.is_sound(residual),
+        }
+    }
+
+    /// The tip of a configuration, in double precision.
+    pub(super) fn fk(&self, q: &[f64]) -> Pose {
         self.chain.fk(&self.form.given.joints_at(q))
     }
 
@@ -121,7 +136,8 @@ impl<'a> Case<'a> {
     }
 
     pub(super) fn is_sound(&self, residual: f64) -> bool {
-        residual <= self.form.acceptance().tolerance
+        let linkage = &self.form.linkage;
+        residual <= linkage.scalar.tolerances().solved * linkage.size
     }
 
     /// Whether a configuration is among the solutions, to what its conditioning

@@ -1,6 +1,6 @@
 //! The comparison with the numerical search.
 
-use super::case::{Case, Outcome};
+use super::case::{CONVERGED, Case, Outcome};
 use super::{Kind, Split};
 use kin_codegen::closed_form::BranchSolution;
 use kin_runtime::{ChainSolution, Parameter, SearchOptions};
@@ -9,10 +9,6 @@ use serde::Serialize;
 /// Targets with a solution worse conditioned than this are left out: there the
 /// search itself may miss solutions.
 const REGULAR: f64 = 1e-4;
-
-/// The search takes what is this close to a target, of the arm's size: of one that is out of reach
-/// by more a closed form has solutions within its tolerance, and the search none.
-const CONVERGED: f64 = 1e-12;
 
 /// A closed form held against the numerical search.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -62,8 +58,7 @@ impl Comparison {
         let found: Vec<BranchSolution> = found.iter().map(as_solution).collect();
         for (solution, &residual) in outcome.solutions.iter().zip(&outcome.residuals) {
             let conditioning = case.conditioning(&solution.q);
-            let is_taken = residual <= CONVERGED * case.size;
-            if !is_taken || case.is_among(&solution.q, &found, conditioning) {
+            if !case.is_taken(residual) || case.is_among(&solution.q, &found, conditioning) {
                 continue;
             }
             if is_confirmed(case, outcome, solution, conditioning) {
@@ -86,17 +81,19 @@ impl Comparison {
     }
 }
 
-/// What the search finds for a target, with the parameters of the configuration.
+/// What the search finds for a target, with the parameters of the configuration. A pose that was
+/// rounded to single precision is none that it could come near: it has the one that was rounded.
 pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
     let given = case.given(&outcome.q);
-    let found = case.chain.ik_all(&outcome.target, &options(case, &given));
+    let target = case.fk(&outcome.q);
+    let found = case.chain.ik_all(&target, &options(case, &given));
     let found = found.into_iter();
     let found = found.map(|found| by_coordinates(case, found));
     // Joints that move by themselves reach more targets.
     let is_coupled = case.form.given.coupling.is_some();
     let reaches = |it: &ChainSolution| {
         let tolerance = it.residual + CONVERGED * case.size;
-        case.residual(&it.q, &outcome.target) <= 10.0 * tolerance
+        case.residual(&it.q, &target) <= 10.0 * tolerance
     };
     found.filter(|it| !is_coupled || reaches(it)).collect()
 }
@@ -134,7 +131,8 @@ fn is_confirmed(
     let given = case.given(&outcome.q);
     let options = options(case, &given);
     let start = case.form.given.joints_at(&solution.q);
-    let landed = case.chain.ik_from(&outcome.target, &options, &start);
+    let target = case.fk(&outcome.q);
+    let landed = case.chain.ik_from(&target, &options, &start);
     let landed = landed.map(|landed| by_coordinates(case, landed));
     landed.is_some_and(|landed| case.is_among(&solution.q, &[as_solution(&landed)], conditioning))
 }

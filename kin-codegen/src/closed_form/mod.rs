@@ -432,7 +432,7 @@ impl ClosedForm {
             true => tolerances.nearly_by_quartic,
             false => tolerances.nearly,
         };
-        let tolerance = tolerances.solved * size;
+        let tolerance = tolerances.accepted * size;
         let is_corrected = self.refinement == Refinement::Correction
             && !self.is_exact()
             && !self.plan.target.is_projected();
