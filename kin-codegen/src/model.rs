@@ -213,7 +213,8 @@ impl Model {
     /// The chain from `base` to `tip`, by the names of links: any two, such as the hands of two
     /// arms or a foot and what it carries; joints on the way up from the base to where the branches
     /// part are passed from their children to their parents, and turn as the file has them. Without
-    /// a base it starts at the root of the tree. Without a tip it ends with the last
+    /// a base it starts at the root of the tree, or at what a floating or planar joint carries, if
+    /// that is all of the robot. Without a tip it ends with the last
     /// joint that moves, fingers left out, at the link that the field calls the
     /// tip (`tool0`, `tcp`, `flange`, `ee_link` and so on), the only leaf there,
     /// or the link that the joint moves.
@@ -306,7 +307,11 @@ fn check_motions(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collect
             JointType::Spherical => "is spherical, which is three coordinates in one joint",
             JointType::Fixed | JointType::Revolute | JointType::Prismatic => continue,
         };
-        let remedy = "begin or end the chain on this side of it (base, tip), or replace it by revolute and prismatic joints";
+        let remedy = format!(
+            "begin the chain behind it (base = \"{}\") or end it before (tip), or replace it by \
+             revolute and prismatic joints",
+            spec.links[joint.child].name
+        );
         diagnostics.at(joint.at, format!("joint `{}` {motion}", joint.name), remedy);
     }
     if joints().all(|joint| joint.kind == JointType::Fixed) {

@@ -31,7 +31,7 @@ pub(super) fn choose(
     let tree = Tree::new(spec);
     let base_link = match base {
         Some(name) => find(spec, "base", name, diagnostics),
-        None => tree.root(),
+        None => tree.root().map(|root| tree.standing(root, diagnostics)),
     };
     let tip_link = match tip {
         Some(name) => find(spec, "tip", name, diagnostics),
@@ -101,6 +101,47 @@ impl<'s> Tree<'s> {
 
     fn root(&self) -> Option<usize> {
         self.above.iter().position(Option::is_none)
+    }
+
+    /// The link that an arm stands on: the root, or what carries the arm where a joint that may go
+    /// anywhere carries all of the robot.
+    fn standing(&self, root: usize, diagnostics: &mut Collector) -> usize {
+        let joints = &self.spec.joints;
+        let mut children = vec![Vec::new(); self.spec.links.len()];
+        for (j, joint) in joints.iter().enumerate() {
+            children[joint.parent].push(j);
+        }
+        let moving_from = |link: usize| -> Vec<usize> {
+            let mut open = children[link].clone();
+            let mut moving = Vec::new();
+            while let Some(j) = open.pop() {
+                match joints[j].kind {
+                    JointType::Fixed => open.extend(&children[joints[j].child]),
+                    _ => moving.push(j),
+                }
+            }
+            moving
+        };
+        let mut base = root;
+        while let [joint] = moving_from(base)[..] {
+            let joint = &joints[joint];
+            let motion = match joint.kind {
+                JointType::Floating => "floats",
+                JointType::Planar => "is planar",
+                _ => break,
+            };
+            if moving_from(joint.child).is_empty() {
+                break;
+            }
+            base = joint.child;
+            let reason = format!(
+                "the base is `{}`: joint `{}`, which {motion}, carries all of the robot",
+                self.spec.links[base].name, joint.name
+            );
+            let remedy = "poses are those in its frame; name another base if you mean it (base)";
+            diagnostics.warn(joint.at, reason, remedy);
+        }
+        base
     }
 
     /// The joints from a link up to the root.
