@@ -8,6 +8,10 @@ use roxmltree::{Document, Node};
 pub(super) const EXPAND: &str =
     "expand it first: `xacro arm.urdf.xacro > arm.urdf`, and use the result";
 
+/// The way out of a call that xacro itself does not expand.
+const EXPAND_OR_REMOVE: &str = "expand the file that this one is part of, and use the result; if the \
+                                robot is whole without what is called, remove the call";
+
 /// What the elements have before their names. Where it is not declared, xacro itself expands nothing.
 pub(super) const PREFIX: &str = "xacro";
 
@@ -26,10 +30,18 @@ pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
             left_over.get_or_insert((element, name));
             continue;
         }
+        let at = diagnostics.place(element.range().start);
+        if is_call_of_nothing(document, name) {
+            let reason = format!(
+                "<xacro:{name}> calls a macro of xacro that this file neither defines nor includes"
+            );
+            diagnostics.at(at, reason, EXPAND_OR_REMOVE);
+            return;
+        }
         let reason = format!(
             "<xacro:{name}>: this file is xacro, a program that writes a URDF, and has not been expanded"
         );
-        diagnostics.at(diagnostics.place(element.range().start), reason, EXPAND);
+        diagnostics.at(at, reason, EXPAND);
         return;
     }
     if let Some((element, name)) = left_over {
@@ -58,6 +70,24 @@ pub(super) fn name<'a>(node: &Node<'a, '_>) -> Option<&'a str> {
         Some(uri) if uri.contains("xacro") => Some(name.name()),
         _ => name.name().strip_prefix(PREFIX)?.strip_prefix('_'),
     }
+}
+
+/// A call of a macro that comes from nowhere: what an expansion leaves of one that it did not know.
+fn is_call_of_nothing(document: &Document, called: &str) -> bool {
+    const KEYWORDS: [&str; 6] = [
+        "include",
+        "if",
+        "unless",
+        "insert_block",
+        "element",
+        "attribute",
+    ];
+    let defines = |node: Node| match name(&node) {
+        Some("include") => true,
+        Some("macro") => node.attribute("name") == Some(called),
+        _ => false,
+    };
+    !KEYWORDS.contains(&called) && !document.descendants().any(defines)
 }
 
 /// A definition, or something about how a link looks or what it weighs.
