@@ -21,7 +21,7 @@ pub struct Options {
     /// UpperCamelCase.
     pub name: Option<String>,
     /// The link that the chain begins at: any, also one that the tip does not hang on, such as a
-    /// foot; by default the root.
+    /// foot; by default the root, or what stands on it by a floating or planar joint.
     pub base: Option<String>,
     /// The link that the chain ends at; by default see
     /// [`Spec`](crate::spec::Spec#the-tip).

@@ -765,6 +765,33 @@ fn one_arm_on_a_mobile_robot_is_the_arm() {
     );
 }
 
+/// A simulator's robots stand on a joint that goes anywhere: no chain has it, and the arm begins
+/// behind it. Where little is left then, what floats may be the arm.
+#[test]
+fn an_arm_may_stand_on_what_goes_anywhere() {
+    for kind in ["planar", "floating"] {
+        let on = |robot: String| {
+            let drive = joint("drive", kind, "ground", "cart", "");
+            let robot = robot.replace("\"base\"", "\"cart\"");
+            robot.replace(
+                "</robot>",
+                &format!("<link name=\"ground\"/>{drive}</robot>"),
+            )
+        };
+        let arm = accept(&on(limbs(&[("base", "arm", 6), ("base", "wheel", 1)])));
+        assert_eq!((arm.base.as_str(), arm.tip.as_str()), ("cart", "arm6"));
+        let reason = &arm.warnings[0].reason;
+        let said = "the base is `cart`: joint `drive`, which ";
+        assert!(reason.starts_with(said), "{reason}");
+        let few = on(limbs(&[("base", "arm", 2)]));
+        let said = model("arm.urdf", &few, None, None).unwrap_err().to_string();
+        assert!(
+            said.contains("begin the chain behind it (base = \"cart\")"),
+            "{said}"
+        );
+    }
+}
+
 /// A thumb of five joints beside fingers of four once made each finger an arm.
 #[test]
 fn a_hand_may_have_a_long_thumb() {
@@ -818,17 +845,6 @@ fn what_may_be_another_arm_is_not_passed_over() {
         (
             limbs(&[("base", "finger", 2), ("base", "thumb", 5)]),
             "thumb5",
-        ),
-        // Which stands on what roams: the base has to be named as well.
-        (
-            limbs(&[("base", "arm", 6), ("base", "wheel", 1)])
-                .replace("\"base\"", "\"cart\"")
-                .replace("</robot>", "<link name=\"ground\"/></robot>")
-                .replace(
-                    "</robot>",
-                    &(joint("drive", "planar", "ground", "cart", "") + "</robot>"),
-                ),
-            "arm6",
         ),
     ] {
         let said = model("arm.urdf", &robot, None, None)

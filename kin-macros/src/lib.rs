@@ -31,7 +31,8 @@ use proc_macro::TokenStream;
 ///   default the file's stem in UpperCamelCase: `kr6_r900.yaml` makes `Kr6R900`.
 /// - **`base = "base_link"`**: the link that the chain begins at and that poses
 ///   are given in: any link, such as a foot, or a hand for the other as the tip.
-///   By default the root of the robot.
+///   By default the root of the robot, or what stands on it by a floating or
+///   planar joint.
 /// - **`tip = "tool0"`**: the link that the chain ends at and that poses are
 ///   of. By default the end of the joints that move, fingers left out: the
 ///   link there that is called `tool0`, `tcp`, `flange`, `ee_link` or the like,

@@ -1,8 +1,11 @@
 //! Which joints lead from base to tip.
 
 use super::tip::default_tip;
-use crate::spec::{ArmSpec, Collector, JointType, did_you_mean};
+use crate::spec::{ArmSpec, Collector, Joint, JointType, did_you_mean};
 use std::borrow::Cow;
+
+/// Fewer joints are no robot that a base carries: what floats may be the arm itself.
+const CARRIED: usize = 3;
 
 /// A path down the tree, of a robot that hangs on its base.
 pub(super) struct Chain {
@@ -122,6 +125,10 @@ impl<'s> Tree<'s> {
             }
             moving
         };
+        let moves = |it: &&Joint| matches!(it.kind, JointType::Revolute | JointType::Prismatic);
+        if joints.iter().filter(moves).count() < CARRIED {
+            return root;
+        }
         let mut base = root;
         while let [joint] = moving_from(base)[..] {
             let joint = &joints[joint];
@@ -130,9 +137,6 @@ impl<'s> Tree<'s> {
                 JointType::Planar => "is planar",
                 _ => break,
             };
-            if moving_from(joint.child).is_empty() {
-                break;
-            }
             base = joint.child;
             let reason = format!(
                 "the base is `{}`: joint `{}`, which {motion}, carries all of the robot",

@@ -30,7 +30,7 @@ use std::collections::{BTreeSet, HashMap};
 
 /// What the field calls the tip, the first choice first: as a whole name, or
 /// behind a prefix (`panda_hand_tcp`).
-const NAMES: [&str; 19] = [
+const NAMES: [&str; 20] = [
     "tool0",
     "tcp",
     "tcp_link",
@@ -50,6 +50,7 @@ const NAMES: [&str; 19] = [
     "grasp_frame",
     "gripper_frame_link",
     "gripper_frame",
+    "end_link",
 ];
 
 /// A link with such a word in its name hangs beside the tip.
