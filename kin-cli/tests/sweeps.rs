@@ -322,6 +322,13 @@ fn a_target_without_answers_is_told_from_a_lost_configuration() {
     tamper(&mut form, |inverse| {
         inverse.invalid = inverse.graph.one();
     });
+    let replay = Replay::new(&model, &form, &[0.3, 0.8, 0.1, -0.4]).unwrap();
+    let text = replay.to_string();
+    assert!(
+        text.contains("  closed form: none, though q is a solution\n"),
+        "{text}"
+    );
+    assert!(text.contains("  numerical search\n"), "{text}");
     let tally = swept(&(model, form));
     assert_eq!(tally.solutions[&0], SETTINGS.targets, "{tally}");
     assert_eq!(tally.lost.regular, SETTINGS.targets, "{tally}");

@@ -366,7 +366,7 @@ fn link_frames_of_screws_are_the_base_frame_at_home() {
     let model = yaml(
         "robot: arm\nunits: {angle: rad, length: m}\nscrews:\n  - {name: a, axis: [0, 0, 1], point: [0.1, 0.7, 0.3]}\nhome: {xyz: [1, 0, 0]}\n",
     );
-    assert_eq!(model.joints[0].frame, kin_runtime::Pose::IDENTITY);
+    assert_eq!(model.joints[0].frame, Pose::IDENTITY);
 }
 
 #[test]

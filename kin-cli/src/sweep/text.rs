@@ -115,11 +115,11 @@ impl Display for Replay {
             let title = if i == 0 { "rotation" } else { "" };
             writeln!(f, "  {title:12} {}", listed(row))?;
         }
-        writeln!(f, "  closed form")?;
+        writeln!(f, "  closed form{}", unless_any(&self.solutions))?;
         for (i, solution) in self.solutions.iter().enumerate() {
             writeln!(f, "  {:>4}. {solution}", i + 1)?;
         }
-        writeln!(f, "  numerical search")?;
+        writeln!(f, "  numerical search{}", unless_any(&self.found))?;
         for (i, found) in self.found.iter().enumerate() {
             writeln!(f, "  {:>4}. {found}", i + 1)?;
         }
@@ -134,6 +134,14 @@ impl Display for Replay {
         oracle
             .iter()
             .try_for_each(|comparison| writeln!(f, "  {comparison}"))
+    }
+}
+
+/// What is said instead of a list: the target of q has a solution, q itself.
+fn unless_any<T>(list: &[T]) -> &'static str {
+    match list {
+        [] => ": none, though q is a solution",
+        _ => "",
     }
 }
 
