@@ -12,6 +12,7 @@ use crate::plan::{Plans, Relations, Target};
 use crate::solver::{Certified, Coupled, DESIGNED, NoClosedForm, TOLERANCES, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
+use crate::vector::{cross, dot};
 use kin_runtime::__private::Completion;
 use std::rc::Rc;
 
@@ -25,6 +26,8 @@ const CHOICES: usize = 64;
 const NEARLY_SINGULAR: f64 = 1e-3;
 /// Random configurations that tell.
 const TRIED: usize = 16;
+/// A choice of joints that sweep less than this part of what others do comes behind those.
+const WIDE: f64 = 0.5;
 /// Choices that are solved in search of one that has a solution at every singular target.
 const SOLVED: usize = 8;
 
@@ -215,7 +218,8 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
 
 /// Finds and verifies a closed form of an arm with more joints than its targets have
 /// coordinates. Of the joints that may stay free, those are taken whose plan needs the
-/// fewest operations, of an arm off its design first those at the ends of the chain; where no
+/// fewest operations, of an arm off its design first those at the ends of the chain, of positions
+/// those that leave joints which reach far; where no
 /// others have a plan, those at an end that leave the best polynomial between them.
 ///
 /// # Errors
@@ -508,11 +512,45 @@ fn planned(
     }
     let is_noisy = shift >= linkage.scalar.tolerances().unmoved * linkage.size;
     let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);
-    weighed.sort_by_key(|choice| {
+    let reach: Vec<f64> = weighed
+        .iter()
+        .map(|choice| swept(model, &choice.joints, target))
+        .collect();
+    let most = reach.iter().copied().fold(0.0, f64::max);
+    let mut each: Vec<(Weighed, f64)> = weighed.into_iter().zip(reach).collect();
+    each.sort_by_key(|(choice, reach)| {
         let joints = &choice.joints;
-        (is_dear(joints), !carries(model, joints), choice.weight)
+        let little = *reach < WIDE * most;
+        (
+            is_dear(joints),
+            !carries(model, joints),
+            little,
+            choice.weight,
+        )
     });
+    let weighed = each.into_iter().map(|(choice, _)| choice).collect();
     (weighed, left)
+}
+
+/// How much of space the joints that are not locked sweep, where these are to bring the tip to a
+/// position and most joints are given: whatever those are, the target should be in reach. Otherwise
+/// as much as any.
+fn swept(model: &Model, locked: &[usize], target: Target) -> f64 {
+    if target != Target::Position || locked.len() < 2 {
+        return 1.0;
+    }
+    let chain = model.chain();
+    let volume = |q: &Vec<f64>| {
+        let columns = chain.geometric_jacobian(q).into_iter().enumerate();
+        let solved = columns.filter(|(joint, _)| !locked.contains(joint));
+        let moves: Vec<[f64; 3]> = solved.map(|(_, column)| column.linear).collect();
+        match moves[..] {
+            [a, b, c] => dot(a, cross(b, c)).abs(),
+            _ => 1.0,
+        }
+    };
+    let tried = configurations(model);
+    tried.iter().take(TRIED).map(volume).sum()
 }
 
 /// Whether some joints are what carries the others: rails, or the slides and the turn of a platform.
@@ -602,6 +640,21 @@ mod tests {
         assert!(!carried_by("ttttttt", &[0]) && !carried_by("tstttttt", &[1]));
         assert!(!carried_by("stttttt", &[1]) && !carried_by("stttttttt", &[0, 1]));
         assert!(!carried_by("tttttt", &[]));
+    }
+
+    /// Whatever the wrist is given, the joints before it reach most positions; a wrist alone reaches
+    /// few, though its plan takes no more.
+    #[test]
+    fn a_position_is_reached_by_the_joints_before_the_wrist() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
+        for file in ["ur5e.urdf", "kr6_r900.yaml", "xarm6.yaml"] {
+            let source = Source::read(file, &root).unwrap();
+            let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+            let linkage = Linkage::for_target(&model, Target::Position);
+            let asked = Asked::default();
+            let found = solve_redundant(&model, &linkage, Target::Position, &asked);
+            assert_eq!(found.unwrap().1.joints, [3, 4, 5], "{file}");
+        }
     }
 
     #[test]

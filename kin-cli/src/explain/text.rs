@@ -226,6 +226,9 @@ impl Inverse {
                 let least = self.weighed.iter().filter_map(|it| it.weight).min();
                 let why = match first.free.iter().all(is_given) {
                     true if first.weight == least => "leaves the others the cheapest plan",
+                    true if self.target == "position" => {
+                        "leaves joints that reach far, of which it makes the plan cheapest"
+                    }
                     true => "stands at an end of the chain",
                     false => "leaves the others the cheapest of the plans that lose least",
                 };

@@ -10,6 +10,7 @@ use crate::emit::text::{code, degrees, number, one_line};
 use crate::geometry::{Linkage, structure};
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};
+use crate::plan::Target;
 use crate::random::Random;
 use crate::redundancy::Weighed;
 use crate::scalar::Scalar;
@@ -229,6 +230,12 @@ fn redundancy(compiled: &CompiledArm) -> Vec<String> {
         (_, []) => " No joint makes the others a closed form; this one leaves the best polynomial \
                     of those at the ends of the chain."
             .into(),
+        (_, all) if redundancy.target == Target::Position && redundancy.joints.len() > 1 => {
+            format!(
+                " Of what leaves joints that reach far, it makes their plan cheapest, in operations of all branches, residuals aside ({}).",
+                all.join(", ")
+            )
+        }
         (_, all) => format!(
             " It makes the plan for the others cheapest, in operations of all branches, residuals aside ({}).",
             all.join(", ")
