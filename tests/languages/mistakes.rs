@@ -39,7 +39,7 @@ const OF_SEARCH: [[&str; 2]; 16] = [
     ["_EXTRANEOUS 0.05", "_EXTRANEOUS 1e-15"],
     ["0.3 / longest[k]", "-0.3 / longest[k]"],
     ["residual <= 1e-13", "residual <= 1e-3"],
-    ["q[i]) < KIN_SAME", "q[i]) < 1.0"],
+    ["_SAME 1e-6", "_SAME 1.0"],
     ["_SINGULAR 1e-5", "_SINGULAR 1e-2"],
     ["found->gap <= 1e-9", "found->gap <= 1e-1"],
     ["turned += 2.0 * step", "turned += step"],
