@@ -10,7 +10,7 @@
 // sines with cosines, 6 arctangents, 57 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
-#[rustfmt::skip]
+#[cfg_attr(rustfmt, rustfmt_skip)]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,

@@ -11,7 +11,7 @@
 // left out).
 // Made again, beside the robot file, by: kin generate delta.yaml
 
-#[rustfmt::skip]
+#[cfg_attr(rustfmt, rustfmt_skip)]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,

@@ -10,7 +10,7 @@
 // arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate panda.yaml
 
-#[rustfmt::skip]
+#[cfg_attr(rustfmt, rustfmt_skip)]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,

@@ -10,7 +10,7 @@
 // sines with cosines, 6 arctangents, 34 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
-#[rustfmt::skip]
+#[cfg_attr(rustfmt, rustfmt_skip)]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,

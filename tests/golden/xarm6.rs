@@ -8,7 +8,7 @@
 // Inverse kinematics: univariate(q6,q5,q4,q3,q2,q1), 16 branches.
 // Made again, beside the robot file, by: kin generate xarm6.yaml
 
-#[rustfmt::skip]
+#[cfg_attr(rustfmt, rustfmt_skip)]
 #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
 #[allow(
     clippy::all,

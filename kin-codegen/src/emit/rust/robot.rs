@@ -96,7 +96,7 @@ fn types(compiled: &CompiledArm, names: &Names) -> TokenStream {
 pub(super) fn in_module(name: &Ident, items: &TokenStream) -> TokenStream {
     let module = format_ident!("__{name}");
     quote! {
-        #[rustfmt::skip]
+        #[cfg_attr(rustfmt, rustfmt_skip)]
         #[allow(non_snake_case, reason = "named as the type is, so that no two are one")]
         #[allow(
             clippy::all, clippy::pedantic, clippy::nursery,
