@@ -226,7 +226,7 @@ impl Inverse {
                 let least = self.weighed.iter().filter_map(|it| it.weight).min();
                 let why = match first.free.iter().all(is_given) {
                     true if first.weight == least => "leaves the others the cheapest plan",
-                    true if self.target == "position" => {
+                    true if self.target == "position" && first.free.len() > 1 => {
                         "leaves joints that reach far, of which it makes the plan cheapest"
                     }
                     true => "stands at an end of the chain",
