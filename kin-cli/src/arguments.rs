@@ -317,6 +317,11 @@ pub struct RobotOptions {
     /// move, fingers left out; see the documentation of kin_codegen::spec]
     #[arg(long, value_name = "LINK")]
     pub tip: Option<String>,
+    /// The frame of a tool in that of the tip, whose poses are meant: metres and
+    /// radians, as a URDF's <origin> [default: the tip itself]
+    #[arg(long, num_args = 6, allow_negative_numbers = true,
+        value_names = ["X", "Y", "Z", "ROLL", "PITCH", "YAW"])]
+    pub tool: Option<Vec<f64>>,
     /// Inverse kinematics: closed_form or none
     #[arg(long, value_name = "KIND", default_value_t)]
     pub ik: Ik,
@@ -348,6 +353,7 @@ impl RobotOptions {
             name: None,
             base: self.base.clone(),
             tip: self.tip.clone(),
+            tool: self.tool.as_deref().and_then(|tool| tool.try_into().ok()),
             ik: if self.no_ik { Ik::None } else { self.ik },
             target: self.target,
             free: self.free.clone(),

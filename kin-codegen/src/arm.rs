@@ -170,8 +170,7 @@ pub(crate) fn compile(
     options: &Options,
     found: Option<&Found>,
 ) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
-    let mut model = Model::new(spec, options.base.as_deref(), options.tip.as_deref())?;
-    model.scalar = options.scalar;
+    let model = Model::asked_for(spec, options)?;
     let joints = model.joints.len();
     if joints > JOINTS {
         let reason = format!(

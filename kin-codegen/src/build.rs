@@ -68,6 +68,13 @@ impl Config {
         self
     }
 
+    /// The frame of a tool in that of the tip, whose poses are meant: x, y and z in metres, then
+    /// roll, pitch and yaw in radians.
+    pub fn tool(mut self, tool: [f64; 6]) -> Self {
+        self.options.tool = Some(tool);
+        self
+    }
+
     /// Which inverse kinematics to generate; by default a closed form.
     pub fn ik(mut self, ik: Ik) -> Self {
         self.options.ik = ik;

@@ -8,7 +8,9 @@ mod limits;
 mod locked;
 mod mimic;
 mod tip;
+mod tool;
 
+use crate::options::Options;
 use crate::scalar::Scalar;
 use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Rating};
 use crate::vector::norm;
@@ -26,6 +28,9 @@ pub struct Model {
     pub base: String,
     /// The link that the chain ends at.
     pub tip: String,
+    /// The frame of a tool in that of the tip, x, y and z in metres, then roll, pitch and yaw in
+    /// radians; without it the tip is what poses are of.
+    pub tool: Option<[f64; 6]>,
     /// The moving joints from base to tip. Fixed joints are folded.
     pub joints: Vec<Joint>,
     /// One per coordinate of the configuration q, in the order of the chain.
@@ -255,6 +260,18 @@ impl Model {
         }
         diagnostics.unless_any(model)
     }
+
+    /// The chain that the options ask for, with the tool at its tip.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Model::new`]; the tool is not finite, or in other units.
+    pub fn asked_for(spec: &ArmSpec, options: &Options) -> Result<Model, Diagnostics> {
+        let (base, tip) = (options.base.as_deref(), options.tip.as_deref());
+        let model = Model::new(spec, base, tip)?.with_tool(spec, options.tool)?;
+        let scalar = options.scalar;
+        Ok(Model { scalar, ..model })
+    }
 }
 
 fn build(
@@ -286,6 +303,7 @@ fn build(
         name: spec.name.clone(),
         base: spec.links[chain.base].name.clone(),
         tip: spec.links[chain.tip].name.clone(),
+        tool: None,
         joints,
         variables,
         home,

@@ -15,7 +15,7 @@ use std::str::FromStr;
 /// let options = Options { tip: Some("tool0".into()), ik: Ik::None, ..Default::default() };
 /// assert_eq!(options.to_string(), r#"tip = "tool0", ik = none"#);
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
     /// The name of the generated type; by default the file's stem in
     /// UpperCamelCase.
@@ -26,6 +26,9 @@ pub struct Options {
     /// The link that the chain ends at; by default see
     /// [`Spec`](crate::spec::Spec#the-tip).
     pub tip: Option<String>,
+    /// The frame of a tool in that of the tip, x, y and z in metres, then roll, pitch and yaw in
+    /// radians, as a URDF's `<origin>` has them: poses are the tool's. By default the tip's.
+    pub tool: Option<[f64; 6]>,
     /// Inverse kinematics.
     pub ik: Ik,
     /// What of a target counts; by default its position for arms of up to three joints
@@ -85,6 +88,7 @@ impl fmt::Display for Options {
             ("name", self.name.clone()),
             ("base", quoted(&self.base)),
             ("tip", quoted(&self.tip)),
+            ("tool", self.tool.map(|tool| format!("{tool:?}"))),
             ("ik", ik),
             ("target", target),
             ("free", free),
@@ -238,6 +242,7 @@ mod tests {
             name: Some("Arm".into()),
             base: Some("base_link".into()),
             tip: Some("tool0".into()),
+            tool: Some([0.0, 0.0, 0.1, 0.0, -0.6, 0.0]),
             ik: Ik::None,
             target: Some(Target::Position),
             free: vec!["rail".into(), "elbow".into()],
@@ -247,7 +252,7 @@ mod tests {
         };
         assert_eq!(
             all.to_string(),
-            r#"name = Arm, base = "base_link", tip = "tool0", ik = none, target = position, free = ["rail", "elbow"], scalar = f32, strict = true, crate = ::robotics"#
+            r#"name = Arm, base = "base_link", tip = "tool0", tool = [0.0, 0.0, 0.1, 0.0, -0.6, 0.0], ik = none, target = position, free = ["rail", "elbow"], scalar = f32, strict = true, crate = ::robotics"#
         );
     }
 

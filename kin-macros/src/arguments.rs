@@ -6,11 +6,11 @@ use quote::ToTokens;
 use std::fmt::Display;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::{Error, Ident, LitBool, LitStr, Path, Result, Token, bracketed, token};
+use syn::{Error, Ident, Lit, LitBool, LitStr, Path, Result, Token, bracketed, token};
 
 /// The options, as they are written.
-const OPTIONS: [&str; 10] = [
-    "name", "base", "tip", "ik", "target", "free", "scalar", "strict", "crate", "debug",
+const OPTIONS: [&str; 11] = [
+    "name", "base", "tip", "tool", "ik", "target", "free", "scalar", "strict", "crate", "debug",
 ];
 
 /// `"arm.urdf", name = Arm, base = "base_link", ..`
@@ -67,6 +67,7 @@ impl Arguments {
             "name" => options.name = Some(value.identifier()?),
             "base" => options.base = Some(value.link()?),
             "tip" => options.tip = Some(value.link()?),
+            "tool" => options.tool = Some(value.frame()?),
             "ik" => options.ik = value.word(&Ik::WORDS, str::parse)?,
             "target" => options.target = Some(value.word(&Target::WORDS, target)?),
             "free" => options.free = value.joints()?,
@@ -144,6 +145,20 @@ fn option(input: ParseStream) -> Result<Ident> {
     }
 }
 
+/// `-0.05`
+fn number(input: ParseStream) -> Result<f64> {
+    let sign = match input.parse::<Option<Token![-]>>()? {
+        Some(_) => -1.0,
+        None => 1.0,
+    };
+    let literal: Lit = input.parse()?;
+    match &literal {
+        Lit::Int(number) => Ok(sign * number.base10_parse::<f64>()?),
+        Lit::Float(number) => Ok(sign * number.base10_parse::<f64>()?),
+        other => Err(error(other.span(), "expected a number")),
+    }
+}
+
 fn unknown_option(span: Span, name: &str) -> Error {
     error(span, Unknown::new("option", name, &OPTIONS))
 }
@@ -193,6 +208,23 @@ impl Value<'_> {
         let example = format!("`{} = \"link\"`", self.option);
         let link: LitStr = self.parse(format!("the name of a link, in quotes: {example}"))?;
         Ok(link.value())
+    }
+
+    /// `[0.1, 0, 0.05, 0, -0.8, 0]`
+    fn frame(&self) -> Result<[f64; 6]> {
+        let what = "six numbers in brackets, x, y and z in metres, then roll, pitch and yaw in \
+                    radians: `tool = [0, 0, 0.1, 0, 0.8, 0]`";
+        let place = place(self.input, self.option.span());
+        let refused = |place| error(place, format!("`tool` takes {what}"));
+        if !self.input.peek(token::Bracket) {
+            return Err(refused(place));
+        }
+        let numbers;
+        let brackets = bracketed!(numbers in self.input);
+        let entries = numbers.parse_terminated(number, Token![,]);
+        let entries: Option<Vec<f64>> = entries.ok().map(|entries| entries.into_iter().collect());
+        let entries = entries.and_then(|entries| entries.try_into().ok());
+        entries.ok_or_else(|| refused(brackets.span.join()))
     }
 
     /// `"rail"`, or several in brackets

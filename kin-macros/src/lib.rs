@@ -37,6 +37,11 @@ use proc_macro::TokenStream;
 ///   of. By default the end of the joints that move, fingers left out: the
 ///   link there that is called `tool0`, `tcp`, `flange`, `ee_link` or the like,
 ///   or the only leaf. If several chains could be meant, the error lists them.
+/// - **`tool = [0, 0, 0.1, 0, 0.8, 0]`**: the frame of a tool in that of the tip,
+///   x, y and z in metres, then roll, pitch and yaw in radians, as a URDF's
+///   `<origin>` has them. Poses are the tool's, and so are the point and the axis
+///   of partial targets. One that is known only at run time is put on by
+///   `WithTool`, for targets that it leaves as they are.
 /// - **`ik = none`**: forward kinematics and Jacobians alone. By default
 ///   (`ik = closed_form`) an arm that has neither a closed form nor a polynomial
 ///   in one of its joints is an error that says why.

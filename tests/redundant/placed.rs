@@ -4,9 +4,19 @@ use crate::random::Random;
 use crate::several::PandaTool;
 use crate::{Iiwa14, Panda, Rail, StrayIiwa, Ur5e};
 use kinematics::{
-    Criterion, HighlyRedundantKinematics, JointLimit, Kinematics, Pose, RedundantKinematics,
-    Target, WithBase, WithTool,
+    Criterion, HighlyRedundantKinematics, JointLimit, Kinematics, Pose, RedundantKinematics, Robot,
+    RobotOptions, Target, WithBase, WithTool, kinematics,
 };
+
+kinematics!("../robots/kr6_r900.yaml", name = Flange);
+kinematics!(
+    "../robots/kr6_r900.yaml",
+    name = Gun,
+    tool = [0.08, 0, 0.31, 0, -0.6, 2.5e-1],
+    target = position_axis,
+);
+
+const GUN: [f64; 6] = [0.08, 0.0, 0.31, 0.0, -0.6, 0.25];
 
 /// A configuration comes back at its parameter, intervals are those of the tip's target, and the
 /// best configuration reaches the tool's.
@@ -61,8 +71,8 @@ fn a_tool_on_the_axis_that_turns() {
 #[test]
 #[should_panic(
     expected = "targets that are positions of the tip with the direction of its z axis leave open \
-                where this tool puts the tip: add the tool to the robot's file, or solve for whole \
-                poses"
+                where this tool puts the tip: compile the robot with the option `tool`, or solve \
+                for whole poses"
 )]
 fn a_tool_beside_that_axis_is_refused() {
     let tool = Pose::from_translation([0.1, 0.0, 0.15]);
@@ -158,5 +168,85 @@ fn a_tool_on_the_axis_of_an_arm_whose_turn_is_held() {
             Target::Pose.distance(&reached, &target, 1.0) < 1e-8,
             "{interval:?}"
         );
+    }
+}
+
+/// A welding gun at an angle to the flange, which may turn about its own axis: what the flange is
+/// solved for with the gun turned so far.
+#[test]
+fn a_tool_that_is_compiled_in() {
+    let options = RobotOptions {
+        tool: Some(GUN),
+        target: Some(Target::PositionAxis),
+        ..RobotOptions::default()
+    };
+    let loaded = crate::cached::cached("../robots/kr6_r900.yaml", &options);
+    let [x, y, z, roll, pitch, yaw] = GUN;
+    let tool = Pose::from_rpy([roll, pitch, yaw], [x, y, z]);
+    let robot = WithTool {
+        robot: Flange,
+        tool,
+    };
+    let mut random = Random::new(0x9a7);
+    for _ in 0..200 {
+        let q: [f64; 6] = std::array::from_fn(|_| random.angle());
+        let target = Gun.fk(&q);
+        assert!(Target::Pose.distance(&target, &robot.fk(&q), 1.0) < 1e-13);
+        assert!(Target::Pose.distance(&target, &loaded.fk(&q), 1.0) < 1e-13);
+        let turn = random.angle();
+        let turned = target * Pose::from_rpy([0.0, 0.0, turn], [0.0; 3]);
+        let [found, expected] = [Gun.ik_at(&target, turn), robot.ik(&turned)];
+        assert_eq!(found.len(), expected.len(), "{q:?} {turn}");
+        let loaded = loaded.ik_at(&target, &[turn]);
+        let loaded: Vec<f64> = loaded.iter().flat_map(|it| it.q.to_vec()).collect();
+        let compiled: Vec<f64> = found.iter().flat_map(|it| it.q).collect();
+        assert_eq!(compiled, loaded, "{q:?} {turn}");
+        for solution in &found {
+            let is_same = |a: f64, b: f64| (a - b).sin().abs() < 1e-8 && (a - b).cos() > 0.0;
+            let is_it =
+                |other: &[f64; 6]| solution.q.iter().zip(other).all(|(a, b)| is_same(*a, *b));
+            assert!(expected.iter().any(|other| is_it(&other.q)), "{q:?} {turn}");
+        }
+        assert!(Gun.redundancy(&target, &q).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_tool_that_cannot_be_meant() {
+    let refused = |tool: [f64; 6]| {
+        let options = RobotOptions {
+            tool: Some(tool),
+            ..RobotOptions::default()
+        };
+        let path = "../robots/kr6_r900.yaml";
+        let text = std::fs::read_to_string(path).unwrap();
+        let source = kinematics::RobotSource {
+            path: path.into(),
+            text,
+        };
+        Robot::load(&source, &options).unwrap_err().to_string()
+    };
+    let expect = [
+        (
+            [0.0, 0.0, 150.0, 0.0, 0.0, 0.0],
+            "the tool [0.0, 0.0, 150.0, 0.0, 0.0, 0.0] is longer than 10 m: this looks like \
+             millimetres\nhelp: give x, y and z in metres",
+        ),
+        (
+            [0.0, 0.0, 0.1, 0.0, -45.0, 0.0],
+            "the tool [0.0, 0.0, 0.1, 0.0, -45.0, 0.0] turns by more than a full turn: this looks \
+             like degrees\nhelp: give roll, pitch and yaw in radians",
+        ),
+        (
+            [0.0, f64::NAN, 0.1, 0.0, 0.0, 0.0],
+            "the tool [0.0, NaN, 0.1, 0.0, 0.0, 0.0] has a number that is not finite\nhelp: give \
+             six finite numbers",
+        ),
+    ];
+    for (tool, text) in expect {
+        let refused = refused(tool);
+        let (file, said) = refused.split_once(": ").unwrap();
+        assert!(file.ends_with("kr6_r900.yaml"), "{file}");
+        assert_eq!(said.replace("\n       help", "\nhelp"), text);
     }
 }

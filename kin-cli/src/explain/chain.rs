@@ -11,6 +11,9 @@ pub struct Chain {
     pub base: String,
     /// The link that poses are of.
     pub tip: String,
+    /// The frame of a tool in that of the tip, whose poses are meant instead: x, y, z, roll, pitch
+    /// and yaw, metres and radians.
+    pub tool: Option<[f64; 6]>,
     /// How far the tip can be from the first axis with every link stretched;
     /// tolerances are relative to it.
     pub size: f64,
@@ -83,6 +86,7 @@ impl Chain {
         Self {
             base: model.base.clone(),
             tip: model.tip.clone(),
+            tool: model.tool,
             size: size(model),
             joints: model.joints.iter().map(|j| joint(model, j)).collect(),
             home_translation: model.home.translation,

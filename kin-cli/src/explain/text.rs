@@ -83,12 +83,11 @@ impl Display for Chain {
             )?;
         }
         let tip = vector(self.home_translation);
-        writeln!(
-            f,
-            "      {:width$}  {:10}  at {tip}",
-            one_line(&self.tip),
-            "tip"
-        )
+        let (name, what) = match self.tool {
+            Some(_) => ("", "tool"),
+            None => (&*one_line(&self.tip), "tip"),
+        };
+        writeln!(f, "      {name:width$}  {what:10}  at {tip}")
     }
 }
 

@@ -43,9 +43,8 @@ fn plot(arguments: &arguments::Plot) -> Result<String, Done> {
         Spec::Arm(spec) => {
             let robot = Robot::load(&source, &options)
                 .map_err(|error| Done::failing(Exit::from(&error), error))?;
-            let (base, tip) = (options.base.as_deref(), options.tip.as_deref());
-            let model =
-                Model::new(&spec, base, tip).map_err(|error| Done::failing(Exit::Broken, error))?;
+            let model = Model::asked_for(&spec, &options)
+                .map_err(|error| Done::failing(Exit::Broken, error))?;
             let subject = arm::subject(&robot);
             let path = match &arguments.table {
                 Some(table) => Table::open(table)

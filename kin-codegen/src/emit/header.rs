@@ -66,6 +66,7 @@ impl Provenance<'_> {
             name,
             base,
             tip,
+            tool,
             ik,
             target,
             free,
@@ -89,6 +90,12 @@ impl Provenance<'_> {
         for (option, value) in given {
             if let Some(value) = value {
                 let _ = write!(command, " --{option} {}", quoted(&value));
+            }
+        }
+        if let Some(tool) = tool {
+            command += " --tool";
+            for x in tool {
+                let _ = write!(command, " {x:?}");
             }
         }
         for joint in free {
@@ -137,6 +144,7 @@ pub fn of(
         name: Some(name.to_owned()),
         base,
         tip,
+        tool: asked.tool,
         ik: asked.ik,
         target,
         free: free.unwrap_or_default(),
@@ -161,7 +169,12 @@ fn arm(compiled: &CompiledArm) -> Vec<String> {
     let fk = compiled.forward().tip_cost();
     let both = compiled.forward().tip_and_jacobian_cost();
     let mut lines = vec![
-        format!("{} to {}, {joints} joints.", model.base, model.tip),
+        format!(
+            "{} to {}{}, {joints} joints.",
+            model.base,
+            model.tip,
+            model.tool_text()
+        ),
         format!("Forward kinematics: {fk}."),
         format!("With the spatial Jacobian: {both}."),
     ];
@@ -220,10 +233,12 @@ mod tests {
         let options = Options {
             name: Some("Arm".into()),
             tip: Some("tool 0".into()),
+            tool: Some([0.1, 0.0, -2.5e-7, 0.0, -0.6, 0.0]),
             ik: Ik::None,
             ..Options::default()
         };
-        let command = "kin generate arm.urdf --name Arm --tip 'tool 0' --ik none";
+        let command = "kin generate arm.urdf --name Arm --tip 'tool 0' --ik none \
+                       --tool 0.1 0.0 -2.5e-7 0.0 -0.6 0.0";
         assert!(made_by("arm.urdf", &options).ends_with(command));
         let command = "kin generate arm.urdf";
         assert!(made_by("arm.urdf", &Options::default()).ends_with(command));

@@ -112,6 +112,9 @@ pub(crate) fn compile(
     if options.target.is_some() {
         return Err(meaningless(spec, "target"));
     }
+    if options.tool.is_some() {
+        return Err(meaningless(spec, "tool"));
+    }
     if options.scalar != Scalar::default() {
         let reason = "a parallel mechanism is computed in f64 alone";
         let remedy = "leave out `scalar = f32`, or write its chains as arms in files of their own";

@@ -144,6 +144,7 @@ fn chain_of(mechanism: &Mechanism, passed: &[Passed], home: Pose) -> Model {
         name: mechanism.name.clone(),
         base: mechanism.base.clone(),
         tip: mechanism.base.clone(),
+        tool: None,
         joints: passed.iter().enumerate().map(joint).collect(),
         variables: passed.iter().map(|(j, _)| variables[*j].clone()).collect(),
         home,

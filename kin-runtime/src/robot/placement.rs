@@ -42,8 +42,8 @@ impl<K> WithTool<K> {
     {
         assert!(
             K::TARGET.allows_tool(&self.tool),
-            "targets that are {} leave open where this tool puts the tip: add the tool to the \
-             robot's file, or solve for whole poses",
+            "targets that are {} leave open where this tool puts the tip: compile the robot with \
+             the option `tool`, or solve for whole poses",
             K::TARGET.phrase()
         );
         *target * self.tool.inverse()

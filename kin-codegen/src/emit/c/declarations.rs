@@ -115,8 +115,12 @@ pub fn about(compiled: &CompiledArm) -> Vec<String> {
     let model = &compiled.model;
     let mut out = vec![
         format!(
-            "The arm `{}` from `{}` to `{}`, compiled from `{}`.",
-            model.name, model.base, model.tip, compiled.file
+            "The arm `{}` from `{}` to `{}`{}, compiled from `{}`.",
+            model.name,
+            model.base,
+            model.tip,
+            model.tool_text(),
+            compiled.file
         ),
         String::new(),
     ];

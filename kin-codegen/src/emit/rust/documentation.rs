@@ -108,7 +108,12 @@ pub fn mechanism(compiled: &CompiledMechanism, name: &Ident) -> Vec<String> {
             compiled.freedom.mobility, compiled.freedom.gruebler
         ),
         String::new(),
-        placed(&mechanism.platform, &mechanism.base, &mechanism.home()),
+        placed(
+            &mechanism.platform,
+            None,
+            &mechanism.base,
+            &mechanism.home(),
+        ),
     ];
     lines.extend(example_of_mechanism(compiled, name));
     let actuated = mechanism.actuated();
@@ -159,19 +164,23 @@ fn sentence(text: &str) -> String {
 }
 
 fn home(model: &Model) -> String {
-    placed(&model.tip, &model.base, &model.home)
+    placed(&model.tip, model.tool, &model.base, &model.home)
 }
 
-/// Where a link is with all joints at zero.
-fn placed(link: &str, base: &str, home: &Pose) -> String {
+/// Where a link, or a tool that it carries, is with all joints at zero.
+fn placed(link: &str, tool: Option<[f64; 6]>, base: &str, home: &Pose) -> String {
     let vector = |v: [f64; 3]| {
         let entries = v.map(|x| number(x, 4));
         format!("({})", entries.join(", "))
     };
     let axis = |j: usize| vector([0, 1, 2].map(|i| home.rotation[i][j]));
+    let tool = tool.map_or_else(String::new, |[x, y, z, roll, pitch, yaw]| {
+        let (origin, angles) = (vector([x, y, z]), vector([roll, pitch, yaw]));
+        format!("a tool at {origin} m, with roll, pitch and yaw {angles} rad, in ")
+    });
     format!(
-        "Poses are of the frame of {} in that of {}. With all joints at zero its origin is at {} \
-         m, its x axis along {} and its z axis along {}.",
+        "Poses are of {tool}the frame of {} in that of {}. With all joints at zero its origin is at \
+         {} m, its x axis along {} and its z axis along {}.",
         code(link),
         code(base),
         vector(home.translation),
