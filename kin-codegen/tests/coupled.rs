@@ -189,6 +189,33 @@ fn arms_are_solved_whose_joints_mimic_each_other() {
     }
 }
 
+/// Axes of joints that are coupled, parallel to ten digits as half turns are written: a plan that
+/// tells them apart by the rest is nowhere regular, and not one that finds nothing.
+#[test]
+fn half_turns_in_ten_digits() {
+    let text = "\
+robot: half_turns
+units: {angle: rad, length: m}
+joints:
+  - {name: one, xyz: [0, 0, 0.109], axis: [0, 0, 1]}
+  - {name: two, xyz: [0.0435, 0, 0.119], rpy: [-1.5707963268, 0, 0], axis: [0, 0, 1]}
+  - {name: rod, xyz: [0, -0.175, 0], rpy: [3.1415926536, 0, 0], axis: [0, 0, -1], mimic: {joint: two, multiplier: -1}}
+  - {name: three, rpy: [0, 3.1415926536, 0], axis: [0, 0, 1]}
+  - {name: level, xyz: [0.175, 0, 0], axis: [0, 0, 1], mimic: {joint: three, multiplier: -1}}
+  - {name: four, xyz: [0.066, 0, 0], rpy: [1.5707963268, 0, 0], axis: [0, 0, 1]}
+tip: tool0
+";
+    let arm = Arm::new(text, None).unwrap();
+    assert_eq!(arm.found.certificate.missing, 0);
+    let mut random = Random(0x7e2d);
+    for _ in 0..1000 {
+        let q: Vec<f64> = (0..4).map(|_| random.between(-PI, PI)).collect();
+        let solutions = arm.form().solutions(&arm.fk(&q));
+        let found = solutions.iter().any(|it| arm.is_same(&it.q, &q, 1e-6));
+        assert!(found || arm.conditioning(&q) < 1e-4, "{q:?}: {solutions:?}");
+    }
+}
+
 /// Dependent joints, and what is left of a target's six numbers, agree to rounding alone.
 #[test]
 fn no_answer_is_lost_to_a_digit() {

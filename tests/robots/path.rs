@@ -110,6 +110,9 @@ fn a_path_out_of_reach_tells_where_and_why() {
     let targets: Vec<Pose> = (0..40).map(out).collect();
     let nearest = Nearest::new(q, &crate::zoo::Ur5e::LIMITS);
     let lost = ik_path(&arm, &targets, &nearest).unwrap_err();
+    let said = format!("target {} of the path: {}", lost.target, lost.reason);
+    let error: Box<dyn std::error::Error> = lost.into();
+    assert_eq!(error.to_string(), said);
     assert!(arm.ik(&targets[lost.target]).is_empty());
     assert!(!arm.ik(&targets[lost.target - 1]).is_empty());
     assert!(

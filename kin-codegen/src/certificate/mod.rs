@@ -35,6 +35,9 @@ use std::rc::Rc;
 const EXCUSED: usize = 40;
 /// With a larger share of configurations that are excused there is no certificate.
 const MOST_EXCUSED: f64 = 0.05;
+/// With a larger share of configurations at which no axes are aligned and that do not come back
+/// there is none either.
+const MOST_MISSING: f64 = 0.05;
 /// With a larger share of singular ones too little is seen.
 const MOST_SINGULAR: f64 = 0.5;
 
@@ -62,6 +65,9 @@ pub struct Certificate {
     /// neighbours or nothing to divide by, or came back flagged as singular: a
     /// step of the plan degenerates there, and the arm does not.
     pub lost: usize,
+    /// Of these, those that did not come back with no axes aligned: joints that are coupled have
+    /// nothing to divide by there.
+    pub missing: usize,
     /// Solutions found in all.
     pub solutions: usize,
     /// The largest distance of a solution from its target, metres.
@@ -286,7 +292,13 @@ impl Certificate {
         };
         match run.held.recovered(linkage, q, solutions, *conditioning) {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
-            Err(Failure::Lost(_)) if trial.may_degenerate && self.lost < losses => self.lost += 1,
+            Err(Failure::Lost(q)) if trial.may_degenerate && self.lost < losses => {
+                self.lost += 1;
+                self.missing += usize::from(!trial.is_attack);
+                if self.missing as f64 > MOST_MISSING * run.trials.unaligned() as f64 {
+                    return Err(Failure::Lost(q));
+                }
+            }
             Err(other) => return Err(other),
             // A double root that is none of the arm has half of its digits.
             Ok(()) if *conditioning > REGULAR && is_flagged() => {

@@ -88,6 +88,13 @@ impl<'a> Trials<'a> {
         })
     }
 
+    /// How many configurations have no axes aligned on purpose and are not singular.
+    pub(super) fn unaligned(&self) -> usize {
+        let all = self.held.iter().flat_map(|held| &held.all);
+        let counts = |trial: &&Rc<Trial>| !trial.is_attack && trial.conditioning >= super::SINGULAR;
+        all.filter(counts).count()
+    }
+
     /// All configurations: those that were lost before, and the others.
     pub(super) fn in_order(&self) -> [Vec<(usize, Rc<Trial>)>; 2] {
         let lost = self.lost.borrow();

@@ -7,6 +7,7 @@ mod sequence;
 
 use crate::{Kinematics, Nearest, NoSolution, Pose, Solution};
 use alloc::vec::Vec;
+use core::fmt;
 pub use sequence::Joints;
 
 /// Solutions for all targets of a path; see [`ik_path`].
@@ -42,6 +43,14 @@ pub struct NoPath<const N: usize> {
     /// target before that took the least motion.
     pub reason: NoSolution<N>,
 }
+
+impl<const N: usize> fmt::Display for NoPath<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "target {} of the path: {}", self.target, self.reason)
+    }
+}
+
+impl<const N: usize> core::error::Error for NoPath<N> {}
 
 /// The sequence of solutions for `targets` that moves the joints least in total
 /// from the seed of `nearest`, by its weights, inside its limits, no joint
