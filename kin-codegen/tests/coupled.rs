@@ -206,7 +206,7 @@ joints:
 tip: tool0
 ";
     let arm = Arm::new(text, None).unwrap();
-    assert_eq!(arm.found.certificate.missing, 0);
+    assert_eq!(arm.found.certificate.lost_unaligned, 0);
     let mut random = Random(0x7e2d);
     for _ in 0..1000 {
         let q: Vec<f64> = (0..4).map(|_| random.between(-PI, PI)).collect();

@@ -86,7 +86,8 @@ impl Robot {
     }
 
     /// What the branch is called on which a configuration lies: the posture of the answer that it
-    /// is for its own pose. None where branches have no names, and where two have met.
+    /// is for its own pose. None where branches have no names, where two have met,
+    /// and of solutions beside the branches, which an arm off its design has.
     pub fn posture(&self, q: &[f64]) -> Option<&NamedPosture> {
         self.check(q);
         let pose = self.fk(q);

@@ -37,7 +37,7 @@ const EXCUSED: usize = 40;
 const MOST_EXCUSED: f64 = 0.05;
 /// With a larger share of configurations at which no axes are aligned and that do not come back
 /// there is none either.
-const MOST_MISSING: f64 = 0.05;
+const MOST_LOST: f64 = 0.05;
 /// With a larger share of singular ones too little is seen.
 const MOST_SINGULAR: f64 = 0.5;
 
@@ -67,7 +67,7 @@ pub struct Certificate {
     pub lost: usize,
     /// Of these, those that did not come back with no axes aligned: joints that are coupled have
     /// nothing to divide by there.
-    pub missing: usize,
+    pub lost_unaligned: usize,
     /// Solutions found in all.
     pub solutions: usize,
     /// The largest distance of a solution from its target, metres.
@@ -294,8 +294,8 @@ impl Certificate {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
             Err(Failure::Lost(q)) if trial.may_degenerate && self.lost < losses => {
                 self.lost += 1;
-                self.missing += usize::from(!trial.is_attack);
-                if self.missing as f64 > MOST_MISSING * run.trials.unaligned() as f64 {
+                self.lost_unaligned += usize::from(!trial.is_attack);
+                if self.lost_unaligned as f64 > MOST_LOST * run.trials.unaligned() as f64 {
                     return Err(Failure::Lost(q));
                 }
             }

@@ -86,8 +86,8 @@ fields! {
     Invariant { kind, joints, point, direction }
     Dependence { atom, weakest, steady, inner, weak_at, derivatives }
     Certificate {
-        configurations, singular, excused, excused_share, unanswered, lost, missing, solutions,
-        worst_residual, most_solutions
+        configurations, singular, excused, excused_share, unanswered, lost, lost_unaligned,
+        solutions, worst_residual, most_solutions
     }
     Redundancy { joints, swivel, turn, target, weighed }
     Swivel { shoulder, elbow, wrist, reference }

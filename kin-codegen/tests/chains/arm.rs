@@ -238,6 +238,7 @@ fn model(joints: Vec<Joint>, home: Pose) -> Model {
         name: "arm".into(),
         base: "base".into(),
         tip: "tip".into(),
+        tool: None,
         variables: joints.iter().map(variable).collect(),
         joints,
         home,

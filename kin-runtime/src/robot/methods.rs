@@ -193,7 +193,8 @@ macro_rules! kinematics_methods {
 
                 /// What the branch is called on which a configuration lies: the
                 /// posture of the solution that it is of its own pose. None where
-                /// branches have no names, and where two have met.
+                /// branches have no names, where two have met, and of solutions
+                /// beside the branches, which an arm off its design has.
                 fn posture(&self, q: &[$real; $n])
                     -> ::core::option::Option<$($root)*::Posture>
                 {
