@@ -170,7 +170,7 @@ pub(crate) fn compile(
     options: &Options,
     found: Option<&Found>,
 ) -> Result<(CompiledArm, Option<NoClosedForm>), Diagnostics> {
-    let model = Model::asked_for(spec, options)?;
+    let model = options.model(spec)?;
     let joints = model.joints.len();
     if joints > JOINTS {
         let reason = format!(

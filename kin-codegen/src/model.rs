@@ -10,7 +10,6 @@ mod mimic;
 mod tip;
 mod tool;
 
-use crate::options::Options;
 use crate::scalar::Scalar;
 use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Rating};
 use crate::vector::norm;
@@ -259,18 +258,6 @@ impl Model {
             model.warnings = [&spec.warnings[..], &diagnostics.take_warnings()].concat();
         }
         diagnostics.unless_any(model)
-    }
-
-    /// The chain that the options ask for, with the tool at its tip.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Model::new`]; the tool is not finite, or in other units.
-    pub fn asked_for(spec: &ArmSpec, options: &Options) -> Result<Model, Diagnostics> {
-        let (base, tip) = (options.base.as_deref(), options.tip.as_deref());
-        let model = Model::new(spec, base, tip)?.with_tool(spec, options.tool)?;
-        let scalar = options.scalar;
-        Ok(Model { scalar, ..model })
     }
 }
 

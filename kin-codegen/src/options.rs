@@ -1,8 +1,9 @@
 //! What a user may ask of the compiler; the same through every interface.
 
+use crate::model::Model;
 use crate::plan::Target;
 use crate::scalar::Scalar;
-use crate::spec::{did_you_mean, list_names};
+use crate::spec::{ArmSpec, Diagnostics, did_you_mean, list_names};
 use std::fmt;
 use std::str::FromStr;
 
@@ -70,6 +71,18 @@ impl Options {
             Some(name) => name.strip_prefix("r#").unwrap_or(name).to_owned(),
             None => upper_camel_case(stem(path)),
         }
+    }
+
+    /// The chain of a robot file that they ask for, with the tool at its tip.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Model::new`]; the tool is not finite, or in other units.
+    pub fn model(&self, spec: &ArmSpec) -> Result<Model, Diagnostics> {
+        let (base, tip) = (self.base.as_deref(), self.tip.as_deref());
+        let model = Model::new(spec, base, tip)?.with_tool(spec, self.tool)?;
+        let scalar = self.scalar;
+        Ok(Model { scalar, ..model })
     }
 }
 

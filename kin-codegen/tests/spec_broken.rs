@@ -57,7 +57,7 @@ fn read(path: &Path) -> (Source, Options) {
 fn model(path: &Path) -> Result<Model, Diagnostics> {
     let (source, options) = read(path);
     let spec = ArmSpec::parse(&source)?;
-    Model::asked_for(&spec, &options)
+    options.model(&spec)
 }
 
 /// Compares what is said of every file of a folder with what is expected.

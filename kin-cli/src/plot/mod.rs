@@ -12,7 +12,6 @@ mod trajectory;
 
 use crate::arguments::{self, read};
 use crate::{Done, Exit};
-use kin_codegen::model::Model;
 use kin_codegen::spec::{Spec, one_line};
 use kin_codegen::{Ik, Options, Source, compile};
 use kinematics::Robot;
@@ -43,7 +42,8 @@ fn plot(arguments: &arguments::Plot) -> Result<String, Done> {
         Spec::Arm(spec) => {
             let robot = Robot::load(&source, &options)
                 .map_err(|error| Done::failing(Exit::from(&error), error))?;
-            let model = Model::asked_for(&spec, &options)
+            let model = options
+                .model(&spec)
                 .map_err(|error| Done::failing(Exit::Broken, error))?;
             let subject = arm::subject(&robot);
             let path = match &arguments.table {

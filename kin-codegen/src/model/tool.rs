@@ -16,7 +16,7 @@ impl Model {
     /// # Errors
     ///
     /// A number is not finite, or of another unit.
-    pub(super) fn with_tool(
+    pub(crate) fn with_tool(
         self,
         spec: &ArmSpec,
         tool: Option<[f64; 6]>,
