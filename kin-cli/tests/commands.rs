@@ -89,6 +89,30 @@ fn checked_in_code_is_stale_once_it_differs() {
 }
 
 #[test]
+fn a_tool_is_part_of_what_is_generated() {
+    let file = temporary("gun.rs");
+    let output = file.to_str().unwrap();
+    let plain = ["generate", "robots/kr6_r900.yaml", "--output", output];
+    let tool = ["--tool", "0.08", "0", "0.31", "0", "-0.6", "2.5e-1"];
+    let with_tool = [&plain[..], &tool].concat();
+    let check = |command: &[&str]| kin(&[command, &["--check"]].concat()).status.code();
+    assert_eq!(kin(&with_tool).status.code(), Some(0));
+    assert_eq!(check(&with_tool), Some(0));
+    assert_eq!(check(&plain), Some(4));
+    let code = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        code.contains("--tool 0.08 0.0 0.31 0.0 -0.6 0.25\n"),
+        "{code}"
+    );
+    let explained = kin(&[&["explain", "robots/kr6_r900.yaml"], &tool[..]].concat());
+    assert!(
+        stdout(&explained).contains("tool0     its tool"),
+        "{}",
+        stdout(&explained)
+    );
+}
+
+#[test]
 fn c_is_written_as_two_files() {
     let folder = temporary("c");
     std::fs::create_dir_all(&folder).unwrap();

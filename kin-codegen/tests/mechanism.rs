@@ -190,12 +190,15 @@ fn options_of_arms_are_refused() {
         target: Some(Target::Position),
         ..Options::default()
     };
-    let refused = compile(&robot("delta.yaml"), &with_target).unwrap_err();
-    assert!(
-        refused
-            .to_string()
-            .contains("the option `target` has no meaning")
-    );
+    let with_tool = Options {
+        tool: Some([0.0; 6]),
+        ..Options::default()
+    };
+    for (options, option) in [(with_target, "target"), (with_tool, "tool")] {
+        let refused = compile(&robot("delta.yaml"), &options).unwrap_err();
+        let said = format!("the option `{option}` has no meaning");
+        assert!(refused.to_string().contains(&said), "{refused}");
+    }
 }
 
 #[test]

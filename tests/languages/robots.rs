@@ -162,6 +162,11 @@ pub fn all() -> Vec<Asked> {
     let aimed = AIMED.iter();
     let aimed = aimed.map(|&(path, target)| Asked::of(path, aimed_at(Some(target))));
     let seven = Asked::of("robots/iiwa14.yaml", given(&["joint_a3"]));
+    let gun = RobotOptions {
+        tool: Some([0.08, 0.0, 0.31, 0.0, -0.6, 0.25]),
+        ..aimed_at(Some(Target::PositionAxis))
+    };
+    let gun = Asked::of("robots/kr6_r900.yaml", gun);
     // Off its design, and no elimination stands beside its branches.
     let swivelled = Asked {
         eliminates: true,
@@ -193,6 +198,6 @@ pub fn all() -> Vec<Asked> {
         .chain(refined)
         .chain(aimed)
         .chain(between)
-        .chain([seven, swivelled, carried]);
+        .chain([seven, gun, swivelled, carried]);
     all.chain(forward_alone).collect()
 }

@@ -208,6 +208,13 @@ fn a_tool_that_is_compiled_in() {
             assert!(expected.iter().any(|other| is_it(&other.q)), "{q:?} {turn}");
         }
         assert!(Gun.redundancy(&target, &q).abs() < 1e-12);
+        // Its links are where they were.
+        for (frame, without) in Gun::FRAMES.iter().zip(Flange::FRAMES) {
+            assert_eq!(frame.name, without.name);
+            let [at, expected] = [Gun.fk_frame(&q, frame), Flange.fk_frame(&q, without)];
+            assert!(Target::Pose.distance(&at, &expected, 1.0) < 1e-13);
+        }
+        assert!(!Gun::FRAMES.is_empty());
     }
 }
 

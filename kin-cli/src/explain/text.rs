@@ -83,10 +83,7 @@ impl Display for Chain {
             )?;
         }
         let tip = vector(self.home_translation);
-        let (name, what) = match self.tool {
-            Some(_) => ("", "tool"),
-            None => (&*one_line(&self.tip), "tip"),
-        };
+        let (name, what) = (one_line(&self.tip), self.tool.map_or("tip", |_| "its tool"));
         writeln!(f, "      {name:width$}  {what:10}  at {tip}")
     }
 }

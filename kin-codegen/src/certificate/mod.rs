@@ -119,7 +119,8 @@ impl fmt::Display for Failure {
 /// # Errors
 ///
 /// The first configuration on which it is not sound, loses the configuration
-/// or doubles a solution; or that there are too few on which it could.
+/// or doubles a solution, the one with which too many are lost where no axes are
+/// aligned; or that there are too few on which it could.
 pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Certificate, Failure> {
     let excused = form.near_singular();
     let excused_share = trials.share_below(excused);
