@@ -101,7 +101,6 @@ impl Robot {
         let link = self.link_names().iter().position(|&link| link == name);
         match link {
             _ if name == model.base => Some(Pose::IDENTITY),
-            _ if name == model.tip => Some(self.fk(q)),
             Some(link) => Some(self.fk_links(q)[link]),
             None => {
                 let frame = model.frames.iter().find(|frame| frame.name == name)?;

@@ -36,7 +36,7 @@ pub(super) fn fixed(spec: &ArmSpec, chain: &Chain, leads: &[bool]) -> Vec<Frame>
         }
     }
     for (i, &body) in bodies.iter().enumerate() {
-        if i.checked_sub(1).is_none_or(|joint| leads[joint]) || body == chain.tip {
+        if i.checked_sub(1).is_none_or(|joint| leads[joint]) {
             placed[body] = None;
         }
     }

@@ -260,11 +260,12 @@ macro_rules! kinematics_methods {
                 fn frame(&self, name: &str) -> ::core::option::Option<$($root)*::Frame> {
                     let link = Self::LINK_NAMES.iter().position(|&link| link == name);
                     let listed = || Self::FRAMES.iter().find(|frame| frame.name == name).copied();
+                    // One that carries a tool is a link as any other, and listed.
+                    let tip = || (name == Self::TIP).then(|| Frame::on_tip(Self::TIP, Pose::IDENTITY));
                     match link {
                         _ if name == Self::BASE => Some(Frame::on_base(Self::BASE, Pose::IDENTITY)),
-                        _ if name == Self::TIP => Some(Frame::on_tip(Self::TIP, Pose::IDENTITY)),
                         Some(i) => Some(Frame::on_link(Self::LINK_NAMES[i], i, Pose::IDENTITY)),
-                        None => listed(),
+                        None => listed().or_else(tip),
                     }
                 }
 
