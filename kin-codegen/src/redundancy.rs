@@ -5,11 +5,11 @@ use crate::certificate::SOMEWHERE;
 use crate::closed_form::tip_shift;
 use crate::expr;
 use crate::geometry::{
-    Carried, Linkage, Moved, Swivel, conditioning, idealize, rank, size, structure,
+    Carried, Linkage, Swivel, conditioning, idealizations, rank, size, structure,
 };
 use crate::model::{JointKind, Model, configurations};
 use crate::plan::{Plans, Relations, Target};
-use crate::solver::{Certified, Coupled, DESIGNED, NoClosedForm, TOLERANCES, alike, solve};
+use crate::solver::{Certified, Coupled, DESIGNED, NoClosedForm, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 use crate::vector::{cross, dot};
@@ -478,21 +478,12 @@ fn planned(
 ) -> (Vec<Weighed>, Vec<Vec<usize>>) {
     let mut weighed: Vec<Weighed> = Vec::new();
     let mut left = choices;
-    let mut last: Option<Vec<Moved>> = None;
     let mut shift = 0.0;
-    for tolerance in TOLERANCES {
-        if !weighed.is_empty() {
-            break;
-        }
-        let idealized = idealize(model, tolerance);
+    for idealized in idealizations(model) {
         shift = tip_shift(model, &idealized.model);
         if shift > DESIGNED * linkage.size {
             break;
         }
-        if last.as_ref() == Some(&idealized.moved) {
-            continue;
-        }
-        last = Some(idealized.moved.clone());
         let ideal = Linkage::for_target(&idealized.model, target);
         let relations = Rc::new(Relations::new(&ideal, target, &[]));
         let weight = |joints: &[usize]| {
@@ -509,6 +500,9 @@ fn planned(
             }
         }
         left = rest;
+        if !weighed.is_empty() {
+            break;
+        }
     }
     let is_noisy = shift >= linkage.scalar.tolerances().unmoved * linkage.size;
     let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);

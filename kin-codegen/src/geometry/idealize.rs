@@ -10,6 +10,14 @@ use super::{Line, Vec3, along, axes, cross, dot, norm, size, sub, unit};
 use crate::model::{JointKind, Model};
 use kin_runtime::Pose;
 
+/// Tolerances to read relations with, the strictest first: rounding of the
+/// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
+const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, NOISIEST];
+/// The largest of them.
+pub(crate) const NOISIEST: f64 = 8e-3;
+/// Noise that reaches over a tolerance is found by so many times it.
+const WIDER: f64 = 10.0;
+
 /// An idealized model and what it took.
 #[derive(Clone, Debug)]
 pub struct Idealized {
@@ -31,6 +39,27 @@ pub struct Moved {
     pub angle: f64,
     /// By how much its line shifted, metres.
     pub distance: f64,
+}
+
+impl Idealized {
+    /// Whether a wider tolerance moves nothing else. Otherwise noise reaches over the tolerance: of
+    /// axes that are all meant to be parallel some are read so, and others not.
+    pub(crate) fn is_clear(&self, given: &Model) -> bool {
+        idealize(given, WIDER * self.tolerance).moved == self.moved
+    }
+}
+
+/// The arm with the relations that its axes satisfy to one tolerance after the other, the strictest
+/// first, each time that there are others.
+pub(crate) fn idealizations(model: &Model) -> impl Iterator<Item = Idealized> {
+    let mut last: Option<Vec<Moved>> = None;
+    let read = move |tolerance| {
+        let idealized = idealize(model, tolerance);
+        let is_other = last.as_ref() != Some(&idealized.moved);
+        last = Some(idealized.moved.clone());
+        is_other.then_some(idealized)
+    };
+    TOLERANCES.into_iter().filter_map(read)
 }
 
 /// Moves every axis onto the relations that it satisfies to within

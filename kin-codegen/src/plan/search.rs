@@ -6,6 +6,7 @@ use super::{Atom, Kind, Plan, Relation, Step, Subproblem, Target};
 use crate::geometry::{Linkage, cross, dot, norm};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
+use std::ops::Range;
 use std::rc::Rc;
 
 /// Relations kept per step; the cheapest to compute is chosen when the step
@@ -22,6 +23,9 @@ const ALIKE: usize = 8;
 /// Steps that may degenerate where the arm itself is regular cost this much
 /// more.
 const MAY_DEGENERATE: u32 = 60;
+/// So much more costs a subproblem that noise alone makes one: any other plan is better. A multiple of
+/// what steps cost that may degenerate.
+const BY_NOISE: u32 = 100 * MAY_DEGENERATE;
 
 /// A line sweeps a hyperboloid about an axis where the cosine between them is
 /// larger, and otherwise a plane with a hole, of which other relations know.
@@ -29,6 +33,8 @@ const ALONG: f64 = 1e-3;
 /// Relations whose dependence on an unknown is weaker than this cannot
 /// determine it.
 const WEAK: f64 = 1e-6;
+/// Axes at a smaller angle, radians, are parallel but for noise.
+const PARALLEL: f64 = 1e-3;
 /// Of a pair of relations of a pose: what noise alone tells of it an elimination tells better. Beside
 /// those of a position there is none.
 const WEAK_IN_PAIR: f64 = 1e-5;
@@ -448,7 +454,11 @@ impl Partial {
             // No relation poses it: it is what is left when the search finds nothing.
             Subproblem::Univariate => 1000,
         };
-        let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
+        let noise = match (subproblem, unknown) {
+            (Subproblem::Sp2, [a, b]) if is_one_turn(linkage, a.atom, b.atom) => BY_NOISE,
+            _ => 0,
+        };
+        let cost = work + 9 * known + noise + if steady { 0 } else { MAY_DEGENERATE };
         let parallel = match *unknown {
             [a, b] => arm.told.parallel(joint_of(a.atom), joint_of(b.atom)),
             _ => 0,
@@ -653,11 +663,28 @@ fn joint_of(atom: Atom) -> usize {
 
 /// Whether nothing lies between two unknowns.
 fn adjacent(linkage: &Linkage, a: Atom, b: Atom) -> bool {
-    let extent = |atom| match atom {
+    extent(linkage, a).end == extent(linkage, b).start
+}
+
+/// The joints of an unknown.
+fn extent(linkage: &Linkage, atom: Atom) -> Range<usize> {
+    match atom {
         Atom::Joint(joint) => joint..joint + 1,
         Atom::Sum { run, .. } => linkage.runs[run].joints.clone(),
+    }
+}
+
+/// Whether two unknowns turn about axes that are all parallel but for noise, with those between them:
+/// a vector tells little more than the sum of their angles.
+fn is_one_turn(linkage: &Linkage, a: Atom, b: Atom) -> bool {
+    let [first, second] = [a, b].map(|atom| extent(linkage, atom));
+    let direction = linkage.axis(first.start).direction;
+    let is_parallel = |joint| {
+        !linkage.is_revolute(joint)
+            || norm(cross(direction, linkage.axis(joint).direction)) < PARALLEL
     };
-    extent(a).end == extent(b).start
+    // Behind the last joint the target comes between them.
+    first.start < second.start && (first.start..second.end).all(is_parallel)
 }
 
 /// Whether two unknowns of a vector relation make a subproblem 2: rotations,

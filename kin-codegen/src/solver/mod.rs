@@ -8,8 +8,8 @@ mod search;
 use crate::certificate::{Certificate, Failure, SOMEWHERE, Trials};
 use crate::closed_form::{ClosedForm, Inverse, tip_shift};
 use crate::geometry::{
-    AxisRelation, Linkage, Moved, Undetermined, axes, coupled_rank, cross, dot, idealize, norm,
-    rank, relate, uncoupled,
+    AxisRelation, Linkage, NOISIEST, Undetermined, axes, coupled_rank, cross, dot, idealizations,
+    norm, rank, relate, uncoupled,
 };
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -17,11 +17,6 @@ use beside::completed;
 use last_resort::last_resort;
 use search::{Patience, solve_idealized};
 
-/// Tolerances to read relations with, the strictest first: rounding of the
-/// file's own digits, right angles of 9, 7 and 5 digits, and calibrated arms.
-pub(crate) const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, NOISIEST];
-/// The largest of them.
-const NOISIEST: f64 = 8e-3;
 /// Plans tried at one tolerance before the next: the cheap ones of an arm with
 /// aligned or meeting axes may degenerate where the arm does not.
 const PLANS: usize = 200;
@@ -200,14 +195,11 @@ fn solve_readings(
 ) -> Result<Certified, NoClosedForm> {
     let (model, linkage) = (trials.model(), trials.linkage());
     let mut refusal = NoClosedForm::NoPlan(target);
+    let is_determined = model.joints.len() - linkage.parameters() == target.coordinates();
     let mut best: Option<Certified> = None;
-    let mut last: Option<Vec<Moved>> = None;
-    for tolerance in TOLERANCES {
-        let idealized = idealize(model, tolerance);
-        if last.as_ref() == Some(&idealized.moved) {
-            continue;
-        }
-        last = Some(idealized.moved.clone());
+    for idealized in idealizations(model) {
+        // Branches of as many joints as targets have coordinates say where others may be missing.
+        let is_clear = is_determined || idealized.is_clear(model);
         let shift = tip_shift(model, &idealized.model);
         // Beside the branches of an idealized arm an elimination is asked of whole poses alone.
         let alone = match target {
@@ -230,12 +222,15 @@ fn solve_readings(
         };
         match solve_idealized(trials, idealized, target, most, patience) {
             Ok(found) => {
-                // The reading that answers more singular targets wins; one
-                // that is exact or answers all cannot be beaten.
-                let done = found.form.is_exact() && !found.certificate.loses_much()
-                    || found.certificate.is_complete();
+                // The reading that answers more singular targets wins; one that is exact, or
+                // clear and answers all, cannot be beaten.
+                if is_clear && found.certificate.is_complete() {
+                    best = Some(found);
+                    break;
+                }
+                let is_exact = found.form.is_exact() && !found.certificate.loses_much();
                 best = better(best, found);
-                if done {
+                if is_exact {
                     break;
                 }
             }

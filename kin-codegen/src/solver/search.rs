@@ -1,11 +1,11 @@
 //! The search among the plans for one reading of the axes.
 
 use super::beside::eliminations_beside;
-use super::{CHOICES, Certified, Lack, NOISIEST, NoClosedForm, better, rank_without};
+use super::{CHOICES, Certified, Lack, NoClosedForm, better, rank_without};
 use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::inverse::{FreeAngles, InverseGraph, Turn, weight};
-use crate::geometry::{Idealized, Linkage, dot};
+use crate::geometry::{Idealized, Linkage, NOISIEST, dot};
 use crate::model::JointKind;
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;

@@ -2,13 +2,17 @@
 //! calibrated arms. No branch is lost, and all reach the target on the literal
 //! arm.
 
-use crate::arm::{MEET, MEET_THERE, PARALLEL, SKEW, Step, noisy_arm, placed};
+use crate::arm::{self, Arm, MEET, MEET_THERE, PARALLEL, SKEW, noisy_arm, placed};
 use crate::check::Solved;
 use crate::settings::in_cases;
+use kin_codegen::geometry::Linkage;
+use kin_codegen::model::Model;
+use kin_codegen::plan::{Plans, Step, Subproblem, Target};
+use kin_codegen::spec::{ArmSpec, Source};
 use proptest::prop_assume;
 
-const SPHERICAL_WRIST: &[Step] = &[SKEW, MEET, PARALLEL, MEET, MEET, MEET_THERE];
-const THREE_PARALLEL: &[Step] = &[SKEW, MEET, PARALLEL, PARALLEL, MEET, MEET];
+const SPHERICAL_WRIST: &[arm::Step] = &[SKEW, MEET, PARALLEL, MEET, MEET, MEET_THERE];
+const THREE_PARALLEL: &[arm::Step] = &[SKEW, MEET, PARALLEL, PARALLEL, MEET, MEET];
 
 /// The last digit of a file, right angles of 6 and 4 digits, stray offsets, a
 /// calibrated arm.
@@ -33,10 +37,73 @@ fn three_parallel() {
 }
 
 /// Where all answers are many times farther from singular ones than the noise.
-fn away_from_singularities(steps: &[Step]) {
+fn away_from_singularities(steps: &[arm::Step]) {
     in_cases(16, placed(noisy_arm(steps, LEVELS), steps), &|(arm, q)| {
         let solved = Solved::new(&arm)?;
         prop_assume!(solved.least_conditioning(&q) > 0.01);
         solved.check(&q)
     });
+}
+
+/// The axes of shoulder, elbow and wrist are meant to be parallel. Elbow and wrist are, the shoulder is
+/// 2.7e-6 radians off them: more than the tolerance of right angles of seven digits.
+const STRADDLED: &str = "
+robot: straddled
+units: {angle: rad, length: m}
+screws:
+  - {name: waist,    axis: [0, 0, 1],             point: [0, 0, 0]}
+  - {name: shoulder, axis: [3.65e-6, 1, -3.7e-7], point: [0.005, 0, 0.14]}
+  - {name: elbow,    axis: [6.31e-6, 1, -3.8e-7], point: [0.004, 0, 0.32]}
+  - {name: wrist,    axis: [6.31e-6, 1, -3.8e-7], point: [0.07, 0, 0.33]}
+home: {xyz: [0.07, 0, 0.33]}
+";
+
+/// Read so, it was solved, and its certificate clean: of 100,000 random targets 324 were lost, these
+/// among them.
+#[test]
+fn noise_on_both_sides_of_a_tolerance() {
+    let solved = Solved::new(&read(STRADDLED)).unwrap();
+    for q in [
+        [1.1713, -2.9869, -1.4488, -2.4057],
+        [2.0418, -0.0778, 1.5596, 1.0295],
+        [0.1379, -0.3797, 1.5853, 0.8823],
+        [0.2193, -2.9024, 1.7369, 0.3961],
+        [-1.1962, 0.2245, -1.0699, 2.5012],
+    ] {
+        solved.check_quickly(&q).unwrap();
+    }
+}
+
+/// A SCARA whose column is parallel to the others to single precision.
+const NEARLY_PARALLEL: &str = "
+robot: nearly_parallel
+units: {angle: rad, length: m}
+screws:
+  - {name: column,   axis: [0, 0, -1], point: [0, 0, 0]}
+  - {name: lift,     type: prismatic, axis: [0, 2.1e-13, 1]}
+  - {name: elbow,    axis: [-7.494203e-8, 4.501614e-8, 1], point: [0, 0.25, 0]}
+  - {name: shoulder, axis: [-7.494203e-8, 4.501593e-8, 1], point: [0, 0.55, 0.02]}
+home: {xyz: [0, 0.55, 0.32]}
+";
+
+/// Of turns about axes that are parallel but for noise a vector tells the sum, and each to half of
+/// the digits: 1.9 % of the targets of such an arm were lost. Plans without come first.
+#[test]
+fn turns_about_one_direction_are_told_by_others() {
+    let Arm(model) = read(NEARLY_PARALLEL);
+    let linkage = Linkage::new(&model);
+    let mut plans = Plans::new(&linkage, Target::Pose).take(100).peekable();
+    assert!(plans.peek().is_some());
+    let is_pair = |step: &Step| step.subproblem == Subproblem::Sp2;
+    assert!(plans.all(|plan| !plan.steps.iter().any(is_pair)));
+}
+
+/// The arm of a robot file.
+fn read(text: &str) -> Arm {
+    let source = Source {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    };
+    let spec = ArmSpec::parse(&source).unwrap();
+    Arm(Model::new(&spec, None, None).unwrap())
 }
