@@ -23,9 +23,6 @@ const ALIKE: usize = 8;
 /// Steps that may degenerate where the arm itself is regular cost this much
 /// more.
 const MAY_DEGENERATE: u32 = 60;
-/// So much more costs a subproblem that noise alone makes one: any other plan is better. A multiple of
-/// what steps cost that may degenerate.
-const BY_NOISE: u32 = 100 * MAY_DEGENERATE;
 
 /// A line sweeps a hyperboloid about an axis where the cosine between them is
 /// larger, and otherwise a plane with a hole, of which other relations know.
@@ -454,11 +451,7 @@ impl Partial {
             // No relation poses it: it is what is left when the search finds nothing.
             Subproblem::Univariate => 1000,
         };
-        let noise = match (subproblem, unknown) {
-            (Subproblem::Sp2, [a, b]) if is_one_turn(linkage, a.atom, b.atom) => BY_NOISE,
-            _ => 0,
-        };
-        let cost = work + 9 * known + noise + if steady { 0 } else { MAY_DEGENERATE };
+        let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
         let parallel = match *unknown {
             [a, b] => arm.told.parallel(joint_of(a.atom), joint_of(b.atom)),
             _ => 0,
@@ -687,9 +680,13 @@ fn is_one_turn(linkage: &Linkage, a: Atom, b: Atom) -> bool {
     first.start < second.start && (first.start..second.end).all(is_parallel)
 }
 
-/// Whether two unknowns of a vector relation make a subproblem 2: rotations,
+/// Whether two unknowns of a vector relation make a subproblem 2: rotations that are not one turn,
 /// and for a point neighbours whose axes intersect.
 fn pair(linkage: &Linkage, relation: &Relation, a: Atom, b: Atom) -> bool {
+    // The axes of joints that are coupled are not idealized, and noise may be all that tells them.
+    if linkage.coupling.is_none() && is_one_turn(linkage, a, b) {
+        return false;
+    }
     if relation.from.kind == Kind::Direction {
         return true;
     }
