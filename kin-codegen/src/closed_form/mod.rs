@@ -30,6 +30,9 @@ const NEAR_SINGULAR: f64 = 0.5;
 /// Of branches that are none of the arm's: how near they are to a target tells nothing.
 const NONE: f64 = -1.0;
 
+/// A tip that is off by less than this share of what branches may miss a target by is not off.
+const NOTICED: f64 = 1e-3;
+
 /// Below this conditioning an elimination may not tell two solutions apart.
 const DROWNED: f64 = 1e-4;
 
@@ -432,7 +435,14 @@ impl ClosedForm {
             true => tolerances.nearly_by_quartic,
             false => tolerances.nearly,
         };
-        let tolerance = tolerances.accepted * size;
+        // A branch that reaches a target on the idealized arm may miss it by so much more on the one
+        // that is given.
+        let off = self.tip_shift / size;
+        let off = match self.is_exact() && off > NOTICED * tolerances.accepted {
+            true => off,
+            false => 0.0,
+        };
+        let tolerance = (tolerances.accepted - off) * size;
         let is_corrected = self.refinement == Refinement::Correction
             && !self.is_exact()
             && !self.plan.target.is_projected();

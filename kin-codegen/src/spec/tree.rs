@@ -230,7 +230,11 @@ fn check_tree(spec: &ArmSpec, diagnostics: &mut Collector) {
     let mut above: Vec<Option<usize>> = vec![None; spec.links.len()];
     for (i, joint) in spec.joints.iter().enumerate() {
         let child = &spec.links[joint.child].name;
-        if let Some(first) = above[joint.child] {
+        if joint.parent == joint.child {
+            let reason = format!("joint `{}` joins link `{child}` to itself", joint.name);
+            let remedy = "name the link that it moves as its child, and the one that carries it as its parent";
+            diagnostics.at(joint.at, reason, remedy);
+        } else if let Some(first) = above[joint.child] {
             let first = &spec.joints[first].name;
             let reason = format!(
                 "link `{child}` hangs on two joints, `{first}` and `{}`: that closes a loop, and this robot must be a tree",
