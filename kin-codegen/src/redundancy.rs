@@ -7,13 +7,14 @@ use crate::expr;
 use crate::geometry::{
     Carried, Linkage, Swivel, conditioning, idealizations, rank, size, structure,
 };
-use crate::model::{JointKind, Model, configurations};
+use crate::model::{Joint, JointKind, Model, configurations};
 use crate::plan::{Plans, Relations, Target};
-use crate::solver::{Certified, Coupled, DESIGNED, NoClosedForm, alike, solve};
+use crate::solver::{COMPARED, Certified, Coupled, DESIGNED, NoClosedForm, alike, solve};
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics, JointType, did_you_mean};
 use crate::univariate;
 use crate::vector::{cross, dot};
 use kin_runtime::__private::Completion;
+use std::cmp::{Ordering, Reverse};
 use std::rc::Rc;
 
 /// Sets of joints that are compared: all of one joint, or of two of eight. Of more those are
@@ -28,6 +29,12 @@ const NEARLY_SINGULAR: f64 = 1e-3;
 const TRIED: usize = 16;
 /// A choice of joints that sweep less than this part of what others do comes behind those.
 const WIDE: f64 = 0.5;
+/// Choices that cost less than one part in so many more than the best cost about as much.
+const ALIKE: usize = 20;
+/// Of so many targets in a hundred, and below this noise, a polynomial is as good as any that is
+/// unsure more seldom, or has less.
+const SELDOM: f64 = 2.0;
+const QUIET: f64 = 1e-11;
 /// Choices that are solved in search of one that has a solution at every singular target.
 const SOLVED: usize = 8;
 
@@ -80,7 +87,7 @@ impl Redundancy {
 pub struct Weighed {
     /// Their places in the chain, ascending.
     pub joints: Vec<usize>,
-    /// What all branches of the first plan for the others cost, by [`expr::inverse::weight`]; none
+    /// What all branches of the cheapest of the first plans for the others cost, by [`expr::inverse::weight`]; none
     /// if there is none.
     pub weight: Option<usize>,
 }
@@ -488,9 +495,15 @@ fn planned(
         let relations = Rc::new(Relations::new(&ideal, target, &[]));
         let weight = |joints: &[usize]| {
             let ideal = ideal.clone().with_locked(joints);
-            let plan = Plans::of(&ideal, target, &relations).next();
-            let plan = plan.filter(|_| is_usually_regular(&idealized.model, joints, target))?;
-            Some(expr::inverse::weight(&ideal, &plan))
+            let mut plans = Plans::of(&ideal, target, &relations)
+                .take(COMPARED)
+                .peekable();
+            plans.peek()?;
+            let is_regular = is_usually_regular(&idealized.model, joints, target);
+            let weights = plans
+                .filter(|_| is_regular)
+                .map(|plan| expr::inverse::weight(&ideal, &plan));
+            weights.min()
         };
         let mut rest = Vec::new();
         for joints in left {
@@ -512,18 +525,33 @@ fn planned(
         .collect();
     let most = reach.iter().copied().fold(0.0, f64::max);
     let mut each: Vec<(Weighed, f64)> = weighed.into_iter().zip(reach).collect();
-    each.sort_by_key(|(choice, reach)| {
+    let preference = |(choice, reach): &(Weighed, f64)| {
         let joints = &choice.joints;
         let little = *reach < WIDE * most;
         (
             is_dear(joints),
-            !carries(model, joints),
             little,
-            choice.weight,
+            Reverse(carriers(model, target, joints)),
         )
-    });
+    };
+    each.sort_by_key(|it| (preference(it), it.0.weight));
+    // Of those that cost about as much as the best the last in the order of the joints comes first:
+    // the joint that a left arm leaves free is then that of its mirror image.
+    if let Some(best) = each.first() {
+        let (preferred, least) = (preference(best), best.0.weight);
+        let is_alike =
+            |it: &(Weighed, f64)| preference(it) == preferred && costs_as_much(it.0.weight, least);
+        let alike = each.iter().take_while(|it| is_alike(it)).count();
+        each[..alike].sort_by(|(a, _), (b, _)| b.joints.cmp(&a.joints));
+    }
     let weighed = each.into_iter().map(|(choice, _)| choice).collect();
     (weighed, left)
+}
+
+/// Whether plans cost about as much as the cheapest.
+pub fn costs_as_much(weight: Option<usize>, least: Option<usize>) -> bool {
+    let both = weight.zip(least);
+    both.is_some_and(|(weight, least)| ALIKE * weight.saturating_sub(least) < least)
 }
 
 /// How much of space the joints that are not locked sweep, where these are to bring the tip to a
@@ -547,13 +575,20 @@ fn swept(model: &Model, locked: &[usize], target: Target) -> f64 {
     tried.iter().take(TRIED).map(volume).sum()
 }
 
-/// Whether some joints are what carries the others: rails, or the slides and the turn of a platform.
-/// Whoever stands an arm on these means to say where they are.
-fn carries(model: &Model, joints: &[usize]) -> bool {
-    let is_slide = |&&joint: &&usize| model.joints[joint].kind == JointKind::Prismatic;
-    let slides = joints.iter().filter(is_slide).count();
-    let is_first = joints.iter().copied().eq(0..joints.len());
-    is_first && slides > 0 && slides >= joints.len().min(2)
+/// How many of these joints, from the first of the chain on, carry the others: all but one, since an
+/// arm of seven joints is solved as if it stood alone, and that one too if they are a rail, the
+/// slides of a gantry, or the slides and the turn of a platform, or an arm that carries the wrist
+/// which orients the tip. Whoever stands an arm on these means to say where they are.
+pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
+    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
+    let slides = model.joints.iter().take_while(is_slide).count();
+    let platform = slides + usize::from(slides == 2);
+    let most = match target {
+        Target::Orientation => joints.len(),
+        _ => platform.max(joints.len().saturating_sub(1)),
+    };
+    let from_first = joints.iter().zip(0..).take_while(|(joint, i)| *joint == i);
+    from_first.take(most).count()
 }
 
 /// Whether the joints that are not locked stand in a row, for which all others can be
@@ -590,12 +625,21 @@ fn between(
             matters.then(|| univariate::Arm::of_targets(model, &locked(joints), Target::Pose));
         let kept = arm.flatten().map(|arm| arm.kept[0]);
         kept.map_or([f64::INFINITY; 3], |kept| {
-            [kept.unsure, kept.elimination.degree.into(), kept.noise]
+            let unsure = kept.unsure.max(SELDOM);
+            [
+                unsure,
+                kept.elimination.degree.into(),
+                kept.noise.max(QUIET),
+            ]
         })
     };
     let mut rows: Vec<([f64; 3], Vec<usize>)> = rows.map(|row| (quality(&row), row)).collect();
-    rows.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(std::cmp::Ordering::Equal));
-    rows.sort_by_key(|(_, joints)| !carries(model, joints));
+    // Of equals the last in the order of the joints comes first, as of those with a plan.
+    rows.sort_by(|a, b| {
+        let by_quality = a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal);
+        by_quality.then_with(|| b.1.cmp(&a.1))
+    });
+    rows.sort_by_key(|(_, joints)| Reverse(carriers(model, Target::Pose, joints)));
     let weighed = rows.into_iter().map(|(_, joints)| Weighed {
         joints,
         weight: None,
@@ -614,7 +658,7 @@ mod tests {
             let joint = |(i, kind)| {
                 let (kind, point) = match kind {
                     's' => ("prismatic", String::new()),
-                    _ => ("revolute", format!(", point: [{i}, 0, 0]")),
+                    _ => ("revolute", format!(", point: [0.1, 0, 0.{i}]")),
                 };
                 format!("- {{name: q{i}, axis: [0, 0, 1]{point}, type: {kind}}}\n")
             };
@@ -626,14 +670,21 @@ mod tests {
                 ),
             };
             let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
-            carries(&model, joints)
+            carriers(&model, Target::Pose, joints)
         };
-        assert!(carried_by("stttttt", &[0]));
-        assert!(carried_by("sstttttt", &[0, 1]) && carried_by("ssttttttt", &[0, 1, 2]));
-        // Turntables, slides within, and what a rail carries beside a turn.
-        assert!(!carried_by("ttttttt", &[0]) && !carried_by("tstttttt", &[1]));
-        assert!(!carried_by("stttttt", &[1]) && !carried_by("stttttttt", &[0, 1]));
-        assert!(!carried_by("tttttt", &[]));
+        assert_eq!(carried_by("stttttt", &[0]), 1);
+        assert_eq!(carried_by("sstttttt", &[0, 1]), 2);
+        assert_eq!(carried_by("ssttttttt", &[0, 1, 2]), 3);
+        // Of a torso and seven joints another one is given as well, which carries nothing.
+        assert_eq!(carried_by("sttttttt", &[0, 3]), 1);
+        assert_eq!(carried_by("sttttttt", &[0, 1]), 1);
+        assert_eq!(carried_by("tttttttt", &[0, 7]), 1);
+        assert_eq!(carried_by("ssstttttttt", &[0, 1, 2, 3]), 3);
+        // Turntables, slides within, and what a rail carries.
+        assert_eq!(carried_by("ttttttt", &[0]), 0);
+        assert_eq!(carried_by("tstttttt", &[1]), 0);
+        assert_eq!(carried_by("stttttt", &[1]), 0);
+        assert_eq!(carried_by("tttttt", &[]), 0);
     }
 
     /// Whatever the wrist is given, the joints before it reach most positions; a wrist alone reaches

@@ -257,6 +257,28 @@ fn a_slide_beside_parallel_joints_leaves_their_sum_alone() {
     }
 }
 
+/// Three axes that are off right angles by a hair or by far: nothing but their directions counts, and
+/// subproblems solve these as they are.
+#[test]
+fn a_wrist_off_its_right_angles_is_solved_for_orientations_as_it_is() {
+    for noise in [1e-9, 1e-7, 4e-6, 3e-5, 6e-4, 5e-3, 0.3] {
+        let text = format!(
+            "robot: wrist\nunits: {{angle: rad, length: m}}\nscrews:\n\
+             - {{name: a, axis: [0, 0, 1], point: [0, 0, 0]}}\n\
+             - {{name: b, axis: [{noise}, 1, {}], point: [0.1, 0, 0]}}\n\
+             - {{name: c, axis: [{}, {noise}, 1], point: [0, 0.02, 0]}}\n\
+             home: {{xyz: [0, 0, 0.1], rpy: [0.3, -0.4, 1]}}\n",
+            0.7 * noise,
+            -0.4 * noise,
+        );
+        let arm = compiled(&text, Target::Orientation).unwrap();
+        let found = arm.inverse.as_ref().unwrap();
+        assert!(found.form.is_exact(), "{noise}: {}", found.form.plan);
+        assert_eq!(found.certificate.lost, 0, "{noise}");
+        is_complete(&arm.model, Target::Orientation, found, 300);
+    }
+}
+
 /// A wrist behind an elbow, the axes of which are parallel and meet but for noise.
 const SIX_OFF: &str = "
 robot: six

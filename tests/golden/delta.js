@@ -3,8 +3,8 @@
  * Options: name = delta, base = "frame", tip = "effector", ik = closed_form.
  * frame to effector, 3 chains, 15 joints, 3 actuated.
  * Inverse kinematics: arm1 by SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm2 by
- * SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1); arm3 by SP3(q1) SP4(q3) SP1(q2), then
- * SP4(q2) SP1(q1).
+ * SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm3 by SP3(q1) SP4(q3) SP1(q2), then
+ * SP1(q1) SP1(q2).
  * Forward kinematics: closed form: the platform translates at 0.2320 m, 0.2320 m, 0.2320 m
  * from points that the actuators place, so its position is where three spheres meet
  * (assembly modes with the platform turned, in another mode of its joints, are left out).
@@ -1746,11 +1746,11 @@ return $mechanism({
                     const r33 = target[10];
                     /* 1. q1 by SP1 */
                     const s1 = 0.9086788731543293 * r12 + 0.4174957550478551 * r32;
-                    /* 2. q2 by SP1, given q1 */
-                    const t1 = 0.41749575504785524 * r11 - 0.9086788731543297 * r31;
-                    const t2 = r22 * (0.9086788731543297 * r11 + 0.41749575504785524 * r31) - s1 * (1.0000000000000004 * r21);
-                    const s2 = 0.9999999999999996 * t1;
-                    const c2 = 0.9999999999999996 * t2;
+                    /* 2. q2 by SP1 */
+                    const t1 = 0.4174957550478552 * r11 - 0.9086788731543295 * r31;
+                    const t2 = 0.9086788731543295 * r33 - 0.4174957550478552 * r13;
+                    const s2 = 0.9999999999999998 * t1;
+                    const c2 = 0.9999999999999998 * t2;
                     /* Residual: forward kinematics against the target */
                     const t3 = 0.9086788731543293 * r22;
                     const t4 = 0.4174957550478551 * r22;
@@ -1761,15 +1761,15 @@ return $mechanism({
                     const t9 = r23 - (r12 * r31 - r11 * r32);
                     const t10 = r33 - (r11 * r22 - r12 * r21);
                     const t11 = t5 * t5 + t6 * t6 + t7 * t7 + t8 * t8 + t9 * t9 + t10 * t10;
-                    const t12 = c2 * t3 + 0.4174957550478549 * t1 - r11;
+                    const t12 = c2 * t3 + 0.41749575504785497 * t1 - r11;
                     const t13 = 0.9086788731543293 * s1 - r12;
-                    const t14 = s2 * t3 - 0.4174957550478549 * t2 - r13;
+                    const t14 = s2 * t3 - 0.41749575504785497 * t2 - r13;
                     const t15 = r21 + s1 * c2;
                     const t16 = r23 + s1 * s2;
-                    const t17 = c2 * t4 - 0.9086788731543288 * t1 - r31;
+                    const t17 = c2 * t4 - 0.908678873154329 * t1 - r31;
                     const t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16 + t17 * t17;
                     const t19 = 0.4174957550478551 * s1 - r32;
-                    const t20 = s2 * t4 + 0.9086788731543288 * t2 - r33;
+                    const t20 = s2 * t4 + 0.908678873154329 * t2 - r33;
                     const residual = Math.sqrt(0.010483752153249173 * t11 + 0.005241876076624586 * (t18 + t19 * t19 + t20 * t20));
                     /* Joint values: angles from sines and cosines, in (−π, π] */
                     const q1 = $wrap($atan2(s1, r22));
@@ -2865,15 +2865,11 @@ return $mechanism({
                 counts_axis: false,
             },
             form: {
-                plan: "SP4(q2) SP1(q1)",
+                plan: "SP1(q1) SP1(q2)",
                 target: "orientations of the tip",
-                branches: 2,
-                most: 2,
-                postures: [{
-                    name: "step 1",
-                    words: ["+", "\u2212"],
-                    meaning: "step 1: the sign of the root that gives q2",
-                }],
+                branches: 1,
+                most: 1,
+                postures: [],
                 parameters: [],
                 solved: [0, 1],
                 locked: [],
@@ -2892,12 +2888,10 @@ return $mechanism({
                 search: null,
                 lanes: (target, seed, given, free_below) => {
                     const lanes = {
-                        q: Array.from({ length: 2 }, () => new Float64Array(2)),
-                        residual: new Float64Array(2), invalid: new Float64Array(2), singular: new Float64Array(2),
-                        level: Array.from({ length: 0 }, () => new Float64Array(2)), no_root: Array.from({ length: 0 }, () => new Float64Array(2)),
+                        q: Array.from({ length: 2 }, () => new Float64Array(1)),
+                        residual: new Float64Array(1), invalid: new Float64Array(1), singular: new Float64Array(1),
+                        level: Array.from({ length: 0 }, () => new Float64Array(1)), no_root: Array.from({ length: 0 }, () => new Float64Array(1)),
                     };
-                    /* The seed, for an angle that the target leaves free */
-                    const { sine: t1, cosine: t2 } = $sin_cos(seed[0]);
                     const r11 = target[0];
                     const r12 = target[1];
                     const r13 = target[2];
@@ -2907,95 +2901,59 @@ return $mechanism({
                     const r31 = target[8];
                     const r32 = target[9];
                     const r33 = target[10];
-                    /* 1. q2 by SP4 (what all branches share) */
-                    const t3 = 0.8660254037844388 * r11 + 0.4999999999999999 * r21;
-                    const t4 = 0.4174957550478551 * r31 + (0.7869389880338669 * r21 - 0.4543394365771645 * r11);
-                    const t5 = 1.0000000000000002 * (0.3615619298436078 * r21 - 0.20874787752392746 * r11 - 0.9086788731543293 * r31);
-                    const t6 = 0.24999999999999978 - t5 * t5;
-                    const t7 = $select(t6, 2.499999999999998e-14, 1.0, 0.0);
-                    const t8 = Math.sqrt($select(t6, 2.499999999999998e-14, 0.0, t6));
-                    const t9 = $max(-0.4999999999999998, -$max(-0.4999999999999998, -t5));
-                    const t10 = 2.000000000000001 * t9;
-                    const s2 = -t10;
-                    /* 2. q1 by SP1, given q2 (what all branches share) */
-                    const t11 = 0.8660254037844388 * t3;
-                    const t12 = 0.8660254037844388 * t4;
-                    const t13 = t3 * t3 + t4 * t4;
-                    const t14 = 0.8660254037844388 * r13 + 0.4999999999999999 * r23;
-                    const t15 = 0.4174957550478551 * r33 + (0.7869389880338669 * r23 - 0.4543394365771645 * r13);
-                    const t16 = -(t10 * t15);
-                    const t17 = -(t10 * t14);
-                    const t18 = Math.sqrt((t14 * t14 + t15 * t15) * (t10 * t10));
-                    /* Residual: forward kinematics against the target (what all branches share) */
-                    const t19 = 0.20874787752392746 * t9;
-                    const t20 = 0.3615619298436078 * t9;
-                    const t21 = 0.9086788731543293 * t9;
-                    const t22 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t23 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    const t24 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    const t25 = r13 - (r21 * r32 - r22 * r31);
-                    const t26 = r23 - (r12 * r31 - r11 * r32);
-                    const t27 = r33 - (r11 * r22 - r12 * r21);
-                    const t28 = t22 * t22 + t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27;
-                    const t29 = 0.01048375215324917 * t28;
-                    /* 2 lanes, by the signs of the roots: e1 of step 1 */
-                    const e1_of_2 = [1.0, -1.0];
-                    const invalid_ = new Float64Array(2);
-                    const singular_ = new Float64Array(2);
-                    const residual_ = new Float64Array(2);
-                    const q1_ = new Float64Array(2);
-                    const q2_ = new Float64Array(2);
-                    for (let k = 0; k < 2; ++k) {
-                        const e1 = e1_of_2[k];
-                        /* 1. q2 by SP4 */
-                        const invalid = $select(t6, 2.499999999999998e-14, -e1, 0.0);
-                        const t30 = e1 * t8;
-                        const c2 = 2.000000000000001 * t30;
-                        /* 2. q1 by SP1, given q2 */
-                        const t31 = 0.9999999999999998 * t30;
-                        const t32 = Math.sqrt(t13 * (t31 * t31 + 0.7500000000000003));
-                        const t33 = $select(t32, t18, t18, t32);
-                        const singular = $max(t7, $select(t33, 1e-24, 1.0, 0.0));
-                        const t34 = 1.0 / t33;
-                        const s1 = $select(t33, 1e-24, t1, $select(t32, t18, t17, -(t12 + t3 * t31)) * t34);
-                        const c1 = $select(t33, 1e-24, t2, $select(t32, t18, t16, t11 - t4 * t31) * t34);
-                        /* Residual: forward kinematics against the target */
-                        const t35 = t30 * s1 - 0.8660254037844388 * c1;
-                        const t36 = 0.8660254037844388 * s1 + t30 * c1;
-                        const t37 = 0.4543394365771645 * t36 - 0.8660254037844388 * t35 - t19;
-                        const t38 = t20 - (0.4999999999999999 * t35 + 0.7869389880338669 * t36);
-                        const t39 = 0.4174957550478551 * t36 + t21;
-                        const t40 = t10 * c1;
-                        const t41 = t10 * s1;
-                        const t42 = 0.4174957550478551 * t30 + (0.4543394365771645 * t40 - 0.8660254037844388 * t41);
-                        const t43 = 0.7231238596872159 * t30 + (0.4999999999999999 * t41 + 0.7869389880338669 * t40);
-                        const t44 = 1.8173577463086594 * t30 - 0.4174957550478551 * t40;
-                        const t45 = t37 - r11;
-                        const t46 = t39 * t43 - t38 * t44 - r12;
-                        const t47 = t42 - r13;
-                        const t48 = t38 - r21;
-                        const t49 = t37 * t44 + t39 * t42 - r22;
-                        const t50 = r23 + t43;
-                        const t51 = t45 * t45 + t46 * t46 + t47 * t47 + t48 * t48 + t49 * t49 + t50 * t50;
-                        const t52 = r31 + t39;
-                        const t53 = t38 * t42 + t37 * t43 - r32;
-                        const t54 = t44 - r33;
-                        const residual = Math.sqrt(t29 + 0.005241876076624585 * (t51 + t52 * t52 + t53 * t53 + t54 * t54));
-                        /* Joint values: angles from sines and cosines, in (−π, π] */
-                        const q1 = $angle(s1, c1);
-                        const q2 = $wrap($angle(s2, c2) - 0.43068765102503376);
-                        invalid_[k] = invalid;
-                        singular_[k] = singular;
-                        residual_[k] = residual;
-                        q1_[k] = q1;
-                        q2_[k] = q2;
-                    }
-                    for (let k = 0; k < 2; ++k) {
-                        lanes.q[0][k] = q1_[k];
-                        lanes.q[1][k] = q2_[k];
-                        lanes.residual[k] = residual_[k];
-                        lanes.invalid[k] = invalid_[k];
-                        lanes.singular[k] = singular_[k];
+                    /* 1. q1 by SP1 */
+                    const t1 = 0.866025403784439 * r11 + 0.49999999999999994 * r12;
+                    const t2 = 0.866025403784439 * r21 + 0.49999999999999994 * r22;
+                    const t3 = 0.8660254037844388 * t1 + 0.4999999999999999 * t2;
+                    const t4 = 0.4543394365771645 * t1 - 0.7869389880338669 * t2 - 0.4174957550478551 * (0.866025403784439 * r31 + 0.49999999999999994 * r32);
+                    const s1 = 0.9999999999999998 * t4;
+                    const c1 = 0.9999999999999998 * t3;
+                    /* 2. q2 by SP1, given q1 */
+                    const t5 = 0.9086788731543293 * r33;
+                    const t6 = 0.3615619298436078 * r23 - 0.20874787752392746 * r13;
+                    const t7 = t6 - t5;
+                    const s2 = s1 * (0.8660254037844388 * r13 + 0.4999999999999999 * r23) + c1 * (0.4174957550478551 * r33 + (0.7869389880338669 * r23 - 0.4543394365771645 * r13));
+                    const c2 = t5 - t6;
+                    /* Residual: forward kinematics against the target */
+                    const t8 = 0.8660254037844386 * c2;
+                    const t9 = 0.4999999999999997 * t3 + s1 * t8;
+                    const t10 = c1 * t8 - 0.4999999999999997 * t4;
+                    const t11 = 0.8660254037844388 * t9 - 0.4543394365771645 * t10 - 0.18078096492180382 * s2;
+                    const t12 = 0.3131218162858913 * s2 + (0.4999999999999999 * t9 + 0.7869389880338669 * t10);
+                    const t13 = 0.4174957550478551 * t10 - 0.7869389880338666 * s2;
+                    const t14 = c1 * s2;
+                    const t15 = s1 * s2;
+                    const t16 = 0.8660254037844388 * t15 - 0.4543394365771645 * t14 - 0.20874787752392746 * t7;
+                    const t17 = 0.3615619298436078 * t7 + (0.4999999999999999 * t15 + 0.7869389880338669 * t14);
+                    const t18 = 0.4174957550478551 * t14 - 0.9086788731543293 * t7;
+                    const t19 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                    const t20 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    const t21 = r31 * r32 + (r11 * r12 + r21 * r22);
+                    const t22 = r13 - (r21 * r32 - r22 * r31);
+                    const t23 = r23 - (r12 * r31 - r11 * r32);
+                    const t24 = r33 - (r11 * r22 - r12 * r21);
+                    const t25 = t19 * t19 + t20 * t20 + t21 * t21 + t22 * t22 + t23 * t23 + t24 * t24;
+                    const t26 = t12 * t18 - t13 * t17 - r11;
+                    const t27 = t11 - r12;
+                    const t28 = t16 - r13;
+                    const t29 = t13 * t16 - t11 * t18 - r21;
+                    const t30 = t12 - r22;
+                    const t31 = t17 - r23;
+                    const t32 = t26 * t26 + t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30 + t31 * t31;
+                    const t33 = t11 * t17 - t12 * t16 - r31;
+                    const t34 = t13 - r32;
+                    const t35 = t18 - r33;
+                    const t36 = 0.01048375215324917 * t25 + 0.005241876076624585 * (t32 + t33 * t33 + t34 * t34 + t35 * t35);
+                    const residual = Math.sqrt(t36);
+                    /* Joint values: angles from sines and cosines, in (−π, π] */
+                    const q1 = $wrap($atan2(s1, c1));
+                    const q2 = $wrap($wrap($atan2(s2, c2)) - 0.43068765102503376);
+                    for (let k = 0; k < 1; ++k) {
+                        lanes.q[0][k] = q1;
+                        lanes.q[1][k] = q2;
+                        lanes.residual[k] = residual;
+                        lanes.invalid[k] = 0.0;
+                        lanes.singular[k] = 0.0;
                     }
                     return lanes;
                 },
@@ -4105,15 +4063,11 @@ return $mechanism({
                 counts_axis: false,
             },
             form: {
-                plan: "SP4(q2) SP1(q1)",
+                plan: "SP1(q1) SP1(q2)",
                 target: "orientations of the tip",
-                branches: 2,
-                most: 2,
-                postures: [{
-                    name: "step 1",
-                    words: ["+", "\u2212"],
-                    meaning: "step 1: the sign of the root that gives q2",
-                }],
+                branches: 1,
+                most: 1,
+                postures: [],
                 parameters: [],
                 solved: [0, 1],
                 locked: [],
@@ -4132,12 +4086,10 @@ return $mechanism({
                 search: null,
                 lanes: (target, seed, given, free_below) => {
                     const lanes = {
-                        q: Array.from({ length: 2 }, () => new Float64Array(2)),
-                        residual: new Float64Array(2), invalid: new Float64Array(2), singular: new Float64Array(2),
-                        level: Array.from({ length: 0 }, () => new Float64Array(2)), no_root: Array.from({ length: 0 }, () => new Float64Array(2)),
+                        q: Array.from({ length: 2 }, () => new Float64Array(1)),
+                        residual: new Float64Array(1), invalid: new Float64Array(1), singular: new Float64Array(1),
+                        level: Array.from({ length: 0 }, () => new Float64Array(1)), no_root: Array.from({ length: 0 }, () => new Float64Array(1)),
                     };
-                    /* The seed, for an angle that the target leaves free */
-                    const { sine: t1, cosine: t2 } = $sin_cos(seed[0]);
                     const r11 = target[0];
                     const r12 = target[1];
                     const r13 = target[2];
@@ -4147,95 +4099,56 @@ return $mechanism({
                     const r31 = target[8];
                     const r32 = target[9];
                     const r33 = target[10];
-                    /* 1. q2 by SP4 (what all branches share) */
-                    const t3 = 0.8660254037844388 * r11 - 0.4999999999999999 * r21;
-                    const t4 = 0.4174957550478551 * r31 - (0.4543394365771645 * r11 + 0.7869389880338669 * r21);
-                    const t5 = 1.0000000000000002 * (0.9086788731543293 * r31 + (0.20874787752392746 * r11 + 0.3615619298436078 * r21));
-                    const t6 = 0.24999999999999978 - t5 * t5;
-                    const t7 = $select(t6, 2.499999999999998e-14, 1.0, 0.0);
-                    const t8 = Math.sqrt($select(t6, 2.499999999999998e-14, 0.0, t6));
-                    const t9 = $max(-0.4999999999999998, -$max(t5, -0.4999999999999998));
-                    const t10 = 2.000000000000001 * t9;
-                    const s2 = -t10;
-                    /* 2. q1 by SP1, given q2 (what all branches share) */
-                    const t11 = 0.8660254037844388 * t3;
-                    const t12 = 0.8660254037844388 * t4;
-                    const t13 = t3 * t3 + t4 * t4;
-                    const t14 = 0.8660254037844388 * r13 - 0.4999999999999999 * r23;
-                    const t15 = 0.4174957550478551 * r33 - (0.4543394365771645 * r13 + 0.7869389880338669 * r23);
-                    const t16 = -(t10 * t15);
-                    const t17 = t10 * t14;
-                    const t18 = Math.sqrt((t14 * t14 + t15 * t15) * (t10 * t10));
-                    /* Residual: forward kinematics against the target (what all branches share) */
-                    const t19 = 0.20874787752392746 * t9;
-                    const t20 = 0.3615619298436078 * t9;
-                    const t21 = 0.9086788731543293 * t9;
-                    const t22 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t23 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
-                    const t24 = r31 * r32 + (r11 * r12 + r21 * r22);
-                    const t25 = r13 - (r21 * r32 - r22 * r31);
-                    const t26 = r23 - (r12 * r31 - r11 * r32);
-                    const t27 = r33 - (r11 * r22 - r12 * r21);
-                    const t28 = t22 * t22 + t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27;
-                    const t29 = 0.01048375215324917 * t28;
-                    /* 2 lanes, by the signs of the roots: e1 of step 1 */
-                    const e1_of_2 = [1.0, -1.0];
-                    const invalid_ = new Float64Array(2);
-                    const singular_ = new Float64Array(2);
-                    const residual_ = new Float64Array(2);
-                    const q1_ = new Float64Array(2);
-                    const q2_ = new Float64Array(2);
-                    for (let k = 0; k < 2; ++k) {
-                        const e1 = e1_of_2[k];
-                        /* 1. q2 by SP4 */
-                        const invalid = $select(t6, 2.499999999999998e-14, -e1, 0.0);
-                        const t30 = e1 * t8;
-                        const c2 = 2.000000000000001 * t30;
-                        /* 2. q1 by SP1, given q2 */
-                        const t31 = 0.9999999999999998 * t30;
-                        const t32 = Math.sqrt(t13 * (t31 * t31 + 0.7500000000000003));
-                        const t33 = $select(t32, t18, t18, t32);
-                        const singular = $max(t7, $select(t33, 1e-24, 1.0, 0.0));
-                        const t34 = 1.0 / t33;
-                        const s1 = $select(t33, 1e-24, t1, $select(t32, t18, t17, t12 + t3 * t31) * t34);
-                        const c1 = $select(t33, 1e-24, t2, $select(t32, t18, t16, t11 - t4 * t31) * t34);
-                        /* Residual: forward kinematics against the target */
-                        const t35 = 0.8660254037844388 * c1 + t30 * s1;
-                        const t36 = 0.8660254037844388 * s1 - t30 * c1;
-                        const t37 = 0.8660254037844388 * t35 - 0.4543394365771645 * t36 - t19;
-                        const t38 = t20 + (0.4999999999999999 * t35 + 0.7869389880338669 * t36);
-                        const t39 = 0.4174957550478551 * t36 - t21;
-                        const t40 = t10 * c1;
-                        const t41 = t10 * s1;
-                        const t42 = 0.4174957550478551 * t30 + (0.8660254037844388 * t41 + 0.4543394365771645 * t40);
-                        const t43 = 0.7231238596872159 * t30 + (0.7869389880338669 * t40 - 0.4999999999999999 * t41);
-                        const t44 = 1.8173577463086594 * t30 - 0.4174957550478551 * t40;
-                        const t45 = t37 - r11;
-                        const t46 = t39 * t43 + t38 * t44 - r12;
-                        const t47 = t42 - r13;
-                        const t48 = r21 + t38;
-                        const t49 = t37 * t44 - t39 * t42 - r22;
-                        const t50 = t43 - r23;
-                        const t51 = t45 * t45 + t46 * t46 + t47 * t47 + t48 * t48 + t49 * t49 + t50 * t50;
-                        const t52 = t39 - r31;
-                        const t53 = r32 + (t38 * t42 + t37 * t43);
-                        const t54 = t44 - r33;
-                        const residual = Math.sqrt(t29 + 0.005241876076624585 * (t51 + t52 * t52 + t53 * t53 + t54 * t54));
-                        /* Joint values: angles from sines and cosines, in (−π, π] */
-                        const q1 = $angle(s1, c1);
-                        const q2 = $wrap($angle(s2, c2) - 0.43068765102503376);
-                        invalid_[k] = invalid;
-                        singular_[k] = singular;
-                        residual_[k] = residual;
-                        q1_[k] = q1;
-                        q2_[k] = q2;
-                    }
-                    for (let k = 0; k < 2; ++k) {
-                        lanes.q[0][k] = q1_[k];
-                        lanes.q[1][k] = q2_[k];
-                        lanes.residual[k] = residual_[k];
-                        lanes.invalid[k] = invalid_[k];
-                        lanes.singular[k] = singular_[k];
+                    /* 1. q1 by SP1 */
+                    const t1 = 0.866025403784439 * r11 - 0.49999999999999994 * r12;
+                    const t2 = 0.866025403784439 * r21 - 0.49999999999999994 * r22;
+                    const t3 = 0.8660254037844388 * t1 - 0.4999999999999999 * t2;
+                    const t4 = 0.4174957550478551 * (0.866025403784439 * r31 - 0.49999999999999994 * r32) - (0.4543394365771645 * t1 + 0.7869389880338669 * t2);
+                    const s1 = 0.9999999999999998 * t4;
+                    const c1 = 0.9999999999999998 * t3;
+                    /* 2. q2 by SP1, given q1 */
+                    const c2 = 0.9086788731543293 * r33 + (0.20874787752392746 * r13 + 0.3615619298436078 * r23);
+                    const s2 = c1 * (0.4174957550478551 * r33 - (0.4543394365771645 * r13 + 0.7869389880338669 * r23)) - s1 * (0.8660254037844388 * r13 - 0.4999999999999999 * r23);
+                    /* Residual: forward kinematics against the target */
+                    const t5 = 0.8660254037844386 * c2;
+                    const t6 = s1 * t5 - 0.4999999999999997 * t3;
+                    const t7 = 0.4999999999999997 * t4 + c1 * t5;
+                    const t8 = 0.18078096492180382 * s2 + (0.8660254037844388 * t6 + 0.4543394365771645 * t7);
+                    const t9 = 0.3131218162858913 * s2 + (0.7869389880338669 * t7 - 0.4999999999999999 * t6);
+                    const t10 = 0.7869389880338666 * s2 - 0.4174957550478551 * t7;
+                    const t11 = c1 * s2;
+                    const t12 = s1 * s2;
+                    const t13 = 0.20874787752392746 * c2 - (0.8660254037844388 * t12 + 0.4543394365771645 * t11);
+                    const t14 = 0.3615619298436078 * c2 + (0.4999999999999999 * t12 - 0.7869389880338669 * t11);
+                    const t15 = 0.4174957550478551 * t11 + 0.9086788731543293 * c2;
+                    const t16 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
+                    const t17 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    const t18 = r31 * r32 + (r11 * r12 + r21 * r22);
+                    const t19 = r13 - (r21 * r32 - r22 * r31);
+                    const t20 = r23 - (r12 * r31 - r11 * r32);
+                    const t21 = r33 - (r11 * r22 - r12 * r21);
+                    const t22 = t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21;
+                    const t23 = t9 * t15 - t10 * t14 - r11;
+                    const t24 = t8 - r12;
+                    const t25 = t13 - r13;
+                    const t26 = t10 * t13 - t8 * t15 - r21;
+                    const t27 = t9 - r22;
+                    const t28 = t14 - r23;
+                    const t29 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28;
+                    const t30 = t8 * t14 - t9 * t13 - r31;
+                    const t31 = t10 - r32;
+                    const t32 = t15 - r33;
+                    const t33 = 0.01048375215324917 * t22 + 0.005241876076624585 * (t29 + t30 * t30 + t31 * t31 + t32 * t32);
+                    const residual = Math.sqrt(t33);
+                    /* Joint values: angles from sines and cosines, in (−π, π] */
+                    const q1 = $wrap($atan2(s1, c1));
+                    const q2 = $wrap($wrap($atan2(s2, c2)) - 0.43068765102503376);
+                    for (let k = 0; k < 1; ++k) {
+                        lanes.q[0][k] = q1;
+                        lanes.q[1][k] = q2;
+                        lanes.residual[k] = residual;
+                        lanes.invalid[k] = 0.0;
+                        lanes.singular[k] = 0.0;
                     }
                     return lanes;
                 },

@@ -3,8 +3,8 @@
 // Options: name = Delta, base = "frame", tip = "effector", ik = closed_form.
 // frame to effector, 3 chains, 15 joints, 3 actuated.
 // Inverse kinematics: arm1 by SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm2 by
-// SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1); arm3 by SP3(q1) SP4(q3) SP1(q2), then
-// SP4(q2) SP1(q1).
+// SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2); arm3 by SP3(q1) SP4(q3) SP1(q2), then
+// SP1(q1) SP1(q2).
 // Forward kinematics: closed form: the platform translates at 0.2320 m, 0.2320 m,
 // 0.2320 m from points that the actuators place, so its position is where three spheres
 // meet (assembly modes with the platform turned, in another mode of its joints, are
@@ -71,8 +71,8 @@ mod __Delta {
     /// Targets are positions of the platform, which does not turn: the rotation of a target is not read.
     ///
     /// - `arm1`: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
-    /// - `arm2`: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
-    /// - `arm3`: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
+    /// - `arm2`: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
+    /// - `arm3`: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
     ///
     /// # Forward kinematics
     ///
@@ -685,19 +685,19 @@ mod __Delta {
                         r12[t],
                         0.4174957550478551 * r32[t],
                     );
-                    // 2. q2 by SP1, given q1
+                    // 2. q2 by SP1
                     let t1 = A::fma(
-                        0.41749575504785524,
+                        0.4174957550478552,
                         r11[t],
-                        -(0.9086788731543297 * r31[t]),
+                        -(0.9086788731543295 * r31[t]),
                     );
                     let t2 = A::fma(
-                        r22[t],
-                        A::fma(0.9086788731543297, r11[t], 0.41749575504785524 * r31[t]),
-                        -(s1 * (1.0000000000000004 * r21[t])),
+                        0.9086788731543295,
+                        r33[t],
+                        -(0.4174957550478552 * r13[t]),
                     );
-                    let s2 = 0.9999999999999996 * t1;
-                    let c2 = 0.9999999999999996 * t2;
+                    let s2 = 0.9999999999999998 * t1;
+                    let c2 = 0.9999999999999998 * t2;
                     // Residual: forward kinematics against the target
                     let t3 = 0.9086788731543293 * r22[t];
                     let t4 = 0.4174957550478551 * r22[t];
@@ -730,12 +730,12 @@ mod __Delta {
                             A::fma(t8, t8, A::fma(t7, t7, A::fma(t5, t5, t6 * t6))),
                         ),
                     );
-                    let t12 = A::fma(c2, t3, 0.4174957550478549 * t1) - r11[t];
+                    let t12 = A::fma(c2, t3, 0.41749575504785497 * t1) - r11[t];
                     let t13 = A::fma(0.9086788731543293, s1, -r12[t]);
-                    let t14 = A::fma(s2, t3, -(0.4174957550478549 * t2)) - r13[t];
+                    let t14 = A::fma(s2, t3, -(0.41749575504785497 * t2)) - r13[t];
                     let t15 = A::fma(s1, c2, r21[t]);
                     let t16 = A::fma(s1, s2, r23[t]);
-                    let t17 = A::fma(c2, t4, -(0.9086788731543288 * t1)) - r31[t];
+                    let t17 = A::fma(c2, t4, -(0.908678873154329 * t1)) - r31[t];
                     let t18 = A::fma(
                         t17,
                         t17,
@@ -750,7 +750,7 @@ mod __Delta {
                         ),
                     );
                     let t19 = A::fma(0.4174957550478551, s1, -r32[t]);
-                    let t20 = A::fma(s2, t4, 0.9086788731543288 * t2) - r33[t];
+                    let t20 = A::fma(s2, t4, 0.908678873154329 * t2) - r33[t];
                     let residual = math::sqrt(
                         A::fma(
                             0.010483752153249173,
@@ -1385,7 +1385,7 @@ mod __Delta {
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
-            /// Solved by SP4(q2) SP1(q1).
+            /// Solved by SP1(q1) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
                 solve(
@@ -1421,12 +1421,12 @@ mod __Delta {
 
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
-            fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 2> {
+            fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 1> {
                 Branches::of(self, pose, seed, &[])
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<2, 2>) -> Solutions<2> {
+            fn sorted(&self, pose: &Pose, branches: &Branches<2, 1>) -> Solutions<2> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
@@ -1437,14 +1437,14 @@ mod __Delta {
             }
         }
 
-        impl Inverse<2, 2, 0, 1, 0> for Tail2 {
+        impl Inverse<2, 1, 0, 0, 0> for Tail2 {
             const ACCEPT: Acceptance = Tail2::ACCEPT;
-            const WIDTH: usize = 2;
+            const WIDTH: usize = 1;
             const FREE: [usize; 0] = [];
             #[inline(always)]
-            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 1] {
+            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
                 let _ = (seed, locked);
-                [seed[0]]
+                []
             }
 
             #[inline(always)]
@@ -1452,249 +1452,172 @@ mod __Delta {
                 targets: &[Pose; T],
                 seed: &[f64; 2],
                 locked: &[f64; 0],
-                sin_cos: impl SinCos<1>,
+                sin_cos: impl SinCos<0>,
                 free: f64,
-            ) -> Lanes<2, 2, { T }, 0> {
+            ) -> Lanes<2, 1, { T }, 0> {
+                let _ = seed;
                 let _ = locked;
                 let _ = free;
+                let _ = sin_cos;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
                     targets,
                 );
-                // The seed, for an angle that the target leaves free
-                let ([t1], [t2]) = sin_cos.of([seed[0]]);
-                aligned!(
-                    t3_, t4_, t6_, t7_, t8_, t10_, s2_, t11_, t12_, t13_, t16_, t17_,
-                    t18_, t19_, t20_, t21_, t29_ = [0.0; T]
-                );
+                aligned!(residual_, q1_, q2_ = [0.0; T]);
                 for t in 0..T {
-                    // 1. q2 by SP4 (what all branches share)
-                    let t3 = A::fma(
-                        0.8660254037844388,
+                    // 1. q1 by SP1
+                    let t1 = A::fma(
+                        0.866025403784439,
                         r11[t],
-                        0.4999999999999999 * r21[t],
+                        0.49999999999999994 * r12[t],
                     );
+                    let t2 = A::fma(
+                        0.866025403784439,
+                        r21[t],
+                        0.49999999999999994 * r22[t],
+                    );
+                    let t3 = A::fma(0.8660254037844388, t1, 0.4999999999999999 * t2);
                     let t4 = A::fma(
-                        0.4174957550478551,
-                        r31[t],
-                        A::fma(
-                            0.7869389880338669,
-                            r21[t],
-                            -(0.4543394365771645 * r11[t]),
-                        ),
+                        -0.4174957550478551,
+                        A::fma(0.866025403784439, r31[t], 0.49999999999999994 * r32[t]),
+                        A::fma(0.4543394365771645, t1, -(0.7869389880338669 * t2)),
                     );
-                    let t5 = 1.0000000000000002
-                        * A::fma(
-                            -0.9086788731543293,
-                            r31[t],
-                            A::fma(
-                                0.3615619298436078,
-                                r21[t],
-                                -(0.20874787752392746 * r11[t]),
+                    let s1 = 0.9999999999999998 * t4;
+                    let c1 = 0.9999999999999998 * t3;
+                    // 2. q2 by SP1, given q1
+                    let t5 = 0.9086788731543293 * r33[t];
+                    let t6 = A::fma(
+                        0.3615619298436078,
+                        r23[t],
+                        -(0.20874787752392746 * r13[t]),
+                    );
+                    let t7 = t6 - t5;
+                    let s2 = A::fma(
+                        s1,
+                        A::fma(0.8660254037844388, r13[t], 0.4999999999999999 * r23[t]),
+                        c1
+                            * A::fma(
+                                0.4174957550478551,
+                                r33[t],
+                                A::fma(
+                                    0.7869389880338669,
+                                    r23[t],
+                                    -(0.4543394365771645 * r13[t]),
+                                ),
                             ),
-                        );
-                    let t6 = A::fma(-t5, t5, 0.24999999999999978);
-                    let t7 = math::select(t6 < 2.499999999999998e-14, 1.0, 0.0);
-                    let t8 = math::sqrt(
-                        math::select(t6 < 2.499999999999998e-14, 0.0, t6),
                     );
-                    let t9 = math::max(
-                        -0.4999999999999998,
-                        -math::max(-0.4999999999999998, -t5),
+                    let c2 = t5 - t6;
+                    // Residual: forward kinematics against the target
+                    let t8 = 0.8660254037844386 * c2;
+                    let t9 = A::fma(0.4999999999999997, t3, s1 * t8);
+                    let t10 = A::fma(c1, t8, -(0.4999999999999997 * t4));
+                    let t11 = A::fma(
+                        -0.18078096492180382,
+                        s2,
+                        A::fma(0.8660254037844388, t9, -(0.4543394365771645 * t10)),
                     );
-                    let t10 = 2.000000000000001 * t9;
-                    let s2 = -t10;
-                    // 2. q1 by SP1, given q2 (what all branches share)
-                    let t11 = 0.8660254037844388 * t3;
-                    let t12 = 0.8660254037844388 * t4;
-                    let t13 = A::fma(t3, t3, t4 * t4);
-                    let t14 = A::fma(
-                        0.8660254037844388,
-                        r13[t],
-                        0.4999999999999999 * r23[t],
+                    let t12 = A::fma(
+                        0.3131218162858913,
+                        s2,
+                        A::fma(0.4999999999999999, t9, 0.7869389880338669 * t10),
                     );
-                    let t15 = A::fma(
+                    let t13 = A::fma(
                         0.4174957550478551,
-                        r33[t],
-                        A::fma(
-                            0.7869389880338669,
-                            r23[t],
-                            -(0.4543394365771645 * r13[t]),
-                        ),
+                        t10,
+                        -(0.7869389880338666 * s2),
                     );
-                    let t16 = -(t10 * t15);
-                    let t17 = -(t10 * t14);
-                    let t18 = math::sqrt(A::fma(t14, t14, t15 * t15) * (t10 * t10));
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t19 = 0.20874787752392746 * t9;
-                    let t20 = 0.3615619298436078 * t9;
-                    let t21 = 0.9086788731543293 * t9;
-                    let t22 = 0.5
+                    let t14 = c1 * s2;
+                    let t15 = s1 * s2;
+                    let t16 = A::fma(
+                        -0.20874787752392746,
+                        t7,
+                        A::fma(0.8660254037844388, t15, -(0.4543394365771645 * t14)),
+                    );
+                    let t17 = A::fma(
+                        0.3615619298436078,
+                        t7,
+                        A::fma(0.4999999999999999, t15, 0.7869389880338669 * t14),
+                    );
+                    let t18 = A::fma(
+                        0.4174957550478551,
+                        t14,
+                        -(0.9086788731543293 * t7),
+                    );
+                    let t19 = 0.5
                         * (A::fma(
                             r31[t],
                             r31[t],
                             A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
-                    let t23 = 0.5
+                    let t20 = 0.5
                         * (A::fma(
                             r32[t],
                             r32[t],
                             A::fma(r12[t], r12[t], r22[t] * r22[t]),
                         ) - 1.0);
-                    let t24 = A::fma(
+                    let t21 = A::fma(
                         r31[t],
                         r32[t],
                         A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t25 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t26 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t27 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t28 = A::fma(
-                        t27,
-                        t27,
+                    let t22 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t23 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t24 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t25 = A::fma(
+                        t24,
+                        t24,
                         A::fma(
-                            t26,
-                            t26,
+                            t23,
+                            t23,
                             A::fma(
-                                t25,
-                                t25,
-                                A::fma(t24, t24, A::fma(t22, t22, t23 * t23)),
+                                t22,
+                                t22,
+                                A::fma(t21, t21, A::fma(t19, t19, t20 * t20)),
                             ),
                         ),
                     );
-                    let t29 = 0.01048375215324917 * t28;
-                    t3_[t] = t3;
-                    t4_[t] = t4;
-                    t6_[t] = t6;
-                    t7_[t] = t7;
-                    t8_[t] = t8;
-                    t10_[t] = t10;
-                    s2_[t] = s2;
-                    t11_[t] = t11;
-                    t12_[t] = t12;
-                    t13_[t] = t13;
-                    t16_[t] = t16;
-                    t17_[t] = t17;
-                    t18_[t] = t18;
-                    t19_[t] = t19;
-                    t20_[t] = t20;
-                    t21_[t] = t21;
-                    t29_[t] = t29;
-                }
-                // 2 lanes, by the signs of the roots: e1 of step 1
-                let e1 = [1.0, -1.0];
-                aligned!(invalid_, singular_, residual_, q1_, q2_ = [[0.0; T]; 2]);
-                for k in 0..2 {
-                    for t in 0..T {
-                        // 1. q2 by SP4
-                        let invalid = math::select(
-                            t6_[t] < 2.499999999999998e-14,
-                            -e1[k],
-                            0.0,
-                        );
-                        let t30 = e1[k] * t8_[t];
-                        let c2 = 2.000000000000001 * t30;
-                        // 2. q1 by SP1, given q2
-                        let t31 = 0.9999999999999998 * t30;
-                        let t32 = math::sqrt(
-                            t13_[t] * A::fma(t31, t31, 0.7500000000000003),
-                        );
-                        let t33 = math::select(t32 < t18_[t], t18_[t], t32);
-                        let singular = math::max(
-                            t7_[t],
-                            math::select(t33 < 1e-24, 1.0, 0.0),
-                        );
-                        let t34 = 1.0 / t33;
-                        let s1 = math::select(
-                            t33 < 1e-24,
-                            t1,
-                            math::select(
-                                t32 < t18_[t],
-                                t17_[t],
-                                -A::fma(t3_[t], t31, t12_[t]),
-                            ) * t34,
-                        );
-                        let c1 = math::select(
-                            t33 < 1e-24,
-                            t2,
-                            math::select(
-                                t32 < t18_[t],
-                                t16_[t],
-                                A::fma(-t4_[t], t31, t11_[t]),
-                            ) * t34,
-                        );
-                        // Residual: forward kinematics against the target
-                        let t35 = A::fma(t30, s1, -(0.8660254037844388 * c1));
-                        let t36 = A::fma(0.8660254037844388, s1, t30 * c1);
-                        let t37 = A::fma(
-                            0.4543394365771645,
-                            t36,
-                            -(0.8660254037844388 * t35),
-                        ) - t19_[t];
-                        let t38 = t20_[t]
-                            - A::fma(0.4999999999999999, t35, 0.7869389880338669 * t36);
-                        let t39 = A::fma(0.4174957550478551, t36, t21_[t]);
-                        let t40 = t10_[t] * c1;
-                        let t41 = t10_[t] * s1;
-                        let t42 = A::fma(
-                            0.4174957550478551,
+                    let t26 = A::fma(t12, t18, -(t13 * t17)) - r11[t];
+                    let t27 = t11 - r12[t];
+                    let t28 = t16 - r13[t];
+                    let t29 = A::fma(t13, t16, -(t11 * t18)) - r21[t];
+                    let t30 = t12 - r22[t];
+                    let t31 = t17 - r23[t];
+                    let t32 = A::fma(
+                        t31,
+                        t31,
+                        A::fma(
                             t30,
-                            A::fma(0.4543394365771645, t40, -(0.8660254037844388 * t41)),
-                        );
-                        let t43 = A::fma(
-                            0.7231238596872159,
                             t30,
-                            A::fma(0.4999999999999999, t41, 0.7869389880338669 * t40),
-                        );
-                        let t44 = A::fma(
-                            1.8173577463086594,
-                            t30,
-                            -(0.4174957550478551 * t40),
-                        );
-                        let t45 = t37 - r11[t];
-                        let t46 = A::fma(t39, t43, -(t38 * t44)) - r12[t];
-                        let t47 = t42 - r13[t];
-                        let t48 = t38 - r21[t];
-                        let t49 = A::fma(t37, t44, t39 * t42) - r22[t];
-                        let t50 = r23[t] + t43;
-                        let t51 = A::fma(
-                            t50,
-                            t50,
                             A::fma(
-                                t49,
-                                t49,
-                                A::fma(
-                                    t48,
-                                    t48,
-                                    A::fma(t47, t47, A::fma(t45, t45, t46 * t46)),
-                                ),
+                                t29,
+                                t29,
+                                A::fma(t28, t28, A::fma(t26, t26, t27 * t27)),
                             ),
-                        );
-                        let t52 = r31[t] + t39;
-                        let t53 = A::fma(t38, t42, t37 * t43) - r32[t];
-                        let t54 = t44 - r33[t];
-                        let residual = math::sqrt(
-                            A::fma(
-                                0.005241876076624585,
-                                A::fma(t54, t54, A::fma(t53, t53, A::fma(t52, t52, t51))),
-                                t29_[t],
-                            ),
-                        );
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = A::angle(s1, c1);
-                        let q2 = math::wrap(A::angle(s2_[t], c2) - 0.43068765102503376);
-                        invalid_[k][t] = invalid;
-                        singular_[k][t] = singular;
-                        residual_[k][t] = residual;
-                        q1_[k][t] = q1;
-                        q2_[k][t] = q2;
-                    }
+                        ),
+                    );
+                    let t33 = A::fma(t11, t17, -(t12 * t16)) - r31[t];
+                    let t34 = t13 - r32[t];
+                    let t35 = t18 - r33[t];
+                    let t36 = A::fma(
+                        0.01048375215324917,
+                        t25,
+                        0.005241876076624585
+                            * A::fma(t35, t35, A::fma(t34, t34, A::fma(t33, t33, t32))),
+                    );
+                    let residual = math::sqrt(t36);
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = math::wrap(math::atan2(s1, c1));
+                    let q2 = math::wrap(
+                        math::wrap(math::atan2(s2, c2)) - 0.43068765102503376,
+                    );
+                    residual_[t] = residual;
+                    q1_[t] = q1;
+                    q2_[t] = q2;
                 }
                 Lanes {
-                    q: [q1_.0, q2_.0],
-                    residual: residual_.0,
-                    invalid: invalid_.0,
-                    singular: singular_.0,
+                    q: [[q1_.0; 1], [q2_.0; 1]],
+                    residual: [residual_.0; 1],
+                    invalid: [[0.0; T]; 1],
+                    singular: [[0.0; T]; 1],
                     level: [],
                     no_root: [],
                 }
@@ -2306,7 +2229,7 @@ mod __Delta {
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
-            /// Solved by SP4(q2) SP1(q1).
+            /// Solved by SP1(q1) SP1(q2).
             #[must_use]
             pub fn ik(&self, pose: &Pose) -> Solutions<2> {
                 solve(
@@ -2342,12 +2265,12 @@ mod __Delta {
 
             /// All branches of the plan as lanes, those that do not exist marked.
             #[inline]
-            fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 2> {
+            fn branches(&self, pose: &Pose, seed: &[f64; 2]) -> Branches<2, 1> {
                 Branches::of(self, pose, seed, &[])
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<2, 2>) -> Solutions<2> {
+            fn sorted(&self, pose: &Pose, branches: &Branches<2, 1>) -> Solutions<2> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
@@ -2358,14 +2281,14 @@ mod __Delta {
             }
         }
 
-        impl Inverse<2, 2, 0, 1, 0> for Tail3 {
+        impl Inverse<2, 1, 0, 0, 0> for Tail3 {
             const ACCEPT: Acceptance = Tail3::ACCEPT;
-            const WIDTH: usize = 2;
+            const WIDTH: usize = 1;
             const FREE: [usize; 0] = [];
             #[inline(always)]
-            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 1] {
+            fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
                 let _ = (seed, locked);
-                [seed[0]]
+                []
             }
 
             #[inline(always)]
@@ -2373,241 +2296,169 @@ mod __Delta {
                 targets: &[Pose; T],
                 seed: &[f64; 2],
                 locked: &[f64; 0],
-                sin_cos: impl SinCos<1>,
+                sin_cos: impl SinCos<0>,
                 free: f64,
-            ) -> Lanes<2, 2, { T }, 0> {
+            ) -> Lanes<2, 1, { T }, 0> {
+                let _ = seed;
                 let _ = locked;
                 let _ = free;
+                let _ = sin_cos;
                 let [r11, r12, r13, r21, r22, r23, r31, r32, r33, _, _, _] = lanes::entries(
                     targets,
                 );
-                // The seed, for an angle that the target leaves free
-                let ([t1], [t2]) = sin_cos.of([seed[0]]);
-                aligned!(
-                    t3_, t4_, t6_, t7_, t8_, t10_, s2_, t11_, t12_, t13_, t16_, t17_,
-                    t18_, t19_, t20_, t21_, t29_ = [0.0; T]
-                );
+                aligned!(residual_, q1_, q2_ = [0.0; T]);
                 for t in 0..T {
-                    // 1. q2 by SP4 (what all branches share)
-                    let t3 = A::fma(
-                        0.8660254037844388,
+                    // 1. q1 by SP1
+                    let t1 = A::fma(
+                        0.866025403784439,
                         r11[t],
-                        -(0.4999999999999999 * r21[t]),
+                        -(0.49999999999999994 * r12[t]),
                     );
+                    let t2 = A::fma(
+                        0.866025403784439,
+                        r21[t],
+                        -(0.49999999999999994 * r22[t]),
+                    );
+                    let t3 = A::fma(0.8660254037844388, t1, -(0.4999999999999999 * t2));
                     let t4 = A::fma(
                         0.4174957550478551,
-                        r31[t],
-                        -A::fma(0.4543394365771645, r11[t], 0.7869389880338669 * r21[t]),
-                    );
-                    let t5 = 1.0000000000000002
-                        * A::fma(
-                            0.9086788731543293,
+                        A::fma(
+                            0.866025403784439,
                             r31[t],
-                            A::fma(
-                                0.20874787752392746,
-                                r11[t],
-                                0.3615619298436078 * r21[t],
-                            ),
-                        );
-                    let t6 = A::fma(-t5, t5, 0.24999999999999978);
-                    let t7 = math::select(t6 < 2.499999999999998e-14, 1.0, 0.0);
-                    let t8 = math::sqrt(
-                        math::select(t6 < 2.499999999999998e-14, 0.0, t6),
+                            -(0.49999999999999994 * r32[t]),
+                        ),
+                        -A::fma(0.4543394365771645, t1, 0.7869389880338669 * t2),
                     );
-                    let t9 = math::max(
-                        -0.4999999999999998,
-                        -math::max(t5, -0.4999999999999998),
-                    );
-                    let t10 = 2.000000000000001 * t9;
-                    let s2 = -t10;
-                    // 2. q1 by SP1, given q2 (what all branches share)
-                    let t11 = 0.8660254037844388 * t3;
-                    let t12 = 0.8660254037844388 * t4;
-                    let t13 = A::fma(t3, t3, t4 * t4);
-                    let t14 = A::fma(
-                        0.8660254037844388,
-                        r13[t],
-                        -(0.4999999999999999 * r23[t]),
-                    );
-                    let t15 = A::fma(
-                        0.4174957550478551,
+                    let s1 = 0.9999999999999998 * t4;
+                    let c1 = 0.9999999999999998 * t3;
+                    // 2. q2 by SP1, given q1
+                    let c2 = A::fma(
+                        0.9086788731543293,
                         r33[t],
-                        -A::fma(0.4543394365771645, r13[t], 0.7869389880338669 * r23[t]),
+                        A::fma(0.20874787752392746, r13[t], 0.3615619298436078 * r23[t]),
                     );
-                    let t16 = -(t10 * t15);
-                    let t17 = t10 * t14;
-                    let t18 = math::sqrt(A::fma(t14, t14, t15 * t15) * (t10 * t10));
-                    // Residual: forward kinematics against the target (what all
-                    // branches share)
-                    let t19 = 0.20874787752392746 * t9;
-                    let t20 = 0.3615619298436078 * t9;
-                    let t21 = 0.9086788731543293 * t9;
-                    let t22 = 0.5
+                    let s2 = A::fma(
+                        c1,
+                        A::fma(
+                            0.4174957550478551,
+                            r33[t],
+                            -A::fma(
+                                0.4543394365771645,
+                                r13[t],
+                                0.7869389880338669 * r23[t],
+                            ),
+                        ),
+                        -(s1
+                            * A::fma(
+                                0.8660254037844388,
+                                r13[t],
+                                -(0.4999999999999999 * r23[t]),
+                            )),
+                    );
+                    // Residual: forward kinematics against the target
+                    let t5 = 0.8660254037844386 * c2;
+                    let t6 = A::fma(s1, t5, -(0.4999999999999997 * t3));
+                    let t7 = A::fma(0.4999999999999997, t4, c1 * t5);
+                    let t8 = A::fma(
+                        0.18078096492180382,
+                        s2,
+                        A::fma(0.8660254037844388, t6, 0.4543394365771645 * t7),
+                    );
+                    let t9 = A::fma(
+                        0.3131218162858913,
+                        s2,
+                        A::fma(0.7869389880338669, t7, -(0.4999999999999999 * t6)),
+                    );
+                    let t10 = A::fma(0.7869389880338666, s2, -(0.4174957550478551 * t7));
+                    let t11 = c1 * s2;
+                    let t12 = s1 * s2;
+                    let t13 = A::fma(
+                        0.20874787752392746,
+                        c2,
+                        -A::fma(0.8660254037844388, t12, 0.4543394365771645 * t11),
+                    );
+                    let t14 = A::fma(
+                        0.3615619298436078,
+                        c2,
+                        A::fma(0.4999999999999999, t12, -(0.7869389880338669 * t11)),
+                    );
+                    let t15 = A::fma(0.4174957550478551, t11, 0.9086788731543293 * c2);
+                    let t16 = 0.5
                         * (A::fma(
                             r31[t],
                             r31[t],
                             A::fma(r11[t], r11[t], r21[t] * r21[t]),
                         ) - 1.0);
-                    let t23 = 0.5
+                    let t17 = 0.5
                         * (A::fma(
                             r32[t],
                             r32[t],
                             A::fma(r12[t], r12[t], r22[t] * r22[t]),
                         ) - 1.0);
-                    let t24 = A::fma(
+                    let t18 = A::fma(
                         r31[t],
                         r32[t],
                         A::fma(r11[t], r12[t], r21[t] * r22[t]),
                     );
-                    let t25 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                    let t26 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                    let t27 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                    let t28 = A::fma(
-                        t27,
-                        t27,
+                    let t19 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                    let t20 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                    let t21 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                    let t22 = A::fma(
+                        t21,
+                        t21,
                         A::fma(
-                            t26,
-                            t26,
+                            t20,
+                            t20,
                             A::fma(
-                                t25,
-                                t25,
-                                A::fma(t24, t24, A::fma(t22, t22, t23 * t23)),
+                                t19,
+                                t19,
+                                A::fma(t18, t18, A::fma(t16, t16, t17 * t17)),
                             ),
                         ),
                     );
-                    let t29 = 0.01048375215324917 * t28;
-                    t3_[t] = t3;
-                    t4_[t] = t4;
-                    t6_[t] = t6;
-                    t7_[t] = t7;
-                    t8_[t] = t8;
-                    t10_[t] = t10;
-                    s2_[t] = s2;
-                    t11_[t] = t11;
-                    t12_[t] = t12;
-                    t13_[t] = t13;
-                    t16_[t] = t16;
-                    t17_[t] = t17;
-                    t18_[t] = t18;
-                    t19_[t] = t19;
-                    t20_[t] = t20;
-                    t21_[t] = t21;
-                    t29_[t] = t29;
-                }
-                // 2 lanes, by the signs of the roots: e1 of step 1
-                let e1 = [1.0, -1.0];
-                aligned!(invalid_, singular_, residual_, q1_, q2_ = [[0.0; T]; 2]);
-                for k in 0..2 {
-                    for t in 0..T {
-                        // 1. q2 by SP4
-                        let invalid = math::select(
-                            t6_[t] < 2.499999999999998e-14,
-                            -e1[k],
-                            0.0,
-                        );
-                        let t30 = e1[k] * t8_[t];
-                        let c2 = 2.000000000000001 * t30;
-                        // 2. q1 by SP1, given q2
-                        let t31 = 0.9999999999999998 * t30;
-                        let t32 = math::sqrt(
-                            t13_[t] * A::fma(t31, t31, 0.7500000000000003),
-                        );
-                        let t33 = math::select(t32 < t18_[t], t18_[t], t32);
-                        let singular = math::max(
-                            t7_[t],
-                            math::select(t33 < 1e-24, 1.0, 0.0),
-                        );
-                        let t34 = 1.0 / t33;
-                        let s1 = math::select(
-                            t33 < 1e-24,
-                            t1,
-                            math::select(
-                                t32 < t18_[t],
-                                t17_[t],
-                                A::fma(t3_[t], t31, t12_[t]),
-                            ) * t34,
-                        );
-                        let c1 = math::select(
-                            t33 < 1e-24,
-                            t2,
-                            math::select(
-                                t32 < t18_[t],
-                                t16_[t],
-                                A::fma(-t4_[t], t31, t11_[t]),
-                            ) * t34,
-                        );
-                        // Residual: forward kinematics against the target
-                        let t35 = A::fma(0.8660254037844388, c1, t30 * s1);
-                        let t36 = A::fma(0.8660254037844388, s1, -(t30 * c1));
-                        let t37 = A::fma(
-                            0.8660254037844388,
-                            t35,
-                            -(0.4543394365771645 * t36),
-                        ) - t19_[t];
-                        let t38 = t20_[t]
-                            + A::fma(0.4999999999999999, t35, 0.7869389880338669 * t36);
-                        let t39 = A::fma(0.4174957550478551, t36, -t21_[t]);
-                        let t40 = t10_[t] * c1;
-                        let t41 = t10_[t] * s1;
-                        let t42 = A::fma(
-                            0.4174957550478551,
-                            t30,
-                            A::fma(0.8660254037844388, t41, 0.4543394365771645 * t40),
-                        );
-                        let t43 = A::fma(
-                            0.7231238596872159,
-                            t30,
-                            A::fma(0.7869389880338669, t40, -(0.4999999999999999 * t41)),
-                        );
-                        let t44 = A::fma(
-                            1.8173577463086594,
-                            t30,
-                            -(0.4174957550478551 * t40),
-                        );
-                        let t45 = t37 - r11[t];
-                        let t46 = A::fma(t39, t43, t38 * t44) - r12[t];
-                        let t47 = t42 - r13[t];
-                        let t48 = r21[t] + t38;
-                        let t49 = A::fma(t37, t44, -(t39 * t42)) - r22[t];
-                        let t50 = t43 - r23[t];
-                        let t51 = A::fma(
-                            t50,
-                            t50,
+                    let t23 = A::fma(t9, t15, -(t10 * t14)) - r11[t];
+                    let t24 = t8 - r12[t];
+                    let t25 = t13 - r13[t];
+                    let t26 = A::fma(t10, t13, -(t8 * t15)) - r21[t];
+                    let t27 = t9 - r22[t];
+                    let t28 = t14 - r23[t];
+                    let t29 = A::fma(
+                        t28,
+                        t28,
+                        A::fma(
+                            t27,
+                            t27,
                             A::fma(
-                                t49,
-                                t49,
-                                A::fma(
-                                    t48,
-                                    t48,
-                                    A::fma(t47, t47, A::fma(t45, t45, t46 * t46)),
-                                ),
+                                t26,
+                                t26,
+                                A::fma(t25, t25, A::fma(t23, t23, t24 * t24)),
                             ),
-                        );
-                        let t52 = t39 - r31[t];
-                        let t53 = r32[t] + A::fma(t38, t42, t37 * t43);
-                        let t54 = t44 - r33[t];
-                        let residual = math::sqrt(
-                            A::fma(
-                                0.005241876076624585,
-                                A::fma(t54, t54, A::fma(t53, t53, A::fma(t52, t52, t51))),
-                                t29_[t],
-                            ),
-                        );
-                        // Joint values: angles from sines and cosines, in (−π, π]
-                        let q1 = A::angle(s1, c1);
-                        let q2 = math::wrap(A::angle(s2_[t], c2) - 0.43068765102503376);
-                        invalid_[k][t] = invalid;
-                        singular_[k][t] = singular;
-                        residual_[k][t] = residual;
-                        q1_[k][t] = q1;
-                        q2_[k][t] = q2;
-                    }
+                        ),
+                    );
+                    let t30 = A::fma(t8, t14, -(t9 * t13)) - r31[t];
+                    let t31 = t10 - r32[t];
+                    let t32 = t15 - r33[t];
+                    let t33 = A::fma(
+                        0.01048375215324917,
+                        t22,
+                        0.005241876076624585
+                            * A::fma(t32, t32, A::fma(t31, t31, A::fma(t30, t30, t29))),
+                    );
+                    let residual = math::sqrt(t33);
+                    // Joint values: angles from sines and cosines, in (−π, π]
+                    let q1 = math::wrap(math::atan2(s1, c1));
+                    let q2 = math::wrap(
+                        math::wrap(math::atan2(s2, c2)) - 0.43068765102503376,
+                    );
+                    residual_[t] = residual;
+                    q1_[t] = q1;
+                    q2_[t] = q2;
                 }
                 Lanes {
-                    q: [q1_.0, q2_.0],
-                    residual: residual_.0,
-                    invalid: invalid_.0,
-                    singular: singular_.0,
+                    q: [[q1_.0; 1], [q2_.0; 1]],
+                    residual: [residual_.0; 1],
+                    invalid: [[0.0; T]; 1],
+                    singular: [[0.0; T]; 1],
                     level: [],
                     no_root: [],
                 }
@@ -2808,7 +2659,7 @@ mod __Delta {
         const PLATFORM: &'static str = "effector";
         const LENGTH: f64 = 0.2765455247449999;
         const MOBILITY: usize = 3;
-        const BRANCHES: [usize; 3] = [4, 8, 8];
+        const BRANCHES: [usize; 3] = [4, 4, 4];
         const ASSEMBLY_MODES: usize = 2;
         #[inline]
         fn chains(&self, q: &[f64; 15]) -> ([Pose; 3], [Twist; 15]) {
@@ -2858,7 +2709,7 @@ mod __Delta {
                     postures.push(0, 0, &q);
                 }
             }
-            // arm2: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
+            // arm2: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, 0.028750000000000442, 0.0]),
@@ -2870,7 +2721,7 @@ mod __Delta {
                     postures.push(1, 0, &q);
                 }
             }
-            // arm3: SP3(q1) SP4(q3) SP1(q2), then SP4(q2) SP1(q1)
+            // arm3: SP3(q1) SP4(q3) SP1(q2), then SP1(q1) SP1(q2)
             let point = Pose::from_translation(
                 target
                     .transform_point([-0.016598820239202505, -0.028750000000000442, 0.0]),

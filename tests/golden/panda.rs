@@ -62,7 +62,7 @@ mod __Panda {
     ///
     /// # Inverse kinematics
     ///
-    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. It makes the plan for the others cheapest, in operations of all branches, residuals aside (q7: 1677, q4: 1718, q6: 2978, q5: 3261).
+    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. By what could be given, the operations of all branches of a plan for the others, residuals aside: q7: 1677, q4: 1718, q6: 2978, q5: 2995.
     ///
     /// Where it is singular, and how it moves while the tip rests: the documentation of `RedundantKinematics` tells the methods.
     ///

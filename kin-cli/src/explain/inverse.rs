@@ -7,7 +7,7 @@ use kin_codegen::expr::Operations;
 use kin_codegen::expr::inverse::InverseGraph;
 use kin_codegen::geometry::{Coupling, Linkage};
 use kin_codegen::plan::{Plan, Plans};
-use kin_codegen::redundancy;
+use kin_codegen::redundancy::{self, carriers};
 use kin_codegen::solver::Certified;
 use kin_codegen::univariate::{Arm, Kept};
 use serde::Serialize;
@@ -56,8 +56,10 @@ pub struct Inverse {
 pub struct Weighed {
     /// `q7`.
     pub free: Vec<String>,
-    /// The operations of all branches of the first plan for the others, each by what it
-    /// costs; none if there is no plan.
+    /// How many of them, from the first joint of the chain on, carry the arm.
+    pub carriers: usize,
+    /// The operations of all branches of the cheapest of the first plans for the others, each by
+    /// what it costs; none if there is no plan.
     pub weight: Option<usize>,
 }
 
@@ -101,7 +103,7 @@ impl Inverse {
                 .chain(swivel.map(|_| redundancy::SWIVEL.into()))
                 .chain(turn.map(|_| "turn".into()))
                 .collect(),
-            weighed: weighed.map(Weighed::of).collect(),
+            weighed: weighed.map(|it| Weighed::of(arm, it)).collect(),
             idealization: Idealization::of(form),
             coupling: form.linkage.coupling.as_ref().map(Coupling::sentence),
             plan: plan.to_string(),
@@ -142,9 +144,10 @@ fn unknowns(joints: &[usize]) -> Vec<String> {
 }
 
 impl Weighed {
-    fn of(weighed: &redundancy::Weighed) -> Self {
+    fn of(arm: &CompiledArm, weighed: &redundancy::Weighed) -> Self {
         Self {
             free: unknowns(&weighed.joints),
+            carriers: carriers(&arm.model, arm.target(), &weighed.joints),
             weight: weighed.weight,
         }
     }

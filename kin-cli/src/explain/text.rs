@@ -5,6 +5,7 @@ use super::{
     ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, KeptJoint, Step,
     Weighed, write_refusal, write_warnings,
 };
+use kin_codegen::redundancy::costs_as_much;
 use kin_codegen::spec::one_line;
 use std::fmt::{self, Display, Formatter};
 
@@ -224,6 +225,10 @@ impl Inverse {
                     true if first.weight == least => "leaves the others the cheapest plan",
                     true if self.target == "position" && first.free.len() > 1 => {
                         "leaves joints that reach far, of which it makes the plan cheapest"
+                    }
+                    true if first.carriers > 0 => "has what carries the arm among it",
+                    true if costs_as_much(first.weight, least) => {
+                        "leaves the others a plan about as cheap as any, as the last of those that do"
                     }
                     true => "stands at an end of the chain",
                     false => "leaves the others the cheapest of the plans that lose least",

@@ -184,13 +184,16 @@ fn relations(linkage: &Linkage, target: Target, told: &Samples) -> Vec<Relation>
     let n = linkage.links.len();
     let samples = Samples::new(linkage);
     let invariants = invariants(linkage, target);
-    // A free part of the target can only be crossed by what it leaves alone.
+    // A free part of the target can only be crossed by what it leaves alone; that of an orientation
+    // leaves every direction alone.
+    let is_left_alone = |x: &super::Invariant| {
+        x.joints.end == n + 1 || target == Target::Orientation && x.kind == Kind::Direction
+    };
     let crosses = |relation: &Relation| {
-        let ends = |x: &super::Invariant| x.joints.end == n + 1;
         !target.is_free()
             || linkage.has_free_turn
-            || ends(&relation.from)
-            || relation.to.as_ref().is_some_and(ends)
+            || is_left_alone(&relation.from)
+            || relation.to.as_ref().is_some_and(is_left_alone)
     };
     let mut out = Vec::new();
     for a in &invariants {

@@ -15,6 +15,7 @@ use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
 use beside::completed;
 use last_resort::last_resort;
+pub(crate) use search::COMPARED;
 use search::{Patience, solve_idealized};
 
 /// Plans tried at one tolerance before the next: the cheap ones of an arm with
@@ -163,7 +164,7 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
         return Err(NoClosedForm::Redundant(target));
     }
     let trials = Trials::new(model, linkage, target);
-    let mut patience = Patience::of(search::COMPARED);
+    let mut patience = Patience::of(COMPARED);
     match solve_readings(&trials, target, &mut patience) {
         Ok(found) if !found.certificate.loses_much() => Ok(found),
         found if !patience.ended => found,

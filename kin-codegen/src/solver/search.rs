@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::univariate;
 
 /// Plans of which the one with the fewest operations is tried first.
-pub(super) const COMPARED: usize = 4;
+pub(crate) const COMPARED: usize = 4;
 /// As [`CERTIFIED`], on an idealized arm: refinement makes a certificate dear.
 const REFINED: usize = 2;
 /// Plans tried from the first on that is certified but leaves singular targets

@@ -10,7 +10,6 @@ use crate::emit::text::{code, degrees, number, one_line};
 use crate::geometry::{Linkage, structure};
 use crate::mechanism::{CompiledMechanism, Leg, LegForm};
 use crate::model::{Model, Variable};
-use crate::plan::Target;
 use crate::random::Random;
 use crate::redundancy::Weighed;
 use crate::scalar::Scalar;
@@ -239,14 +238,8 @@ fn redundancy(compiled: &CompiledArm) -> Vec<String> {
         (_, []) => " No joint makes the others a closed form; this one leaves the best polynomial \
                     of those at the ends of the chain."
             .into(),
-        (_, all) if redundancy.target == Target::Position && redundancy.joints.len() > 1 => {
-            format!(
-                " Of what leaves joints that reach far, it makes their plan cheapest, in operations of all branches, residuals aside ({}).",
-                all.join(", ")
-            )
-        }
         (_, all) => format!(
-            " It makes the plan for the others cheapest, in operations of all branches, residuals aside ({}).",
+            " By what could be given, the operations of all branches of a plan for the others, residuals aside: {}.",
             all.join(", ")
         ),
     };
