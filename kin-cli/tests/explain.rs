@@ -101,9 +101,11 @@ fn wrists_and_shoulders_have_their_names() {
 fn too_few_joints_for_whole_poses_are_told() {
     let few = [[0.3, 0.0, 90.0], [0.0, 0.3, 0.0], [0.0, 0.2, 0.0]];
     let four = chain(&[&few[..], &[[0.0, 0.1, 0.0]]].concat());
-    let five = chain(&[&few[..], &[[0.0, 0.0, 90.0], [0.1, 0.0, 0.0]]].concat());
+    let five = |alpha| chain(&[&few[..], &[[0.0, 0.0, 90.0], [0.1, 0.0, alpha]]].concat());
     let arms = [
-        (five, 5, Target::PositionAxis),
+        // The last joint turns about the tip's z axis, and the others cannot choose that as well.
+        (five(0.0), 5, Target::Position),
+        (five(90.0), 5, Target::PositionAxis),
         (four, 4, Target::Position),
         (robot("scara.yaml"), 4, Target::PositionYaw),
     ];

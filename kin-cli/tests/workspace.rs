@@ -383,13 +383,65 @@ fn arms_without_closed_form_are_refused() {
     assert_ne!(turned.exit, Exit::Success);
 }
 
+/// What is given beside a target is tried at several values: the wrist of a UR10e, whose shoulder turns
+/// the map about its axis, and a joint of a Panda.
 #[test]
-fn a_map_needs_poses_that_leave_no_joint_open() {
+fn joints_to_spare_are_tried_at_several_values() {
+    let small = ["--cells", "21", "--samples", "6"];
+    let position = [&["--target", "position"], &small[..]].concat();
+    for (robot, options, full, far) in [
+        ("ur10e", &position[..], [0.4, 0.9], 1.4),
+        ("panda", &small[..], [0.3, 0.55], 1.1),
+    ] {
+        let maps = Maps::of(robot, options);
+        let slices = (0..3).flat_map(|slice| maps.all().map(move |cell| (slice, cell)));
+        for (slice, (row, column)) in slices {
+            let distance = maps
+                .place(row, column)
+                .map(|x| x * x)
+                .iter()
+                .sum::<f64>()
+                .sqrt();
+            let share = maps.at(&maps.share, slice, row, column);
+            let place = format!("{robot}: {slice} {row} {column}, {distance} m");
+            // Near the first axis the offset of the shoulder is in the way.
+            let is_full = (full[0]..full[1]).contains(&distance)
+                && (slice == 2 || maps.place(row, column)[0].abs() > 0.3);
+            assert!(share > 0.0 || !is_full, "{place}");
+            assert!(share == 0.0 || distance < far, "{place}");
+            assert_eq!(
+                share > 0.0,
+                maps.at(&maps.measure, slice, row, column) > 0.0,
+                "{place}"
+            );
+        }
+        let slice = |slice| maps.share.chunks(21 * 21).nth(slice).unwrap();
+        assert!(robot != "ur10e" || slice(0) == slice(1));
+    }
+}
+
+#[test]
+fn a_map_needs_targets_that_the_joints_can_choose() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    let done = run("panda", folder, &[]);
+    let said = |robot: &str, options: &[&str]| {
+        let done = run(robot, folder, options);
+        assert_eq!(done.exit, Exit::Usage);
+        done.stderr.split_once(": ").unwrap().1.to_owned()
+    };
     assert_eq!(
-        done.stderr.split_once(": ").unwrap().1,
-        "a point of a map is asked for by its pose alone, which leaves joints of this arm open\n\
-         help: make as many `fixed` in the file, for a map at their values\n"
+        said("../tests/robots/targets/five_joints", &[]),
+        "of whole poses 5 joints reach few, and none of those that a map tries\n\
+         help: choose `--target position_axis`\n"
+    );
+    // A tool that is kept level.
+    assert_eq!(
+        said("../tests/robots/coupled/palletizer", &[]),
+        "of whole poses 4 joints reach few, and none of those that a map tries\n\
+         help: choose a link in front of the last joints as the tip (`--tip`)\n"
+    );
+    assert_eq!(
+        said("elbow", &["--target", "orientation"]),
+        "targets are orientations of the tip, which have no place in a workspace\n\
+         help: choose `--target pose` or `--target position`\n"
     );
 }

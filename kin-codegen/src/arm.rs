@@ -8,14 +8,14 @@ use crate::expr::jacobian::{
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
 use crate::found::Found;
-use crate::geometry::{Linkage, natural_target};
+use crate::geometry::{Linkage, natural_target, rank};
 use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
 use crate::redundancy::{self, Redundancy, solve_redundant};
 use crate::scalar::Scalar;
 use crate::singularity::Singular;
-use crate::solver::{Certified, Lack, NoClosedForm, admits, solve};
+use crate::solver::{Certified, Lack, NoClosedForm, admits, solve, turns_about_one_direction};
 use crate::spec::bounds::JOINTS;
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
 use kin_runtime::__private::reproducible::reproducibly;
@@ -318,17 +318,40 @@ impl CompiledArm {
                  of `fk`, and no others have solutions."
             )
         })?;
-        let fits = match joints {
-            5 => Target::PositionAxis,
-            4 if admits(&self.model, Target::PositionYaw).is_ok() => Target::PositionYaw,
-            4 => Target::Position,
-            _ => return Some(reached),
+        let Some(fits) = self.fitting() else {
+            return Some(reached);
         };
         Some(format!(
             "{reached} With `target = {}` they are {}.",
             fits.word(),
             fits.phrase()
         ))
+    }
+
+    /// What the joints can choose all of, where they are fewer than a pose has coordinates: as many
+    /// of these as there are joints, or a position with joints that stay free.
+    pub fn fitting(&self) -> Option<Target> {
+        let joints = self.model.variables.len();
+        let is_coupled = self.model.is_coupled();
+        let chooses = |target: &Target| {
+            let coordinates = target.coordinates();
+            let is_admitted = !target.is_projected()
+                || admits(&self.model, *target).is_ok() && turns_about_one_direction(&self.model);
+            let moves_all = if is_coupled {
+                // None of their joints stays free.
+                joints == coordinates
+            } else {
+                joints >= coordinates && rank(&self.model, *target) == coordinates
+            };
+            is_admitted && moves_all
+        };
+        let tried: &[Target] = match joints {
+            5 => &[Target::PositionAxis, Target::Position],
+            4 => &[Target::PositionYaw, Target::Position],
+            3 => &[Target::Position],
+            _ => &[],
+        };
+        tried.iter().copied().find(chooses)
     }
 
     /// What of targets counts: the whole pose unless said otherwise.

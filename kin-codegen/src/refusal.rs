@@ -32,6 +32,8 @@ pub enum Reason {
 impl Refusal {
     /// As a compiler's message.
     pub fn diagnostic(&self) -> Diagnostic {
+        let noisy = "write right angles and half turns with all their digits (1.5707963267948966), or \
+                     leave out `target`; `ik = none` generates forward kinematics and Jacobians alone";
         let remedy = match &self.reason {
             Reason::Arm(NoClosedForm::Singular { .. }) => {
                 "check axes and origins; a joint that repeats another must be fixed, left out of \
@@ -50,13 +52,17 @@ impl Refusal {
                 "leave out `target`, or choose `position` or `position_axis`; `ik = none` \
                  generates forward kinematics and Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Unturned(_)) => {
+                "leave out `target`, or choose `position`; `ik = none` generates forward kinematics \
+                 and Jacobians alone"
+            }
             Reason::Arm(NoClosedForm::Lifting { .. }) => {
                 "let that joint stay free (`free`), whose value is given then; `ik = none` generates \
                  forward kinematics and Jacobians alone"
             }
-            Reason::Arm(NoClosedForm::Noisy) => {
-                "write right angles and half turns with all their digits (1.5707963267948966), or \
-                 leave out `target`; `ik = none` generates forward kinematics and Jacobians alone"
+            Reason::Arm(NoClosedForm::Noisy) => noisy,
+            Reason::Arm(NoClosedForm::Free { reason, .. }) if **reason == NoClosedForm::Noisy => {
+                noisy
             }
             Reason::Arm(NoClosedForm::Redundant(_)) => {
                 "name joints that stay free, one for each coordinate too many, with `free`"
@@ -180,6 +186,10 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
              `{first}` and `{other}` are {:.2}° apart",
             target.word(),
             angle.to_degrees()
+        ),
+        NoClosedForm::Unturned(target) => format!(
+            "`{}` has a turn about the joints' axes, and no joint turns",
+            target.word()
         ),
         NoClosedForm::Lifting { joint, angle } => format!(
             "`planar` targets leave the height to an arm whose slides go across its axes, and `{joint}` \

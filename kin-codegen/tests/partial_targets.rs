@@ -215,6 +215,44 @@ tip: {link: tool, xyz: [0.1, 0, 0]}
     );
 }
 
+/// A gantry without a wrist, and an arm with a joint to spare, whose remedy is that of the noise.
+#[test]
+fn projected_targets_are_refused_for_what_is_wrong_with_them() {
+    let gantry = "\
+robot: gantry
+units: {angle: rad, length: m}
+joints:
+  - {name: x, axis: [1, 0, 0], type: prismatic}
+  - {name: y, axis: [0, 1, 0], type: prismatic}
+  - {name: z, axis: [0, 0, 1], type: prismatic}
+tip: {link: tool, xyz: [0, 0, -0.1]}
+";
+    for target in [Target::PositionYaw, Target::Planar] {
+        let message = compiled(gantry, target).unwrap_err();
+        let word = target.word();
+        let reason = format!("`{word}` has a turn about the joints' axes, and no joint turns");
+        assert!(message.contains(&reason), "{message}");
+        assert!(
+            message.contains("leave out `target`, or choose `position`"),
+            "{message}"
+        );
+    }
+    let scara = "\
+robot: scara
+units: {angle: rad, length: m}
+joints:
+  - {name: a, axis: [0, 0, 1]}
+  - {name: b, xyz: [0.3, 0, 0], rpy: [3.1416, 0, 0], axis: [0, 0, 1]}
+  - {name: c, xyz: [0.2, 0, 0], axis: [0, 0, 1]}
+  - {name: d, axis: [0, 0, 1], type: prismatic}
+";
+    let message = compiled(scara, Target::Planar).unwrap_err();
+    assert!(
+        message.contains("write right angles and half turns with all their digits"),
+        "{message}"
+    );
+}
+
 /// Where nearly every configuration is near to singular, nothing was seen, and nothing is promised.
 #[test]
 fn an_arm_that_is_nearly_singular_everywhere_is_refused() {

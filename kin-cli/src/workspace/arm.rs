@@ -1,6 +1,7 @@
 //! Serial arms on the map.
 
 use super::map::{Robot, Sampling, slices};
+use super::redundant::Redundant;
 use crate::arguments;
 use kin_codegen::Target;
 use kin_codegen::arm::CompiledArm;
@@ -20,36 +21,52 @@ struct Arm<'a> {
     limited: bool,
 }
 
-/// Through the shoulder; none if targets have no position.
+/// Through the shoulder; none if targets have no position, or are poses that the arm cannot choose. An arm that has joints to spare is
+/// `redundant` at run time.
 pub fn sampling<'a>(
     compiled: &'a CompiledArm,
+    redundant: Option<kinematics::Robot>,
     arguments: &arguments::Workspace,
 ) -> Option<Sampling<'a>> {
-    let form = compiled.form().filter(|_| compiled.redundancy.is_none())?;
+    let form = compiled.form()?;
     let model = &compiled.model;
     let axes = axes(model);
     let planar = is_planar(model, &axes);
-    let orientations = match form.plan.target {
+    let orientations = match compiled.target() {
         Target::Orientation | Target::Direction => return None,
+        Target::Pose if reaches_few(compiled, planar) => return None,
         Target::Position => vec![Pose::IDENTITY],
         Target::PositionYaw | Target::Planar => turns(model, &axes[0], arguments.samples),
         Target::Pose | Target::PositionAxis if planar => turns(model, &axes[0], arguments.samples),
         Target::Pose | Target::PositionAxis => scattered_rotations(arguments.samples).collect(),
     };
     let centre = centre(model, &axes, planar);
-    Some(Sampling {
-        robot: Box::new(Arm {
+    let limits = model.limits();
+    let limited = arguments.limits;
+    let robot: Box<dyn Robot + 'a> = match redundant {
+        Some(robot) => Box::new(Redundant::new(robot, size(model), limited)),
+        None => Box::new(Arm {
             form,
             singular: compiled.singular(),
-            limits: model.limits(),
-            limited: arguments.limits,
+            limits,
+            limited,
         }),
+    };
+    Some(Sampling {
+        robot,
         slices: slices(centre),
         cells: arguments.cells,
         step: 2.0 * reach(model, centre) / arguments.cells as f64,
         orientations,
-        limited: arguments.limits,
+        limited,
     })
+}
+
+/// Whether none of the poses that are tried would be among those that so few joints reach: of an arm
+/// that turns its tip about one direction all are, but not where noise tilts it.
+fn reaches_few(compiled: &CompiledArm, planar: bool) -> bool {
+    let tilts = !planar || compiled.fitting() == Some(Target::Position);
+    tilts && compiled.model.variables.len() < 6
 }
 
 impl Robot for Arm<'_> {

@@ -5,14 +5,17 @@ mod map;
 mod mechanism;
 mod npy;
 mod picture;
+mod redundant;
 
 use crate::arguments::{self, read};
 use crate::bar::Bar;
 use crate::plot::canvas;
 use crate::plot::figure::Figure;
 use crate::{Done, Exit};
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::spec::one_line;
-use kin_codegen::{Compiled, Ik, compile};
+use kin_codegen::{Compiled, Ik, Options, Source, Target, compile};
+use kinematics::{LoadError, Robot};
 use map::{Map, Sampling};
 use serde_json::json;
 use std::fs;
@@ -34,7 +37,10 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
     let sampling = match &robot {
-        Compiled::Arm(arm) => arm::sampling(arm, arguments),
+        Compiled::Arm(arm) => match redundant(arm, &source, &options) {
+            Ok(redundant) => arm::sampling(arm, redundant, arguments),
+            Err(error) => return Done::failing(Exit::from(&error), error),
+        },
         Compiled::Mechanism(compiled) => mechanism::sampling(compiled, arguments),
     };
     match sampling {
@@ -51,6 +57,16 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
             format!("{}: {}", one_line(&arguments.file), placeless(&robot)),
         ),
     }
+}
+
+/// An arm that has joints to spare, at run time.
+fn redundant(
+    arm: &CompiledArm,
+    source: &Source,
+    options: &Options,
+) -> Result<Option<Robot>, LoadError> {
+    let load = || Robot::load(source, options);
+    arm.redundancy.as_ref().map(|_| load()).transpose()
 }
 
 /// The robot as it is drawn, and its name.
@@ -71,11 +87,15 @@ fn drawn(robot: &Compiled) -> (&str, Figure) {
 /// Why a robot's targets make no map.
 fn placeless(robot: &Compiled) -> String {
     match robot {
-        Compiled::Arm(arm) if arm.redundancy.is_some() => {
-            "a point of a map is asked for by its pose alone, which leaves joints of this arm open\n\
-             help: make as many `fixed` in the file, for a map at their values"
-                .into()
-        }
+        Compiled::Arm(arm) if arm.target() == Target::Pose => format!(
+            "of whole poses {} joints reach few, and none of those that a map tries\n\
+             help: choose {}",
+            arm.model.variables.len(),
+            arm.fitting().map_or_else(
+                || "a link in front of the last joints as the tip (`--tip`)".into(),
+                |target| format!("`--target {}`", target.word())
+            )
+        ),
         Compiled::Arm(arm) => format!(
             "targets are {}, which have no place in a workspace\n\
              help: choose `--target pose` or `--target position`",

@@ -40,10 +40,14 @@ pub struct Posture {
 const SAMPLES: usize = 48;
 /// Signs of less than this, relative to the arm's size, are not judged: two
 /// postures meet.
-const MARGIN: f64 = 1e-4;
-/// Relations of the idealized arm's axes hold to this, radians or relative to
-/// its size.
-const NEAR: f64 = 1e-7;
+const MARGIN: f64 = 2e-3;
+/// Relations between axes, and to the vertical, hold to this, radians or relative to the arm's size:
+/// words for what the arm is, whatever digits its file has or its calibration found. That they tell
+/// branches apart is seen.
+const NEAR: f64 = 5e-3;
+
+/// An arm that stands upright with all joints at zero is seen to lean at so much, radians.
+const LEANING: f64 = 0.5;
 
 impl Postures {
     /// Of the arm that the plan is for; none of one without a plan.
@@ -311,8 +315,8 @@ impl<'a> Arm<'a> {
             return None;
         }
         let [aside, ahead] = self.reach(&self.home, shoulder)?;
-        // In front is where axis 2 is, and if it meets axis 1, where the wrist
-        // is with all joints at zero.
+        // In front is where axis 2 is, and if it meets axis 1, where the wrist is with all joints at
+        // zero, or of an arm that is upright then, where joint 2 leans it.
         let forward = cross(second.direction, UP);
         let offset = dot(sub(second.point, first.point), forward);
         let is_far = |x: f64| x.abs() > NEAR * self.size;
@@ -324,8 +328,11 @@ impl<'a> Arm<'a> {
         } else {
             let meaning = "shoulder front or back: whether the wrist is in front of axis 1, or \
                            behind it with the arm reaching over";
-            let side = if is_far(offset) { offset } else { ahead };
-            (["front", "back"], meaning, side)
+            let mut leaning = vec![0.0; self.model.variables.len()];
+            leaning[shoulder] = LEANING;
+            let [_, leant] = self.reach(&self.at(&leaning), shoulder)?;
+            let side = [offset, ahead].into_iter().find(|side| is_far(*side));
+            (["front", "back"], meaning, side.unwrap_or(leant))
         };
         is_far(side).then(|| Candidate {
             name: "shoulder",
@@ -490,7 +497,7 @@ impl Hand {
 
 fn meeting(at: &At, joints: &[usize], size: f64) -> Option<Vec3> {
     let lines: Option<Vec<Line>> = joints.iter().map(|&i| at.lines[i]).collect();
-    concurrency(&lines?, 1e-3, 1e-6 * size)
+    concurrency(&lines?, NEAR, NEAR * size)
 }
 
 impl At {

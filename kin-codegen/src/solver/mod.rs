@@ -28,6 +28,8 @@ const CHOICES: usize = 6;
 /// An arm whose tip is this far from that of one with exact relations, relative to
 /// its size, was designed so: it is no noise, and solved without them if it can be.
 pub(crate) const DESIGNED: f64 = 1e-2;
+/// Axes that differ by less are parallel, radians.
+const PARALLEL: f64 = 1e-11;
 
 /// Why a chain whose joints mimic each other is not solved.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,6 +118,8 @@ pub enum NoClosedForm {
         /// The angle between them, radians.
         angle: f64,
     },
+    /// A target of this kind has a turn, and no joint turns.
+    Unturned(Target),
     /// A slide that is solved for lifts the tip along the axes about which an arm with planar targets
     /// turns, which leave the height open.
     Lifting {
@@ -251,13 +255,37 @@ fn solve_readings(
 ///
 /// # Errors
 ///
-/// Which joints do not.
+/// Which joints do not, or that none turns.
 pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> {
-    let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
-    let mut turning = model.joints.iter().filter(turns);
-    let Some(first) = turning.next().filter(|_| target.is_projected()) else {
+    if !target.is_projected() {
         return Ok(());
-    };
+    }
+    let first = turning(model).next();
+    let first = first.ok_or(NoClosedForm::Unturned(target))?;
+    match tilted(model, NOISIEST) {
+        None => Ok(()),
+        Some((tilted, angle)) => Err(NoClosedForm::Tilted {
+            target,
+            joints: [first, tilted].map(|joint| joint.name.clone()),
+            angle,
+        }),
+    }
+}
+
+/// Whether all joints that turn do so about parallel axes, to rounding, as solving for projected
+/// targets needs them.
+pub(crate) fn turns_about_one_direction(model: &Model) -> bool {
+    tilted(model, PARALLEL).is_none()
+}
+
+fn turning(model: &Model) -> impl Iterator<Item = &Joint> {
+    let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
+    model.joints.iter().filter(turns)
+}
+
+/// A joint that turns about an axis more than so many radians off that of the first, and by how many.
+fn tilted(model: &Model, beyond: f64) -> Option<(&Joint, f64)> {
+    let first = turning(model).next()?;
     let angle = |joint: &Joint| {
         let [cosine, sine] = [
             dot(first.axis, joint.axis).abs(),
@@ -265,14 +293,8 @@ pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> 
         ];
         sine.atan2(cosine)
     };
-    match turning.find(|joint| angle(joint) > NOISIEST) {
-        None => Ok(()),
-        Some(tilted) => Err(NoClosedForm::Tilted {
-            target,
-            joints: [first, tilted].map(|joint| joint.name.clone()),
-            angle: angle(tilted),
-        }),
-    }
+    let mut angles = turning(model).map(|joint| (joint, angle(joint)));
+    angles.find(|(_, angle)| *angle > beyond)
 }
 
 /// The largest number of independent ways in which the joints change targets that are not
