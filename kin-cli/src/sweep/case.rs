@@ -14,6 +14,9 @@ use std::time::{Duration, Instant};
 /// The search takes what is this close to a target, of the arm's size: of one that is out of reach
 /// by more a closed form has solutions within its tolerance, and the search none.
 pub(super) const CONVERGED: f64 = 1e-12;
+/// Its length is another than the arm's size, and its measure of a turn another than that of solutions:
+/// closer by so much it takes what is a solution by either.
+const SURELY: f64 = 0.1;
 
 /// An arm and its closed form.
 pub(super) struct Case<'a> {
@@ -88,11 +91,11 @@ impl<'a> Case<'a> {
         counts.distance(&self.fk(q), target, self.size)
     }
 
-    /// Whether the search would take what is this far from a target, metres; of solutions in single
+    /// Whether the search surely takes what is this far from a target, metres; of solutions in single
     /// precision, whether one would be near.
     pub(super) fn is_taken(&self, residual: f64) -> bool {
         match self.form.linkage.scalar {
-            Scalar::F64 => residual <= CONVERGED * self.size,
+            Scalar::F64 => residual <= SURELY * CONVERGED * self.size,
             Scalar::F32 => self.is_sound(residual),
         }
     }
