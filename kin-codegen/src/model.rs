@@ -352,7 +352,8 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector)
         diagnostics.at(
             joint.at,
             reason,
-            "write metres in a URDF, or state the unit in YAML: `units: {length: mm}`",
+            "write metres in a URDF, or state the unit in YAML: `units: {length: mm}`; if that is \
+             stated, correct the number",
         );
     }
 }

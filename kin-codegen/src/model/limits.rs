@@ -86,7 +86,7 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
             match turns {
                 true => {
                     "swap them if that is what is meant; where it means no limits, as some \
-                     simulators read it, make the joint continuous"
+                     simulators read it, make the joint continuous (in YAML, leave out `limits`)"
                 }
                 false => {
                     "swap them if that is what is meant; where it means no limits, as some \
@@ -108,7 +108,8 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
             true => (
                 "turns",
                 "rad",
-                "make it continuous if it turns freely; if degrees are meant, write radians",
+                "make it continuous if it turns freely (in YAML, leave out `limits`); if degrees are \
+                 meant, write radians",
             ),
             false => (
                 "slides",
@@ -127,7 +128,7 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
             at,
             reason,
             "write radians (180 degrees are 3.141592653589793), or state `angle: deg` in YAML; if it \
-             turns freely, make it continuous",
+             turns freely, make it continuous (in YAML, leave out `limits`)",
         );
     } else if !turns && MILLIMETRES.contains(&largest) {
         let reason =

@@ -194,7 +194,7 @@ fn refuse_standstill(joint: &Joint, diagnostics: &mut Collector) {
         diagnostics.at(
             mimic.at,
             reason,
-            "make the joint fixed, or correct the multiplier",
+            "make the joint fixed (of `dh`, `mdh` and `screws`, leave it out), or correct the multiplier",
         );
     }
 }

@@ -115,6 +115,9 @@ impl<'s> Reader<'s> {
         if line.chars().nth(before) == Some('\t') {
             message = "this line is indented with a tab, and YAML takes blanks alone".into();
             remedy = "replace the tab by blanks";
+        } else if message.contains("flow") {
+            remedy = "close what `{` and `[` open, here or in a line before, and put commas between \
+                      entries";
         } else if before > 0 && line.chars().take(before).all(|c| c == ' ') {
             remedy = "indent the line as its neighbours: entries of one list or mapping begin in \
                       one column";
@@ -179,7 +182,7 @@ impl<'s> Reader<'s> {
                 Some((key, value)) if known.contains(&key) => {
                     format!("put a blank behind the colon: `{key}: {value}`")
                 }
-                _ => did_you_mean(name, known),
+                _ => elsewhere(name, known).map_or_else(|| did_you_mean(name, known), Into::into),
             };
             self.at(key.at, reason, remedy);
         } else if fields.get(name).is_some() {
@@ -243,7 +246,7 @@ impl<'s> Reader<'s> {
             self.diagnostics.at(
                 at,
                 format!("`{text}` is not among the words possible here"),
-                did_you_mean(&text, known),
+                elsewhere(&text, known).map_or_else(|| did_you_mean(&text, known), Into::into),
             );
         }
         found
@@ -272,7 +275,13 @@ impl<'s> Reader<'s> {
             (None, Value::Text(text)) => format!("`{text}` is not a number"),
             (None, value) => format!("this should be a number, and is {}", kind(value)),
         };
-        self.at(node.at, reason, plainly(&node.value));
+        let remedy = match number {
+            Some((number, _)) if number.is_infinite() => {
+                "write a finite number; where there are no limits, leave `limits` out".into()
+            }
+            _ => plainly(&node.value),
+        };
+        self.at(node.at, reason, remedy);
         None
     }
 
@@ -293,6 +302,26 @@ impl<'s> Reader<'s> {
         let read: Vec<T> = read.into_iter().collect::<Option<_>>()?;
         read.try_into().ok()
     }
+}
+
+/// What to write for a word that other formats have.
+fn elsewhere(word: &str, known: &[&str]) -> Option<&'static str> {
+    let (instead, remedy) = match word {
+        "offset" => (
+            "theta",
+            "write the offset of a joint's angle as `theta`, of a slide as `d`",
+        ),
+        "quat_wxyz" => (
+            "quat_xyzw",
+            "write `quat_xyzw`, and w as the last of its numbers",
+        ),
+        "continuous" => (
+            "revolute",
+            "write `revolute`, and leave out `limits`: it turns freely then",
+        ),
+        _ => return None,
+    };
+    known.contains(&instead).then_some(remedy)
 }
 
 /// What stands behind a key.

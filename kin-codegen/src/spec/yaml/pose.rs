@@ -48,7 +48,11 @@ fn quaternion(node: &Node, reader: &mut Reader) -> Option<Rotation> {
     let quaternion = reader.exactly(node, plain)?;
     if let Err(length) = orientation::check_quaternion(quaternion) {
         let reason = format!("the quaternion has the length {length}, and a rotation's has 1");
-        reader.at(node.at, reason, "normalise it; the order is x, y, z, w");
+        let remedy = match quaternion == [0.0; 4] {
+            true => "leave it out where nothing is turned: that is `[0, 0, 0, 1]`",
+            false => "normalise it; the order is x, y, z, w",
+        };
+        reader.at(node.at, reason, remedy);
         return None;
     }
     Some(orientation::from_quaternion(quaternion))
@@ -62,7 +66,7 @@ fn matrix(node: &Node, reader: &mut Reader) -> Option<Rotation> {
         reader.at(
             node.at,
             reason,
-            "write the rotation matrix with at least 5 digits",
+            "write the rows of a rotation matrix, whose determinant is 1, with at least 5 digits",
         );
     }
     rotation
