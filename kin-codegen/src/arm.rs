@@ -301,8 +301,8 @@ impl CompiledArm {
         isolated.map_or(0, |form| form.plan.branches())
     }
 
-    /// What of targets counts, as sentences; none where six joints or more have whole poses for
-    /// targets.
+    /// What of targets counts, as sentences; none where joints that move the tip in all six ways have
+    /// whole poses for targets.
     pub fn targets(&self) -> Option<String> {
         let joints = self.model.variables.len();
         let target = self.target();
@@ -312,12 +312,18 @@ impl CompiledArm {
                 target.phrase()
             ));
         }
-        let reached = (joints < target.coordinates()).then(|| {
-            format!(
-                "Targets are whole poses. With {joints} joints few of them are within reach, those \
-                 of `fk`, and no others have solutions."
-            )
-        })?;
+        let ways = self.ways();
+        if ways >= target.coordinates() {
+            return None;
+        }
+        let moving = match ways == joints {
+            true => String::new(),
+            false => format!(" that move the tip in {ways} independent ways"),
+        };
+        let reached = format!(
+            "Targets are whole poses. With {joints} joints{moving} few of them are within reach, \
+             those of `fk`, and no others have solutions."
+        );
         let Some(fits) = self.fitting() else {
             return Some(reached);
         };
@@ -326,6 +332,12 @@ impl CompiledArm {
             fits.word(),
             fits.phrase()
         ))
+    }
+
+    /// How many joints are solved for.
+    fn ways(&self) -> usize {
+        let given = self.redundancy.as_ref().map_or(0, Redundancy::parameters);
+        self.model.variables.len() - given
     }
 
     /// What the joints can choose all of, where they are fewer than a pose has coordinates: as many
@@ -345,7 +357,7 @@ impl CompiledArm {
             };
             is_admitted && moves_all
         };
-        let tried: &[Target] = match joints {
+        let tried: &[Target] = match self.ways() {
             5 => &[Target::PositionAxis, Target::Position],
             4 => &[Target::PositionYaw, Target::Position],
             3 => &[Target::Position],

@@ -578,13 +578,15 @@ fn swept(model: &Model, locked: &[usize], target: Target) -> f64 {
 /// How many of these joints, from the first of the chain on, carry the others: all but one, since an
 /// arm of seven joints is solved as if it stood alone, and that one too if they are a rail, the
 /// slides of a gantry, or the slides and the turn of a platform, or an arm that carries the wrist
-/// which orients the tip. Whoever stands an arm on these means to say where they are.
+/// which orients the tip; of positions these slides alone. Whoever stands an arm on these means to say
+/// where they are.
 pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
     let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
     let slides = model.joints.iter().take_while(is_slide).count();
     let platform = slides + usize::from(slides == 2);
     let most = match target {
         Target::Orientation => joints.len(),
+        Target::Position => platform,
         _ => platform.max(joints.len().saturating_sub(1)),
     };
     let from_first = joints.iter().zip(0..).take_while(|(joint, i)| *joint == i);

@@ -1,7 +1,6 @@
 //! Serial arms on the map.
 
 use super::map::{Robot, Sampling, slices};
-use super::redundant::Redundant;
 use crate::arguments;
 use kin_codegen::Target;
 use kin_codegen::arm::CompiledArm;
@@ -21,11 +20,11 @@ struct Arm<'a> {
     limited: bool,
 }
 
-/// Through the shoulder; none if targets have no position, or are poses that the arm cannot choose. An arm that has joints to spare is
-/// `redundant` at run time.
+/// Through the shoulder; none if targets have no position, or are poses that the arm cannot choose.
+/// An arm that has joints to spare is `redundant`.
 pub fn sampling<'a>(
     compiled: &'a CompiledArm,
-    redundant: Option<kinematics::Robot>,
+    redundant: Option<Box<dyn Robot>>,
     arguments: &arguments::Workspace,
 ) -> Option<Sampling<'a>> {
     let form = compiled.form()?;
@@ -41,19 +40,15 @@ pub fn sampling<'a>(
         Target::Pose | Target::PositionAxis => scattered_rotations(arguments.samples).collect(),
     };
     let centre = centre(model, &axes, planar);
-    let limits = model.limits();
     let limited = arguments.limits;
-    let robot: Box<dyn Robot + 'a> = match redundant {
-        Some(robot) => Box::new(Redundant::new(robot, size(model), limited)),
-        None => Box::new(Arm {
-            form,
-            singular: compiled.singular(),
-            limits,
-            limited,
-        }),
+    let arm = || Arm {
+        form,
+        singular: compiled.singular(),
+        limits: model.limits(),
+        limited,
     };
     Some(Sampling {
-        robot,
+        robot: redundant.unwrap_or_else(|| Box::new(arm())),
         slices: slices(centre),
         cells: arguments.cells,
         step: 2.0 * reach(model, centre) / arguments.cells as f64,

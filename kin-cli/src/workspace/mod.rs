@@ -13,10 +13,12 @@ use crate::plot::canvas;
 use crate::plot::figure::Figure;
 use crate::{Done, Exit};
 use kin_codegen::arm::CompiledArm;
+use kin_codegen::geometry::size;
 use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Ik, Options, Source, Target, compile};
 use kinematics::{LoadError, Robot};
 use map::{Map, Sampling};
+use redundant::Redundant;
 use serde_json::json;
 use std::fs;
 use std::io;
@@ -37,7 +39,7 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
     let sampling = match &robot {
-        Compiled::Arm(arm) => match redundant(arm, &source, &options) {
+        Compiled::Arm(arm) => match redundant(arm, &source, &options, arguments.limits) {
             Ok(redundant) => arm::sampling(arm, redundant, arguments),
             Err(error) => return Done::failing(Exit::from(&error), error),
         },
@@ -59,14 +61,19 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
     }
 }
 
-/// An arm that has joints to spare, at run time.
+/// An arm, if it has joints to spare.
 fn redundant(
     arm: &CompiledArm,
     source: &Source,
     options: &Options,
-) -> Result<Option<Robot>, LoadError> {
-    let load = || Robot::load(source, options);
-    arm.redundancy.as_ref().map(|_| load()).transpose()
+    limited: bool,
+) -> Result<Option<Box<dyn map::Robot>>, LoadError> {
+    if arm.redundancy.is_none() {
+        return Ok(None);
+    }
+    let robot = Robot::load(source, options)?;
+    let redundant = Redundant::new(robot, size(&arm.model), limited);
+    Ok(Some(Box::new(redundant)))
 }
 
 /// The robot as it is drawn, and its name.
