@@ -27,15 +27,13 @@ fn the_cheapest_plan_decides_and_is_told() {
     let arm = arm.arm().unwrap().clone();
     let redundancy = arm.redundancy.unwrap();
     assert_eq!(redundancy.joints, [6]);
-    let weights: Vec<Option<usize>> = redundancy.weighed.iter().map(|it| it.weight).collect();
-    let dearer = |weight: &&Option<usize>| !costs_as_much(**weight, weights[0]);
-    let dearer: Vec<_> = weights.iter().filter(dearer).collect();
+    let weights = redundancy.weighed.iter().filter_map(|it| it.weight);
+    let weights: Vec<usize> = weights.collect();
+    let least = weights.iter().copied().min();
+    let is_dearer = |weight: &&usize| !costs_as_much(Some(**weight), least);
+    let dearer: Vec<&usize> = weights.iter().filter(is_dearer).collect();
     assert!(dearer.len() > 1 && dearer.is_sorted(), "{weights:?}");
-    assert!(weights.iter().all(|&weight| weight.is_some()));
-    assert!(costs_as_much(
-        weights[0],
-        weights.iter().copied().min().unwrap()
-    ));
+    assert!(costs_as_much(Some(weights[0]), least), "{weights:?}");
     let code = kin_codegen::generate(&source("../robots/panda.yaml"), &Options::default());
     let code = code.unwrap().code();
     assert!(
