@@ -87,8 +87,8 @@ impl Redundancy {
 pub struct Weighed {
     /// Their places in the chain, ascending.
     pub joints: Vec<usize>,
-    /// What all branches of the cheapest of the first plans for the others cost, by [`expr::inverse::weight`]; none
-    /// if there is none.
+    /// What all branches of the cheapest of the first plans for the others cost, by
+    /// [`expr::inverse::weight`]; none if there is none.
     pub weight: Option<usize>,
 }
 
@@ -226,8 +226,8 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
 /// Finds and verifies a closed form of an arm with more joints than its targets have
 /// coordinates. Of the joints that may stay free, those are taken whose plan needs the
 /// fewest operations, of an arm off its design first those at the ends of the chain, of positions
-/// those that leave joints which reach far; where no
-/// others have a plan, those at an end that leave the best polynomial between them.
+/// those that leave joints which reach far, and of these the last; where no others have a plan,
+/// those at an end that leave the best polynomial between them.
 ///
 /// # Errors
 ///
@@ -532,6 +532,7 @@ fn planned(
             is_dear(joints),
             little,
             Reverse(carriers(model, target, joints)),
+            Reverse(carried(model, target, joints)),
         )
     };
     each.sort_by_key(|it| (preference(it), it.0.weight));
@@ -591,6 +592,16 @@ pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
     };
     let from_first = joints.iter().zip(0..).take_while(|(joint, i)| *joint == i);
     from_first.take(most).count()
+}
+
+/// How many of these joints, from the last of the chain on, the others carry, of which a position is
+/// asked: the wrist is given.
+fn carried(model: &Model, target: Target, joints: &[usize]) -> usize {
+    let from_last = joints.iter().rev().zip((0..model.joints.len()).rev());
+    match target {
+        Target::Position => from_last.take_while(|(joint, i)| *joint == i).count(),
+        _ => 0,
+    }
 }
 
 /// Whether the joints that are not locked stand in a row, for which all others can be
@@ -694,13 +705,16 @@ mod tests {
     #[test]
     fn a_position_is_reached_by_the_joints_before_the_wrist() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
-        for file in ["ur5e.urdf", "kr6_r900.yaml", "xarm6.yaml"] {
+        let six = ["ur5e.urdf", "kr6_r900.yaml", "xarm6.yaml", "stanford.yaml"];
+        let six = six.map(|file| (file, vec![3, 4, 5]));
+        // The first joint would make the cheapest plan.
+        for (file, wrist) in six.into_iter().chain([("planar_3r.yaml", vec![2])]) {
             let source = Source::read(file, &root).unwrap();
             let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
             let linkage = Linkage::for_target(&model, Target::Position);
             let asked = Asked::default();
             let found = solve_redundant(&model, &linkage, Target::Position, &asked);
-            assert_eq!(found.unwrap().1.joints, [3, 4, 5], "{file}");
+            assert_eq!(found.unwrap().1.joints, wrist, "{file}");
         }
     }
 

@@ -57,8 +57,8 @@ use proc_macro::TokenStream;
 ///   arm with more joints than its targets have coordinates; several in brackets,
 ///   `free = ["rail", "joint"]`. `free = "swivel"` is the swivel angle of an arm with a
 ///   spherical shoulder and a spherical wrist, and what such an arm is given by default;
-///   of others it is the joint that leaves the others the cheapest closed form with a solution
-///   to all singular targets that are tried, which the type's documentation tells; with
+///   of others it is the joint that leaves the others about the cheapest closed form with a
+///   solution to all singular targets that are tried, which the type's documentation tells; with
 ///   `target = position_axis` the turn of the tool comes before any joint.
 /// - **`scalar = f32`**: numbers of single precision, for processors without a unit for
 ///   more; the types are those of `kinematics::single`. By default `f64`.

@@ -223,8 +223,8 @@ impl Inverse {
                 let least = self.weighed.iter().filter_map(|it| it.weight).min();
                 let why = match first.free.iter().all(is_given) {
                     true if first.weight == least => "leaves the others the cheapest plan",
-                    true if self.target == "position" && first.free.len() > 1 => {
-                        "leaves joints that reach far, of which it makes the plan cheapest"
+                    true if self.target == "position" => {
+                        "leaves joints that reach far, those next to the base before cheaper ones"
                     }
                     true if first.carriers > 0 => "has what carries the arm among it",
                     true if costs_as_much(first.weight, least) => {

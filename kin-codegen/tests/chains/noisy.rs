@@ -89,7 +89,7 @@ home: {xyz: [0, 0.55, 0.32]}
 /// Of turns about axes that are parallel but for noise a vector tells the sum, and each to half of
 /// the digits: 1.9 % of the targets of such an arm were lost.
 #[test]
-fn turns_about_one_direction_are_told_by_others() {
+fn turns_about_one_direction_are_no_pair() {
     let Arm(model) = read(NEARLY_PARALLEL);
     let linkage = Linkage::new(&model);
     let mut plans = Plans::new(&linkage, Target::Pose).take(100).peekable();

@@ -115,7 +115,7 @@ impl<'s> Reader<'s> {
         if line.chars().nth(before) == Some('\t') {
             message = "this line is indented with a tab, and YAML takes blanks alone".into();
             remedy = "replace the tab by blanks";
-        } else if message.contains("flow") {
+        } else if message.contains("parsing a flow") {
             remedy = "close what `{` and `[` open, here or in a line before, and put commas between \
                       entries";
         } else if before > 0 && line.chars().take(before).all(|c| c == ' ') {
@@ -182,7 +182,7 @@ impl<'s> Reader<'s> {
                 Some((key, value)) if known.contains(&key) => {
                     format!("put a blank behind the colon: `{key}: {value}`")
                 }
-                _ => elsewhere(name, known).map_or_else(|| did_you_mean(name, known), Into::into),
+                _ => instead_of(name, known),
             };
             self.at(key.at, reason, remedy);
         } else if fields.get(name).is_some() {
@@ -246,7 +246,7 @@ impl<'s> Reader<'s> {
             self.diagnostics.at(
                 at,
                 format!("`{text}` is not among the words possible here"),
-                elsewhere(&text, known).map_or_else(|| did_you_mean(&text, known), Into::into),
+                instead_of(&text, known),
             );
         }
         found
@@ -304,8 +304,8 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// What to write for a word that other formats have.
-fn elsewhere(word: &str, known: &[&str]) -> Option<&'static str> {
+/// What to write for a word that is not known here, which other formats may have.
+fn instead_of(word: &str, known: &[&str]) -> String {
     let (instead, remedy) = match word {
         "offset" => (
             "theta",
@@ -319,9 +319,12 @@ fn elsewhere(word: &str, known: &[&str]) -> Option<&'static str> {
             "revolute",
             "write `revolute`, and leave out `limits`: it turns freely then",
         ),
-        _ => return None,
+        _ => return did_you_mean(word, known),
     };
-    known.contains(&instead).then_some(remedy)
+    match known.contains(&instead) {
+        true => remedy.into(),
+        false => did_you_mean(word, known),
+    }
 }
 
 /// What stands behind a key.
