@@ -19,6 +19,11 @@ const REFINED: usize = 2;
 /// unanswered.
 const CERTIFIED: usize = 8;
 
+/// Plans in a row on an idealized arm, of the ways in which they turn free angles each, that leave as
+/// much to the elimination beside them as those before: what they lose is its own, and the next plan
+/// will not find it.
+const IN_VAIN: usize = 12;
+
 /// Plans that lose much are those of axes whose relation was read wrongly; so many of them
 /// at one tolerance are borne before the next.
 pub(super) struct Patience {
@@ -93,7 +98,8 @@ pub(super) fn solve_idealized(
         }
         certified += usize::from(search.stands());
         degenerate += usize::from(search.loses_much());
-        if certified == enough || patience.ends_with(degenerate) {
+        let in_vain = !exact && search.in_vain >= IN_VAIN;
+        if certified == enough || in_vain || patience.ends_with(degenerate) {
             break;
         }
     }
@@ -146,6 +152,8 @@ struct Search<'a> {
     beside: Option<univariate::Arm>,
     /// How many choices of those were tried.
     chosen: usize,
+    /// How many plans in a row have left as much to be found as those before.
+    in_vain: usize,
     best: Option<Certified>,
     /// Why there is none yet.
     refusal: NoClosedForm,
@@ -165,6 +173,7 @@ impl<'a> Search<'a> {
             reading,
             beside: beside.and_then(|plan| eliminations_beside(trials, &form(plan))),
             chosen: 1,
+            in_vain: 0,
             best: None,
             refusal: NoClosedForm::NoPlan(target),
         }
@@ -181,6 +190,11 @@ impl<'a> Search<'a> {
         best.is_some_and(|best| best.certificate.loses_much())
     }
 
+    /// What the best one does not find, if there is one.
+    fn missing(&self) -> Option<(usize, usize)> {
+        self.best.as_ref().map(|it| it.certificate.missing())
+    }
+
     /// Tries a plan; tells whether nothing is left to be improved. To turn free angles costs
     /// operations: of plans that cost more than one that stands, only where they lose less.
     fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
@@ -188,12 +202,11 @@ impl<'a> Search<'a> {
             let [matter, all] = self.turned(plan);
             return self.is_complete_by(plan, [matter, Some(FreeAngles::Seeded), all]);
         }
-        let missing = |search: &Self| search.best.as_ref().map(|it| it.certificate.missing());
-        let before = missing(self);
+        let before = self.missing();
         if self.is_complete_by(plan, [Some(FreeAngles::Seeded)]) {
             return true;
         }
-        missing(self) < before && {
+        self.missing() < before && {
             let turned = self.turned(plan);
             self.is_complete_by(plan, turned)
         }
@@ -214,12 +227,18 @@ impl<'a> Search<'a> {
             }
             if self.beside.is_some() && !self.trials.are_told_by_branches(&form) {
                 // The elimination would be asked at every target, and does as well alone.
+                self.in_vain += 1;
                 break;
             }
             match self.certified(form) {
                 Ok(found) => {
                     let done = found.certificate.is_complete();
+                    let before = self.missing();
                     self.best = better(self.best.take(), found);
+                    self.in_vain = match self.missing() == before {
+                        true => self.in_vain + 1,
+                        false => 0,
+                    };
                     if done {
                         return true;
                     }
