@@ -153,6 +153,36 @@ fn single_precision_is_compared() {
     assert!(half.missing.regular > 100, "{half:?}");
 }
 
+/// Four joints whose last axes pass each other by three micrometres have a second solution to every
+/// target in seven digits, and none near it in sixteen.
+#[test]
+fn what_seven_digits_add_is_not_held_against_sixteen() {
+    let source = Source {
+        path: "arm.yaml".into(),
+        text: "\
+robot: arm
+units: {angle: rad, length: m}
+screws:
+  - {name: yaw, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: shoulder, axis: [0, 1, 0], point: [0, 0, 0.14]}
+  - {name: elbow, axis: [0, 1, 0], point: [0.05, 0, 0.49]}
+  - {name: wrist, axis: [1, 0, 0], point: [0.288, 0, 0.490003]}
+home: {xyz: [0.288, 0, 0.490003], rpy: [0, 1.5707963267948966, 0]}
+"
+        .into(),
+    };
+    let options = Options {
+        scalar: Scalar::F32,
+        ..Options::default()
+    };
+    let Compiled::Arm(arm) = compile(&source, &options).unwrap() else {
+        panic!("an arm");
+    };
+    let tally = sweep(&arm.model, &arm.inverse.unwrap().form, &SETTINGS, &|_| {});
+    assert_eq!(tally.solutions.get(&2), Some(&SETTINGS.targets), "{tally}");
+    assert!(tally.oracle.as_ref().unwrap().is_clean(), "{tally}");
+}
+
 /// One of these targets has a solution at the very tolerance; seven digits tell a distance to a
 /// tenth of a millionth, and it is kept to with that.
 #[test]

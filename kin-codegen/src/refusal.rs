@@ -262,6 +262,10 @@ fn only_in_double(lack: Lack) -> &'static str {
         Lack::Parameter => {
             "it has joints to spare, and what is given beside a target is for f64 alone"
         }
+        Lack::Digits => {
+            "a step of its plan is ill-conditioned where the arm is regular, and with the digits of \
+             f32 solutions are lost there"
+        }
     }
 }
 

@@ -14,6 +14,7 @@ use kin_codegen::spec::{ArmSpec, Source};
 use kin_codegen::{Compiled, Options, Target, compile};
 use kin_runtime::SearchOptions;
 use measured::{configuration, measured};
+use std::f64::consts::PI;
 
 fn source(text: &str) -> Source {
     Source {
@@ -358,5 +359,32 @@ fn the_singularities_of_an_arm_with_joints_to_spare_are_those_of_all_its_joints(
             Some(&known),
             "{free:?}"
         );
+    }
+}
+
+/// Folded, the legs of three joints and a tool askew nearly reach the target of their mirror image:
+/// by less than the tolerance where sines and cosines are taken as they are found, and by more where
+/// they are those of angles.
+#[test]
+fn a_folded_leg_returns_nothing_beyond_the_tolerance() {
+    let text = "\
+robot: leg
+units: {angle: rad, length: m}
+screws:
+  - {name: wheel, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: knee, axis: [3.464102e-7, 3.071796e-7, -1], point: [0, -0.175, -0.012]}
+  - {name: hip, axis: [3.464102e-7, 3.071796e-7, -1], point: [0, -0.343, 0.0842]}
+home: {xyz: [0.161472, -0.403018, 0.231898], rpy: [0.10125439246414365, 0.5169484524672391, 2.9432290157433263]}
+";
+    let arm = compiled(text, Target::PositionAxis).unwrap();
+    let (chain, length, form) = (arm.model.chain(), size(&arm.model), arm.form().unwrap());
+    let mut random = Random(0xf01d);
+    for _ in 0..4000 {
+        let [wheel, hip] = [(); 2].map(|()| random.between(-PI, PI));
+        let pose = chain.fk(&[wheel, PI + random.between(-5e-3, 5e-3), hip]);
+        for solution in form.solutions(&pose) {
+            let miss = Target::PositionAxis.distance(&chain.fk(&solution.q), &pose, length);
+            assert!(miss <= 1e-9 * length, "{:?}: {miss:e}", solution.q);
+        }
     }
 }

@@ -302,7 +302,9 @@ impl Display for Idealization {
             let ways: Vec<String> = ways
                 .map(|(way, amount, unit)| format!("{way} by {amount:.1e} {unit}"))
                 .collect();
-            writeln!(f, "    axis {} {}", moved.joint, ways.join(", "))?;
+            if !ways.is_empty() {
+                writeln!(f, "    axis {} {}", moved.joint, ways.join(", "))?;
+            }
         }
         writeln!(
             f,

@@ -92,10 +92,13 @@ impl<'a> Case<'a> {
     }
 
     /// Whether the search surely takes what is this far from a target, metres; of solutions in single
-    /// precision, whether one would be near.
+    /// precision, whether one would be near: to a target that fewer joints than it has coordinates
+    /// nearly reach there may be none.
     pub(super) fn is_taken(&self, residual: f64) -> bool {
-        match self.form.linkage.scalar {
+        let form = &self.form;
+        match form.linkage.scalar {
             Scalar::F64 => residual <= SURELY * CONVERGED * self.size,
+            Scalar::F32 if form.given.variables() < form.plan.target.coordinates() => false,
             Scalar::F32 => self.is_sound(residual),
         }
     }

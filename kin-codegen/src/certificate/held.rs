@@ -4,14 +4,19 @@ use super::parameters::SOMEWHERE;
 use super::{Failure, REGULAR, alignment, recovered};
 use crate::closed_form::BranchSolution;
 use crate::geometry::{self, Linkage};
-use crate::model::{Model, configurations};
+use crate::model::{Model, anywhere, configurations};
 use crate::plan::Target;
 use crate::random::Random;
+use crate::scalar::Scalar;
 use kin_runtime::{Chain, Pose};
 use std::rc::Rc;
 
 /// Targets that no configuration made, on which only soundness is tried.
 const ELSEWHERE: usize = 32;
+
+/// Random configurations beside the few of all arms where digits are few: where a step is
+/// ill-conditioned and the arm is not, that may be so in a hundredth of space.
+const MORE_IN_SINGLE: usize = 500;
 
 /// The arm with its locked joints at some values: what targets are solved for, and what
 /// is singular, are the others.
@@ -60,7 +65,12 @@ impl Held {
             let all = all.into_iter();
             all.map(|joints| linkage.coordinates_at(joints)).collect()
         };
-        let round = coordinates(configurations(&model));
+        let mut round = configurations(&model);
+        if linkage.scalar == Scalar::F32 {
+            let mut random = Random(0x3c6e_f372_fe94_f82b);
+            round.extend((0..MORE_IN_SINGLE).map(|_| anywhere(&model, &mut random)));
+        }
+        let round = coordinates(round);
         let beside = alignment::neighbours(&round);
         let aligned = coordinates(alignment::aligned(&model));
         let nearly = alignment::neighbours(&aligned);

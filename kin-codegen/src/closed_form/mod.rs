@@ -30,6 +30,11 @@ const NEAR_SINGULAR: f64 = 0.5;
 /// Of branches that are none of the arm's: how near they are to a target tells nothing.
 const NONE: f64 = -1.0;
 
+/// Branches that seem to miss a target by more of the tolerance are corrected: the sines and cosines that
+/// tell what they miss may be those of no angle by about as much, and then it is more (1.9 times, of
+/// what was seen).
+const UNCORRECTED: f64 = 0.5;
+
 /// A tip that is off by less than this share of what branches may miss a target by is not off.
 const NOTICED: f64 = 1e-3;
 
@@ -448,7 +453,7 @@ impl ClosedForm {
             && !self.plan.target.is_projected();
         let (taken, nearly) = match is_corrected {
             true => (NONE, size),
-            false => (tolerance, nearly * size),
+            false => (UNCORRECTED * tolerance, nearly * size),
         };
         Acceptance {
             size,

@@ -1,7 +1,7 @@
 //! Arms without a plan.
 
 use super::{CHOICES, Certified, Lack, NoClosedForm, better};
-use crate::certificate::{Trials, certify};
+use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::ClosedForm;
 use crate::plan::Target;
 use crate::scalar::Scalar;
@@ -17,6 +17,10 @@ pub(super) fn last_resort(
     if linkage.scalar == Scalar::F32 {
         return Err(match refusal {
             NoClosedForm::NoPlan(_) => NoClosedForm::OnlyInDouble(Lack::Polynomial),
+            NoClosedForm::Uncertified {
+                failure: Failure::Lost(_),
+                ..
+            } => NoClosedForm::OnlyInDouble(Lack::Digits),
             other => other,
         });
     }

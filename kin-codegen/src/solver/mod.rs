@@ -75,6 +75,8 @@ pub enum Lack {
     Quartic,
     /// Numbers that are given beside a target.
     Parameter,
+    /// Enough digits for its steps.
+    Digits,
 }
 
 /// Why an arm has none.

@@ -222,7 +222,9 @@ impl<'a> Search<'a> {
             let form = self.reading.form(plan, free);
             let has = |what: fn(&InverseGraph) -> bool| form.expressions().is_some_and(what);
             if form.single.is_some() && has(InverseGraph::has_quartic) {
-                self.refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
+                if let NoClosedForm::NoPlan(_) = self.refusal {
+                    self.refusal = NoClosedForm::OnlyInDouble(Lack::Quartic);
+                }
                 break;
             }
             if self.beside.is_some() && !self.trials.are_told_by_branches(&form) {
