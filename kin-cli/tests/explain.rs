@@ -32,6 +32,35 @@ fn chain(joints: &[[f64; 3]]) -> Source {
 const SKEW_SHOULDER: [[f64; 3]; 3] = [[0.3, 0.2, 80.0], [0.1, 0.3, 70.0], [0.1, 0.1, 60.0]];
 const WRIST: [[f64; 3]; 3] = [[0.4, 0.0, 90.0], [0.0, 0.0, -90.0], [0.1, 0.0, 0.0]];
 
+/// What a target fixes is named: a direction has no place.
+#[test]
+fn a_direction_of_the_tip_is_named_as_one() {
+    let text = |source: &Source, target: Target| {
+        let options = Options {
+            target: Some(target),
+            ..Options::default()
+        };
+        let explanation = explain(source, &options).unwrap().arm().unwrap();
+        let steps = explanation.inverse.unwrap().steps;
+        steps
+            .into_iter()
+            .map(|step| step.text)
+            .collect::<Vec<_>>()
+            .join("; ")
+    };
+    let ur5e = robot("ur5e.urdf");
+    let direction = text(&ur5e, Target::Direction);
+    assert!(
+        direction.contains("until the tip's z axis is where the target has it"),
+        "{direction}"
+    );
+    let position = text(&ur5e, Target::Position);
+    assert!(
+        position.contains("until the tip is where the target has it"),
+        "{position}"
+    );
+}
+
 #[test]
 fn a_point_is_named_by_all_the_axes_through_it() {
     let explanation = told(&robot("puma560.yaml"));

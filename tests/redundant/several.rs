@@ -33,7 +33,11 @@ kinematics!(
     name = Ur5eOrientation,
     target = orientation
 );
-kinematics!("../robots/planar_3r.yaml", target = position, free = "q1");
+kinematics!(
+    "../robots/planar_3r.yaml",
+    target = position,
+    free = "shoulder"
+);
 
 fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let each = a.iter().zip(b).map(|(a, b)| {

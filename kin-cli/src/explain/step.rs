@@ -182,7 +182,7 @@ impl Object {
             },
             point: invariant.point,
             direction: invariant.direction,
-            text: words(invariant, &joints, linkage.links.len()),
+            text: words(invariant, &joints, linkage),
             joints: joints.iter().map(|i| i + 1).collect(),
         }
     }
@@ -220,15 +220,29 @@ fn leaves_alone(invariant: &Invariant, linkage: &Linkage, joint: usize) -> bool 
     }
 }
 
-fn words(invariant: &Invariant, joints: &[usize], n: usize) -> String {
+/// The axis of the tip's frame that a direction is.
+fn axis_of_tip(invariant: &Invariant, linkage: &Linkage) -> char {
+    let home = linkage.tip_home().rotation;
+    let along = |j: usize| {
+        let column = [0, 1, 2].map(|i: usize| home[i][j]);
+        dot(column, invariant.direction).abs()
+    };
+    let nearest = (0..3).max_by(|&a, &b| along(a).total_cmp(&along(b)));
+    ['x', 'y', 'z'][nearest.unwrap_or(2)]
+}
+
+fn words(invariant: &Invariant, joints: &[usize], linkage: &Linkage) -> String {
     let kind = match invariant.kind {
         Kind::Point => "point",
         Kind::Direction => "direction",
         Kind::Plane => "plane",
     };
-    // An end behind the last joint is the tip of a target of position.
-    if invariant.joints.end > n {
-        return "the tip".into();
+    // An end behind the last joint is what a target has of the tip.
+    if invariant.joints.end > linkage.links.len() {
+        return match invariant.kind {
+            Kind::Direction => format!("the tip's {} axis", axis_of_tip(invariant, linkage)),
+            _ => "the tip".into(),
+        };
     }
     let numbers = numbers(joints.iter().map(|i| i + 1));
     match (joints.len(), invariant.kind) {
