@@ -250,7 +250,7 @@ mod __Calibrated {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.1498670199252323,
             tolerance: 1.1498670199252324e-9,
-            taken: 5.749335099626162e-10,
+            taken: 1.1498670199252324e-9,
             nearly: 0.000011498670199252324,
             near_singular: 0.014466553735643211,
             prismatic: 0,

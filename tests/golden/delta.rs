@@ -266,7 +266,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
-                taken: 1.719999999999998e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -584,7 +584,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141965,
                 tolerance: 1.0239019559141966e-10,
-                taken: 5.119509779570983e-11,
+                taken: 1.0239019559141966e-10,
                 nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -1030,7 +1030,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
-                taken: 1.719999999999998e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -1369,7 +1369,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
-                taken: 5.1195097795709823e-11,
+                taken: 1.0239019559141965e-10,
                 nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -1874,7 +1874,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.3439999999999996,
                 tolerance: 3.439999999999996e-10,
-                taken: 1.719999999999998e-10,
+                taken: 3.439999999999996e-10,
                 nearly: 0.0000034399999999999963,
                 near_singular: 0.0,
                 prismatic: 0,
@@ -2213,7 +2213,7 @@ mod __Delta {
             const ACCEPT: Acceptance = Acceptance {
                 size: 0.10239019559141964,
                 tolerance: 1.0239019559141965e-10,
-                taken: 5.1195097795709823e-11,
+                taken: 1.0239019559141965e-10,
                 nearly: 0.0000010239019559141966,
                 near_singular: 0.0,
                 prismatic: 0,

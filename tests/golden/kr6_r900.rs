@@ -256,7 +256,7 @@ mod __Kr6R900 {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.0150000000000001,
             tolerance: 1.0150000000000001e-9,
-            taken: 5.075000000000001e-10,
+            taken: 1.0150000000000001e-9,
             nearly: 0.000010150000000000003,
             near_singular: 0.0,
             prismatic: 0,

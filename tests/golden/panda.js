@@ -855,7 +855,7 @@ return $arm({
         swivel: null,
         size: 0.9880918706887848,
         tolerance: 9.88091870688785e-10,
-        taken: 4.940459353443925e-10,
+        taken: 9.88091870688785e-10,
         nearly: 9.88091870688785e-6,
         free_angles: [],
         counts_translation: true,

@@ -265,7 +265,7 @@ mod __Panda {
         const ACCEPT: Acceptance = Acceptance {
             size: 0.9880918706887848,
             tolerance: 9.88091870688785e-10,
-            taken: 4.940459353443925e-10,
+            taken: 9.88091870688785e-10,
             nearly: 0.00000988091870688785,
             near_singular: 0.0,
             prismatic: 0,

@@ -200,7 +200,7 @@ mod __Scara {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.2,
             tolerance: 1.2e-9,
-            taken: 6e-10,
+            taken: 1.2e-9,
             nearly: 0.000012,
             near_singular: 0.0,
             prismatic: 8,

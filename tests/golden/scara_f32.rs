@@ -201,7 +201,7 @@ mod __Scara {
         const ACCEPT: Acceptance = Acceptance {
             size: 1.2,
             tolerance: 0.000021711181,
-            taken: 0.0000108555905,
+            taken: 0.000021711181,
             nearly: 0.006,
             near_singular: 0.0,
             prismatic: 8,

@@ -1009,7 +1009,7 @@ int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
 #define UR5E_SOLVED 6
 #define UR5E_SIZE 1.3122999999999998
 #define UR5E_TOLERANCE 1.3123e-9
-#define UR5E_TAKEN 6.5615e-10
+#define UR5E_TAKEN 1.3123e-9
 #define UR5E_NEARLY 1.3123e-5
 #define UR5E_NEAR_SINGULAR 0.0
 

@@ -845,7 +845,7 @@ return $arm({
         swivel: null,
         size: 1.3122999999999998,
         tolerance: 1.3123e-9,
-        taken: 6.5615e-10,
+        taken: 1.3123e-9,
         nearly: 1.3123e-5,
         free_angles: [3],
         counts_translation: true,

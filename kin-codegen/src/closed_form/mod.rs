@@ -30,10 +30,8 @@ const NEAR_SINGULAR: f64 = 0.5;
 /// Of branches that are none of the arm's: how near they are to a target tells nothing.
 const NONE: f64 = -1.0;
 
-/// Branches that seem to miss a target by more of the tolerance are corrected: the sines and cosines that
-/// tell what they miss may be those of no angle by about as much, and then it is more (1.9 times, of
-/// what was seen).
-const UNCORRECTED: f64 = 0.5;
+/// Residuals are believed to tell a larger share of a miss than this.
+const LEAST_TOLD: f64 = 0.1;
 
 /// A tip that is off by less than this share of what branches may miss a target by is not off.
 const NOTICED: f64 = 1e-3;
@@ -430,6 +428,13 @@ impl ClosedForm {
         }
     }
 
+    /// The share of a miss that residuals tell; see [`InverseGraph::told`].
+    fn told(&self) -> f64 {
+        let told = self.expressions().map_or(1.0, |graph| graph.told);
+        let is_all = told > 1.0 - self.tolerances().accepted;
+        if is_all { 1.0 } else { told.max(LEAST_TOLD) }
+    }
+
     /// What makes a branch a solution.
     pub fn acceptance(&self) -> Acceptance {
         let given = &self.given;
@@ -453,7 +458,7 @@ impl ClosedForm {
             && !self.plan.target.is_projected();
         let (taken, nearly) = match is_corrected {
             true => (NONE, size),
-            false => (UNCORRECTED * tolerance, nearly * size),
+            false => (self.told() * tolerance, nearly * size),
         };
         Acceptance {
             size,

@@ -105,6 +105,8 @@ struct Writer<'a> {
     margin: Option<Expr>,
     /// See [`InverseGraph::arguments`].
     arguments: Option<Vec<(Choice, Expr)>>,
+    /// See [`InverseGraph::told`].
+    told: f64,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
     /// Vectors shorter than this, squared and relative to their scale, leave the
@@ -176,6 +178,7 @@ impl<'a> Writer<'a> {
             singular: zero,
             margin: None,
             arguments: Some(Vec::new()),
+            told: 1.0,
             watched: Vec::new(),
             free: zero,
             may_be_free: Vec::new(),
@@ -394,6 +397,7 @@ impl<'a> Writer<'a> {
             singular: self.g.named(self.singular, "singular"),
             margin: self.margin,
             arguments: self.arguments,
+            told: self.told,
             free_angles,
             graph: self.g,
             tape: Tape::default(),
