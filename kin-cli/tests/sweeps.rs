@@ -32,7 +32,11 @@ fn compiled(source: &Source, target: Option<Target>) -> (Model, ClosedForm) {
         target,
         ..Options::default()
     };
-    let Compiled::Arm(arm) = compile(source, &options).unwrap() else {
+    with_options(source, &options)
+}
+
+fn with_options(source: &Source, options: &Options) -> (Model, ClosedForm) {
+    let Compiled::Arm(arm) = compile(source, options).unwrap() else {
         panic!("an arm");
     };
     let CompiledArm { model, inverse, .. } = *arm;
@@ -120,23 +124,19 @@ fn aligned_targets_are_near_singular_ones() {
     assert_eq!(tally.unanswered, 0, "{tally}");
 }
 
-/// A UR5e in single precision.
-fn in_single_precision() -> (Model, ClosedForm) {
+fn in_single_precision(source: &Source) -> (Model, ClosedForm) {
     let options = Options {
         scalar: Scalar::F32,
         ..Options::default()
     };
-    let Compiled::Arm(arm) = compile(&source("robots/ur5e.urdf"), &options).unwrap() else {
-        panic!("an arm");
-    };
-    (arm.model, arm.inverse.unwrap().form)
+    with_options(source, &options)
 }
 
 /// What is rounded to seven digits is held against the search as what is not: one solution in two
 /// that is left out is seen.
 #[test]
 fn single_precision_is_compared() {
-    let (model, mut form) = in_single_precision();
+    let (model, mut form) = in_single_precision(&source("robots/ur5e.urdf"));
     let settings = Settings {
         oracle: 60,
         ..SETTINGS
@@ -171,14 +171,7 @@ home: {xyz: [0.288, 0, 0.490003], rpy: [0, 1.5707963267948966, 0]}
 "
         .into(),
     };
-    let options = Options {
-        scalar: Scalar::F32,
-        ..Options::default()
-    };
-    let Compiled::Arm(arm) = compile(&source, &options).unwrap() else {
-        panic!("an arm");
-    };
-    let tally = sweep(&arm.model, &arm.inverse.unwrap().form, &SETTINGS, &|_| {});
+    let tally = swept(&in_single_precision(&source));
     assert_eq!(tally.solutions.get(&2), Some(&SETTINGS.targets), "{tally}");
     assert!(tally.oracle.as_ref().unwrap().is_clean(), "{tally}");
 }
@@ -187,7 +180,7 @@ home: {xyz: [0.288, 0, 0.490003], rpy: [0, 1.5707963267948966, 0]}
 /// tenth of a millionth, and it is kept to with that.
 #[test]
 fn single_precision_keeps_to_its_tolerance() {
-    let (model, form) = in_single_precision();
+    let (model, form) = in_single_precision(&source("robots/ur5e.urdf"));
     let settings = Settings {
         targets: 2000,
         oracle: 0,
