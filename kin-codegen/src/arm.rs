@@ -15,7 +15,7 @@ use crate::plan::Target;
 use crate::redundancy::{self, Redundancy, solve_redundant};
 use crate::scalar::Scalar;
 use crate::singularity::Singular;
-use crate::solver::{Certified, Lack, NoClosedForm, admits, solve, turns_about_one_direction};
+use crate::solver::{Certified, Lack, NoClosedForm, admits, solve};
 use crate::spec::bounds::JOINTS;
 use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
 use kin_runtime::__private::reproducible::reproducibly;
@@ -347,15 +347,13 @@ impl CompiledArm {
         let is_coupled = self.model.is_coupled();
         let chooses = |target: &Target| {
             let coordinates = target.coordinates();
-            let is_admitted = !target.is_projected()
-                || admits(&self.model, *target).is_ok() && turns_about_one_direction(&self.model);
             let moves_all = if is_coupled {
                 // None of their joints stays free.
                 joints == coordinates
             } else {
                 joints >= coordinates && rank(&self.model, *target) == coordinates
             };
-            is_admitted && moves_all
+            moves_all && admits(&self.model, *target).is_ok()
         };
         let tried: &[Target] = match self.ways() {
             5 => &[Target::PositionAxis, Target::Position],

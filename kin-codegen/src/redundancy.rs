@@ -435,7 +435,7 @@ fn planned(
     let mut left = choices;
     let mut shift = 0.0;
     for idealized in idealizations(model) {
-        shift = tip_shift(model, &idealized.model);
+        shift = tip_shift(model, &idealized.model, &linkage.projection(target));
         if shift > DESIGNED * linkage.size {
             break;
         }

@@ -1,5 +1,6 @@
 //! Why a sound robot file has no inverse kinematics, and what its owner can do.
 
+use crate::certificate::Failure;
 use crate::compiled::Compiled;
 use crate::geometry::{Undetermined, rank, structure};
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
@@ -63,6 +64,13 @@ impl Refusal {
             Reason::Arm(NoClosedForm::Noisy) => noisy,
             Reason::Arm(NoClosedForm::Free { reason, .. }) if **reason == NoClosedForm::Noisy => {
                 noisy
+            }
+            Reason::Arm(NoClosedForm::Uncertified {
+                failure: Failure::NearSingular(_),
+                ..
+            }) => {
+                "write right angles and half turns with all their digits (1.5707963267948966), if the file \
+                 rounds them; `ik = none` generates forward kinematics and Jacobians alone"
             }
             Reason::Arm(NoClosedForm::Redundant(_)) => {
                 "name joints that stay free, one for each coordinate too many, with `free`"
@@ -175,7 +183,8 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
             target.phrase()
         ),
         NoClosedForm::Noisy => "its axes are off exact relations by the noise of the file, and a \
-                                projected target (position_yaw, planar) needs them exact"
+                                projected target (position_yaw, planar) with joints given beside \
+                                it needs them exact"
             .to_owned(),
         NoClosedForm::Tilted {
             target,

@@ -125,6 +125,7 @@ pub mod __private {
     pub use crate::scalar::math;
     pub use crate::scalar::quartic::{self, trig_roots};
     pub use crate::scalar::tolerance;
+    pub use crate::types::projection::Projection;
     pub use crate::{
         aligned, generated_by, implement_kinematics, inherent_parallel_methods, widen,
     };

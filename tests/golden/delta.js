@@ -610,14 +610,16 @@ const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
 /* A branch that misses its target, corrected; it may stay off. */
 const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
     const { form } = arm;
-    const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
+    const tip = (q) => $seen(arm, $whole(arm, q, given), form.solved);
+    const seen = (q) => form.projection ? form.projection.see(tip(q)) : tip(q);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
     const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
         residual: found.residual,
         branch,
-        singular: found.singular || singular,
+        /* Branches of a design say where the arm may be singular. */
+        singular: found.singular || (form.taken >= 0.0 && singular),
     };
 };
 
@@ -627,8 +629,9 @@ const $reaching = (arm, target, given, lanes) => {
     const solutions = [];
     const nearly = [];
     const correct = form.swivel ? $at_swivel : $corrected;
-    const corrects = !form.projected
-        && $rotation_error(form, target) * form.size <= form.tolerance;
+    const aim = form.projection ? form.projection.target(target) : target;
+    const corrects = form.corrects
+        && $rotation_error(form, aim) * form.size <= form.tolerance;
     for (let k = 0; k < form.branches; ++k) {
         const residual = lanes.residual[k];
         if (!(lanes.invalid[k] <= 0.0)) {
@@ -643,7 +646,7 @@ const $reaching = (arm, target, given, lanes) => {
     }
     for (const k of nearly) {
         const solved = lanes.q.map((lane) => lane[k]);
-        const found = correct(arm, target, given, solved, k, lanes.singular[k] > 0.0);
+        const found = correct(arm, aim, given, solved, k, lanes.singular[k] > 0.0);
         if (found && found.residual <= form.tolerance) {
             $insert(arm, found, solutions);
         }
@@ -704,7 +707,11 @@ const $arm = (arm) => {
     arm.approach = (target, q, evaluations) => {
         const all = arm.joints.map((_, i) => i);
         const aim = form ?? arm.aim;
-        const linearize = (x) => $linearize(aim, target, (y) => $seen(arm, y, all), x);
+        const { projection } = aim;
+        const tip = (x) => $seen(arm, x, all);
+        const seen = (x) => projection ? projection.see(tip(x)) : tip(x);
+        const projected = projection ? projection.target(target) : target;
+        const linearize = (x) => $linearize(aim, projected, seen, x);
         const found = $correct(linearize, aim.size, q, evaluations);
         return { q: found.q, residual: found.residual };
     };
@@ -1368,7 +1375,8 @@ return $mechanism({
                 counts_translation: true,
                 counts_rotation: false,
                 counts_axis: false,
-                projected: false,
+                corrects: true,
+                projection: null,
                 solve: $solve,
                 search: null,
                 lanes: (target, seed, given, free_below) => {
@@ -1726,7 +1734,8 @@ return $mechanism({
                 counts_translation: false,
                 counts_rotation: true,
                 counts_axis: false,
-                projected: false,
+                corrects: true,
+                projection: null,
                 solve: $solve,
                 search: null,
                 lanes: (target, seed, given, free_below) => {
@@ -2483,7 +2492,8 @@ return $mechanism({
                 counts_translation: true,
                 counts_rotation: false,
                 counts_axis: false,
-                projected: false,
+                corrects: true,
+                projection: null,
                 solve: $solve,
                 search: null,
                 lanes: (target, seed, given, free_below) => {
@@ -2883,7 +2893,8 @@ return $mechanism({
                 counts_translation: false,
                 counts_rotation: true,
                 counts_axis: false,
-                projected: false,
+                corrects: true,
+                projection: null,
                 solve: $solve,
                 search: null,
                 lanes: (target, seed, given, free_below) => {
@@ -3681,7 +3692,8 @@ return $mechanism({
                 counts_translation: true,
                 counts_rotation: false,
                 counts_axis: false,
-                projected: false,
+                corrects: true,
+                projection: null,
                 solve: $solve,
                 search: null,
                 lanes: (target, seed, given, free_below) => {
@@ -4081,7 +4093,8 @@ return $mechanism({
                 counts_translation: false,
                 counts_rotation: true,
                 counts_axis: false,
-                projected: false,
+                corrects: true,
+                projection: null,
                 solve: $solve,
                 search: null,
                 lanes: (target, seed, given, free_below) => {

@@ -979,8 +979,9 @@ static int slider_crank_chain0_corrected(
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
+    /* Branches of a design say where the arm may be singular. */
     found->singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, steps, &here)
-        || lanes->singular[k] > 0.0;
+        || (SLIDER_CRANK_CHAIN0_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
         here.q[i] = slider_crank_chain0_turns[slider_crank_chain0_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
@@ -1393,8 +1394,9 @@ static int slider_crank_chain1_corrected(
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
+    /* Branches of a design say where the arm may be singular. */
     found->singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, steps, &here)
-        || lanes->singular[k] > 0.0;
+        || (SLIDER_CRANK_CHAIN1_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
         here.q[i] = slider_crank_chain1_turns[slider_crank_chain1_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
@@ -1833,8 +1835,9 @@ static int slider_crank_passive_corrected(
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
+    /* Branches of a design say where the arm may be singular. */
     found->singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, steps, &here)
-        || lanes->singular[k] > 0.0;
+        || (SLIDER_CRANK_PASSIVE_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
         here.q[i] = slider_crank_passive_turns[slider_crank_passive_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }

@@ -1562,8 +1562,9 @@ static int ur5e_corrected(
     for (int i = 0; i < UR5E_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
+    /* Branches of a design say where the arm may be singular. */
     found->singular = ur5e_correct(&ur5e_own_metric, &joints, target, steps, &here)
-        || lanes->singular[k] > 0.0;
+        || (UR5E_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
     for (int i = 0; i < UR5E_SOLVED; ++i) {
         here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
     }

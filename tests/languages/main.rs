@@ -35,6 +35,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Of the size of these arms, up to two metres, 1e-9.
 const REACHED: f64 = 2e-9;
 
+/// Regular solutions are the same to this, radians and metres.
+const SAME: f64 = 1e-9;
 /// Of a few dozen operations, metres and radians.
 const ROUNDING: f64 = 1e-13;
 /// Where roots nearly meet, the last bit of a cube root is worth this.
@@ -311,7 +313,10 @@ fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) 
             // Where solutions have met, what a step of Newton's method leaves is rounding's.
             assert!(written.number() <= REACHED, "{of:?}");
             let q: Vec<f64> = solution.q.iter().map(|_| written.number()).collect();
-            let apart = q.iter().zip(solution.q).map(|(x, y)| (x - y).abs());
+            let apart = q
+                .iter()
+                .zip(solution.q)
+                .map(|(x, y)| math::wrap(x - y).abs());
             let is_same = apart.clone().all(|x| x <= MET);
             // Of a motion that the target hardly sees either may have another member.
             let missed = rust.target().distance(&rust.fk(&q), pose, 1.0);
@@ -319,7 +324,13 @@ fn inverse(subject: &Subject, pose: &Pose, seed: &[f64], written: &mut Written) 
             assert!(is_same || is_member, "{of:?}: {q:?} for {solution:?}");
         } else {
             written.same(&[solution.residual], ROUNDING, of);
-            written.same(solution.q, 1e-9, of);
+            for &x in solution.q {
+                // Half a turn is told by the sign that rounding gives it.
+                let half = (x.abs() - PI).abs() < SAME;
+                let told = written.number();
+                let y = if half { told.copysign(x) } else { told };
+                assert!(is_same(x, y, SAME), "{of:?}: {x} in Rust, {told} here");
+            }
         }
     }
     nearest_is_the_same(subject, pose, seed, &[], written);
@@ -354,7 +365,7 @@ fn eliminated(subject: &Subject, pose: &Pose, seed: &[f64], found: i32, written:
             let off = it.iter().zip(&q).map(|(x, y)| math::wrap(x - y).abs());
             off.fold(0.0, f64::max)
         };
-        let same = regular.iter().position(|it| apart(it.q) <= 1e-9);
+        let same = regular.iter().position(|it| apart(it.q) <= SAME);
         let same = same.unwrap_or_else(|| panic!("{of:?}: {q:?} is not of {regular:?}"));
         let is_of_plan = subject.refines && (branch as usize) < rust.branches();
         let is_next = same == 0 && regular[same].branch == branch as u32;

@@ -72,6 +72,29 @@ const OF_CORRECTION_IN_JS: [[&str; 2]; 2] = [
     ["q[told] += by >", "q[told] -= by >"],
 ];
 
+/// The same of how projected targets see the tip of an arm off its design. Of the motions some are
+/// not of them: where these are wrong by as little as the arm is off, Levenberg's method arrives all
+/// the same.
+const OF_PROJECTION: [[&str; 2]; 6] = [
+    ["m[b][a] - m[a][b]", "m[b][a] + m[a][b]"],
+    ["cosine -= mistaken_axis", "cosine += mistaken_axis"],
+    ["+ (1.0 - cosine) * along", "- (1.0 - cosine) * along"],
+    ["tip[4 * i + 3] + rise *", "tip[4 * i + 3] - rise *"],
+    [
+        "joints(solved, given, tip, jacobian);\n    mistaken_project(tip, pose)",
+        "joints(solved, given, pose, jacobian);\n    mistaken_project(pose, tip)",
+    ],
+    ["by->rotation ? sqrt(square)", "by->axis ? sqrt(square)"],
+];
+
+const OF_PROJECTION_IN_JS: [[&str; 2]; 5] = [
+    ["m(b, a) - m(a, b)", "m(b, a) + m(a, b)"],
+    ["cosine -= axis", "cosine += axis"],
+    ["+ (1.0 - cosine) * along", "- (1.0 - cosine) * along"],
+    ["tip[4 * i + 3] + rise *", "tip[4 * i + 3] - rise *"],
+    ["form.projection.see(tip(q))", "tip(q)"],
+];
+
 /// The same of what tells that a step of an exact arm's plan degenerates.
 const OF_COMPLETION: [[&str; 2]; 1] = [[
     "(lanes->singular[k] > 0.0 ||",
@@ -255,6 +278,19 @@ fn mistakes_of_corrections_are_found() {
     each_of_is_found("mistakes_of_correction", &of_design(), &OF_CORRECTION);
 }
 
+fn of_projection() -> Asked {
+    let options = Options {
+        target: Some(Target::Planar),
+        ..Options::default()
+    };
+    Asked::of("tests/robots/targets/rounded_planar.yaml", options)
+}
+
+#[test]
+fn mistakes_of_projections_are_found() {
+    each_of_is_found("mistakes_of_projection", &of_projection(), &OF_PROJECTION);
+}
+
 fn of_completion() -> Asked {
     refined("tests/robots/noisy/truncated_pi.yaml", Options::default())
 }
@@ -320,6 +356,7 @@ fn mistakes_in_javascript_are_found() {
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement(), &OF_REFINEMENT_IN_JS[..]),
         (of_design(), &OF_CORRECTION_IN_JS[..]),
+        (of_projection(), &OF_PROJECTION_IN_JS[..]),
     ];
     for (asked, mistakes) in each {
         let c = generated(asked.path, "mistaken", &asked.options);

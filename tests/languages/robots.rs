@@ -105,6 +105,11 @@ const AIMED: &[(&str, Target)] = &[
     ("tests/robots/targets/antenna.yaml", Target::Direction),
     ("tests/robots/targets/gimbal.yaml", Target::Orientation),
     ("tests/robots/targets/polar.yaml", Target::Position),
+    ("tests/robots/targets/rounded_planar.yaml", Target::Planar),
+    (
+        "tests/robots/targets/rounded_scara.yaml",
+        Target::PositionYaw,
+    ),
     ("tests/robots/targets/welder.yaml", Target::PositionAxis),
 ];
 

@@ -73,7 +73,7 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     /// How far `q` leaves the tool from the target, relative to the arm's
     /// size.
     pub fn miss(&self, q: &[f64; N], target: &Pose) -> f64 {
-        let (found, target) = (self.chain.fk(q), self.whole(target));
+        let [found, target] = [&self.chain.fk(q), target].map(|pose| self.whole(pose));
         measure::distance(&found, &target, self.counts, self.size) / self.size
     }
 

@@ -84,6 +84,8 @@ robots! {
     gimbal Gimbal "robots/targets/gimbal.yaml" => orientation
     scara_yaw ScaraYaw "../robots/scara.yaml" => position_yaw
     planar PlanarTarget "../robots/planar_3r.yaml" => planar
+    rounded_scara RoundedScara "robots/targets/rounded_scara.yaml" => position_yaw
+    rounded_planar RoundedPlanar "robots/targets/rounded_planar.yaml" => planar
     cylindrical Cylindrical "robots/targets/cylindrical.yaml"
     gantry Gantry "robots/targets/gantry.yaml"
     palletizer Palletizer "robots/targets/palletizer.yaml"

@@ -87,8 +87,9 @@ impl<'a> Case<'a> {
     }
 
     pub(super) fn residual(&self, q: &[f64], target: &Pose) -> f64 {
-        let counts = self.form.plan.target;
-        counts.distance(&self.fk(q), target, self.size)
+        let projection = self.form.projection();
+        let [tip, target] = [&self.fk(q), target].map(|pose| projection.pose(pose));
+        projection.counts.distance(&tip, &target, self.size)
     }
 
     /// Whether the search surely takes what is this far from a target, metres; of solutions in single

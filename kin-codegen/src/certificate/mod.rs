@@ -216,10 +216,12 @@ impl Certificate {
     ) -> Result<(), Failure> {
         let Run { trials, held } = run;
         let size = trials.linkage.size;
+        let projection = trials.linkage.projection(trials.target);
+        let target = projection.pose(target);
         self.solutions += solutions.len();
         for solution in solutions {
-            let found = held.fk(trials.linkage, &solution.q);
-            let distance = trials.target.distance(&found, target, size);
+            let found = projection.pose(&held.fk(trials.linkage, &solution.q));
+            let distance = trials.target.distance(&found, &target, size);
             self.worst_residual = self.worst_residual.max(distance);
             if distance.is_nan() || distance > trials.linkage.scalar.tolerances().solved * size {
                 let q = solution.q.clone();

@@ -18,7 +18,7 @@ use crate::single;
 use crate::univariate;
 use branches::existing;
 use kin_runtime::__private::refinement::{AtSwivel, Problem, correct_branches};
-use kin_runtime::__private::{Acceptance, Completion};
+use kin_runtime::__private::{Acceptance, Completion, Projection};
 use kin_runtime::{Chain, Pose, Solution, Solutions};
 
 /// In square roots of the relative shift of the tip, how near to a singular
@@ -257,7 +257,7 @@ impl ClosedForm {
         branches: &[(bool, Solution<N>)],
     ) -> Solutions<N> {
         match (&self.inverse, &self.refinement) {
-            _ if self.plan.target.is_projected() => {
+            _ if self.plan.target.is_projected() && self.is_exact() => {
                 let accept = self.acceptance();
                 Solutions::build_with_prismatic(accept.prismatic, |solutions| {
                     for branch in existing(branches) {
@@ -380,12 +380,26 @@ impl ClosedForm {
         starts: impl Iterator<Item = Solution<N>> + Clone,
     ) -> Solutions<N> {
         let accept = self.acceptance();
-        let fk_jacobian = |q: &[f64; N]| self.given.fk_jacobian(q, parameters);
-        let problem = Problem::new(fk_jacobian, target, self.plan.target, &accept);
         if let Some(forward) = &self.single {
             return forward.corrected(target, self.plan.target, starts, &accept);
         }
+        let projection = self.projection();
+        let target = projection.target(target);
+        let fk_jacobian =
+            |q: &[f64; N]| projection.fk_jacobian(self.given.fk_jacobian(q, parameters));
+        let problem = Problem::new(fk_jacobian, &target, self.plan.target, &accept);
         correct_branches(&problem, starts, &accept)
+    }
+
+    /// How targets see the tip of the arm as given.
+    pub fn projection(&self) -> Projection {
+        self.given.projection(self.plan.target)
+    }
+
+    /// The same where its branches are corrected and targets do not see all of the tip.
+    pub fn corrected_projection(&self) -> Option<Projection> {
+        let is_seen = self.plan.target.is_projected() && !self.is_exact();
+        is_seen.then(|| self.projection())
     }
 
     /// The same as [`Self::solved_near`] at a swivel angle.
@@ -453,9 +467,7 @@ impl ClosedForm {
             false => 0.0,
         };
         let tolerance = (tolerances.accepted - off) * size;
-        let is_corrected = self.refinement == Refinement::Correction
-            && !self.is_exact()
-            && !self.plan.target.is_projected();
+        let is_corrected = self.refinement == Refinement::Correction && !self.is_exact();
         let (taken, nearly) = match is_corrected {
             true => (NONE, size),
             false => (self.told() * tolerance, nearly * size),

@@ -7,6 +7,7 @@ use crate::model::Model;
 use crate::plan::{Plan, Target};
 use crate::scalar::Scalar;
 use crate::single;
+use kin_runtime::__private::Projection;
 
 /// Axes of an idealized arm meet to this, in radians and of its size.
 const EXACT: f64 = 1e-11;
@@ -44,7 +45,7 @@ impl Reading {
             None => single::Forward::new(given, model.variables.len()),
         });
         Some(Self {
-            tip_shift: tip_shift(model, &idealized.model),
+            tip_shift: tip_shift(model, &idealized.model, &given.projection(target)),
             idealized,
             linkage,
             given: given.clone(),
@@ -83,16 +84,17 @@ impl Reading {
     }
 }
 
-/// How far apart the tips of two arms get, with orientation as a length at
+/// How far apart the tips of two arms get as targets see them, with orientation as a length at
 /// the distance of the arm's size; metres.
-pub(crate) fn tip_shift(given: &Model, idealized: &Model) -> f64 {
+pub(crate) fn tip_shift(given: &Model, idealized: &Model, seen: &Projection) -> f64 {
     let (a, b) = (given.chain(), idealized.chain());
     let size = size(given);
     let at = |k: usize| {
         let q: Vec<f64> = (0..given.variables.len())
             .map(|i| (i * 5 + k * 7) as f64 * 0.61 % 3.0)
             .collect();
-        Target::Pose.distance(&a.fk(&q), &b.fk(&q), size)
+        let [a, b] = [&a, &b].map(|chain| seen.pose(&chain.fk(&q)));
+        seen.counts.distance(&a, &b, size)
     };
     (0..64).map(at).fold(0.0, f64::max)
 }

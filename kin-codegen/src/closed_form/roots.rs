@@ -110,13 +110,18 @@ impl ClosedForm {
             return arm.closest(target);
         }
         let counts = self.plan.target;
-        let exact = self.is_exact() || counts.is_projected();
+        let projection = self.projection();
+        let seen = projection.target(target);
+        let exact = self.is_exact();
         let reached = || self.solved::<N>(target, &[]).first().copied();
         let solution = if exact { None } else { reached() };
         solution.or_else(|| {
-            let distance = |solution: &Solution<N>| match counts.is_projected() {
+            let distance = |solution: &Solution<N>| match exact && counts.is_projected() {
                 true => solution.residual,
-                false => counts.distance(&fk(&solution.q), target, self.linkage.size),
+                false => {
+                    let tip = projection.pose(&fk(&solution.q));
+                    counts.distance(&tip, &seen, self.linkage.size)
+                }
             };
             let mut nearest = None;
             let mut least = f64::INFINITY;

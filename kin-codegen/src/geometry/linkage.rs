@@ -21,6 +21,7 @@ use super::{
 };
 use crate::model::{Joint, JointKind, Model};
 use crate::scalar::Scalar;
+use kin_runtime::__private::Projection;
 use kin_runtime::{Chain, Jacobian, Pose, Target, Twist};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -251,6 +252,16 @@ impl Linkage {
     /// The first joint that turns.
     pub fn first_turn(&self) -> Option<usize> {
         (0..self.links.len()).find(|&joint| self.is_revolute(joint))
+    }
+
+    /// How targets see the tip, by the first axis that is turned about; where none is, by that along
+    /// which the first joint slides.
+    pub fn projection(&self, counts: Target) -> Projection {
+        Projection {
+            counts,
+            axis: self.axis(self.first_turn().unwrap_or(0)).direction,
+            home: self.tip_home(),
+        }
     }
 
     /// Whether a coordinate that a target is solved for is the same a full turn further.

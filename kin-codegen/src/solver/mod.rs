@@ -108,7 +108,7 @@ pub enum NoClosedForm {
     },
     /// The search found no sequence of subproblems for targets of this kind.
     NoPlan(Target),
-    /// The axes are off exact relations, and a target of this kind is projected
+    /// The axes are off exact relations, and joints are given beside a target that is projected
     /// to what the exact arm can choose.
     Noisy,
     /// A target of this kind is projected to what arms can choose whose axes are all parallel.
@@ -207,7 +207,7 @@ fn solve_readings(
     for idealized in idealizations(model) {
         // Branches of as many joints as targets have coordinates say where others may be missing.
         let is_clear = is_determined || idealized.is_clear(model);
-        let shift = tip_shift(model, &idealized.model);
+        let shift = tip_shift(model, &idealized.model, &linkage.projection(target));
         // Beside the branches of an idealized arm an elimination is asked of whole poses alone.
         let alone = match target {
             Target::Pose => DESIGNED,
@@ -274,15 +274,14 @@ pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> 
     }
 }
 
-/// Whether all joints that turn do so about parallel axes, to rounding, as solving for projected
-/// targets needs them.
-pub(crate) fn turns_about_one_direction(model: &Model) -> bool {
-    tilted(model, PARALLEL).is_none()
-}
-
 fn turning(model: &Model) -> impl Iterator<Item = &Joint> {
     let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
     model.joints.iter().filter(turns)
+}
+
+/// Whether all joints that turn do so about parallel axes, to rounding.
+fn turns_about_one_direction(model: &Model) -> bool {
+    tilted(model, PARALLEL).is_none()
 }
 
 /// A joint that turns about an axis more than so many radians off that of the first, and by how many.

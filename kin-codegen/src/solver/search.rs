@@ -1,7 +1,9 @@
 //! The search among the plans for one reading of the axes.
 
 use super::beside::eliminations_beside;
-use super::{CHOICES, Certified, Lack, NoClosedForm, better, rank_without};
+use super::{
+    CHOICES, Certified, Lack, NoClosedForm, better, rank_without, turns_about_one_direction,
+};
 use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::inverse::{FreeAngles, InverseGraph, Turn, weight};
@@ -120,8 +122,12 @@ fn check(reading: &Reading, target: Target) -> Result<(), NoClosedForm> {
         // Of the ideal arm, the others are singular throughout.
         return Err(NoClosedForm::NoPlan(target));
     }
-    if target.is_projected() {
+    if target.is_projected() && !linkage.locked.is_empty() {
         return Err(NoClosedForm::Noisy);
+    }
+    if target.is_projected() && !turns_about_one_direction(reading.model()) {
+        // A plan would tell joints by how noise tilts their axes.
+        return Err(NoClosedForm::NoPlan(target));
     }
     match linkage.scalar {
         Scalar::F32 => Err(NoClosedForm::OnlyInDouble(Lack::Refinement)),

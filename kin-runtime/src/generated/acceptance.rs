@@ -22,6 +22,14 @@ pub struct Acceptance {
     pub prismatic: u64,
 }
 
+impl Acceptance {
+    /// Whether branches are those of an idealized arm, and none is a solution as it is.
+    #[inline]
+    pub fn is_of_design(&self) -> bool {
+        self.taken < 0.0
+    }
+}
+
 /// The targets of an exact arm for which an elimination completes what branches tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Completion {

@@ -6,7 +6,8 @@ use super::chain::at_point;
 use super::half_plane::HalfPlane;
 use crate::linear::cholesky;
 use crate::linear::vector::scale;
-use crate::{Chain, Pose, Target, Twist};
+use crate::types::projection::Projection;
+use crate::{Chain, Pose, Twist};
 
 /// A run ends after this many steps. Regular solutions take about ten; double
 /// ones converge linearly and take forty.
@@ -22,9 +23,10 @@ const CONVERGED: f64 = 1e-12;
 #[derive(Clone, Copy)]
 pub(crate) struct Task<'a> {
     pub(crate) chain: &'a Chain,
+    /// As it is seen.
     pub(crate) target: Pose,
-    /// What of the target counts.
-    pub(crate) counts: Target,
+    /// What of the target counts, and how that sees the tip.
+    pub(crate) projection: Projection,
     /// Metres that weigh as much as one radian: the characteristic length.
     pub(crate) length: f64,
     /// Where the elbow has to be, if a swivel angle is given.
@@ -216,12 +218,15 @@ impl Task<'_> {
             before = after;
         }
         let tip = before * *self.chain.home();
+        let counts = self.projection.counts;
+        let seen = self.projection.pose(&tip);
         for (column, spatial) in state.columns.iter_mut().zip(&state.spatial) {
             let velocity = at_point(spatial, tip.translation);
-            *column = self.weighed(self.counts.counting(&tip, &velocity));
+            let velocity = self.projection.velocity(&velocity);
+            *column = self.weighed(counts.counting(&seen, &velocity));
         }
-        state.error = self.weighed(self.counts.missing(&tip, &self.target));
-        let distance = self.counts.distance(&tip, &self.target, self.length);
+        state.error = self.weighed(counts.missing(&seen, &self.target));
+        let distance = counts.distance(&seen, &self.target, self.length);
         state.cost = distance * distance;
         if let Some(elbow) = &self.elbow {
             let (below, lifts) = elbow.row(self.chain, &state.q);

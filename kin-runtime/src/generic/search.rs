@@ -9,6 +9,7 @@ use super::descent::{Descent, Task};
 use super::given::Given;
 use super::starts::Starts;
 use crate::linear::vector::norm;
+use crate::types::projection::Projection;
 use crate::{Chain, Parameter, Pose, Target, Twist, math};
 
 /// How [`Chain::ik_all`] searches. The defaults suit arms of up to six
@@ -181,12 +182,15 @@ impl Chain {
         let turn = twists.iter().find(|twist| !is_prismatic(twist));
         let slide = || twists.first().map(|first| first.linear);
         let axis = turn.map(|turn| turn.angular).or_else(slide);
+        let projection = Projection {
+            counts: given.counts,
+            axis: axis.unwrap_or_default(),
+            home: *self.home(),
+        };
         Task {
             chain: self,
-            target: given
-                .counts
-                .stands_for(&given.target, axis.unwrap_or_default(), self.home()),
-            counts: given.counts,
+            target: projection.pose(&given.target),
+            projection,
             length: self.length(),
             elbow: given.elbow,
         }

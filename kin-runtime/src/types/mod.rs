@@ -11,6 +11,7 @@ pub(crate) mod nearest;
 mod orientation;
 mod pose;
 mod posture;
+pub(crate) mod projection;
 mod solutions;
 mod swivel;
 mod target;

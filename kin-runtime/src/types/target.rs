@@ -8,7 +8,9 @@ use super::super::{Jacobian, Pose, Twist, math};
 ///
 /// Of [`Target::PositionYaw`] and [`Target::Planar`], for arms all of whose joints that turn do so
 /// about parallel axes, a target stands for one whole pose, [`Target::stands_for`], and all of
-/// that counts. The first axis is that of the first joint that turns.
+/// that counts. Where the axes are parallel but for the noise of a robot file, the tip stands for
+/// a pose in the same way: by how little it is tilted, or lifted, is not read. The first axis is
+/// that of the first joint that turns.
 ///
 /// ```
 /// use kin_runtime::{Pose, Target};
@@ -146,7 +148,7 @@ impl Target {
         matches!(self, Target::PositionYaw | Target::Planar)
     }
 
-    /// The pose that `target` stands for on an arm whose joints all turn about
+    /// The pose that `target`, or a tip, stands for on an arm whose joints all turn about
     /// axes parallel to the unit vector `axis` and whose tip is at `home` at q = 0;
     /// all in the base frame. The orientation is that of home, turned about the
     /// axis to come nearest to the target's; the height along the axis of a
@@ -155,15 +157,19 @@ impl Target {
         if !self.is_projected() {
             return *target;
         }
-        let (sine, cosine) = turn_about(axis, &home.rotation, &target.rotation);
-        let turn = Pose::from_axis_angle(axis, math::atan2(sine, cosine), [0.0; 3]);
+        let [sine, cosine] = turn_about(axis, &home.rotation, &target.rotation);
+        let columns = [0, 1, 2].map(|j| {
+            let v = home.rotation.map(|row| row[j]);
+            let (side, along) = (cross(axis, v), dot(axis, v));
+            [0, 1, 2].map(|i| cosine * v[i] + sine * side[i] + (1.0 - cosine) * along * axis[i])
+        });
         let rise = match self {
             Target::Planar => dot(axis, sub(home.translation, target.translation)),
             _ => 0.0,
         };
         Pose {
+            rotation: [0, 1, 2].map(|i| columns.map(|column| column[i])),
             translation: add(target.translation, scale(rise, axis)),
-            ..turn * *home
         }
     }
 
@@ -274,10 +280,10 @@ impl Target {
     }
 }
 
-/// A positive multiple of the sine and cosine of the turn about `n` that brings
-/// one orientation nearest to another: with M = to · fromᵀ, cos ~ tr M − nᵀ M n
-/// and sin ~ n · (axial vector of M).
-fn turn_about(n: [Real; 3], from: &[[Real; 3]; 3], to: &[[Real; 3]; 3]) -> (Real, Real) {
+/// Sine and cosine of the turn about `n` that brings one orientation nearest to
+/// another: with M = to · fromᵀ, cos ~ tr M − nᵀ M n and sin ~ n · (axial vector
+/// of M). Where every turn comes as near, none.
+fn turn_about(n: [Real; 3], from: &[[Real; 3]; 3], to: &[[Real; 3]; 3]) -> [Real; 2] {
     let m = |i: usize, j: usize| dot(to[i], from[j]);
     let (mut sine, mut cosine) = (0.0, 0.0);
     for i in 0..3 {
@@ -288,5 +294,9 @@ fn turn_about(n: [Real; 3], from: &[[Real; 3]; 3], to: &[[Real; 3]; 3]) -> (Real
             cosine -= n[i] * m(i, j) * n[j];
         }
     }
-    (sine, cosine)
+    let length = math::sqrt(sine * sine + cosine * cosine);
+    match length == 0.0 {
+        true => [0.0, 1.0],
+        false => [sine / length, cosine / length],
+    }
 }

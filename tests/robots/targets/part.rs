@@ -1,8 +1,9 @@
 //! What of a target does not count is not read.
 
+use crate::measure::angle_between;
 use crate::random::Random;
 use crate::subject::Subject;
-use crate::zoo::{PlanarTarget, ScaraYaw};
+use crate::zoo::{PlanarTarget, RoundedScara, ScaraYaw};
 use kin_codegen::Target;
 use kinematics::{Kinematics, Pose, Solution};
 use std::f64::consts::PI;
@@ -67,4 +68,28 @@ fn tilt_does_not_matter_to_a_scara() {
 fn tilt_and_height_do_not_matter_in_a_plane() {
     let planar = Subject::new(PlanarTarget, "../robots/planar_3r.yaml").counting("planar");
     assert_moved_target_is_the_same(&planar, [-0.4, 1e-3, 20.0]);
+}
+
+/// What is asked of an arm whose file rounds half turns is upright to the last bit.
+#[test]
+fn upright_targets_are_reached_by_a_rounded_scara() {
+    let scara = Subject::new(RoundedScara, "robots/targets/rounded_scara.yaml");
+    let scara = scara.counting("position_yaw");
+    let mut random = Random::new(7);
+    for q in scara.random(200) {
+        let turn = random.angle();
+        let (sine, cosine) = turn.sin_cos();
+        let target = Pose {
+            rotation: [[cosine, sine, 0.0], [sine, -cosine, 0.0], [0.0, 0.0, -1.0]],
+            translation: scara.chain.fk(&q).translation,
+        };
+        let answers = scara.ik(&target);
+        assert_eq!(answers.len(), 2, "{q:?}, {turn}");
+        for answer in answers {
+            let found = scara.chain.fk(&answer.q);
+            assert!(found.translation_distance(&target) < 1e-9, "{answer:?}");
+            let [x, y, _] = found.rotate([1.0, 0.0, 0.0]);
+            assert!(angle_between(y.atan2(x), turn) < 1e-9, "{answer:?}");
+        }
+    }
 }

@@ -8,7 +8,7 @@ use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::redundancy::Redundancy;
-use kin_runtime::__private::Completion;
+use kin_runtime::__private::{Completion, Projection};
 use kin_runtime::Swivel;
 use std::fmt::Write as _;
 
@@ -47,13 +47,23 @@ fn by_expressions(
             runtime::ADD_CORRECTED.to_owned(),
         ]
         .join("\n"),
-        None => [
-            runtime::SEEN,
-            runtime::INSERT,
-            runtime::CORRECTED,
-            runtime::ADD_CORRECTED,
-        ]
-        .join("\n"),
+        None => {
+            let (projection, corrected) = match solver.corrected_projection() {
+                Some(it) => (
+                    projection(&it),
+                    runtime::CORRECTED.replace("kin_see_joints", "kin_see_projected"),
+                ),
+                None => (String::new(), runtime::CORRECTED.to_owned()),
+            };
+            [
+                runtime::SEEN,
+                &projection,
+                runtime::INSERT,
+                &corrected,
+                runtime::ADD_CORRECTED,
+            ]
+            .join("\n")
+        }
     };
     let (search, refined) = match &solver.refinement {
         Refinement::Univariate(arm) => univariate::refine(solver, arm),
@@ -107,6 +117,25 @@ fn constants(solver: &ClosedForm) -> String {
         .join(", ");
     out + &format!(
         "\nstatic const kin_metric kin_own_metric = {{\n    KIN_SIZE, KIN_TOLERANCE, {counts}}};\n"
+    )
+}
+
+/// How projected targets see the tip.
+fn projection(projection: &Projection) -> String {
+    let Projection { counts, axis, home } = projection;
+    let entries = |values: &[f64]| values.iter().map(|&x| signed(x)).collect::<Vec<_>>();
+    let axis = entries(axis).join(", ");
+    let rows = home.rotation.iter().zip(&home.translation);
+    let rows = rows.map(|([x, y, z], shift)| entries(&[*x, *y, *z, *shift]).join(", "));
+    let home = rows.collect::<Vec<_>>().join(",\n    ");
+    format!(
+        "/* The direction of the first axis, and the tip at home; whether the height along that axis is \
+         not read. */\n\
+         static const double kin_axis[3] = {{{axis}}};\n\
+         static const double kin_home[12] = {{\n    {home}}};\n\
+         #define KIN_PLANAR {}\n\n{}",
+        i32::from(*counts == Target::Planar),
+        runtime::PROJECTION
     )
 }
 
@@ -234,9 +263,14 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
     if solver.completion() != Completion::Never {
         flag.push_str("    int incomplete = 0;\n");
     }
-    let corrected = match solver.plan.target.is_projected() {
-        true => "",
-        false => {
+    let is_projected = solver.plan.target.is_projected();
+    let corrected = match (is_projected, solver.is_exact()) {
+        (true, true) => "",
+        (true, false) => {
+            "    if (nearly) {\n        double seen[12];\n        \
+             kin_project_target(target, seen);\n        count = kin_add_corrected(&lanes, seen, given, solutions, count);\n    }\n"
+        }
+        (false, _) => {
             "    if (nearly) {\n        count = kin_add_corrected(&lanes, target, given, \
              solutions, count);\n    }\n"
         }

@@ -27,6 +27,8 @@ pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
 pub const TURNING: &str = include_str!("runtime/turning.c");
 /// The joints that are solved for, as a target sees them.
 pub const SEEN: &str = include_str!("runtime/seen.c");
+/// The same, of an arm off its design with projected targets.
+pub const PROJECTION: &str = include_str!("runtime/projection.c");
 /// A solution among others.
 pub const INSERT: &str = include_str!("runtime/insert.c");
 /// A branch that rounding keeps from its target, behind these.

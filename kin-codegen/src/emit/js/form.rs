@@ -10,6 +10,7 @@ use crate::emit::curly::lanes::body;
 use crate::emit::postures::Postures;
 use crate::expr::inverse::InverseGraph;
 use crate::plan::Target;
+use kin_runtime::__private::Projection;
 use kin_runtime::{Solutions, Swivel};
 
 /// The object that says how the arm is solved.
@@ -66,6 +67,16 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
         ("free_angles", places(free_angles.collect())),
     ];
     fields.extend(counts(solver.plan.target));
+    let is_projected = solver.plan.target.is_projected();
+    let corrects = !(is_projected && solver.is_exact());
+    let projection = is_projected.then(|| solver.projection());
+    fields.extend([
+        ("corrects", corrects.to_string()),
+        (
+            "projection",
+            projection.map_or_else(none, |it| projected(&it)),
+        ),
+    ]);
     fields.push(("solve", solve.into()));
     fields.push((
         "search",
@@ -153,13 +164,25 @@ fn points(swivel: &Swivel) -> String {
     ])
 }
 
+/// How projected targets see the tip.
+fn projected(projection: &Projection) -> String {
+    let Projection { counts, axis, home } = projection;
+    let rows = home.rotation.iter().zip(&home.translation);
+    let home = rows.flat_map(|([x, y, z], shift)| [*x, *y, *z, *shift]);
+    let fields = object(&[
+        ("axis", numbers(*axis)),
+        ("home", numbers(home)),
+        ("planar", (*counts == Target::Planar).to_string()),
+    ]);
+    format!("$projection({fields})")
+}
+
 /// What of a target counts.
-fn counts(target: Target) -> [(&'static str, String); 4] {
+fn counts(target: Target) -> [(&'static str, String); 3] {
     let translation = !matches!(target, Target::Direction | Target::Orientation);
     [
         ("counts_translation", translation.to_string()),
         ("counts_rotation", (target != Target::Position).to_string()),
         ("counts_axis", target.fixes_axis().to_string()),
-        ("projected", target.is_projected().to_string()),
     ]
 }

@@ -6,6 +6,7 @@ const NUMBERS: &str = include_str!("runtime/numbers.js");
 const QUARTIC: &str = include_str!("runtime/quartic.js");
 const POSES: &str = include_str!("runtime/poses.js");
 const CORRECTION: &str = include_str!("runtime/correction.js");
+const PROJECTION: &str = include_str!("runtime/projection.js");
 const LIMITS: &str = include_str!("runtime/limits.js");
 const SWIVEL: &str = include_str!("runtime/swivel.js");
 const SOLVE: &str = include_str!("runtime/solve.js");
@@ -43,6 +44,7 @@ pub fn pieces(code: &str) -> String {
         (code.contains("$trig_roots("), QUARTIC),
         (true, POSES),
         (true, CORRECTION),
+        (code.contains("$projection("), PROJECTION),
         (true, LIMITS),
         (has_lanes, SWIVEL),
         (has_lanes || searches, SOLVE),

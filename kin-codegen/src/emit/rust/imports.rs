@@ -29,7 +29,7 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 29] = [
+const PRIVATE: [&str; 30] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
@@ -47,6 +47,7 @@ const PRIVATE: [&str; 29] = [
     "Inverse",
     "Lanes",
     "Locked",
+    "Projection",
     "SinCos",
     "SpatialJacobian",
     "Univariate",

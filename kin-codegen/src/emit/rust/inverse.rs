@@ -1,14 +1,14 @@
 //! Inverse kinematics as Rust functions.
 
 use super::lanes::{Lanes, lanes};
-use super::language::{identifier, literal};
+use super::language::{identifier, literal, numbers, pose};
 use super::univariate;
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::emit::lanes::{TARGET, target_names};
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
 use crate::plan::Target;
-use kin_runtime::__private::{Acceptance, Completion};
+use kin_runtime::__private::{Acceptance, Completion, Projection};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -242,12 +242,19 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
     let branches = quote!(self.branches(pose, &[0.0; #n]));
     let target = solver.plan.target;
-    if target.is_projected() {
+    if target.is_projected() && solver.is_exact() {
         return quote!(#branches.closest(&Self::ACCEPT));
     }
+    let [fk, pose] = match solver.corrected_projection() {
+        Some(_) => [
+            quote!(Self::PROJECTION.pose(&self.fk(q))),
+            quote!(&Self::PROJECTION.target(pose)),
+        ],
+        None => [quote!(self.fk(q)), quote!(pose)],
+    };
     let target = format_ident!("{target:?}");
     let closest = quote! {
-        #branches.closest_by(|q| self.fk(q), pose, Target::#target, &Self::ACCEPT)
+        #branches.closest_by(|q| #fk, #pose, Target::#target, &Self::ACCEPT)
     };
     if solver.is_exact() {
         return closest;
@@ -303,12 +310,19 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
 /// How the branches become solutions.
 pub fn sorted(solver: &ClosedForm) -> TokenStream {
     let target = solver.plan.target;
-    if target.is_projected() {
+    if target.is_projected() && solver.is_exact() {
         return quote!(branches.solutions(&Self::ACCEPT));
     }
+    let [fk_jacobian, pose] = match solver.corrected_projection() {
+        Some(_) => [
+            quote!(Self::PROJECTION.fk_jacobian(self.fk_jacobian(q))),
+            quote!(&Self::PROJECTION.target(pose)),
+        ],
+        None => [quote!(self.fk_jacobian(q)), quote!(pose)],
+    };
     let target = format_ident!("{target:?}");
     let corrected = quote! {
-        branches.corrected(|q| self.fk_jacobian(q), pose, Target::#target, &Self::ACCEPT)
+        branches.corrected(|q| #fk_jacobian, #pose, Target::#target, &Self::ACCEPT)
     };
     match &solver.refinement {
         Refinement::Correction => corrected,
@@ -363,7 +377,7 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
     let prismatic = Literal::u64_unsuffixed(prismatic);
     let beside = match &solver.refinement {
         Refinement::Univariate(arm) => Some(univariate::constant(arm)),
-        _ => None,
+        _ => projection(solver),
     };
     quote! {
         const ACCEPT: Acceptance = Acceptance {
@@ -376,6 +390,20 @@ pub fn acceptance(solver: &ClosedForm) -> TokenStream {
         };
         #beside
     }
+}
+
+/// How projected targets see the tip of an arm that is off its design.
+fn projection(solver: &ClosedForm) -> Option<TokenStream> {
+    let Projection { counts, axis, home } = solver.corrected_projection()?;
+    let counts = format_ident!("{counts:?}");
+    let (axis, home) = (numbers(&axis), pose(&home));
+    Some(quote! {
+        const PROJECTION: Projection = Projection {
+            counts: Target::#counts,
+            axis: #axis,
+            home: #home,
+        };
+    })
 }
 
 fn what(target: Target) -> String {

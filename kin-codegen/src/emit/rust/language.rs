@@ -4,7 +4,7 @@ use super::comment::comment;
 use crate::emit::language::{Function, Language, Operator};
 use crate::emit::straight::{self, Trig};
 use crate::expr::{RootField, RootPart};
-use kin_runtime::Twist;
+use kin_runtime::{Pose, Twist};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -170,7 +170,24 @@ pub fn vector(v: [f64; 3]) -> TokenStream {
     quote!([#(#entries),*])
 }
 
-/// A twist, in the same way.
+/// `[0.0; n]`, or the values one by one.
+pub fn numbers(values: &[f64]) -> TokenStream {
+    if values.iter().all(|x| *x == 0.0) {
+        let n = Literal::usize_unsuffixed(values.len());
+        return quote!([0.0; #n]);
+    }
+    let values = values.iter().map(|&x| signed(x));
+    quote!([#(#values),*])
+}
+
+/// A pose, by all its entries.
+pub fn pose(pose: &Pose) -> TokenStream {
+    let rows = pose.rotation.iter().map(|row| numbers(row));
+    let translation = numbers(&pose.translation);
+    quote!(Pose { rotation: [#(#rows),*], translation: #translation })
+}
+
+/// A twist, in the way of a vector.
 pub fn twist(twist: &Twist) -> TokenStream {
     let [linear, angular] = [twist.linear, twist.angular].map(vector);
     quote!(Twist { linear: #linear, angular: #angular })

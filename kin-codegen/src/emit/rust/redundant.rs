@@ -235,6 +235,7 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
         return inverse::sorted(solver);
     }
     let target = solver.plan.target;
+    // Those of an arm off its design are refused.
     if target.is_projected() {
         return quote!(locked.solutions(&branches, &Self::ACCEPT));
     }

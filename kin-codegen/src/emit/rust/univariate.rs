@@ -1,10 +1,10 @@
 //! Inverse kinematics by a polynomial in one joint: the arm's numbers, and calls of
 //! what is the same for every arm.
 
-use super::language::{self, literal, signed};
+use super::language::{self, literal, numbers, pose, signed};
 use crate::univariate::Arm;
 use kin_runtime::__private::univariate::{Between, Elimination};
-use kin_runtime::{Pose, Target};
+use kin_runtime::Target;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -101,12 +101,6 @@ fn between(joints: &[Between]) -> Option<TokenStream> {
     })
 }
 
-fn pose(pose: &Pose) -> TokenStream {
-    let rows = pose.rotation.iter().map(|row| numbers(row));
-    let translation = numbers(&pose.translation);
-    quote!(Pose { rotation: [#(#rows),*], translation: #translation })
-}
-
 fn elimination(elimination: &Elimination) -> TokenStream {
     let Elimination {
         joints,
@@ -153,14 +147,4 @@ fn elimination(elimination: &Elimination) -> TokenStream {
             columns: #columns,
         }
     }
-}
-
-/// `[0.0; n]`, or the values one by one.
-fn numbers(values: &[f64]) -> TokenStream {
-    if values.iter().all(|x| *x == 0.0) {
-        let n = Literal::usize_unsuffixed(values.len());
-        return quote!([0.0; #n]);
-    }
-    let values = values.iter().map(|&x| signed(x));
-    quote!([#(#values),*])
 }

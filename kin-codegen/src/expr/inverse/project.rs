@@ -6,6 +6,7 @@ use crate::expr::linear::{Motion, Trig, Vector};
 use crate::expr::{Expr, Graph};
 use crate::geometry::{Linkage, Vec3, cross, dot};
 use crate::plan::Target;
+use kin_runtime::__private::Projection;
 
 /// A slide across an axis goes along it by no more.
 const ACROSS: f64 = 1e-12;
@@ -24,8 +25,7 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
     if !target.is_projected() {
         return given;
     }
-    let axis = first_axis(linkage);
-    let home = linkage.tip_home();
+    let Projection { axis, home, .. } = linkage.projection(target);
     let rotation = turned_home(g, &given.rotation, axis, &home.rotation);
     let translation = match target {
         Target::Planar => {
@@ -44,11 +44,6 @@ pub(super) fn projected(g: &mut Graph, linkage: &Linkage, target: Target, given:
     }
 }
 
-/// That of the first joint that turns; where none does, in which the first one slides.
-fn first_axis(linkage: &Linkage) -> Vec3 {
-    linkage.axis(linkage.first_turn().unwrap_or(0)).direction
-}
-
 /// The pose that a planar target stands for, with a slide given, which may lift the tip along the
 /// axis.
 pub(super) fn lifted(
@@ -58,7 +53,7 @@ pub(super) fn lifted(
     slide: usize,
     value: Expr,
 ) -> Motion {
-    let axis = first_axis(linkage);
+    let axis = linkage.projection(Target::Planar).axis;
     let link = &linkage.links[slide];
     let along = link.gain * dot(axis, link.before_home.rotate(link.direction));
     if along.abs() < ACROSS {

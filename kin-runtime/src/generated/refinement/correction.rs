@@ -25,7 +25,7 @@ pub fn correct_branches<const N: usize>(
     accept: &Acceptance,
 ) -> Solutions<N> {
     let reaches = |branch: &Solution<N>| branch.residual <= accept.taken;
-    let steps = match accept.taken < 0.0 {
+    let steps = match accept.is_of_design() {
         true => STEPS_OF_DESIGN,
         false => STEPS,
     };
@@ -47,7 +47,8 @@ pub fn correct_branches<const N: usize>(
                 solutions.insert_distinct(Solution {
                     q,
                     residual: found.residual,
-                    singular: branch.singular | found.singular,
+                    // Of a design it says where the arm may be singular.
+                    singular: found.singular || branch.singular && !accept.is_of_design(),
                     ..branch
                 });
             }

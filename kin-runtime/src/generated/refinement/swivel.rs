@@ -67,7 +67,7 @@ where
                             q,
                             residual,
                             branch: found.branch,
-                            singular: found.singular,
+                            singular: found.singular || branch.singular,
                         });
                     }
                 }

@@ -10,8 +10,9 @@ static int kin_corrected(
     for (int i = 0; i < KIN_SOLVED; ++i) {
         here.q[i] = lanes->q[i][k];
     }
+    /* Branches of a design say where the arm may be singular. */
     found->singular = kin_correct(&kin_own_metric, &joints, target, steps, &here)
-        || lanes->singular[k] > 0.0;
+        || (KIN_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
     for (int i = 0; i < KIN_SOLVED; ++i) {
         here.q[i] = kin_turns[kin_solved[i]] ? kin_wrap(here.q[i]) : here.q[i];
     }

@@ -47,7 +47,11 @@ const $arm = (arm) => {
     arm.approach = (target, q, evaluations) => {
         const all = arm.joints.map((_, i) => i);
         const aim = form ?? arm.aim;
-        const linearize = (x) => $linearize(aim, target, (y) => $seen(arm, y, all), x);
+        const { projection } = aim;
+        const tip = (x) => $seen(arm, x, all);
+        const seen = (x) => projection ? projection.see(tip(x)) : tip(x);
+        const projected = projection ? projection.target(target) : target;
+        const linearize = (x) => $linearize(aim, projected, seen, x);
         const found = $correct(linearize, aim.size, q, evaluations);
         return { q: found.q, residual: found.residual };
     };

@@ -163,14 +163,16 @@ const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
 /* A branch that misses its target, corrected; it may stay off. */
 const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
     const { form } = arm;
-    const seen = (q) => $seen(arm, $whole(arm, q, given), form.solved);
+    const tip = (q) => $seen(arm, $whole(arm, q, given), form.solved);
+    const seen = (q) => form.projection ? form.projection.see(tip(q)) : tip(q);
     const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
     const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
     return {
         q: $whole(arm, q, given),
         residual: found.residual,
         branch,
-        singular: found.singular || singular,
+        /* Branches of a design say where the arm may be singular. */
+        singular: found.singular || (form.taken >= 0.0 && singular),
     };
 };
 
@@ -180,8 +182,9 @@ const $reaching = (arm, target, given, lanes) => {
     const solutions = [];
     const nearly = [];
     const correct = form.swivel ? $at_swivel : $corrected;
-    const corrects = !form.projected
-        && $rotation_error(form, target) * form.size <= form.tolerance;
+    const aim = form.projection ? form.projection.target(target) : target;
+    const corrects = form.corrects
+        && $rotation_error(form, aim) * form.size <= form.tolerance;
     for (let k = 0; k < form.branches; ++k) {
         const residual = lanes.residual[k];
         if (!(lanes.invalid[k] <= 0.0)) {
@@ -196,7 +199,7 @@ const $reaching = (arm, target, given, lanes) => {
     }
     for (const k of nearly) {
         const solved = lanes.q.map((lane) => lane[k]);
-        const found = correct(arm, target, given, solved, k, lanes.singular[k] > 0.0);
+        const found = correct(arm, aim, given, solved, k, lanes.singular[k] > 0.0);
         if (found && found.residual <= form.tolerance) {
             $insert(arm, found, solutions);
         }
