@@ -191,7 +191,7 @@ tip: {link: tool, xyz: [0.06, 0, 0.1], rpy: [0.5, 0, 0]}
     let lift = text.lines().find(|line| line.contains("lift")).unwrap();
     let planar = text.replace(&format!("{lift}\n"), "");
     let mut random = Random(0x5ca2a);
-    for noise in [1e-13, 1e-10, 1e-8, 1e-6, 1e-5] {
+    for noise in [1e-13, 1e-10, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3] {
         for (text, target) in [(text, Target::PositionYaw), (&planar, Target::Planar)] {
             let model = measured(&model(text), noise, &mut random);
             let found = solve(&model, &Linkage::for_target(&model, target), target);

@@ -56,3 +56,25 @@ pub fn projected(chain: &Chain, counts: Target, target: &Pose) -> Pose {
         ..turned(sine.atan2(cosine))
     }
 }
+
+/// What of a motion of the tip a target sees: turns about the axes alone where these are all parallel,
+/// and in a plane shifts across them.
+pub fn seen(chain: &Chain, counts: Target, motion: &Twist) -> Twist {
+    let axis = chain.twists()[0].angular;
+    let along = |v: [f64; 3]| -> [f64; 3] {
+        let length: f64 = (0..3).map(|i| axis[i] * v[i]).sum();
+        axis.map(|x| x * length)
+    };
+    let lifted = along(motion.linear);
+    match counts {
+        Target::PositionYaw => Twist {
+            angular: along(motion.angular),
+            ..*motion
+        },
+        Target::Planar => Twist {
+            linear: std::array::from_fn(|i| motion.linear[i] - lifted[i]),
+            angular: along(motion.angular),
+        },
+        _ => *motion,
+    }
+}

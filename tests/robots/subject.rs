@@ -1,6 +1,6 @@
 //! A generated robot beside the generic one of the same file.
 
-use crate::aim::{freed, projected};
+use crate::aim::{freed, projected, seen};
 use crate::measure::{self, angle_between, largest};
 use crate::random::Random;
 use kin_codegen::model::{JointKind, Model};
@@ -96,7 +96,11 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
     pub fn least_singular_values(&self, q: &[f64]) -> [f64; 2] {
         let mut all = q.to_vec();
         all.resize(self.freed.twists().len(), 0.0);
-        let jacobian = self.freed.geometric_jacobian(&all);
+        let columns = self.freed.geometric_jacobian(&all);
+        let jacobian: Vec<_> = columns
+            .iter()
+            .map(|column| seen(&self.chain, self.counts, column))
+            .collect();
         let values = measure::singular_values(&jacobian, self.counts, self.size);
         let from_end = |i: usize| values.iter().rev().nth(i).copied();
         [

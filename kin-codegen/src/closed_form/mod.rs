@@ -27,6 +27,10 @@ use kin_runtime::{Chain, Pose, Solution, Solutions};
 /// have left each other on the other.
 const NEAR_SINGULAR: f64 = 0.5;
 
+/// The same of solutions that are corrected from branches, by which those are found of two roots that
+/// have met on one arm and not on the other; not where a step degenerates.
+const NOT_CORRECTED: f64 = 0.1;
+
 /// Of branches that are none of the arm's: how near they are to a target tells nothing.
 const NONE: f64 = -1.0;
 
@@ -428,7 +432,9 @@ impl ClosedForm {
     pub fn near_singular(&self) -> f64 {
         match self.refinement {
             _ if self.is_exact() => self.tolerances().near_singular,
-            Refinement::Correction => self.untold(),
+            // Their roots that meet start in one place.
+            Refinement::Correction if self.plan.target == Target::Pose => self.untold(),
+            Refinement::Correction => NOT_CORRECTED * self.relative_shift().sqrt(),
             Refinement::Univariate(_) => DROWNED,
         }
     }
@@ -438,8 +444,13 @@ impl ClosedForm {
     pub fn untold(&self) -> f64 {
         match self.is_exact() {
             true => 0.0,
-            false => NEAR_SINGULAR * (self.tip_shift / self.linkage.size).sqrt(),
+            false => NEAR_SINGULAR * self.relative_shift().sqrt(),
         }
+    }
+
+    /// How far the idealized arm's tip is from the given one's, relative to the arm's size.
+    fn relative_shift(&self) -> f64 {
+        self.tip_shift / self.linkage.size
     }
 
     /// The share of a miss that residuals tell; see [`InverseGraph::told`].

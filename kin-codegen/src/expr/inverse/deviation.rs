@@ -73,10 +73,24 @@ impl Writer<'_> {
     /// far off as the arms differ, or is below a number; whether it did. `unit` is what the value
     /// changes by to second order.
     pub(super) fn doubt(&mut self, value: Expr, unit: Expr, least: Expr) -> bool {
-        let is_flagged = self.g.is(self.singular, 1.0);
-        let Some(deviation) = self.deviation.as_mut().filter(|_| !is_flagged) else {
+        if self.g.is(self.singular, 1.0) {
             return self.deviation.is_some();
+        }
+        let Some(change) = self.change_of(value, unit, least) else {
+            return false;
         };
+        let size = self.g.square(value);
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        // Also where one of them is not a number.
+        let doubtful = self.g.select_less(change, size, zero, one);
+        self.flag(doubtful);
+        true
+    }
+
+    /// The square of how much a value may change between a target and one that is as far off as the
+    /// arms differ, more than a number; none on an exact arm.
+    pub(super) fn change_of(&mut self, value: Expr, unit: Expr, least: Expr) -> Option<Expr> {
+        let deviation = self.deviation.as_mut()?;
         let mut square = self.g.zero();
         for direction in &mut deviation.directions {
             let change = direction.of(&mut self.g, value);
@@ -87,12 +101,6 @@ impl Writer<'_> {
         let [square, bent] = [square, unit].map(|x| self.scaled(reach * reach, x));
         let floor = self.g.max(bent, least);
         let floor = self.g.square(floor);
-        let threshold = self.g.add(square, floor);
-        let size = self.g.square(value);
-        let [zero, one] = [self.g.zero(), self.g.one()];
-        // Also where one of them is not a number.
-        let doubtful = self.g.select_less(threshold, size, zero, one);
-        self.flag(doubtful);
-        true
+        Some(self.g.add(square, floor))
     }
 }

@@ -3,8 +3,15 @@
 use super::{Level, MayBeFree, Writer};
 use crate::expr::linear::{Trig, Vector};
 use crate::expr::{Expr, Node};
-use crate::plan::Atom;
+use crate::plan::{Atom, Target};
 use crate::scalar::Tolerances;
+
+/// Where a root may change its sign, and targets are no whole poses, its branches start as if its
+/// argument were this share of what it may change by. Newton's method keeps each on its side (from x
+/// it goes to half of x + a/x, where a is the argument on the given arm), so that it finds both roots
+/// wherever there are two. Starting in one place it finds one; much farther apart, it is led astray
+/// where another step is in doubt too, as the wrists are of arms for whole poses.
+const APART: f64 = 1.0 / 32.0;
 
 /// a² + b² − d² of a cosine-sine equation.
 #[derive(Clone, Copy)]
@@ -162,8 +169,8 @@ impl Writer<'_> {
         self.margin = Some(lesser.unwrap_or(margin));
     }
 
-    /// The root on an idealized arm. Where it may change its sign, both branches start, a little
-    /// apart, and none is dropped by what comes behind.
+    /// The root on an idealized arm. Where it may change its sign, both branches start, each on its
+    /// side of where they meet, and none is dropped by what comes behind.
     fn idealized_root(
         &mut self,
         sign: Expr,
@@ -174,11 +181,17 @@ impl Writer<'_> {
         let Discriminant { value, noise, .. } = discriminant;
         let least = self.scaled(noise.max(self.tolerances.double_root), amplitude);
         let square = self.g.constant(unit * unit);
+        let is_part = self.target != Target::Pose;
+        let change = is_part.then(|| self.change_of(value, square, least));
         self.doubt(value, square, least);
         let [zero, one] = [self.g.zero(), self.g.one()];
         let invalid = self.g.select_less(value, zero, one, zero);
         self.refuse(invalid);
-        let kept = self.g.max(value, least);
+        let apart = change.flatten().map_or(least, |square| {
+            let change = self.g.sqrt(square);
+            self.scaled(APART, change)
+        });
+        let kept = self.g.max(value, apart);
         self.follow(kept, value);
         let root = self.g.sqrt(kept);
         self.g.mul(sign, root)
