@@ -77,6 +77,9 @@ impl Projection {
         &self,
         (pose, spatial): (Pose, Jacobian<N>),
     ) -> (Pose, Jacobian<N>) {
+        if !self.counts.is_projected() {
+            return (pose, spatial);
+        }
         let geometric = spatial.spatial_to_geometric(&pose).columns();
         let seen = Jacobian::from_columns(geometric.map(|column| self.velocity(&column)));
         let pose = self.pose(&pose);
