@@ -97,6 +97,29 @@ fn axes_that_nearly_meet_are_solved_as_they_are_for_positions() {
     }
 }
 
+/// Of three skew axes two relations have to tell the first and the last angle, of which a short
+/// link leaves one small coefficients.
+#[test]
+fn three_skew_joints_with_a_short_last_link_are_solved_for_positions() {
+    for link in [0.1, 0.016, 1e-3, 1e-4] {
+        let text = format!(
+            "\
+robot: finger
+units: {{angle: rad, length: m}}
+joints:
+  - {{name: sweep, xyz: [0.22, 0.033, 0], axis: [0, 1, 0]}}
+  - {{name: twist, xyz: [-0.404, -0.407, -0.27], axis: [-1, 0, 0]}}
+  - {{name: turn,  xyz: [-0.01, 0.124, -0.049], axis: [0, 0, -1]}}
+tip: {{link: nail, xyz: [{link}, 0, 0]}}
+"
+        );
+        let model = model(&text);
+        let found = solve(&model, &Linkage::new(&model), Target::Position).unwrap();
+        assert!(found.form.is_exact(), "{link}: {}", found.form.plan);
+        is_complete(&model, Target::Position, &found, 200);
+    }
+}
+
 const FIVE: &str = "\
 robot: five
 units: {angle: rad, length: m}

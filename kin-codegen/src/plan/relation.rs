@@ -432,7 +432,10 @@ impl Relation {
         };
         let slopes = (0..SAMPLES).map(|k| {
             let (a, b) = (coefficients(&a, k), coefficients(&b, k));
-            determinant([a[0], a[2]], [b[0], b[2]]).abs() / (size(a) * size(b))
+            let (a, b) = (a.map(|x| x / size(a)), b.map(|x| x / size(b)));
+            // How strong both are of an unknown does not matter: a short link is one.
+            let strength = |i: usize| size([a[i], a[i + 1], b[i], b[i + 1]]);
+            determinant([a[0], a[2]], [b[0], b[2]]).abs() / (strength(0) * strength(2))
         });
         let is_steady = |(a, b): (&Dependence, &Dependence)| {
             let sines = (0..SAMPLES).map(|k| apart(a.derivatives[k], b.derivatives[k]));
