@@ -465,7 +465,7 @@ fn planned(
             break;
         }
     }
-    let is_noisy = shift >= linkage.scalar.tolerances().unmoved * linkage.size;
+    let is_noisy = shift >= linkage.unmoved(target);
     let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);
     let reach: Vec<f64> = weighed
         .iter()

@@ -35,8 +35,11 @@ pub struct Tolerances {
     pub double_root: f64,
     /// Between 1 and the next number.
     pub epsilon: f64,
-    /// An idealized arm whose tip moved less than this is the given one to rounding.
+    /// An idealized arm whose tip moved less than this, of its size, is the given one to rounding.
     pub unmoved: f64,
+    /// The same of fewer joints than targets have coordinates: at a double root, where half of the
+    /// digits are lost, these need not be singular, so that the tip misses the target by as much.
+    pub unmoved_if_short: f64,
     /// Below this conditioning of the Jacobian branches of an exact arm may be lost to rounding;
     /// 0 if none may.
     pub near_singular: f64,
@@ -67,6 +70,7 @@ impl Scalar {
                 double_root: double::DOUBLE_ROOT,
                 epsilon: f64::EPSILON,
                 unmoved: 1e-10,
+                unmoved_if_short: 1e-12,
                 near_singular: 0.0,
                 recovered: 1e-11,
                 same: 1e-7,
@@ -84,6 +88,7 @@ impl Scalar {
                 double_root: single::DOUBLE_ROOT.into(),
                 epsilon: f32::EPSILON.into(),
                 unmoved: 2e-6,
+                unmoved_if_short: 2e-6,
                 near_singular: single::SINGULAR.into(),
                 recovered: 2e-6,
                 same: 1e-4,

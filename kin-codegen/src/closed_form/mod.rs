@@ -164,7 +164,7 @@ impl ClosedForm {
 
     /// Whether the arm as given has the relations exactly.
     pub fn is_exact(&self) -> bool {
-        self.tip_shift < self.tolerances().unmoved * self.linkage.size
+        self.tip_shift < self.linkage.unmoved(self.plan.target)
     }
 
     /// The elimination of all joints but one, if the arm is solved by that or has it beside

@@ -21,6 +21,7 @@ pub struct Reading {
     given: Linkage,
     /// How far apart the tips of the two are, metres.
     tip_shift: f64,
+    target: Target,
     single: Option<single::Forward>,
 }
 
@@ -49,6 +50,7 @@ impl Reading {
             idealized,
             linkage,
             given: given.clone(),
+            target,
             single,
         })
     }
@@ -60,7 +62,7 @@ impl Reading {
 
     /// Whether the arm as given has the relations exactly.
     pub fn is_exact(&self) -> bool {
-        self.tip_shift < self.linkage.scalar.tolerances().unmoved * self.linkage.size
+        self.tip_shift < self.linkage.unmoved(self.target)
     }
 
     /// The closed form by a plan.

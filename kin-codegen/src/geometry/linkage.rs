@@ -216,6 +216,18 @@ impl Linkage {
         }
     }
 
+    /// An idealized arm whose tip is nearer than this to the given one's, metres, is that to rounding.
+    pub fn unmoved(&self, target: Target) -> f64 {
+        let tolerances = self.scalar.tolerances();
+        // Coupled joints have no elimination that would tell the rest.
+        let is_short = self.coupling.is_none() && self.variables() < target.coordinates();
+        let relative = match is_short {
+            true => tolerances.unmoved_if_short,
+            false => tolerances.unmoved,
+        };
+        relative * self.size
+    }
+
     /// The number of coordinates of q that a target is solved for.
     pub fn variables(&self) -> usize {
         if let Some(coupling) = &self.coupling {

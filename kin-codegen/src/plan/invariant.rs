@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// Relations of the idealized chain hold to rounding; this is far above it and
 /// far below any dimension. Radians, and multiples of the arm's size.
-const EXACT: f64 = 1e-11;
+const EXACT: f64 = 1e-12;
 
 /// Axes that meet farther away, in multiples of the arm's size, are parallel but for the digits of a file:
 /// of where they meet they tell few.

@@ -97,7 +97,9 @@ struct Sample {
 const NEARLY_NOTHING: f64 = 1e-3;
 
 /// Below this a dependence is rounding; no looser than what idealization leaves.
-const NOTHING: f64 = 1e-11;
+const NOTHING: f64 = 1e-13;
+/// The same of coupled joints: what couples them stays as the file has it, half turns of ten digits.
+const NOTHING_COUPLED: f64 = 1e-11;
 
 impl Samples {
     /// Moves the chain to a few fixed, irregular configurations.
@@ -234,6 +236,10 @@ impl Relation {
         let n = linkage.links.len();
         let behind = to.map_or(n, |to| to.joints.start);
         let directional = from.kind == Kind::Direction;
+        let nothing = match linkage.coupling {
+            Some(_) => NOTHING_COUPLED,
+            None => NOTHING,
+        };
         let ends = |sample: &Sample| sample.ends(from, to);
         let places: Vec<Ends> = samples.0.iter().map(ends).collect();
         let told_places: Vec<Ends> = told.0.iter().map(ends).collect();
@@ -249,7 +255,7 @@ impl Relation {
             let weak = |k: usize, sample: &Sample| {
                 strength(linkage, sample, &told_places[k], joint).amplitude < NEARLY_NOTHING
             };
-            let dependence = dependence(atom, inner, &strengths);
+            let dependence = dependence(atom, inner, &strengths, nothing);
             depends.extend(dependence.map(|dependence| Dependence {
                 weak_at: told.bits(weak),
                 ..dependence
@@ -313,12 +319,18 @@ fn between(
         .chain(0..from.joints.start)
 }
 
-fn dependence(atom: Atom, inner: bool, strengths: &[Strength; SAMPLES]) -> Option<Dependence> {
-    if strengths.iter().all(|s| s.amplitude < NOTHING) {
+/// None if it is `nothing`.
+fn dependence(
+    atom: Atom,
+    inner: bool,
+    strengths: &[Strength; SAMPLES],
+    nothing: f64,
+) -> Option<Dependence> {
+    if strengths.iter().all(|s| s.amplitude < nothing) {
         return None;
     }
     // A relation that is always stationary has a double root for a solution.
-    let stationary = strengths.iter().all(|s| s.slope.abs() < NOTHING);
+    let stationary = strengths.iter().all(|s| s.slope.abs() < nothing);
     let amplitudes = strengths.iter().map(|s| s.amplitude);
     let weakest = amplitudes.clone().fold(f64::INFINITY, f64::min);
     let strongest = amplitudes.fold(0.0, f64::max);

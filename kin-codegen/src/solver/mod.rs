@@ -210,11 +210,11 @@ fn solve_readings(
         let shift = tip_shift(model, &idealized.model, &linkage.projection(target));
         // Beside the branches of an idealized arm an elimination is asked of whole poses alone.
         let alone = match target {
-            Target::Pose => DESIGNED,
-            _ => linkage.scalar.tolerances().unmoved,
+            Target::Pose => DESIGNED * linkage.size,
+            _ => linkage.unmoved(target),
         };
         if best.is_none()
-            && shift > alone * linkage.size
+            && shift > alone
             && let Ok(found) = last_resort(trials, target, refusal.clone())
         {
             if found.certificate.lost == 0 {

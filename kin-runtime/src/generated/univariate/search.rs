@@ -60,8 +60,9 @@ const MEETING: f64 = 3e-3;
 const MEETING_BRANCHES: f64 = 4.0;
 
 /// The joints behind the tip of an arm of fewer are this near to zero at its solutions, unless six
-/// are nearly singular: then another solution is near, and they may be farther.
-const AT_ZERO: f64 = 1e-6;
+/// are nearly singular: then another solution is near, and they may be farther. An arm that is off its
+/// design by little may miss a target by as little with the mirror image of a solution.
+const AT_ZERO: f64 = 1e-12;
 
 /// In units of the arm's size, how near Newton's method comes to a target that it
 /// converges to slowly, or that is out of reach by little.

@@ -24,7 +24,7 @@ static int kin_has_solution(const kin_found *found)
 {
     int has = 0;
     for (int i = 0; i < found->regular_count; ++i) {
-        has = has || kin_is_at_zero(found->regular[i].q, 1e-6);
+        has = has || kin_is_at_zero(found->regular[i].q, 1e-12);
     }
     return has;
 }

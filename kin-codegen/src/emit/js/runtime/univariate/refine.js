@@ -41,7 +41,7 @@ const $refined = (form, target, seed, lanes) => {
     }
     /* Where six joints are nearly singular another solution is near, and those behind the tip of a
      * shorter arm may be farther from zero. */
-    const is_solution = (it) => $is_at_zero(form, it.q, 1e-6);
+    const is_solution = (it) => $is_at_zero(form, it.q, 1e-12);
     is_clear = is_clear && (!some || search.regular.some(is_solution));
     if (!is_clear) {
         $keep(form, search, seed);
