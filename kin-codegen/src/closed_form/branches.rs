@@ -6,6 +6,9 @@ use crate::expr::inverse::{InverseGraph, Turn};
 use crate::scalar::Scalar;
 use kin_runtime::__private::free_angle::{Levels, Room, all_round};
 use kin_runtime::{Pose, Solution, Solutions};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Lanes that are computed at once for a target: most plans have so many branches.
 const LANES: usize = 8;
@@ -139,6 +142,7 @@ impl ClosedForm {
             seed,
             branches: self.plan.branches() as u32,
             scalar: self.linkage.scalar,
+            turned: RefCell::default(),
         })
     }
 }
@@ -160,6 +164,9 @@ struct Question<'a> {
     seed: &'a [f64],
     branches: u32,
     scalar: Scalar,
+    /// What was computed with angles turned, by the bits of the seed that turns them: each of the
+    /// branches asks for the same ones.
+    turned: RefCell<BTreeMap<Vec<u64>, Rc<Values<'a>>>>,
 }
 
 /// All branches of a plan.
@@ -232,7 +239,7 @@ impl<'a> Question<'a> {
     /// Whether a branch exists, and what it is.
     fn told<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
         let turned = self.turned(values, branch, self.seed, 0);
-        let values = turned.as_ref().unwrap_or(values);
+        let values = turned.as_deref().unwrap_or(values);
         let solution = Solution {
             q: std::array::from_fn(|i| values.joint(i, branch)),
             residual: values.at(RESIDUAL, branch),
@@ -254,7 +261,7 @@ impl<'a> Question<'a> {
         branch: u32,
         seed: &[f64],
         first: usize,
-    ) -> Option<Values<'a>> {
+    ) -> Option<Rc<Values<'a>>> {
         let turns: Vec<Turn> = self.inverse.free_angles.iter().map(|it| it.turn).collect();
         let angle = (first..turns.len()).find(|&i| values.leaves_none(i..=i, branch))?;
         let level = |turn| self.turned_by(turn, angle, seed).1.level(angle, branch);
@@ -284,11 +291,14 @@ impl<'a> Question<'a> {
     }
 
     /// The values with an angle turned where it is free, and the seed that turns it.
-    fn turned_by(&self, turn: f64, angle: usize, seed: &[f64]) -> (Vec<f64>, Values<'a>) {
+    fn turned_by(&self, turn: f64, angle: usize, seed: &[f64]) -> (Vec<f64>, Rc<Values<'a>>) {
         let mut seed = seed.to_vec();
         seed[self.inverse.free_angles[angle].turn.coordinate] += turn;
+        let bits = seed.iter().map(|x| x.to_bits()).collect();
         let nearly_free = self.scalar.tolerances().nearly_free;
-        let values = self.evaluate_at(&seed, nearly_free);
+        let computed = || Rc::new(self.evaluate_at(&seed, nearly_free));
+        let mut turned = self.turned.borrow_mut();
+        let values = turned.entry(bits).or_insert_with(computed).clone();
         (seed, values)
     }
 
