@@ -272,6 +272,10 @@ fn arms_that_tilt_the_tip_have_no_projected_targets() {
         let remedy = "leave out `target`, or choose `position` or `position_axis`";
         assert!(message.contains(remedy), "{message}");
     }
+}
+
+#[test]
+fn arms_whose_axes_are_parallel_but_for_noise_have_projected_targets() {
     let noisy = "\
 robot: noisy
 units: {angle: rad, length: m}
