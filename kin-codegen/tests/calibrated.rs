@@ -612,6 +612,7 @@ fn five_joints_lose_nothing_to_faint_noise() {
         (MIRRORED, 1e-9, 2),
         (MIRRORED, 1e-10, 1),
         (NARROW_SHOULDER, 3e-11, 3),
+        (NARROW_SHOULDER, 1e-10, 0),
     ] {
         let model = measured(&written(design), noise, &mut Random(seed));
         nothing_is_lost_of_short(&model, 4000);
