@@ -1,6 +1,6 @@
 //! Robot file in, Rust out.
 
-use crate::compile::compile;
+use crate::compile::{compile, compile_cached};
 use crate::compiled::Compiled;
 use crate::emit::header;
 use crate::emit::rust::{self, Names};
@@ -10,6 +10,7 @@ use crate::options::{self, Options};
 use crate::spec::{Diagnostic, Diagnostics, Source};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+use std::path::Path;
 
 /// The generated robot.
 #[derive(Clone, Debug)]
@@ -28,21 +29,41 @@ pub struct Generated {
     pub options: Options,
 }
 
-/// Compiles a robot file to Rust. The macro, `build::Config` and `kin
-/// generate` all call this.
+/// Compiles a robot file to Rust. `build::Config` and `kin generate` call this.
 ///
 /// # Errors
 ///
 /// What is wrong with the file or the options, each with a place and a remedy,
 /// or why the arm has no closed form.
 pub fn generate(source: &Source, options: &Options) -> Result<Generated, Error> {
+    generated(source, options, || compile(source, options))
+}
+
+/// The same with a folder of what was found before, see [`compile_cached`]. The macro calls this.
+///
+/// # Errors
+///
+/// As [`generate`].
+pub fn generate_cached(
+    source: &Source,
+    options: &Options,
+    folder: &Path,
+) -> Result<Generated, Error> {
+    generated(source, options, || compile_cached(source, options, folder))
+}
+
+fn generated(
+    source: &Source,
+    options: &Options,
+    compile: impl FnOnce() -> Result<Compiled, Error>,
+) -> Result<Generated, Error> {
     let name = options.type_name(&source.path);
     let refused = |diagnostic| Diagnostics::one(&source.path, diagnostic);
     let names = Names {
         robot: type_ident(&name).map_err(refused)?,
         runtime: runtime(options).map_err(refused)?,
     };
-    let robot = compile(source, options)?;
+    let robot = compile()?;
     let commented = match &robot {
         Compiled::Arm(arm) => rust::robot(arm, &names),
         Compiled::Mechanism(mechanism) => rust::mechanism(mechanism, &names),

@@ -16,7 +16,7 @@
 //! # Ok::<(), kin_codegen::Error>(())
 //! ```
 //!
-//! [`generate`] is what the macro, [`build`] scripts and `kin generate` call;
+//! [`generate`] is what [`build`] scripts and `kin generate` call, the macro [`generate_cached`];
 //! [`compile`] stops before Rust is written. The formats of robot files are
 //! described in [`spec`].
 
@@ -72,7 +72,7 @@ pub mod vector;
 pub use compile::{compile, compile_cached};
 pub use compiled::Compiled;
 pub use error::Error;
-pub use generate::{Generated, generate};
+pub use generate::{Generated, generate, generate_cached};
 pub use generate_c::{GeneratedC, generate_c};
 pub use generate_js::{GeneratedJs, generate_js};
 pub use options::{Ik, Options, Unknown, target};

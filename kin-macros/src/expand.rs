@@ -2,11 +2,15 @@
 
 use crate::arguments::Arguments;
 use crate::{debug, dependency};
-use kin_codegen::{Source, generate};
+use kin_codegen::{Source, generate_cached};
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::quote;
 use std::path::{Path, PathBuf};
 use syn::{Error, Result};
+
+/// What was found for robots before: Cargo builds macros unoptimized, and expands them whenever it
+/// builds the crate that they are in.
+const FOUND: &str = concat!(env!("OUT_DIR"), "/found");
 
 /// The robot's items, or the error to show.
 pub fn expand(input: TokenStream) -> Result<TokenStream> {
@@ -20,7 +24,7 @@ pub fn expand(input: TokenStream) -> Result<TokenStream> {
     let root = root();
     let generated = Source::read(&path.value(), &root)
         .map_err(kin_codegen::Error::from)
-        .and_then(|source| generate(&source, &options))
+        .and_then(|source| generate_cached(&source, &options, Path::new(FOUND)))
         .map_err(|error| Error::new(path.span(), error))?;
     if options.krate.is_none()
         && let Some(missing) = dependency::missing(&root)
@@ -71,7 +75,8 @@ fn tracked(file: &Path) -> TokenStream {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kin_codegen::{Ik, Options};
+    use kin_codegen::{Ik, Options, generate};
+    use std::fs;
 
     const ROBOT: &str = "../robots/scara.yaml";
 
@@ -93,6 +98,45 @@ mod tests {
         let input = quote!(#ROBOT, name = Arm, ik = none, crate = ::robotics);
         let expanded = expand(input).unwrap();
         assert_eq!(expanded.to_string(), quote!(#items #tracked).to_string());
+    }
+
+    /// The file that is kept for robots of this name.
+    fn kept(name: &str) -> PathBuf {
+        let files = fs::read_dir(FOUND).unwrap();
+        let mut files = files.map(|file| file.unwrap().path());
+        let is_of = |file: &PathBuf| {
+            file.file_name()
+                .unwrap()
+                .to_string_lossy()
+                .starts_with(name)
+        };
+        files.find(is_of).unwrap()
+    }
+
+    #[test]
+    fn what_was_found_is_kept() {
+        let name = format!("crank{}", std::process::id());
+        let robot = std::env::temp_dir().join(&name).with_extension("yaml");
+        let text = "\
+robot: crank
+units: {angle: deg, length: m}
+dh: [{name: turn, theta: 0, d: 0, a: 0.3, alpha: 0}]
+";
+        fs::write(&robot, text).unwrap();
+        let path = robot.to_string_lossy().into_owned();
+        let input = quote!(#path, name = Crank, crate = ::robotics);
+        let expanded = || expand(input.clone()).unwrap().to_string();
+        let first = expanded();
+        let file = kept(&name);
+        let whole = fs::read(&file).unwrap();
+        // Of one that is damaged nothing is used.
+        for damaged in [&whole[..], &whole[..whole.len() - 1]] {
+            fs::write(&file, damaged).unwrap();
+            assert_eq!(expanded(), first);
+            assert_eq!(fs::read(&file).unwrap(), whole);
+        }
+        fs::remove_file(file).unwrap();
+        fs::remove_file(robot).unwrap();
     }
 
     #[test]
