@@ -6,8 +6,8 @@
 // Forward kinematics: 108 multiplications, 69 additions, 6 sines with cosines.
 // With the spatial Jacobian: 165 multiplications, 99 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q5,q6) SP1(q2+q3+q4) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 514 multiplications, 359 additions, 9 divisions, 8 roots, 4
-// sines with cosines, 6 arctangents, 57 selections.
+// branches; one branch: 467 multiplications, 271 additions, 7 divisions, 8 roots, 4
+// sines with cosines, 6 arctangents, 43 selections.
 // Made again, beside the robot file, by: kin generate calibrated.yaml
 
 #[cfg_attr(rustfmt, rustfmt_skip)]
@@ -1397,8 +1397,8 @@ mod __Calibrated {
                 .of([seed[4], seed[5], seed[0], t1]);
             aligned!(
                 t10_, t11_, t12_, t13_, t14_, t15_, t16_, t17_, t18_, t19_, t20_, t21_,
-                t22_, t23_, t24_, t25_, t26_, t27_, t36_, t37_, t40_, t41_, t42_, t43_,
-                t45_, t46_, t47_, t48_, t49_, t57_ = [0.0; T]
+                t22_, t23_, t25_, t26_, t28_, t30_, t35_, t36_, t39_, t40_, t41_, t42_,
+                t50_ = [0.0; T]
             );
             for t in 0..T {
                 let t10 = 0.099599986933972 * r12[t];
@@ -1416,65 +1416,55 @@ mod __Calibrated {
                 // 1. q1 by SP4 (what all branches share)
                 let t22 = 0.099599986933972 * r13[t];
                 let t23 = 0.099599986933972 * r23[t];
-                let t24 = 0.099599986933972 * r33[t];
-                let t25 = px[t] - A::fma(0.000038951164947, r11[t], t22);
-                let t26 = A::fma(0.000038951164947, r21[t], t23) - py[t];
-                let t27 = A::fma(t26, t26, t25 * t25);
-                let t28 = t27 - 0.017810176447143812;
-                let t29 = 1e-13 * t27;
-                let t30 = 1.1498670199252323 * t25;
-                let t31 = t30 + t30;
-                let t32 = 1.1498670199252323 * t26;
-                let t33 = t32 + t32;
-                let t34 = 0.0000028031111066080745 * A::fma(t31, t31, t33 * t33);
-                let t35 = math::max(t29, 0.0000037062571448321162);
-                let t36 = math::select(t28 < 0.0, 1.0, 0.0);
-                let t37 = math::sqrt(math::max(t28, t29));
-                let t38 = -math::sqrt(t27);
-                let t39 = math::max(t38, -math::max(-0.13345477303994718, t38));
-                let t40 = t26 * t39;
-                let t41 = t25 * t39;
-                let t42 = math::max(
-                    math::select(A::fma(t35, t35, t34) < t28 * t28, 0.0, 1.0),
-                    math::select(t34 + 1.373634202361911e-11 < t27 * t27, 0.0, 1.0),
+                let t24 = A::fma(0.000038951164947, r21[t], t23);
+                let t25 = 0.099599986933972 * r33[t];
+                let t26 = px[t] - A::fma(0.000038951164947, r11[t], t22);
+                let t27 = py[t] - t24;
+                let t28 = t24 - py[t];
+                let t29 = t26 * t26;
+                let t30 = A::fma(t28, t28, t29);
+                let t31 = t30 - 0.017810176447143812;
+                let t32 = 1e-13 * t30;
+                let t33 = 0.000014825028579328465 * A::fma(t27, t27, t29);
+                let t34 = math::max(t32, 0.0000037062571448321162);
+                let t35 = math::select(t31 < 0.0, 1.0, 0.0);
+                let t36 = math::sqrt(math::max(t31, t32));
+                let t37 = -math::sqrt(t30);
+                let t38 = math::max(t37, -math::max(-0.13345477303994718, t37));
+                let t39 = t28 * t38;
+                let t40 = t26 * t38;
+                let t41 = math::max(
+                    math::select(A::fma(t34, t34, t33) < t31 * t31, 0.0, 1.0),
+                    math::select(t33 + 1.373634202361911e-11 < t30 * t30, 0.0, 1.0),
                 );
-                let t43 = 1.0 / t27;
-                // 2. q5 and q6 by SP2, given q1 (what all branches share)
-                let t44 = 0.5 / t37;
-                let t45 = t31 * t44;
-                let t46 = 1.1498670199252323 * t39;
-                let t47 = t43 * (t31 * t43);
-                let t48 = t33 * t44;
-                let t49 = t43 * (t33 * t43);
+                let t42 = 1.0 / t30;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t50 = 0.5
-                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
-                        - 1.0);
-                let t51 = 0.5
-                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
-                        - 1.0);
-                let t52 = A::fma(
+                let t43 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                    - 1.0;
+                let t44 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                    - 1.0;
+                let t45 = A::fma(
                     r31[t],
                     r32[t],
                     A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t53 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t54 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t55 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t56 = A::fma(
-                    t55,
-                    t55,
+                let t46 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t47 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t48 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t49 = A::fma(
+                    t47,
+                    t47,
                     A::fma(
-                        t54,
-                        t54,
-                        A::fma(t53, t53, A::fma(t52, t52, A::fma(t50, t50, t51 * t51))),
+                        t46,
+                        t46,
+                        A::fma(0.25, A::fma(t43, t43, t44 * t44), t45 * t45),
                     ),
                 );
-                let t57 = A::fma(
+                let t50 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.3221941635117347 * t56,
+                    1.3221941635117347 * A::fma(t48, t48, t49),
                 );
                 t10_[t] = t10;
                 t11_[t] = t11;
@@ -1490,553 +1480,442 @@ mod __Calibrated {
                 t21_[t] = t21;
                 t22_[t] = t22;
                 t23_[t] = t23;
-                t24_[t] = t24;
                 t25_[t] = t25;
                 t26_[t] = t26;
-                t27_[t] = t27;
+                t28_[t] = t28;
+                t30_[t] = t30;
+                t35_[t] = t35;
                 t36_[t] = t36;
-                t37_[t] = t37;
+                t39_[t] = t39;
                 t40_[t] = t40;
                 t41_[t] = t41;
                 t42_[t] = t42;
-                t43_[t] = t43;
-                t45_[t] = t45;
-                t46_[t] = t46;
-                t47_[t] = t47;
-                t48_[t] = t48;
-                t49_[t] = t49;
-                t57_[t] = t57;
+                t50_[t] = t50;
             }
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             aligned!(
-                s1_, c1_, t152_, t153_, t227_, t228_, t232_, t233_, t234_, t235_, t238_,
-                singular_, t265_, t279_, t280_, t282_, t283_, t294_, q1_, t295_, q5_,
+                s1_, c1_, t117_, t118_, t169_, t170_, t174_, t175_, t176_, t177_, t180_,
+                t184_, singular_, t214_, t215_, t217_, t218_, t229_, q1_, t230_, q5_,
                 q6_, invalid_ = [[0.0; T]; 4]
             );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
-                    let t58 = e1[k] * t37_[t];
-                    let t59 = A::fma(t26_[t], t58, t41_[t]);
-                    let t60 = A::fma(-t25_[t], t58, t40_[t]);
+                    let t51 = e1[k] * t36_[t];
                     let s1 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
+                        t30_[t] < 1.3221941635117346e-24,
                         t4,
-                        t59 * t43_[t],
+                        A::fma(t28_[t], t51, t40_[t]) * t42_[t],
                     );
                     let c1 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
+                        t30_[t] < 1.3221941635117346e-24,
                         t8,
-                        t60 * t43_[t],
+                        A::fma(-t26_[t], t51, t39_[t]) * t42_[t],
                     );
+                    let t52 = 1.0 / t51;
+                    let t53 = s1 * t52;
+                    let t54 = s1 * t53;
+                    let t55 = c1 * t53;
+                    let t56 = c1 * t52;
+                    let t57 = s1 * t56;
+                    let t58 = c1 * t56;
                     // 2. q5 and q6 by SP2, given q1
-                    let t61 = r11[t] * s1;
-                    let t62 = r21[t] * c1;
-                    let t63 = t61 - t62;
-                    let t64 = r13[t] * s1;
-                    let t65 = r23[t] * c1;
-                    let t66 = t64 - t65;
-                    let t67 = t62 - t61;
-                    let t68 = A::fma(r22[t], c1, -(r12[t] * s1));
-                    let t69 = A::fma(t67, t67, t68 * t68);
-                    let t70 = 1e-13 * t69;
-                    let t71 = e1[k] * t45_[t];
-                    let t72 = 1.1498670199252323 * t58;
-                    let t73 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
-                        0.0,
-                        A::fma(t43_[t], A::fma(t26_[t], t71, t46_[t]), -(t59 * t47_[t])),
+                    let t59 = r11[t] * s1;
+                    let t60 = r21[t] * c1;
+                    let t61 = t59 - t60;
+                    let t62 = r13[t] * s1;
+                    let t63 = r23[t] * c1;
+                    let t64 = t62 - t63;
+                    let t65 = t60 - t59;
+                    let t66 = A::fma(r22[t], c1, -(r12[t] * s1));
+                    let t67 = A::fma(t65, t65, t66 * t66);
+                    let t68 = 1e-13 * t67;
+                    let t69 = A::fma(r11[t], t55, r21[t] * t54);
+                    let t70 = A::fma(r12[t], t55, r22[t] * t54);
+                    let t71 = A::fma(t65, t69, t66 * t70);
+                    let t72 = A::fma(r11[t], t58, r21[t] * t57);
+                    let t73 = A::fma(r12[t], t58, r22[t] * t57);
+                    let t74 = A::fma(t65, t72, t66 * t73);
+                    let t75 = t63 - t62;
+                    let t76 = t66 * t75;
+                    let t77 = t64 * t65;
+                    let t78 = A::fma(t65, t66, t61 * t66);
+                    let t79 = A::fma(
+                        0.000014825028579328465,
+                        A::fma(t71, t71, t74 * t74),
+                        0.000011212444426432298
+                            * A::fma(t78, t78, A::fma(t76, t76, t77 * t77)),
                     );
-                    let t74 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
-                        0.0,
-                        -A::fma(t60, t47_[t], t43_[t] * A::fma(t25_[t], t71, t72)),
+                    let t80 = math::max(0.0000028031111066080745, t68);
+                    let t81 = t67 * t67;
+                    let t82 = math::max(
+                        math::max(
+                            t35_[t],
+                            math::select(t30_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
+                        ),
+                        math::select(t67 < 0.0, 1.0, 0.0),
                     );
-                    let t75 = A::fma(r21[t], t74, -(r11[t] * t73));
-                    let t76 = A::fma(r22[t], t74, -(r12[t] * t73));
-                    let t77 = t67 * t75;
-                    let t78 = t68 * t76;
-                    let t79 = t77 + t77 + (t78 + t78);
-                    let t80 = e1[k] * t48_[t];
-                    let t81 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
-                        0.0,
-                        A::fma(t59, t49_[t], -(t43_[t] * A::fma(t26_[t], t80, t72))),
+                    let t83 = e2[k] * math::sqrt(math::max(t67, t68));
+                    let t84 = -math::sqrt(t67);
+                    let t85 = math::max(t84, -math::max(0.0, t84));
+                    let t86 = math::max(
+                        math::max(
+                            t41_[t],
+                            math::select(A::fma(t80, t80, t79) < t81, 0.0, 1.0),
+                        ),
+                        math::select(t79 + 7.857431875989545e-12 < t81, 0.0, 1.0),
                     );
-                    let t82 = math::select(
-                        t27_[t] < 1.3221941635117346e-24,
-                        0.0,
-                        A::fma(t60, t49_[t], t43_[t] * A::fma(t25_[t], t80, -t46_[t])),
+                    let t87 = 1.0 / t67;
+                    let s6 = math::select(
+                        t67 < 1e-24,
+                        t3,
+                        A::fma(t66, t83, t65 * t85) * t87,
                     );
-                    let t83 = A::fma(r21[t], t82, -(r11[t] * t81));
-                    let t84 = A::fma(r22[t], t82, -(r12[t] * t81));
-                    let t85 = t67 * t83;
-                    let t86 = t68 * t84;
-                    let t87 = t85 + t85 + (t86 + t86);
-                    let t88 = t65 - t64;
-                    let t89 = t68 * t88;
-                    let t90 = t89 + t89;
-                    let t91 = t66 * t67;
-                    let t92 = t91 + t91;
-                    let t93 = t67 * t68;
-                    let t94 = t63 * t68;
-                    let t95 = t93 + t93 + (t94 + t94);
-                    let t96 = 0.0000028031111066080745
+                    let c6 = math::select(
+                        t67 < 1e-24,
+                        t7,
+                        A::fma(-t65, t83, t66 * t85) * t87,
+                    );
+                    let t88 = 1.0 / t83;
+                    let t89 = t88 * A::fma(t70, c6, t69 * s6);
+                    let t90 = s6 * t89;
+                    let t91 = c6 * t89;
+                    let t92 = t88 * A::fma(t73, c6, t72 * s6);
+                    let t93 = s6 * t92;
+                    let t94 = c6 * t92;
+                    let t95 = t88 * (t75 * c6);
+                    let t96 = s6 * t95;
+                    let t97 = c6 * t95;
+                    let t98 = t88 * (t64 * s6);
+                    let t99 = s6 * t98;
+                    let t100 = c6 * t98;
+                    let t101 = t66 * s6;
+                    let t102 = t88 * A::fma(t61, c6, t101);
+                    let t103 = s6 * t102;
+                    let t104 = c6 * t102;
+                    let t105 = t65 * c6;
+                    let t106 = t105 - t101;
+                    let t107 = math::sqrt(A::fma(t106, t106, t64 * t64));
+                    let t108 = A::fma(
+                        t106,
+                        A::fma(t66, t91, t70 * s6) + A::fma(t65, t90, -(t69 * c6)),
+                        t64 * A::fma(r13[t], t55, r23[t] * t54),
+                    );
+                    let t109 = 1.0 / t107;
+                    let t110 = t108 * t109;
+                    let t111 = A::fma(
+                        t106,
+                        A::fma(t72, c6, -(t65 * t93)) - A::fma(t66, t94, t73 * s6),
+                        -(t64 * A::fma(r13[t], t58, r23[t] * t57)),
+                    );
+                    let t112 = t109 * t111;
+                    let t113 = t109
                         * A::fma(
-                            t95,
-                            t95,
-                            A::fma(
-                                t92,
-                                t92,
-                                A::fma(t90, t90, A::fma(t79, t79, t87 * t87)),
-                            ),
+                            -t106,
+                            A::fma(t65, t96, A::fma(t66, t97, t75 * s6)),
+                            t64 * t66,
                         );
-                    let t97 = math::max(0.0000028031111066080745, t70);
-                    let t98 = t69 * t69;
-                    let t99 = math::max(
-                        math::max(
-                            t36_[t],
-                            math::select(t27_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
-                        ),
-                        math::select(t69 < 0.0, 1.0, 0.0),
+                    let t114 = t109
+                        * A::fma(
+                            t106,
+                            A::fma(-t66, t100, A::fma(t64, c6, -(t65 * t99))),
+                            t61 * t64,
+                        );
+                    let t115 = t109
+                        * (t106
+                            * (A::fma(t66, c6, -(t65 * t103))
+                                - A::fma(t66, t104, t61 * s6)));
+                    let t116 = A::fma(
+                        0.0000037062571448321162,
+                        A::fma(t110, t110, t112 * t112),
+                        0.0000028031111066080745
+                            * A::fma(t115, t115, A::fma(t113, t113, t114 * t114)),
                     );
-                    let t100 = math::sqrt(math::max(t69, t70));
-                    let t101 = e2[k] * t100;
-                    let t102 = -math::sqrt(t69);
-                    let t103 = math::max(t102, -math::max(0.0, t102));
-                    let t104 = t68 * t103;
-                    let t105 = t68 * t101;
-                    let t106 = t67 * t103 + t105;
-                    let t107 = A::fma(-t67, t101, t104);
-                    let t108 = math::max(
-                        math::max(
-                            t42_[t],
-                            math::select(A::fma(t97, t97, t96) < t98, 0.0, 1.0),
-                        ),
-                        math::select(t96 + 7.857431875989545e-12 < t98, 0.0, 1.0),
-                    );
-                    let t109 = 1.0 / t69;
-                    let s6 = math::select(t69 < 1e-24, t3, t106 * t109);
-                    let c6 = math::select(t69 < 1e-24, t7, t107 * t109);
-                    let t110 = t67 * c6;
-                    let t111 = t68 * s6;
-                    let t112 = t110 - t111;
-                    let t113 = math::sqrt(A::fma(t112, t112, t66 * t66));
-                    let t114 = t66 * A::fma(r13[t], t73, -(r23[t] * t74));
-                    let t115 = 0.5 / t100;
-                    let t116 = e2[k] * (t79 * t115);
-                    let t117 = t109 * (t79 * t109);
-                    let t118 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t75 * t103 + A::fma(t68, t116, t76 * t101),
-                            -(t106 * t117),
-                        ),
-                    );
-                    let t119 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t76 * t103 - A::fma(t67, t116, t75 * t101),
-                            -(t107 * t117),
-                        ),
-                    );
-                    let t120 = t112
-                        * (A::fma(t67, t119, t75 * c6) - A::fma(t68, t118, t76 * s6));
-                    let t121 = 0.5 / t113;
-                    let t122 = (t114 + t114 + (t120 + t120)) * t121;
-                    let t123 = t66 * A::fma(r13[t], t81, -(r23[t] * t82));
-                    let t124 = e2[k] * (t87 * t115);
-                    let t125 = t109 * (t87 * t109);
-                    let t126 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t83 * t103 + A::fma(t68, t124, t84 * t101),
-                            -(t106 * t125),
-                        ),
-                    );
-                    let t127 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t84 * t103 - A::fma(t67, t124, t83 * t101),
-                            -(t107 * t125),
-                        ),
-                    );
-                    let t128 = t112
-                        * (A::fma(t67, t127, t83 * c6) - A::fma(t68, t126, t84 * s6));
-                    let t129 = t121 * (t123 + t123 + (t128 + t128));
-                    let t130 = t66 * t68;
-                    let t131 = e2[k] * (t90 * t115);
-                    let t132 = t109 * (t90 * t109);
-                    let t133 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(t109, A::fma(t68, t131, t88 * t101), -(t106 * t132)),
-                    );
-                    let t134 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(t109, A::fma(-t67, t131, t88 * t103), -(t107 * t132)),
-                    );
-                    let t135 = t112 * A::fma(t67, t134, -A::fma(t68, t133, t88 * s6));
-                    let t136 = t121 * (t130 + t130 + (t135 + t135));
-                    let t137 = t63 * t66;
-                    let t138 = e2[k] * (t92 * t115);
-                    let t139 = t109 * (t92 * t109);
-                    let t140 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(t109, A::fma(t68, t138, t66 * t103), -(t106 * t139)),
-                    );
-                    let t141 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        -A::fma(t107, t139, t109 * A::fma(t67, t138, t66 * t101)),
-                    );
-                    let t142 = t112 * A::fma(-t68, t140, A::fma(t67, t141, t66 * c6));
-                    let t143 = t121 * (t137 + t137 + (t142 + t142));
-                    let t144 = e2[k] * (t95 * t115);
-                    let t145 = t109 * (t95 * t109);
-                    let t146 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t104 + A::fma(t68, t144, t63 * t101),
-                            -(t106 * t145),
-                        ),
-                    );
-                    let t147 = math::select(
-                        t69 < 1e-24,
-                        0.0,
-                        A::fma(
-                            t109,
-                            t63 * t103 - A::fma(t67, t144, t105),
-                            -(t107 * t145),
-                        ),
-                    );
-                    let t148 = t112
-                        * (A::fma(t68, c6, t67 * t147) - A::fma(t68, t146, t63 * s6));
-                    let t149 = t121 * (t148 + t148);
-                    let t150 = A::fma(
-                        0.0000028031111066080745,
-                        A::fma(
-                            t149,
-                            t149,
-                            A::fma(
-                                t143,
-                                t143,
-                                A::fma(t136, t136, A::fma(t122, t122, t129 * t129)),
-                            ),
-                        ),
-                        7.857431875989545e-12,
-                    );
-                    let t151 = 1.0 / t113;
-                    let s5 = math::select(t113 < 1e-24, t2, (t111 - t110) * t151);
-                    let c5 = math::select(t113 < 1e-24, t6, t66 * t151);
+                    let s5 = math::select(t107 < 1e-24, t2, (t101 - t105) * t109);
+                    let c5 = math::select(t107 < 1e-24, t6, t64 * t109);
                     // 3. q2+q3+q4 by SP1, given q5 and q6
-                    let t152 = A::fma(r31[t], s6, r32[t] * c6);
-                    let t153 = A::fma(
+                    let t117 = A::fma(r31[t], s6, r32[t] * c6);
+                    let t118 = A::fma(
                         r33[t],
                         s5,
                         c5 * A::fma(r32[t], s6, -(r31[t] * c6)),
                     );
                     // 4. q3 by SP3, given q6
-                    let t154 = 0.099747579771028 * c6;
-                    let t155 = A::fma(0.099747579771028, s6, -0.000038951164947);
-                    let t156 = px[t] + (A::fma(r11[t], t155, r12[t] * t154) - t22_[t]);
-                    let t157 = py[t] + (A::fma(r21[t], t155, r22[t] * t154) - t23_[t]);
-                    let t158 = pz[t] + (A::fma(r31[t], t155, r32[t] * t154) - t24_[t])
+                    let t119 = 0.099747579771028 * c6;
+                    let t120 = A::fma(0.099747579771028, s6, -0.000038951164947);
+                    let t121 = px[t] + (A::fma(r11[t], t120, r12[t] * t119) - t22_[t]);
+                    let t122 = py[t] + (A::fma(r21[t], t120, r22[t] * t119) - t23_[t]);
+                    let t123 = pz[t] + (A::fma(r31[t], t120, r32[t] * t119) - t25_[t])
                         - 0.1626;
-                    let t159 = t158 * t158;
-                    let t160 = 0.5 * (t159 + A::fma(t156, t156, t157 * t157));
-                    let t161 = 0.17606709553354122 - t160;
-                    let t162 = A::fma(-t161, t161, 0.02776733395938961);
-                    let t163 = 0.099747579771028 * t119;
-                    let t164 = 0.099747579771028 * t118;
-                    let t165 = A::fma(r21[t], t164, r22[t] * t163);
-                    let t166 = A::fma(r11[t], t164, r12[t] * t163) + 1.1498670199252323;
-                    let t167 = t156 * t166;
-                    let t168 = t157 * t165;
-                    let t169 = t158 * A::fma(r31[t], t164, r32[t] * t163);
-                    let t170 = t169 + t169;
-                    let t171 = t170 + (t167 + t167 + (t168 + t168));
-                    let t172 = t161 * (0.5 * t171);
-                    let t173 = t172 + t172;
-                    let t174 = 0.099747579771028 * t127;
-                    let t175 = 0.099747579771028 * t126;
-                    let t176 = A::fma(r11[t], t175, r12[t] * t174);
-                    let t177 = A::fma(r21[t], t175, r22[t] * t174) + 1.1498670199252323;
-                    let t178 = t156 * t176;
-                    let t179 = t157 * t177;
-                    let t180 = t158 * A::fma(r31[t], t175, r32[t] * t174);
-                    let t181 = t180 + t180;
-                    let t182 = t181 + (t178 + t178 + (t179 + t179));
-                    let t183 = t161 * (0.5 * t182);
-                    let t184 = t183 + t183;
-                    let t185 = 1.1498670199252323 * t158;
-                    let t186 = t185 + t185;
-                    let t187 = t161 * (0.5 * t186);
-                    let t188 = t187 + t187;
-                    let t189 = 0.099747579771028 * t134;
-                    let t190 = 0.099747579771028 * t133;
-                    let t191 = t10_[t]
-                        + A::fma(r11[t], t190, A::fma(r12[t], t189, r13[t] * t154))
+                    let t124 = t123 * t123;
+                    let t125 = 0.5 * (t124 + A::fma(t121, t121, t122 * t122));
+                    let t126 = 0.17606709553354122 - t125;
+                    let t127 = A::fma(-t126, t126, 0.02776733395938961);
+                    let t128 = 0.099747579771028 * t90;
+                    let t129 = 0.099747579771028 * t91;
+                    let t130 = A::fma(r22[t], t128, -(r21[t] * t129));
+                    let t131 = A::fma(r12[t], t128, -(r11[t] * t129)) + 1.0;
+                    let t132 = t123 * A::fma(r32[t], t128, -(r31[t] * t129));
+                    let t133 = t132 + A::fma(t121, t131, t122 * t130);
+                    let t134 = t126 * t133;
+                    let t135 = 0.099747579771028 * t93;
+                    let t136 = 0.099747579771028 * t94;
+                    let t137 = A::fma(r11[t], t136, -(r12[t] * t135));
+                    let t138 = A::fma(r21[t], t136, -(r22[t] * t135)) + 1.0;
+                    let t139 = t123 * A::fma(r31[t], t136, -(r32[t] * t135));
+                    let t140 = t139 + A::fma(t121, t137, t122 * t138);
+                    let t141 = t126 * t140;
+                    let t142 = t123 * t126;
+                    let t143 = 0.099747579771028 * t96;
+                    let t144 = 0.099747579771028 * t97;
+                    let t145 = t10_[t]
+                        + A::fma(r11[t], t144, A::fma(r13[t], t119, -(r12[t] * t143)))
                         - t10_[t];
-                    let t192 = t11_[t]
-                        + A::fma(r21[t], t190, A::fma(r22[t], t189, r23[t] * t154))
+                    let t146 = t11_[t]
+                        + A::fma(r21[t], t144, A::fma(r23[t], t119, -(r22[t] * t143)))
                         - t11_[t];
-                    let t193 = t156 * t191;
-                    let t194 = t157 * t192;
-                    let t195 = t158
+                    let t147 = t123
                         * (t12_[t]
-                            + A::fma(r31[t], t190, A::fma(r32[t], t189, r33[t] * t154))
-                            - t12_[t]);
-                    let t196 = t195 + t195;
-                    let t197 = t196 + (t193 + t193 + (t194 + t194));
-                    let t198 = t161 * (0.5 * t197);
-                    let t199 = t198 + t198;
-                    let t200 = 0.099747579771028 * t141;
-                    let t201 = 0.099747579771028 * t140;
-                    let t202 = t14_[t]
-                        + (A::fma(r12[t], t200, A::fma(r11[t], t201, -(r13[t] * t155)))
+                            + A::fma(
+                                r31[t],
+                                t144,
+                                A::fma(r33[t], t119, -(r32[t] * t143)),
+                            ) - t12_[t]);
+                    let t148 = t147 + A::fma(t121, t145, t122 * t146);
+                    let t149 = t126 * t148;
+                    let t150 = 0.099747579771028 * t99;
+                    let t151 = 0.099747579771028 * t100;
+                    let t152 = t14_[t]
+                        + (A::fma(-r12[t], t150, A::fma(r11[t], t151, -(r13[t] * t120)))
                             - t13_[t]);
-                    let t203 = t16_[t]
-                        + (A::fma(r22[t], t200, A::fma(r21[t], t201, -(r23[t] * t155)))
+                    let t153 = t16_[t]
+                        + (A::fma(-r22[t], t150, A::fma(r21[t], t151, -(r23[t] * t120)))
                             - t15_[t]);
-                    let t204 = t156 * t202;
-                    let t205 = t157 * t203;
-                    let t206 = t158
+                    let t154 = t123
                         * (t18_[t]
                             + (A::fma(
-                                r32[t],
-                                t200,
-                                A::fma(r31[t], t201, -(r33[t] * t155)),
+                                -r32[t],
+                                t150,
+                                A::fma(r31[t], t151, -(r33[t] * t120)),
                             ) - t17_[t]));
-                    let t207 = t206 + t206;
-                    let t208 = t207 + (t204 + t204 + (t205 + t205));
-                    let t209 = t161 * (0.5 * t208);
-                    let t210 = t209 + t209;
-                    let t211 = 0.099747579771028 * t147;
-                    let t212 = 0.099747579771028 * t146;
-                    let t213 = t19_[t]
-                        + (A::fma(r11[t], t212, r12[t] * t155)
-                            + A::fma(r12[t], t211, -(r11[t] * t154)));
-                    let t214 = t20_[t]
-                        + (A::fma(r21[t], t212, r22[t] * t155)
-                            + A::fma(r22[t], t211, -(r21[t] * t154)));
-                    let t215 = t156 * t213;
-                    let t216 = t157 * t214;
-                    let t217 = t158
+                    let t155 = t154 + A::fma(t121, t152, t122 * t153);
+                    let t156 = t126 * t155;
+                    let t157 = 0.099747579771028 * t103;
+                    let t158 = 0.099747579771028 * t104;
+                    let t159 = t19_[t]
+                        + (A::fma(r11[t], t158, r12[t] * t120)
+                            - A::fma(r12[t], t157, r11[t] * t119));
+                    let t160 = t20_[t]
+                        + (A::fma(r21[t], t158, r22[t] * t120)
+                            - A::fma(r22[t], t157, r21[t] * t119));
+                    let t161 = t123
                         * (t21_[t]
-                            + (A::fma(r31[t], t212, r32[t] * t155)
-                                + A::fma(r32[t], t211, -(r31[t] * t154))));
-                    let t218 = t217 + t217;
-                    let t219 = t218 + (t215 + t215 + (t216 + t216));
-                    let t220 = t161 * (0.5 * t219);
-                    let t221 = t220 + t220;
-                    let t222 = A::fma(
-                        t221,
-                        t221,
-                        A::fma(
-                            t210,
-                            t210,
-                            A::fma(
-                                t199,
-                                t199,
-                                A::fma(t188, t188, A::fma(t173, t173, t184 * t184)),
+                            + (A::fma(r31[t], t158, r32[t] * t120)
+                                - A::fma(r32[t], t157, r31[t] * t119)));
+                    let t162 = t161 + A::fma(t121, t159, t122 * t160);
+                    let t163 = t126 * t162;
+                    let t164 = A::fma(
+                        0.000014825028579328465,
+                        A::fma(t142, t142, A::fma(t134, t134, t141 * t141)),
+                        0.000011212444426432298
+                            * A::fma(t163, t163, A::fma(t149, t149, t156 * t156)),
+                    );
+                    let t165 = math::max(
+                        math::max(
+                            t86,
+                            math::select(
+                                t116 + 7.857431875989545e-12 < t107 * t107,
+                                0.0, 1.0,
                             ),
                         ),
+                        math::select(t164 + 2.40138374939562e-11 < t127 * t127, 0.0, 1.0),
                     );
-                    let t223 = math::max(
-                        math::max(t108, math::select(t150 < t113 * t113, 0.0, 1.0)),
-                        math::select(
-                            A::fma(0.0000028031111066080745, t222, 2.40138374939562e-11)
-                                < t162 * t162,
-                            0.0, 1.0,
-                        ),
+                    let t166 = math::max(
+                        math::max(t82, math::select(t67 < 1e-24, -e2[k], 0.0)),
+                        math::select(t127 < 0.0, 1.0, 0.0),
                     );
-                    let t224 = math::max(
-                        math::max(t99, math::select(t69 < 1e-24, -e2[k], 0.0)),
-                        math::select(t162 < 0.0, 1.0, 0.0),
-                    );
-                    let t225 = math::sqrt(math::max(t162, 2.7767333959389613e-15));
-                    let t226 = math::max(
+                    let t167 = math::sqrt(math::max(t127, 2.7767333959389613e-15));
+                    let t168 = math::max(
                         -0.16663533226596816,
-                        -math::max(-0.16663533226596816, t160 - 0.17606709553354122),
+                        -math::max(-0.16663533226596816, t125 - 0.17606709553354122),
                     );
-                    let t227 = 6.0011282505434735 * t225;
-                    let t228 = 6.0011282505434735 * t226;
-                    let c3 = -t228;
+                    let t169 = 6.0011282505434735 * t167;
+                    let t170 = 6.0011282505434735 * t168;
+                    let c3 = -t170;
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t229 = A::fma(c1, t156, s1 * t157);
-                    let t230 = 2.3542705697195427 * t225;
-                    let t231 = A::fma(-2.3542705697195427, t226, 0.424760013934646);
-                    let t232 = t158 * t231;
-                    let t233 = t229 * t230;
-                    let t234 = t229 * t231;
-                    let t235 = t158 * t230;
-                    let t236 = A::fma(t229, t229, t159);
-                    let t237 = A::fma(t231, t231, t230 * t230);
-                    let t238 = math::sqrt(t236 * t237);
-                    let t239 = 0.5 / t225;
-                    let t240 = t229
-                        * (A::fma(c1, t166, t74 * t156) + A::fma(s1, t165, t73 * t157));
-                    let t241 = t231 * (1.1771352848597714 * t171);
-                    let t242 = t230 * (2.3542705697195427 * (t173 * t239));
-                    let t243 = 0.5 / t238;
-                    let t244 = A::fma(
-                        t236,
-                        t241 + t241 + (t242 + t242),
-                        t237 * (t170 + (t240 + t240)),
-                    ) * t243;
-                    let t245 = t229
-                        * (A::fma(c1, t176, t82 * t156) + A::fma(s1, t177, t81 * t157));
-                    let t246 = t231 * (1.1771352848597714 * t182);
-                    let t247 = t230 * (2.3542705697195427 * (t184 * t239));
-                    let t248 = t243
+                    let t171 = A::fma(c1, t121, s1 * t122);
+                    let t172 = 2.3542705697195427 * t167;
+                    let t173 = A::fma(-2.3542705697195427, t168, 0.424760013934646);
+                    let t174 = t123 * t173;
+                    let t175 = t171 * t172;
+                    let t176 = t171 * t173;
+                    let t177 = t123 * t172;
+                    let t178 = A::fma(t171, t171, t124);
+                    let t179 = A::fma(t173, t173, t172 * t172);
+                    let t180 = math::sqrt(t178 * t179);
+                    let t181 = 1.0 / t167;
+                    let t182 = 2.0
                         * A::fma(
-                            t236,
-                            t246 + t246 + (t247 + t247),
-                            t237 * (t181 + (t245 + t245)),
+                            t171,
+                            A::fma(c1, t131, -(t54 * t121))
+                                + A::fma(s1, t130, t55 * t122),
+                            t132,
                         );
-                    let t249 = t231 * (1.1771352848597714 * t186);
-                    let t250 = t230 * (2.3542705697195427 * (t188 * t239));
-                    let t251 = t243
-                        * A::fma(t236, t249 + t249 + (t250 + t250), t186 * t237);
-                    let t252 = t229 * A::fma(c1, t191, s1 * t192);
-                    let t253 = t231 * (1.1771352848597714 * t197);
-                    let t254 = t230 * (2.3542705697195427 * (t199 * t239));
-                    let t255 = t243
+                    let t183 = 2.0
                         * A::fma(
-                            t236,
-                            t253 + t253 + (t254 + t254),
-                            t237 * (t196 + (t252 + t252)),
+                            t173,
+                            2.3542705697195427 * t133,
+                            t172 * (2.3542705697195427 * (t134 * t181)),
                         );
-                    let t256 = t229 * A::fma(c1, t202, s1 * t203);
-                    let t257 = t231 * (1.1771352848597714 * t208);
-                    let t258 = t230 * (2.3542705697195427 * (t210 * t239));
-                    let t259 = t243
+                    let t184 = 1.0 / t180;
+                    let t185 = 0.5 * A::fma(t178, t183, t179 * t182) * t184;
+                    let t186 = 2.0
                         * A::fma(
-                            t236,
-                            t257 + t257 + (t258 + t258),
-                            t237 * (t207 + (t256 + t256)),
+                            t171,
+                            A::fma(c1, t137, t57 * t121)
+                                + A::fma(s1, t138, -(t58 * t122)),
+                            t139,
                         );
-                    let t260 = t229 * A::fma(c1, t213, s1 * t214);
-                    let t261 = t231 * (1.1771352848597714 * t219);
-                    let t262 = t230 * (2.3542705697195427 * (t221 * t239));
-                    let t263 = t243
+                    let t187 = 2.0
                         * A::fma(
-                            t236,
-                            t261 + t261 + (t262 + t262),
-                            t237 * (t218 + (t260 + t260)),
+                            t173,
+                            2.3542705697195427 * t140,
+                            t172 * (2.3542705697195427 * (t141 * t181)),
                         );
-                    let t264 = A::fma(
-                        t263,
-                        t263,
-                        A::fma(
-                            t259,
-                            t259,
-                            A::fma(
-                                t255,
-                                t255,
-                                A::fma(t251, t251, A::fma(t244, t244, t248 * t248)),
-                            ),
-                        ),
+                    let t188 = t184 * (0.5 * A::fma(t178, t187, t179 * t186));
+                    let t189 = 2.0
+                        * A::fma(
+                            t173,
+                            2.3542705697195427 * t123,
+                            t172 * (2.3542705697195427 * (t142 * t181)),
+                        );
+                    let t190 = t184 * (0.5 * A::fma(t178, t189, 2.0 * t123 * t179));
+                    let t191 = 2.0
+                        * A::fma(
+                            t173,
+                            2.3542705697195427 * t148,
+                            t172 * (2.3542705697195427 * (t149 * t181)),
+                        );
+                    let t192 = A::fma(
+                        t178,
+                        t191,
+                        t179 * (2.0 * A::fma(t171, A::fma(c1, t145, s1 * t146), t147)),
+                    );
+                    let t193 = t184 * (0.5 * t192);
+                    let t194 = 2.0
+                        * A::fma(
+                            t173,
+                            2.3542705697195427 * t155,
+                            t172 * (2.3542705697195427 * (t156 * t181)),
+                        );
+                    let t195 = A::fma(
+                        t178,
+                        t194,
+                        t179 * (2.0 * A::fma(t171, A::fma(c1, t152, s1 * t153), t154)),
+                    );
+                    let t196 = t184 * (0.5 * t195);
+                    let t197 = 2.0
+                        * A::fma(
+                            t173,
+                            2.3542705697195427 * t162,
+                            t172 * (2.3542705697195427 * (t163 * t181)),
+                        );
+                    let t198 = A::fma(
+                        t178,
+                        t197,
+                        t179 * (2.0 * A::fma(t171, A::fma(c1, t159, s1 * t160), t161)),
+                    );
+                    let t199 = t184 * (0.5 * t198);
+                    let t200 = A::fma(
+                        0.0000037062571448321162,
+                        A::fma(t190, t190, A::fma(t185, t185, t188 * t188)),
+                        0.0000028031111066080745
+                            * A::fma(t199, t199, A::fma(t193, t193, t196 * t196)),
                     );
                     let singular = math::max(
-                        t223,
+                        t165,
                         math::select(
-                            A::fma(0.0000028031111066080745, t264, 1.373634202361911e-11)
-                                < t238 * t238,
+                            t200 + 1.373634202361911e-11 < t180 * t180,
                             0.0, 1.0,
                         ),
                     );
-                    let t265 = 1.0 / t238;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t266 = s6 * c5;
-                    let t267 = s6 * s5;
-                    let t268 = A::fma(t153, t266, c6 * t152);
-                    let t269 = A::fma(c6, t153, -(t152 * t266));
-                    let t270 = A::fma(c1, t269, -(s1 * t267));
-                    let t271 = A::fma(s1, t269, c1 * t267);
-                    let t272 = s5 * t153;
-                    let t273 = s5 * t152;
-                    let t274 = A::fma(s1, c5, -(c1 * t273));
-                    let t275 = A::fma(s1, t273, c1 * c5);
-                    let t276 = 0.000038951164947 * c6;
-                    let t277 = A::fma(c5, t276, -(0.099599986933972 * s5));
-                    let t278 = A::fma(0.000038951164947, s6, -0.099747579771028);
-                    let t279 = A::fma(t152, t278, -(t153 * t277));
-                    let t280 = A::fma(t152, t277, t153 * t278);
-                    let t281 = -0.133454773039947
-                        - A::fma(0.099599986933972, c5, s5 * t276);
-                    let t282 = c1 * t281;
-                    let t283 = s1 * t281;
-                    let t284 = A::fma(t271, t272, t268 * t275) - r11[t];
-                    let t285 = t270 - r12[t];
-                    let t286 = t274 - r13[t];
-                    let t287 = A::fma(t268, t274, -(t270 * t272)) - r21[t];
-                    let t288 = t271 - r22[t];
-                    let t289 = r23[t] + t275;
-                    let t290 = A::fma(
-                        t289,
-                        t289,
+                    let t201 = s6 * c5;
+                    let t202 = s6 * s5;
+                    let t203 = A::fma(t118, t201, c6 * t117);
+                    let t204 = A::fma(c6, t118, -(t117 * t201));
+                    let t205 = A::fma(c1, t204, -(s1 * t202));
+                    let t206 = A::fma(s1, t204, c1 * t202);
+                    let t207 = s5 * t118;
+                    let t208 = s5 * t117;
+                    let t209 = A::fma(s1, c5, -(c1 * t208));
+                    let t210 = A::fma(s1, t208, c1 * c5);
+                    let t211 = 0.000038951164947 * c6;
+                    let t212 = A::fma(c5, t211, -(0.099599986933972 * s5));
+                    let t213 = A::fma(0.000038951164947, s6, -0.099747579771028);
+                    let t214 = A::fma(t117, t213, -(t118 * t212));
+                    let t215 = A::fma(t117, t212, t118 * t213);
+                    let t216 = -0.133454773039947
+                        - A::fma(0.099599986933972, c5, s5 * t211);
+                    let t217 = c1 * t216;
+                    let t218 = s1 * t216;
+                    let t219 = A::fma(t206, t207, t203 * t210) - r11[t];
+                    let t220 = t205 - r12[t];
+                    let t221 = t209 - r13[t];
+                    let t222 = A::fma(t203, t209, -(t205 * t207)) - r21[t];
+                    let t223 = t206 - r22[t];
+                    let t224 = r23[t] + t210;
+                    let t225 = A::fma(
+                        t224,
+                        t224,
                         A::fma(
-                            t288,
-                            t288,
+                            t223,
+                            t223,
                             A::fma(
-                                t287,
-                                t287,
-                                A::fma(t286, t286, A::fma(t284, t284, t285 * t285)),
+                                t222,
+                                t222,
+                                A::fma(t221, t221, A::fma(t219, t219, t220 * t220)),
                             ),
                         ),
                     );
-                    let t291 = r31[t] + A::fma(t270, t275, t271 * t274);
-                    let t292 = t268 - r32[t];
-                    let t293 = t272 - r33[t];
-                    let t294 = 0.6610970817558673
+                    let t226 = r31[t] + A::fma(t205, t210, t206 * t209);
+                    let t227 = t203 - r32[t];
+                    let t228 = t207 - r33[t];
+                    let t229 = 0.6610970817558673
                         * A::fma(
-                            t293,
-                            t293,
-                            A::fma(t292, t292, A::fma(t291, t291, t290)),
+                            t228,
+                            t228,
+                            A::fma(t227, t227, A::fma(t226, t226, t225)),
                         );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(s1, c1);
-                    let t295 = A::angle(-t227, c3);
+                    let t230 = A::angle(-t169, c3);
                     let q5 = A::angle(s5, c5);
                     let q6 = A::angle(s6, c6);
-                    let invalid = math::select(0.0 < singular, 0.0, t224);
+                    let invalid = math::select(0.0 < singular, 0.0, t166);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
-                    t152_[k][t] = t152;
-                    t153_[k][t] = t153;
-                    t227_[k][t] = t227;
-                    t228_[k][t] = t228;
-                    t232_[k][t] = t232;
-                    t233_[k][t] = t233;
-                    t234_[k][t] = t234;
-                    t235_[k][t] = t235;
-                    t238_[k][t] = t238;
+                    t117_[k][t] = t117;
+                    t118_[k][t] = t118;
+                    t169_[k][t] = t169;
+                    t170_[k][t] = t170;
+                    t174_[k][t] = t174;
+                    t175_[k][t] = t175;
+                    t176_[k][t] = t176;
+                    t177_[k][t] = t177;
+                    t180_[k][t] = t180;
+                    t184_[k][t] = t184;
                     singular_[k][t] = singular;
-                    t265_[k][t] = t265;
-                    t279_[k][t] = t279;
-                    t280_[k][t] = t280;
-                    t282_[k][t] = t282;
-                    t283_[k][t] = t283;
-                    t294_[k][t] = t294;
+                    t214_[k][t] = t214;
+                    t215_[k][t] = t215;
+                    t217_[k][t] = t217;
+                    t218_[k][t] = t218;
+                    t229_[k][t] = t229;
                     q1_[k][t] = q1;
-                    t295_[k][t] = t295;
+                    t230_[k][t] = t230;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                     invalid_[k][t] = invalid;
@@ -2044,8 +1923,8 @@ mod __Calibrated {
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             widen!(
-                s1_, c1_, t152_, t153_, t227_, t228_, t232_, t233_, t234_, t235_, t238_,
-                singular_, t265_, t279_, t280_, t282_, t283_, t294_, q1_, t295_, q5_,
+                s1_, c1_, t117_, t118_, t169_, t170_, t174_, t175_, t176_, t177_, t180_,
+                t184_, singular_, t214_, t215_, t217_, t218_, t229_, q1_, t230_, q5_,
                 q6_, invalid_ from 4 to 8 of T
             );
             // 8 lanes, by the signs of the roots: e3 of step 4
@@ -2055,54 +1934,54 @@ mod __Calibrated {
                 for t in 0..T {
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t238_[k][t] < 1.3221941635117346e-24,
+                        t180_[k][t] < 1.3221941635117346e-24,
                         t5,
-                        A::fma(e3[k], t235_[k][t], -t234_[k][t]) * t265_[k][t],
+                        A::fma(e3[k], t177_[k][t], -t176_[k][t]) * t184_[k][t],
                     );
                     let c2 = math::select(
-                        t238_[k][t] < 1.3221941635117346e-24,
+                        t180_[k][t] < 1.3221941635117346e-24,
                         t9,
-                        A::fma(e3[k], t233_[k][t], t232_[k][t]) * t265_[k][t],
+                        A::fma(e3[k], t175_[k][t], t174_[k][t]) * t184_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t296 = A::fma(t153_[k][t], s2, -(t152_[k][t] * c2));
-                    let t297 = A::fma(t153_[k][t], c2, t152_[k][t] * s2);
+                    let t231 = A::fma(t118_[k][t], s2, -(t117_[k][t] * c2));
+                    let t232 = A::fma(t118_[k][t], c2, t117_[k][t] * s2);
                     // Residual: forward kinematics against the target
-                    let t298 = A::fma(
+                    let t233 = A::fma(
                         0.424760013934646,
                         c2,
                         0.392304658629206
-                            * A::fma(e3[k], t227_[k][t] * s2, -(t228_[k][t] * c2)),
-                    ) + t279_[k][t];
-                    let t299 = t280_[k][t]
+                            * A::fma(e3[k], t169_[k][t] * s2, -(t170_[k][t] * c2)),
+                    ) + t214_[k][t];
+                    let t234 = t215_[k][t]
                         - A::fma(
                             0.424760013934646,
                             s2,
                             -(0.392304658629206
-                                * A::fma(t228_[k][t], s2, e3[k] * (t227_[k][t] * c2))),
+                                * A::fma(t170_[k][t], s2, e3[k] * (t169_[k][t] * c2))),
                         );
-                    let t300 = A::fma(c1_[k][t], t299, -t283_[k][t]) - px[t];
-                    let t301 = A::fma(s1_[k][t], t299, t282_[k][t]) - py[t];
-                    let t302 = t298 + 0.1626 - pz[t];
+                    let t235 = A::fma(c1_[k][t], t234, -t218_[k][t]) - px[t];
+                    let t236 = A::fma(s1_[k][t], t234, t217_[k][t]) - py[t];
+                    let t237 = t233 + 0.1626 - pz[t];
                     let residual = math::sqrt(
-                        t57_[t] + A::fma(t302, t302, A::fma(t300, t300, t301 * t301))
-                            + t294_[k][t],
+                        t50_[t] + A::fma(t237, t237, A::fma(t235, t235, t236 * t236))
+                            + t229_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = math::wrap(A::angle(s2, c2) - 1.5707023922013317);
-                    let t303 = e3[k] * t295_[k][t];
+                    let t238 = e3[k] * t230_[k][t];
                     let q3 = math::wrap(
                         math::select(
-                            -3.141592653589793 < t303,
-                            t303,
-                            t303 + 6.283185307179586,
+                            -3.141592653589793 < t238,
+                            t238,
+                            t238 + 6.283185307179586,
                         ) - 0.00044313587806694065,
                     );
-                    let t304 = A::angle(
-                        -A::fma(t228_[k][t], t296, e3[k] * (t227_[k][t] * t297)),
-                        A::fma(t228_[k][t], t297, -(e3[k] * (t227_[k][t] * t296))),
+                    let t239 = A::angle(
+                        -A::fma(t170_[k][t], t231, e3[k] * (t169_[k][t] * t232)),
+                        A::fma(t170_[k][t], t232, -(e3[k] * (t169_[k][t] * t231))),
                     );
-                    let q4 = math::wrap(t304 - 3.1412434523052912);
+                    let q4 = math::wrap(t239 - 3.1412434523052912);
                     residual_[k][t] = residual;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;

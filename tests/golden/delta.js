@@ -1763,13 +1763,13 @@ return $mechanism({
                     /* Residual: forward kinematics against the target */
                     const t3 = 0.9086788731543293 * r22;
                     const t4 = 0.4174957550478551 * r22;
-                    const t5 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t6 = 0.5 * (r32 * r32 + (r22 * r22 + r12 * r12) - 1.0);
+                    const t5 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+                    const t6 = r32 * r32 + (r22 * r22 + r12 * r12) - 1.0;
                     const t7 = r31 * r32 + (r11 * r12 + r21 * r22);
                     const t8 = r13 - (r21 * r32 - r22 * r31);
                     const t9 = r23 - (r12 * r31 - r11 * r32);
                     const t10 = r33 - (r11 * r22 - r12 * r21);
-                    const t11 = t5 * t5 + t6 * t6 + t7 * t7 + t8 * t8 + t9 * t9 + t10 * t10;
+                    const t11 = 0.25 * (t5 * t5 + t6 * t6) + t7 * t7 + t8 * t8 + t9 * t9;
                     const t12 = c2 * t3 + 0.41749575504785497 * t1 - r11;
                     const t13 = 0.9086788731543293 * s1 - r12;
                     const t14 = s2 * t3 - 0.41749575504785497 * t2 - r13;
@@ -1779,7 +1779,8 @@ return $mechanism({
                     const t18 = t12 * t12 + t13 * t13 + t14 * t14 + t15 * t15 + t16 * t16 + t17 * t17;
                     const t19 = 0.4174957550478551 * s1 - r32;
                     const t20 = s2 * t4 + 0.908678873154329 * t2 - r33;
-                    const residual = Math.sqrt(0.010483752153249173 * t11 + 0.005241876076624586 * (t18 + t19 * t19 + t20 * t20));
+                    const t21 = 0.010483752153249173 * (t11 + t10 * t10) + 0.005241876076624586 * (t18 + t19 * t19 + t20 * t20);
+                    const residual = Math.sqrt(t21);
                     /* Joint values: angles from sines and cosines, in (−π, π] */
                     const q1 = $wrap($atan2(s1, r22));
                     const q2 = $wrap($wrap($atan2(s2, c2)) - 0.43068765102503376);
@@ -2937,13 +2938,13 @@ return $mechanism({
                     const t16 = 0.8660254037844388 * t15 - 0.4543394365771645 * t14 - 0.20874787752392746 * t7;
                     const t17 = 0.3615619298436078 * t7 + (0.4999999999999999 * t15 + 0.7869389880338669 * t14);
                     const t18 = 0.4174957550478551 * t14 - 0.9086788731543293 * t7;
-                    const t19 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t20 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    const t19 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+                    const t20 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
                     const t21 = r31 * r32 + (r11 * r12 + r21 * r22);
                     const t22 = r13 - (r21 * r32 - r22 * r31);
                     const t23 = r23 - (r12 * r31 - r11 * r32);
                     const t24 = r33 - (r11 * r22 - r12 * r21);
-                    const t25 = t19 * t19 + t20 * t20 + t21 * t21 + t22 * t22 + t23 * t23 + t24 * t24;
+                    const t25 = 0.25 * (t19 * t19 + t20 * t20) + t21 * t21 + t22 * t22 + t23 * t23;
                     const t26 = t12 * t18 - t13 * t17 - r11;
                     const t27 = t11 - r12;
                     const t28 = t16 - r13;
@@ -2954,7 +2955,7 @@ return $mechanism({
                     const t33 = t11 * t17 - t12 * t16 - r31;
                     const t34 = t13 - r32;
                     const t35 = t18 - r33;
-                    const t36 = 0.01048375215324917 * t25 + 0.005241876076624585 * (t32 + t33 * t33 + t34 * t34 + t35 * t35);
+                    const t36 = 0.01048375215324917 * (t25 + t24 * t24) + 0.005241876076624585 * (t32 + t33 * t33 + t34 * t34 + t35 * t35);
                     const residual = Math.sqrt(t36);
                     /* Joint values: angles from sines and cosines, in (−π, π] */
                     const q1 = $wrap($atan2(s1, c1));
@@ -4134,13 +4135,13 @@ return $mechanism({
                     const t13 = 0.20874787752392746 * c2 - (0.8660254037844388 * t12 + 0.4543394365771645 * t11);
                     const t14 = 0.3615619298436078 * c2 + (0.4999999999999999 * t12 - 0.7869389880338669 * t11);
                     const t15 = 0.4174957550478551 * t11 + 0.9086788731543293 * c2;
-                    const t16 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-                    const t17 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+                    const t16 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+                    const t17 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
                     const t18 = r31 * r32 + (r11 * r12 + r21 * r22);
                     const t19 = r13 - (r21 * r32 - r22 * r31);
                     const t20 = r23 - (r12 * r31 - r11 * r32);
                     const t21 = r33 - (r11 * r22 - r12 * r21);
-                    const t22 = t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21;
+                    const t22 = 0.25 * (t16 * t16 + t17 * t17) + t18 * t18 + t19 * t19 + t20 * t20;
                     const t23 = t9 * t15 - t10 * t14 - r11;
                     const t24 = t8 - r12;
                     const t25 = t13 - r13;
@@ -4151,7 +4152,7 @@ return $mechanism({
                     const t30 = t8 * t14 - t9 * t13 - r31;
                     const t31 = t10 - r32;
                     const t32 = t15 - r33;
-                    const t33 = 0.01048375215324917 * t22 + 0.005241876076624585 * (t29 + t30 * t30 + t31 * t31 + t32 * t32);
+                    const t33 = 0.01048375215324917 * (t22 + t21 * t21) + 0.005241876076624585 * (t29 + t30 * t30 + t31 * t31 + t32 * t32);
                     const residual = Math.sqrt(t33);
                     /* Joint values: angles from sines and cosines, in (−π, π] */
                     const q1 = $wrap($atan2(s1, c1));

@@ -701,18 +701,16 @@ mod __Delta {
                     // Residual: forward kinematics against the target
                     let t3 = 0.9086788731543293 * r22[t];
                     let t4 = 0.4174957550478551 * r22[t];
-                    let t5 = 0.5
-                        * (A::fma(
-                            r31[t],
-                            r31[t],
-                            A::fma(r11[t], r11[t], r21[t] * r21[t]),
-                        ) - 1.0);
-                    let t6 = 0.5
-                        * (A::fma(
-                            r32[t],
-                            r32[t],
-                            A::fma(r22[t], r22[t], r12[t] * r12[t]),
-                        ) - 1.0);
+                    let t5 = A::fma(
+                        r31[t],
+                        r31[t],
+                        A::fma(r11[t], r11[t], r21[t] * r21[t]),
+                    ) - 1.0;
+                    let t6 = A::fma(
+                        r32[t],
+                        r32[t],
+                        A::fma(r22[t], r22[t], r12[t] * r12[t]),
+                    ) - 1.0;
                     let t7 = A::fma(
                         r31[t],
                         r32[t],
@@ -722,13 +720,9 @@ mod __Delta {
                     let t9 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                     let t10 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                     let t11 = A::fma(
-                        t10,
-                        t10,
-                        A::fma(
-                            t9,
-                            t9,
-                            A::fma(t8, t8, A::fma(t7, t7, A::fma(t5, t5, t6 * t6))),
-                        ),
+                        t9,
+                        t9,
+                        A::fma(t8, t8, A::fma(0.25, A::fma(t5, t5, t6 * t6), t7 * t7)),
                     );
                     let t12 = A::fma(c2, t3, 0.41749575504785497 * t1) - r11[t];
                     let t13 = A::fma(0.9086788731543293, s1, -r12[t]);
@@ -751,14 +745,12 @@ mod __Delta {
                     );
                     let t19 = A::fma(0.4174957550478551, s1, -r32[t]);
                     let t20 = A::fma(s2, t4, 0.908678873154329 * t2) - r33[t];
-                    let residual = math::sqrt(
-                        A::fma(
-                            0.010483752153249173,
-                            t11,
-                            0.005241876076624586
-                                * A::fma(t20, t20, A::fma(t19, t19, t18)),
-                        ),
+                    let t21 = A::fma(
+                        0.010483752153249173,
+                        A::fma(t10, t10, t11),
+                        0.005241876076624586 * A::fma(t20, t20, A::fma(t19, t19, t18)),
                     );
+                    let residual = math::sqrt(t21);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = math::wrap(math::atan2(s1, r22[t]));
                     let q2 = math::wrap(
@@ -1542,18 +1534,16 @@ mod __Delta {
                         t14,
                         -(0.9086788731543293 * t7),
                     );
-                    let t19 = 0.5
-                        * (A::fma(
-                            r31[t],
-                            r31[t],
-                            A::fma(r11[t], r11[t], r21[t] * r21[t]),
-                        ) - 1.0);
-                    let t20 = 0.5
-                        * (A::fma(
-                            r32[t],
-                            r32[t],
-                            A::fma(r12[t], r12[t], r22[t] * r22[t]),
-                        ) - 1.0);
+                    let t19 = A::fma(
+                        r31[t],
+                        r31[t],
+                        A::fma(r11[t], r11[t], r21[t] * r21[t]),
+                    ) - 1.0;
+                    let t20 = A::fma(
+                        r32[t],
+                        r32[t],
+                        A::fma(r12[t], r12[t], r22[t] * r22[t]),
+                    ) - 1.0;
                     let t21 = A::fma(
                         r31[t],
                         r32[t],
@@ -1563,16 +1553,12 @@ mod __Delta {
                     let t23 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                     let t24 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                     let t25 = A::fma(
-                        t24,
-                        t24,
+                        t23,
+                        t23,
                         A::fma(
-                            t23,
-                            t23,
-                            A::fma(
-                                t22,
-                                t22,
-                                A::fma(t21, t21, A::fma(t19, t19, t20 * t20)),
-                            ),
+                            t22,
+                            t22,
+                            A::fma(0.25, A::fma(t19, t19, t20 * t20), t21 * t21),
                         ),
                     );
                     let t26 = A::fma(t12, t18, -(t13 * t17)) - r11[t];
@@ -1599,7 +1585,7 @@ mod __Delta {
                     let t35 = t18 - r33[t];
                     let t36 = A::fma(
                         0.01048375215324917,
-                        t25,
+                        A::fma(t24, t24, t25),
                         0.005241876076624585
                             * A::fma(t35, t35, A::fma(t34, t34, A::fma(t33, t33, t32))),
                     );
@@ -2383,18 +2369,16 @@ mod __Delta {
                         A::fma(0.4999999999999999, t12, -(0.7869389880338669 * t11)),
                     );
                     let t15 = A::fma(0.4174957550478551, t11, 0.9086788731543293 * c2);
-                    let t16 = 0.5
-                        * (A::fma(
-                            r31[t],
-                            r31[t],
-                            A::fma(r11[t], r11[t], r21[t] * r21[t]),
-                        ) - 1.0);
-                    let t17 = 0.5
-                        * (A::fma(
-                            r32[t],
-                            r32[t],
-                            A::fma(r12[t], r12[t], r22[t] * r22[t]),
-                        ) - 1.0);
+                    let t16 = A::fma(
+                        r31[t],
+                        r31[t],
+                        A::fma(r11[t], r11[t], r21[t] * r21[t]),
+                    ) - 1.0;
+                    let t17 = A::fma(
+                        r32[t],
+                        r32[t],
+                        A::fma(r12[t], r12[t], r22[t] * r22[t]),
+                    ) - 1.0;
                     let t18 = A::fma(
                         r31[t],
                         r32[t],
@@ -2404,16 +2388,12 @@ mod __Delta {
                     let t20 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                     let t21 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                     let t22 = A::fma(
-                        t21,
-                        t21,
+                        t20,
+                        t20,
                         A::fma(
-                            t20,
-                            t20,
-                            A::fma(
-                                t19,
-                                t19,
-                                A::fma(t18, t18, A::fma(t16, t16, t17 * t17)),
-                            ),
+                            t19,
+                            t19,
+                            A::fma(0.25, A::fma(t16, t16, t17 * t17), t18 * t18),
                         ),
                     );
                     let t23 = A::fma(t9, t15, -(t10 * t14)) - r11[t];
@@ -2440,7 +2420,7 @@ mod __Delta {
                     let t32 = t15 - r33[t];
                     let t33 = A::fma(
                         0.01048375215324917,
-                        t22,
+                        A::fma(t21, t21, t22),
                         0.005241876076624585
                             * A::fma(t32, t32, A::fma(t31, t31, A::fma(t30, t30, t29))),
                     );

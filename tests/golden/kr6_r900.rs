@@ -6,7 +6,7 @@
 // Forward kinematics: 44 multiplications, 24 additions, 6 sines with cosines.
 // With the spatial Jacobian: 79 multiplications, 42 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6), 8 branches; one
-// branch: 162 multiplications, 114 additions, 3 divisions, 6 roots, 3 sines with
+// branch: 161 multiplications, 114 additions, 3 divisions, 6 roots, 3 sines with
 // cosines, 6 arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
@@ -888,12 +888,10 @@ mod __Kr6R900 {
                 let t22 = t11 * t11;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t23 = 0.5
-                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
-                        - 1.0);
-                let t24 = 0.5
-                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
-                        - 1.0);
+                let t23 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                    - 1.0;
+                let t24 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                    - 1.0;
                 let t25 = A::fma(
                     r31[t],
                     r32[t],
@@ -903,18 +901,18 @@ mod __Kr6R900 {
                 let t27 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                 let t28 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                 let t29 = A::fma(
-                    t28,
-                    t28,
+                    t27,
+                    t27,
                     A::fma(
-                        t27,
-                        t27,
-                        A::fma(t26, t26, A::fma(t25, t25, A::fma(t23, t23, t24 * t24))),
+                        t26,
+                        t26,
+                        A::fma(0.25, A::fma(t23, t23, t24 * t24), t25 * t25),
                     ),
                 );
                 let t30 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.0302250000000002 * t29,
+                    1.0302250000000002 * A::fma(t28, t28, t29),
                 );
                 t9_[t] = t9;
                 t10_[t] = t10;

@@ -5,7 +5,7 @@
  * base to joint7_link, 7 joints.
  * Forward kinematics: 68 multiplications, 36 additions, 7 sines with cosines.
  * With the spatial Jacobian: 112 multiplications, 61 additions, 7 sines with cosines.
- * Inverse kinematics: SP3(q4) SP2(q5,q6) SP2(q1,q2) SP1(q3), 8 branches; one branch: 218
+ * Inverse kinematics: SP3(q4) SP2(q5,q6) SP2(q1,q2) SP1(q3), 8 branches; one branch: 217
  * multiplications, 146 additions, 3 divisions, 6 roots, 4 sines with cosines, 6
  * arctangents, 36 selections.
  * Made again, beside the robot file, by: kin generate panda.yaml --lang js
@@ -924,14 +924,14 @@ return $arm({
             const t30 = $select(t27, 9.763255449212622e-25, 1.0, 0.0);
             const t31 = 1.0 / t27;
             /* Residual: forward kinematics against the target (what all branches share) */
-            const t32 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-            const t33 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+            const t32 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+            const t33 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
             const t34 = r31 * r32 + (r11 * r12 + r21 * r22);
             const t35 = r13 - (r21 * r32 - r22 * r31);
             const t36 = r23 - (r12 * r31 - r11 * r32);
             const t37 = r33 - (r11 * r22 - r12 * r21);
-            const t38 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36 + t37 * t37;
-            const t39 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 0.9763255449212622 * t38;
+            const t38 = 0.25 * (t32 * t32 + t33 * t33) + t34 * t34 + t35 * t35 + t36 * t36;
+            const t39 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 0.9763255449212622 * (t38 + t37 * t37);
             /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
             const e1_of_4 = [1.0, -1.0, 1.0, -1.0];
             const e2_of_4 = [1.0, 1.0, -1.0, -1.0];

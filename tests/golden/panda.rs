@@ -6,7 +6,7 @@
 // Forward kinematics: 68 multiplications, 36 additions, 7 sines with cosines.
 // With the spatial Jacobian: 112 multiplications, 61 additions, 7 sines with cosines.
 // Inverse kinematics: SP3(q4) SP2(q5,q6) SP2(q1,q2) SP1(q3), 8 branches; one branch:
-// 218 multiplications, 146 additions, 3 divisions, 6 roots, 4 sines with cosines, 6
+// 217 multiplications, 146 additions, 3 divisions, 6 roots, 4 sines with cosines, 6
 // arctangents, 36 selections.
 // Made again, beside the robot file, by: kin generate panda.yaml
 
@@ -62,7 +62,7 @@ mod __Panda {
     ///
     /// # Inverse kinematics
     ///
-    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. By what could be given, the operations of all branches of a plan for the others, residuals aside: q7: 1677, q4: 1718, q6: 2978, q5: 2995.
+    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. By what could be given, the operations of all branches of a plan for the others, residuals aside: q7: 1677, q4: 1717, q6: 2975, q5: 2992.
     ///
     /// Where it is singular, and how it moves while the tip rests: the documentation of `RedundantKinematics` tells the methods.
     ///
@@ -805,12 +805,10 @@ mod __Panda {
                 let t31 = 1.0 / t27;
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t32 = 0.5
-                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
-                        - 1.0);
-                let t33 = 0.5
-                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
-                        - 1.0);
+                let t32 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                    - 1.0;
+                let t33 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                    - 1.0;
                 let t34 = A::fma(
                     r31[t],
                     r32[t],
@@ -820,18 +818,18 @@ mod __Panda {
                 let t36 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                 let t37 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                 let t38 = A::fma(
-                    t37,
-                    t37,
+                    t36,
+                    t36,
                     A::fma(
-                        t36,
-                        t36,
-                        A::fma(t35, t35, A::fma(t34, t34, A::fma(t32, t32, t33 * t33))),
+                        t35,
+                        t35,
+                        A::fma(0.25, A::fma(t32, t32, t33 * t33), t34 * t34),
                     ),
                 );
                 let t39 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    0.9763255449212622 * t38,
+                    0.9763255449212622 * A::fma(t37, t37, t38),
                 );
                 t14_[t] = t14;
                 t15_[t] = t15;

@@ -6,7 +6,7 @@
 // Forward kinematics: 4 multiplications, 5 additions, 3 sines with cosines.
 // With the spatial Jacobian: 4 multiplications, 5 additions, 3 sines with cosines.
 // Inverse kinematics: SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1), 2 branches; one
-// branch: 86 multiplications, 67 additions, 1 division, 3 roots, 1 sine with cosine, 3
+// branch: 85 multiplications, 67 additions, 1 division, 3 roots, 1 sine with cosine, 3
 // arctangents, 9 selections.
 // Made again, beside the robot file, by: kin generate scara.yaml --scalar f32
 
@@ -535,9 +535,9 @@ mod __Scara {
                 // Residual: forward kinematics against the target (what all branches
                 // share)
                 let t24 = r31[t] * r31[t];
-                let t25 = 0.5 * (t24 + A::fma(r11[t], r11[t], r21[t] * r21[t]) - 1.0);
+                let t25 = t24 + A::fma(r11[t], r11[t], r21[t] * r21[t]) - 1.0;
                 let t26 = r32[t] * r32[t];
-                let t27 = 0.5 * (t26 + A::fma(r12[t], r12[t], r22[t] * r22[t]) - 1.0);
+                let t27 = t26 + A::fma(r12[t], r12[t], r22[t] * r22[t]) - 1.0;
                 let t28 = A::fma(
                     r31[t],
                     r32[t],
@@ -547,18 +547,18 @@ mod __Scara {
                 let t30 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                 let t31 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                 let t32 = A::fma(
-                    t31,
-                    t31,
+                    t30,
+                    t30,
                     A::fma(
-                        t30,
-                        t30,
-                        A::fma(t29, t29, A::fma(t28, t28, A::fma(t25, t25, t27 * t27))),
+                        t29,
+                        t29,
+                        A::fma(0.25, A::fma(t25, t25, t27 * t27), t28 * t28),
                     ),
                 );
                 let t33 = A::fma(
                     1.4210855e-14,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.44 * t32,
+                    1.44 * A::fma(t31, t31, t32),
                 );
                 let t34 = t5 - pz[t];
                 let t35 = t34 * t34;

@@ -5,7 +5,7 @@
  * Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
  * With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
- * one branch: 158 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
+ * one branch: 157 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
  * cosines, 6 arctangents, 34 selections.
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c
  */
@@ -1097,14 +1097,14 @@ UR5E_INLINE void ur5e_lanes_of(
     /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
     const double t23 = r33 * r33;
     /* Residual: forward kinematics against the target (what all branches share) */
-    const double t24 = 0.5 * (r31 * r31 + (r11 * r11 + r21 * r21) - 1.0);
-    const double t25 = 0.5 * (r32 * r32 + (r12 * r12 + r22 * r22) - 1.0);
+    const double t24 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+    const double t25 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
     const double t26 = r31 * r32 + (r11 * r12 + r21 * r22);
     const double t27 = r13 - (r21 * r32 - r22 * r31);
     const double t28 = r23 - (r12 * r31 - r11 * r32);
     const double t29 = r33 - (r11 * r22 - r12 * r21);
-    const double t30 = t24 * t24 + t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28 + t29 * t29;
-    const double t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * t30;
+    const double t30 = 0.25 * (t24 * t24 + t25 * t25) + t26 * t26 + t27 * t27 + t28 * t28;
+    const double t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t30 + t29 * t29);
     /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
     static const double e1_of_4[4] = {1.0, -1.0, 1.0, -1.0};
     static const double e2_of_4[4] = {1.0, 1.0, -1.0, -1.0};

@@ -6,7 +6,7 @@
 // Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
 // With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 158 multiplications, 110 additions, 3 divisions, 6 roots, 3
+// branches; one branch: 157 multiplications, 110 additions, 3 divisions, 6 roots, 3
 // sines with cosines, 6 arctangents, 34 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
@@ -822,12 +822,10 @@ mod __Ur5e {
                 let t23 = r33[t] * r33[t];
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t24 = 0.5
-                    * (A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
-                        - 1.0);
-                let t25 = 0.5
-                    * (A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
-                        - 1.0);
+                let t24 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                    - 1.0;
+                let t25 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                    - 1.0;
                 let t26 = A::fma(
                     r31[t],
                     r32[t],
@@ -837,18 +835,18 @@ mod __Ur5e {
                 let t28 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
                 let t29 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
                 let t30 = A::fma(
-                    t29,
-                    t29,
+                    t28,
+                    t28,
                     A::fma(
-                        t28,
-                        t28,
-                        A::fma(t27, t27, A::fma(t26, t26, A::fma(t24, t24, t25 * t25))),
+                        t27,
+                        t27,
+                        A::fma(0.25, A::fma(t24, t24, t25 * t25), t26 * t26),
                     ),
                 );
                 let t31 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.7221312899999994 * t30,
+                    1.7221312899999994 * A::fma(t29, t29, t30),
                 );
                 t8_[t] = t8;
                 t9_[t] = t9;

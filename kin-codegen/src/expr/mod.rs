@@ -314,6 +314,20 @@ impl Graph {
             (Some(a), None) => return self.sub(b, a),
             _ => {}
         }
+        if let (Node::Sub(x, y), Node::Sub(z, w)) = (self.node(a), self.node(b))
+            && (x, y) == (w, z)
+        {
+            return self.zero();
+        }
+        // Powers of two move outwards: they round nothing.
+        if a == b {
+            let two = self.constant(2.0);
+            return self.mul(two, a);
+        }
+        if let Some((power, x, y)) = self.common_power(a, b) {
+            let sum = self.add(x, y);
+            return self.mul(power, sum);
+        }
         // A sum ends with its constant, so that constants meet and fold.
         if let (Node::Add(x, c), Some(y)) = (self.node(a), self.value(b))
             && let Some(c) = self.value(c)
@@ -350,6 +364,10 @@ impl Graph {
                 return self.neg(sum);
             }
             _ => {}
+        }
+        if let Some((power, x, y)) = self.common_power(a, b) {
+            let difference = self.sub(x, y);
+            return self.mul(power, difference);
         }
         self.intern(Node::Sub(a, b))
     }
@@ -432,7 +450,28 @@ impl Graph {
     /// a².
     pub fn square(&mut self, a: Expr) -> Expr {
         let a = self.negated(a).unwrap_or(a);
-        self.mul(a, a)
+        let Some((power, x)) = self.power_of_two(a) else {
+            return self.mul(a, a);
+        };
+        let [power, square] = [self.mul(power, power), self.mul(x, x)];
+        self.mul(power, square)
+    }
+
+    /// A power of two, and what it multiplies.
+    fn power_of_two(&self, e: Expr) -> Option<(Expr, Expr)> {
+        let Node::Mul(factor, x) = self.node(e) else {
+            return None;
+        };
+        let is_power = |x: f64| x.is_normal() && x.to_bits() << 12 == 0;
+        self.value(factor)
+            .is_some_and(is_power)
+            .then_some((factor, x))
+    }
+
+    /// The power of two that multiplies both, to no rounding, and what it multiplies.
+    fn common_power(&self, a: Expr, b: Expr) -> Option<(Expr, Expr, Expr)> {
+        let ((power, x), (other, y)) = self.power_of_two(a).zip(self.power_of_two(b))?;
+        (power == other).then_some((power, x, y))
     }
 
     /// √a.
@@ -575,5 +614,35 @@ impl Graph {
             }
         }
         needed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_rounding_leaves_alone_is_not_computed() {
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|name| g.input(name));
+        let [ahead, back] = [g.sub(x, y), g.sub(y, x)];
+        let sum = g.add(ahead, back);
+        assert!(g.is(sum, 0.0));
+        // ½ (x + x + (y + y)) is x + y, and (2 x)² − (2 y)² is 4 (x² − y²).
+        let doubled = [x, y].map(|e| g.add(e, e));
+        let sum = g.add(doubled[0], doubled[1]);
+        let half = g.constant(0.5);
+        let halved = g.mul(half, sum);
+        assert_eq!(halved, g.add(x, y));
+        let squares = doubled.map(|e| g.square(e));
+        let difference = g.sub(squares[0], squares[1]);
+        let (four, plain) = (g.constant(4.0), [x, y].map(|e| g.square(e)));
+        let plain = g.sub(plain[0], plain[1]);
+        assert_eq!(difference, g.mul(four, plain));
+        // To move other factors rounds.
+        let three = g.constant(3.0);
+        let [a, b] = [x, y].map(|e| g.mul(three, e));
+        let sum = g.add(a, b);
+        assert!(matches!(g.node(sum), Node::Add(..)));
     }
 }

@@ -27,6 +27,13 @@ impl Tangent {
         self.known.insert(e, change);
     }
 
+    /// From here on an angle, by its sine and cosine, changes by so much, radians.
+    pub fn turn(&mut self, g: &mut Graph, [sin, cos]: [Expr; 2], by: Expr) {
+        let less = g.mul(sin, by);
+        let changes = [(sin, g.mul(cos, by)), (cos, g.neg(less))];
+        self.known.extend(changes);
+    }
+
     /// By what an expression changes.
     ///
     /// Of a maximum or a selection it is the change of what was taken; roots of quartics are
@@ -72,8 +79,10 @@ impl Tangent {
             }
             Node::Sqrt(a) => {
                 let half = g.constant(0.5);
-                let rate = g.div(half, e);
-                g.mul(rate, change(a))
+                let halved = g.mul(half, change(a));
+                let one = g.one();
+                let rate = g.div(one, e);
+                g.mul(rate, halved)
             }
             Node::Sin(a) => {
                 let (_, cos) = g.sin_cos(a);
@@ -140,6 +149,20 @@ mod tests {
                 let change = at(change, 0.0, lane, place);
                 assert!((slope - change).abs() < 1e-8, "{slope} {change}");
             }
+        }
+    }
+
+    #[test]
+    fn a_sine_and_a_cosine_change_as_their_angle_does() {
+        let mut g = Graph::new();
+        let [x, by] = ["x", "by"].map(|name| g.input(name));
+        let (sin, cos) = g.sin_cos(x);
+        let product = g.mul(sin, cos);
+        let mut by_rule = Tangent::new([(x, by)]);
+        let mut by_turn = Tangent::new([]);
+        by_turn.turn(&mut g, [sin, cos], by);
+        for e in [sin, cos, product] {
+            assert_eq!(by_turn.of(&mut g, e), by_rule.of(&mut g, e));
         }
     }
 

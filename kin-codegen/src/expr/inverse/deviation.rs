@@ -6,7 +6,7 @@
 //! vector that tells an angle vanishes there: the derivatives by the target tell whether it may.
 
 use super::Writer;
-use crate::expr::linear::Motion;
+use crate::expr::linear::{Motion, Trig};
 use crate::expr::{Expr, Graph, Tangent};
 use crate::geometry::Linkage;
 use kin_runtime::Pose;
@@ -19,11 +19,14 @@ const BEYOND: f64 = 2.0;
 /// How far an idealized arm is from the given one.
 #[derive(Clone, Debug)]
 pub(super) struct Deviation {
-    /// So far may targets be off: radians, or by the arm's size.
+    /// So far may targets be off, radians, or metres by the arm's size.
     reach: f64,
-    /// In which directions they may: motions by a radian or the arm's size, and turns of the
-    /// swivel.
-    pub directions: Vec<Tangent>,
+    /// The arm's size, metres.
+    size: f64,
+    /// By what targets change as the tip is pushed, along the axes of the base.
+    pushed: Vec<Tangent>,
+    /// By what they change as it turns, and the swivel.
+    pub turned: Vec<Tangent>,
 }
 
 impl Deviation {
@@ -38,8 +41,8 @@ impl Deviation {
         let after = g.motion(&after);
         let wrist = after.translation.map(|x| g.neg(x));
         let wrist = g.rotate_back(&after.rotation, wrist);
-        let size = g.constant(linkage.size);
-        let pushed = target.translation.map(|p| Tangent::new([(p, size)]));
+        let one = g.one();
+        let pushed = target.translation.map(|p| Tangent::new([(p, one)]));
         let turned = [0, 1, 2].map(|k| {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
             let minus = g.neg(wrist[a]);
@@ -55,8 +58,14 @@ impl Deviation {
         });
         Self {
             reach: BEYOND * shift,
-            directions: pushed.into_iter().chain(turned).collect(),
+            size: linkage.size,
+            pushed: pushed.into(),
+            turned: turned.into(),
         }
+    }
+
+    fn directions(&mut self) -> impl Iterator<Item = &mut Tangent> {
+        self.pushed.iter_mut().chain(&mut self.turned)
     }
 }
 
@@ -64,8 +73,17 @@ impl Writer<'_> {
     /// Out of domain a branch is refused or flagged: what was moved into it changes by the target
     /// as if it had not been.
     pub(super) fn follow(&mut self, moved: Expr, value: Expr) {
-        for direction in self.deviation.iter_mut().flat_map(|it| &mut it.directions) {
+        for direction in self.deviation.iter_mut().flat_map(Deviation::directions) {
             direction.follow(&mut self.g, moved, value);
+        }
+    }
+
+    /// By how many radians an angle turns in each direction, which is less to compute than by what its
+    /// sine and its cosine change.
+    pub(super) fn turns(&mut self, angle: Trig, rate: impl Fn(&mut Graph, &mut Tangent) -> Expr) {
+        for direction in self.deviation.iter_mut().flat_map(Deviation::directions) {
+            let rate = rate(&mut self.g, direction);
+            direction.turn(&mut self.g, [angle.sin, angle.cos], rate);
         }
     }
 
@@ -91,14 +109,20 @@ impl Writer<'_> {
     /// arms differ, more than a number; none on an exact arm.
     pub(super) fn change_of(&mut self, value: Expr, unit: Expr, least: Expr) -> Option<Expr> {
         let deviation = self.deviation.as_mut()?;
+        let Deviation { reach, size, .. } = *deviation;
         let mut square = self.g.zero();
-        for direction in &mut deviation.directions {
-            let change = direction.of(&mut self.g, value);
-            let change = self.g.square(change);
-            square = self.g.add(square, change);
+        for (directions, by) in [(&mut deviation.pushed, size), (&mut deviation.turned, 1.0)] {
+            let mut squares = self.g.zero();
+            for direction in directions {
+                let change = direction.of(&mut self.g, value);
+                let change = self.g.square(change);
+                squares = self.g.add(squares, change);
+            }
+            let most = self.g.constant((reach * by).powi(2));
+            let squares = self.g.mul(most, squares);
+            square = self.g.add(square, squares);
         }
-        let reach = deviation.reach;
-        let [square, bent] = [square, unit].map(|x| self.scaled(reach * reach, x));
+        let bent = self.scaled(reach * reach, unit);
         let floor = self.g.max(bent, least);
         let floor = self.g.square(floor);
         Some(self.g.add(square, floor))

@@ -214,7 +214,7 @@ impl<'a> Writer<'a> {
             let angle = self.g.input("swivel");
             let one = self.g.one();
             if let Some(deviation) = &mut self.deviation {
-                deviation.directions.push(Tangent::new([(angle, one)]));
+                deviation.turned.push(Tangent::new([(angle, one)]));
             }
             let (sin, cos) = self.g.sin_cos(angle);
             Trig { sin, cos }

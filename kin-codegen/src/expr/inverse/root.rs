@@ -72,6 +72,7 @@ impl Writer<'_> {
         let sign = self.g.sign();
         let root = self.root(sign, discriminant, amplitude, unit);
         // Out of domain the nearest angle is that of d at its limit.
+        let level = d;
         let d = if exact { d } else { self.clamped(d, amplitude) };
         let [ad, br] = [self.g.mul(a, d), self.g.mul(b, root)];
         let [bd, ar] = [self.g.mul(b, d), self.g.mul(a, root)];
@@ -88,7 +89,18 @@ impl Writer<'_> {
             let second = self.g.select_less(amplitude, nothing, minus, zero);
             self.refuse(second);
         }
-        self.normalized(unknown, trig, amplitude, scale)
+        let angle = self.divided(unknown, trig, amplitude, scale);
+        // Of a cos θ + b sin θ = d, where b cos θ − a sin θ is minus the root.
+        self.turns(angle, |g, direction| {
+            let one = g.one();
+            let inverse = g.div(one, root);
+            let [a, b, d] = [a, b, level].map(|it| direction.of(g, it));
+            let [ac, bs] = [g.mul(a, angle.cos), g.mul(b, angle.sin)];
+            let moved = g.add(ac, bs);
+            let more = g.sub(moved, d);
+            g.mul(more, inverse)
+        });
+        angle
     }
 
     /// d within ±√limit.
@@ -242,8 +254,8 @@ impl Writer<'_> {
         };
     }
 
-    /// (sin, cos) over a common factor; a factor of nothing leaves the angle
-    /// free, and the seed's stands for all of them.
+    /// The angle of (sin, cos) over a common factor; a factor of nothing leaves it free, and the
+    /// seed's stands for all of them.
     pub(super) fn normalized(
         &mut self,
         unknown: Atom,
@@ -251,6 +263,28 @@ impl Writer<'_> {
         factor: Expr,
         scale: Expr,
     ) -> Trig {
+        let angle = self.divided(unknown, trig, factor, scale);
+        let (zero, one) = (self.g.zero(), self.g.one());
+        let inverse = self.g.div(one, factor);
+        let nothing = self.free_below(scale);
+        let is_part = self.target != Target::Pose;
+        self.turns(angle, |g, direction| {
+            let [y, x] = [trig.sin, trig.cos].map(|it| direction.of(g, it));
+            let [yc, xs] = [g.mul(y, angle.cos), g.mul(x, angle.sin)];
+            let across = g.sub(yc, xs);
+            let rate = g.mul(across, inverse);
+            // Where it is free the branch is in doubt already; but of targets that are no whole poses
+            // starts depend on it.
+            match is_part {
+                true => g.select_less(factor, nothing, zero, rate),
+                false => rate,
+            }
+        });
+        angle
+    }
+
+    /// The same, which changes as what it is computed from.
+    fn divided(&mut self, unknown: Atom, trig: Trig, factor: Expr, scale: Expr) -> Trig {
         if self.g.value(factor).is_some() {
             return Trig {
                 sin: self.g.div(trig.sin, factor),
