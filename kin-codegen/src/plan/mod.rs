@@ -8,14 +8,18 @@
 //! a UR and their mirror images all come out of the same relations.
 
 mod invariant;
+mod posed;
 mod relation;
+mod relations;
 mod search;
+mod solved;
 
 pub use invariant::{Invariant, Kind};
 use kin_runtime::Solutions;
 pub use kin_runtime::Target;
 pub use relation::{Atom, Dependence, Relation};
-pub use search::{Plans, Relations};
+pub use relations::Relations;
+pub use search::Plans;
 
 use std::fmt;
 
