@@ -1,0 +1,282 @@
+//! Which joints to give beside a target: the choices, the best first.
+
+use crate::certificate::SOMEWHERE;
+use crate::closed_form::tip_shift;
+use crate::expr;
+use crate::geometry::{Carried, Linkage, conditioning, idealizations, size};
+use crate::model::{Joint, JointKind, Model, configurations};
+use crate::plan::{Plans, Relations, Target};
+use crate::solver::{COMPARED, DESIGNED};
+use crate::univariate;
+use crate::vector::{cross, dot};
+use std::cmp::{Ordering, Reverse};
+use std::rc::Rc;
+
+/// Below this conditioning a configuration is nearly singular: an elbow that turns the
+/// rest of an arm along its own self-motion is no parameter for that, even where the file
+/// is off its design.
+const NEARLY_SINGULAR: f64 = 1e-3;
+/// Random configurations that tell.
+const TRIED: usize = 16;
+/// A choice of joints that sweep less than this part of what others do comes behind those.
+const WIDE: f64 = 0.5;
+/// Choices that cost less than one part in so many more than the best cost about as much.
+const ALIKE: usize = 20;
+/// Of so many targets in a hundred, and below this noise, a polynomial is as good as any that is
+/// unsure more seldom, or has less.
+const SELDOM: f64 = 2.0;
+const QUIET: f64 = 1e-11;
+/// A set of joints that could stay free.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weighed {
+    /// Their places in the chain, ascending.
+    pub joints: Vec<usize>,
+    /// What all branches of the cheapest of the first plans for the others cost, by
+    /// [`expr::inverse::weight`]; none if there is none.
+    pub weight: Option<usize>,
+}
+
+/// The choices of the first row that has any with a plan, the best first; without a plan in any
+/// row, those of the first.
+pub(super) fn weigh(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+    rows: Vec<Vec<Vec<usize>>>,
+) -> Vec<Weighed> {
+    let first = rows[0].clone();
+    for row in rows {
+        let (mut weighed, left) = planned(model, linkage, target, row);
+        if !weighed.is_empty() {
+            weighed.extend(between(model, linkage, left, false));
+            return weighed;
+        }
+    }
+    between(model, linkage, first, true)
+}
+
+/// The choices that leave the others a plan, the best first, and those that do not. Of an arm off
+/// its design those come first beside whose branches an elimination can be asked.
+fn planned(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+    choices: Vec<Vec<usize>>,
+) -> (Vec<Weighed>, Vec<Vec<usize>>) {
+    let mut weighed: Vec<Weighed> = Vec::new();
+    let mut left = choices;
+    let mut shift = 0.0;
+    for idealized in idealizations(model) {
+        shift = tip_shift(model, &idealized.model, &linkage.projection(target));
+        if shift > DESIGNED * linkage.size {
+            break;
+        }
+        let ideal = Linkage::for_target(&idealized.model, target);
+        let relations = Rc::new(Relations::new(&ideal, target, &[]));
+        let weight = |joints: &[usize]| {
+            let ideal = ideal.clone().with_locked(joints);
+            let mut plans = Plans::of(&ideal, target, &relations)
+                .take(COMPARED)
+                .peekable();
+            plans.peek()?;
+            let is_regular = is_usually_regular(&idealized.model, joints, target);
+            let weights = plans
+                .filter(|_| is_regular)
+                .map(|plan| expr::inverse::weight(&ideal, &plan));
+            weights.min()
+        };
+        let mut rest = Vec::new();
+        for joints in left {
+            match weight(&joints) {
+                None => rest.push(joints),
+                weight => weighed.push(Weighed { joints, weight }),
+            }
+        }
+        left = rest;
+        if !weighed.is_empty() {
+            break;
+        }
+    }
+    let is_noisy = shift >= linkage.unmoved(target);
+    let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);
+    let reach: Vec<f64> = weighed
+        .iter()
+        .map(|choice| swept(model, &choice.joints, target))
+        .collect();
+    let most = reach.iter().copied().fold(0.0, f64::max);
+    let mut each: Vec<(Weighed, f64)> = weighed.into_iter().zip(reach).collect();
+    let preference = |(choice, reach): &(Weighed, f64)| {
+        let joints = &choice.joints;
+        let little = *reach < WIDE * most;
+        (
+            is_dear(joints),
+            little,
+            Reverse(carriers(model, target, joints)),
+            Reverse(carried(model, target, joints)),
+        )
+    };
+    each.sort_by_key(|it| (preference(it), it.0.weight));
+    // Of those that cost about as much as the best the last in the order of the joints comes first:
+    // the joint that a left arm leaves free is then that of its mirror image.
+    if let Some(best) = each.first() {
+        let (preferred, least) = (preference(best), best.0.weight);
+        let is_alike =
+            |it: &(Weighed, f64)| preference(it) == preferred && costs_as_much(it.0.weight, least);
+        let alike = each.iter().take_while(|it| is_alike(it)).count();
+        each[..alike].sort_by(|(a, _), (b, _)| b.joints.cmp(&a.joints));
+    }
+    let weighed = each.into_iter().map(|(choice, _)| choice).collect();
+    (weighed, left)
+}
+
+/// Whether plans cost about as much as the cheapest.
+pub fn costs_as_much(weight: Option<usize>, least: Option<usize>) -> bool {
+    let both = weight.zip(least);
+    both.is_some_and(|(weight, least)| ALIKE * weight.saturating_sub(least) < least)
+}
+
+/// How much of space the joints that are not locked sweep, where these are to bring the tip to a
+/// position and most joints are given: whatever those are, the target should be in reach. Otherwise
+/// as much as any.
+fn swept(model: &Model, locked: &[usize], target: Target) -> f64 {
+    if target != Target::Position || locked.len() < 2 {
+        return 1.0;
+    }
+    let chain = model.chain();
+    let volume = |q: &Vec<f64>| {
+        let columns = chain.geometric_jacobian(q).into_iter().enumerate();
+        let solved = columns.filter(|(joint, _)| !locked.contains(joint));
+        let moves: Vec<[f64; 3]> = solved.map(|(_, column)| column.linear).collect();
+        match moves[..] {
+            [a, b, c] => dot(a, cross(b, c)).abs(),
+            _ => 1.0,
+        }
+    };
+    let tried = configurations(model);
+    tried.iter().take(TRIED).map(volume).sum()
+}
+
+/// How many of these joints, from the first of the chain on, carry the others: all but one, since an
+/// arm of seven joints is solved as if it stood alone, and that one too if they are a rail, the
+/// slides of a gantry, or the slides and the turn of a platform, or an arm that carries the wrist
+/// which orients the tip; of positions these slides alone. Whoever stands an arm on these means to say
+/// where they are.
+pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
+    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
+    let slides = model.joints.iter().take_while(is_slide).count();
+    let platform = slides + usize::from(slides == 2);
+    let most = match target {
+        Target::Orientation => joints.len(),
+        Target::Position => platform,
+        _ => platform.max(joints.len().saturating_sub(1)),
+    };
+    let from_first = joints.iter().zip(0..).take_while(|(joint, i)| *joint == i);
+    from_first.take(most).count()
+}
+
+/// How many of these joints, from the last of the chain on, the others carry, of which a position is
+/// asked: the wrist is given.
+fn carried(model: &Model, target: Target, joints: &[usize]) -> usize {
+    let from_last = joints.iter().rev().zip((0..model.joints.len()).rev());
+    match target {
+        Target::Position => from_last.take_while(|(joint, i)| *joint == i).count(),
+        _ => 0,
+    }
+}
+
+/// Whether the joints that are not locked stand in a row, for which all others can be
+/// eliminated.
+fn leaves_row(linkage: &Linkage, locked: &[usize]) -> bool {
+    let linkage = linkage.clone().with_locked(locked);
+    Carried::new(&linkage).between().is_empty()
+}
+
+/// Whether the joints that are not locked are independent at most configurations.
+fn is_usually_regular(model: &Model, locked: &[usize], target: Target) -> bool {
+    let held = model.locked(locked, &vec![SOMEWHERE; locked.len()]);
+    let (chain, size) = (held.chain(), size(model));
+    let tried = configurations(&held);
+    let random = tried.iter().take(TRIED);
+    let regular = random.filter(|q| conditioning(&chain, q, size, target) > NEARLY_SINGULAR);
+    2 * regular.count() > TRIED
+}
+
+/// The choices without a plan that leave the other joints in a row; those whose
+/// polynomial is surest of its roots come first, if any of them is to be taken.
+fn between(
+    model: &Model,
+    linkage: &Linkage,
+    choices: Vec<Vec<usize>>,
+    matters: bool,
+) -> Vec<Weighed> {
+    let locked = |joints: &Vec<usize>| linkage.clone().with_locked(joints);
+    let rows = choices
+        .into_iter()
+        .filter(|joints| leaves_row(linkage, joints));
+    let quality = |joints: &Vec<usize>| {
+        let arm =
+            matters.then(|| univariate::Arm::of_targets(model, &locked(joints), Target::Pose));
+        let kept = arm.flatten().map(|arm| arm.kept[0]);
+        kept.map_or([f64::INFINITY; 3], |kept| {
+            let unsure = kept.unsure.max(SELDOM);
+            [
+                unsure,
+                kept.elimination.degree.into(),
+                kept.noise.max(QUIET),
+            ]
+        })
+    };
+    let mut rows: Vec<([f64; 3], Vec<usize>)> = rows.map(|row| (quality(&row), row)).collect();
+    // Of equals the last in the order of the joints comes first, as of those with a plan.
+    rows.sort_by(|a, b| {
+        let by_quality = a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal);
+        by_quality.then_with(|| b.1.cmp(&a.1))
+    });
+    rows.sort_by_key(|(_, joints)| Reverse(carriers(model, Target::Pose, joints)));
+    let weighed = rows.into_iter().map(|(_, joints)| Weighed {
+        joints,
+        weight: None,
+    });
+    weighed.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::{ArmSpec, Source};
+
+    #[test]
+    fn rails_and_platforms_carry_an_arm() {
+        let carried_by = |kinds: &str, joints: &[usize]| {
+            let joint = |(i, kind)| {
+                let (kind, point) = match kind {
+                    's' => ("prismatic", String::new()),
+                    _ => ("revolute", format!(", point: [0.1, 0, 0.{i}]")),
+                };
+                format!("- {{name: q{i}, axis: [0, 0, 1]{point}, type: {kind}}}\n")
+            };
+            let screws: String = kinds.chars().enumerate().map(joint).collect();
+            let source = Source {
+                path: "arm.yaml".into(),
+                text: format!(
+                    "robot: arm\nunits: {{angle: rad, length: m}}\nscrews:\n{screws}home: {{xyz: [9, 0, 0]}}\n"
+                ),
+            };
+            let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+            carriers(&model, Target::Pose, joints)
+        };
+        assert_eq!(carried_by("stttttt", &[0]), 1);
+        assert_eq!(carried_by("sstttttt", &[0, 1]), 2);
+        assert_eq!(carried_by("ssttttttt", &[0, 1, 2]), 3);
+        // Of a torso and seven joints another one is given as well, which carries nothing.
+        assert_eq!(carried_by("sttttttt", &[0, 3]), 1);
+        assert_eq!(carried_by("sttttttt", &[0, 1]), 1);
+        assert_eq!(carried_by("tttttttt", &[0, 7]), 1);
+        assert_eq!(carried_by("ssstttttttt", &[0, 1, 2, 3]), 3);
+        // Turntables, slides within, and what a rail carries.
+        assert_eq!(carried_by("ttttttt", &[0]), 0);
+        assert_eq!(carried_by("tstttttt", &[1]), 0);
+        assert_eq!(carried_by("stttttt", &[1]), 0);
+        assert_eq!(carried_by("tttttt", &[]), 0);
+    }
+}
