@@ -661,14 +661,55 @@ joints:
 tip: {link: tip, xyz: [-0.3076104951624049, 0.5282953326770102, -0.011940661733157998]}
 ";
 
+/// Three axes that meet, a slide and a joint behind it, but for noise of 1e-3.
+const WRIST_BEFORE_SLIDE: &str = "
+robot: wrist_that_slides
+units: {angle: rad, length: m}
+joints:
+  - name: a
+    xyz: [-0.00014455736590332808, -0.06624775636425, 0.4980762378808916]
+    axis: [-0.0006033632520145025, -1.0010081736530463, 0.0004308974681708449]
+    limits: [-3.1, 3.1]
+  - name: b
+    xyz: [-0.00024025765480802954, -0.28515727402693997, -0.27815617553813554]
+    axis: [-0.0002819195204869762, 0.0016826943670912536, -1.0018617210947975]
+    limits: [-3.1, 3.1]
+  - name: c
+    xyz: [-0.00023072938322844696, 0.00010406995130104584, 0.00011864910608358866]
+    axis: [0.0014095624590887855, -0.9995045193265649, -0.001255146416382376]
+    limits: [-3.1, 3.1]
+  - name: d
+    xyz: [0.0002936313956068832, 9.028133793434679e-05, -0.0005724625011717146]
+    axis: [-1.3756084845441128, 0.11549091902833745, 1.7837006685109822]
+    limits: [-3.1, 3.1]
+  - name: e
+    xyz: [0.00011572408521358812, -0.4980816598304229, 6.931071287793783e-05]
+    axis: [-0.0007688304371811219, 0.0007031278106154117, 0.9989946277297096]
+    limits: [-1, 1]
+    type: prismatic
+  - name: f
+    xyz: [-1.7710808021708216e-05, 1.5726315228838897e-05, 0.0001947020001504659]
+    axis: [-1.0006602522577568, 0.0011945656141416855, 0.0017362481233508793]
+    limits: [-3.1, 3.1]
+tip: {link: tip, xyz: [0.0003142391268154432, -0.000516732643402505, -3.4550687862040405e-05]}
+";
+
+fn comes_back<const N: usize>(arm: &str, lost: &[[f64; N]]) {
+    let model = written(arm);
+    let linkage = Linkage::new(&model);
+    let form = solve(&model, &linkage, Target::Pose).expect("a plan").form;
+    for q in lost {
+        let solutions = form.solutions(&model.chain().fk(q));
+        let back = recovered(&model, q, &solutions, 1.0);
+        assert!(back.is_ok(), "{back:?}");
+    }
+}
+
 /// With a joint behind the tip this arm is nearly singular where it is not itself, and one elimination
 /// cannot tell its solutions apart: another one does.
 #[test]
 fn five_joints_are_asked_in_two_ways() {
-    let model = written(TWO_PARALLEL);
-    let linkage = Linkage::new(&model);
-    let form = solve(&model, &linkage, Target::Pose).expect("a plan").form;
-    for q in [
+    let lost = [
         [
             2.489976795052005,
             -0.765776202479516,
@@ -711,11 +752,40 @@ fn five_joints_are_asked_in_two_ways() {
             -0.8244248297506762,
             -2.645136110226943,
         ],
-    ] {
-        let solutions = form.solutions(&model.chain().fk(&q));
-        let back = recovered(&model, &q, &solutions, 1.0);
-        assert!(back.is_ok(), "{back:?}");
-    }
+    ];
+    comes_back(TWO_PARALLEL, &lost);
+}
+
+/// One elimination is not sure of its answer at every other target, and has lost these.
+#[test]
+fn what_one_is_not_sure_of_another_finds() {
+    let lost = [
+        [
+            1.0402349496943635,
+            0.6611072024341236,
+            -0.6791274719463685,
+            -0.3774582712742882,
+            0.735788855089097,
+            2.847875545936372,
+        ],
+        [
+            2.304557478529334,
+            0.9129627498205024,
+            -1.7327628868630462,
+            0.04221597196631066,
+            -0.11551881641048611,
+            1.8756542741122826,
+        ],
+        [
+            0.47298823471590357,
+            -1.2766316367342139,
+            -0.17396567339821623,
+            3.1206026819875956,
+            -0.1713349280227543,
+            -2.064790152293069,
+        ],
+    ];
+    comes_back(WRIST_BEFORE_SLIDE, &lost);
 }
 
 /// The leg of a quadruped as it was exported: what is parallel and what meets does so to a few

@@ -12,8 +12,8 @@ const TAKES_PART: f64 = 0.1;
 
 /// With more noise an elimination is not asked beside an idealized arm.
 const NOISY: f64 = 1e-4;
-/// An arm of fewer than six joints gets a second elimination, and a third if neither is sure of its
-/// answer at all but this percentage of targets.
+/// Two eliminations neither of which is sure of its answer at all but this percentage of targets get a
+/// third.
 const OFTEN: f64 = 25.0;
 
 /// Where a step of the plan degenerates and the arm does not, an elimination tells what is
@@ -104,11 +104,15 @@ pub(super) fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<
             let tells = |other: &Kept| both(other) < untold(&arm.kept);
             arm.kept.extend(beside.filter(tells));
         }
-        // With joints behind its tip a shorter arm is nearly singular where it is not itself.
+        // What one is not sure of another may be; with joints behind its tip a shorter arm is nearly
+        // singular where it is not itself.
         let is_short = trials.linkage().variables() < 6;
-        let is_unsure = |kept: &Kept| kept.unsure > OFTEN;
-        let lacks = |all: &[Kept]| all.len() < 2 || all.len() < MOST && all.iter().all(is_unsure);
-        while is_short && lacks(&arm.kept) {
+        let is_beyond = |most: f64| move |kept: &Kept| kept.unsure > most;
+        let lacks = |all: &[Kept]| match all.len() {
+            1 => is_short || all.iter().any(is_beyond(0.0)),
+            count => count < MOST && all.iter().all(is_beyond(OFTEN)),
+        };
+        while lacks(&arm.kept) {
             let others = arms.iter().map(|other| other.kept[0]);
             let others = others.filter(|other| !arm.kept.contains(other));
             let Some(surest) = others.min_by(|a, b| a.unsure.total_cmp(&b.unsure)) else {
