@@ -412,6 +412,31 @@ fn roots_are_clear_as_far_as_noise_allows() {
     }
 }
 
+/// A thousandth as large, an arm has as many branches in doubt.
+#[test]
+fn doubt_does_not_depend_on_the_unit_of_length() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/robots/noisy");
+    let text = std::fs::read_to_string(root.join("calibrated.yaml")).unwrap();
+    let in_doubt = |unit: &str| {
+        let model = written(text.replace("length: m}", unit));
+        let linkage = Linkage::new(&model);
+        let form = solve(&model, &linkage, Target::Pose).unwrap().form;
+        let chain = model.chain();
+        let mut random = Random(0x5eed);
+        let branches = (0..2000).flat_map(|k| {
+            let q = configuration(6, k, &mut random);
+            form.branches_at(&chain.fk(&q), &[])
+        });
+        branches.filter(|branch| branch.singular).count()
+    };
+    let metres = in_doubt("length: m}");
+    let millimetres = in_doubt("length: mm}");
+    assert!(
+        metres > 0 && metres.abs_diff(millimetres) <= metres / 100,
+        "{metres} {millimetres}"
+    );
+}
+
 /// Where branches are known to be all, they are the same at every target that is off by as much as
 /// the arms differ, by whatever turn and push: none of them ends, and another one is not known.
 #[test]
