@@ -85,13 +85,14 @@ fn circles(k1: [f64; 3], k2: [f64; 3], from: &Radial, to: &Radial) -> SolutionSe
             to.angle_to(&Radial::new(k2, c2), k2),
         ]
     };
-    // The points with components h₁ and h₂ are middle ± γ normal.
+    // The points with components h₁ and h₂ are h₁ k₁ + across aside ± γ normal, where aside is at
+    // right angles to k₁ and sine above it along k₂.
     let (normal, cosine) = (cross(k1, k2), dot(k1, k2));
     let sine = norm(normal);
-    let along1 = (h1 - cosine * h2) / (sine * sine);
-    let along2 = (h2 - cosine * h1) / (sine * sine);
-    let middle = add(scale(along1, k1), scale(along2, k2));
-    let excess = 1.0 - dot(middle, middle);
+    let aside = scale(1.0 / sine, cross(normal, k1));
+    let across = (h2 - cosine * h1) / sine;
+    let middle = add(scale(h1, k1), scale(across, aside));
+    let excess = 1.0 - (h1 * h1 + across * across);
     if excess <= DOUBLE {
         let [c1, c2] = nearest_points(k1, k2, h1, h2);
         let residual = norm(sub(scale(from.norm(), c1), scale(to.norm(), c2)));
