@@ -15,7 +15,7 @@ use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, 
 use crate::vector::norm;
 use kin_runtime::{Chain, JointLimit, Pose, Twist};
 
-pub(crate) use configurations::{anywhere, configurations, spread};
+pub(crate) use configurations::{anywhere, configurations, place, spread};
 
 /// A serial chain at its home configuration (all joint values 0), in the
 /// coordinates of the base link; metres and radians.

@@ -437,6 +437,42 @@ fn doubt_does_not_depend_on_the_unit_of_length() {
     );
 }
 
+/// How far the tips of an arm and of its design get apart tells which branches are in doubt: few
+/// configurations take them farther, and none much.
+#[test]
+fn the_tips_get_hardly_farther_apart_than_is_said() {
+    for path in [
+        "robots/ur5e.urdf",
+        "robots/kr6_r900.yaml",
+        "robots/puma560.yaml",
+    ] {
+        let mut random = Random(0x5eed);
+        for _ in 0..5 {
+            let model = measured(&design(path), 1e-4, &mut random);
+            let form = solve(&model, &Linkage::new(&model), Target::Pose)
+                .unwrap()
+                .form;
+            let chains = [&model, &form.idealized.model].map(Model::chain);
+            let mut most = 0.0_f64;
+            for _ in 0..3000 {
+                let q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
+                let [a, b] = [0, 1].map(|i| chains[i].fk(&q));
+                most = most.max(Target::Pose.distance(&a, &b, size(&model)));
+            }
+            assert!(
+                form.tip_shift > 0.9 * most,
+                "{path}: {} {most}",
+                form.tip_shift
+            );
+            assert!(
+                form.tip_shift < 1.2 * most,
+                "{path}: {} {most}",
+                form.tip_shift
+            );
+        }
+    }
+}
+
 /// Where branches are known to be all, they are the same at every target that is off by as much as
 /// the arms differ, by whatever turn and push: none of them ends, and another one is not known.
 #[test]

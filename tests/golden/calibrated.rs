@@ -70,7 +70,7 @@ mod __Calibrated {
     /// 8 branches. Verified on 632 configurations: all recovered, 3845 solutions, the worst 1.2e-14 m from its target.
     /// Less than 0.1 % of random configurations are so near to singular that a solution to their targets may be missing.
     ///
-    /// The file's axes are off exact relations by up to 7.8e-4 rad: the closed form runs on an arm whose tip is within 9.6e-4 m, and every branch is refined onto the file's own.
+    /// The file's axes are off exact relations by up to 7.8e-4 rad: the closed form runs on an arm whose tip is within 1.8e-3 m, and every branch is refined onto the file's own.
     /// Near singular configurations, where branches do not tell all solutions, the roots of a polynomial of degree 8 in q4 do; what they add is numbered from 8 on.
     ///
     /// # Branches
@@ -252,7 +252,7 @@ mod __Calibrated {
             tolerance: 1.1498670199252324e-9,
             taken: 1.1498670199252324e-9,
             nearly: 0.000011498670199252324,
-            near_singular: 0.014466553735643211,
+            near_singular: 0.019710820778101955,
             prismatic: 0,
         };
 
@@ -1425,8 +1425,8 @@ mod __Calibrated {
                 let t30 = A::fma(t28, t28, t29);
                 let t31 = t30 - 0.017810176447143812;
                 let t32 = 1e-13 * t30;
-                let t33 = 0.000014825028579328465 * A::fma(t27, t27, t29);
-                let t34 = math::max(t32, 0.0000037062571448321162);
+                let t33 = 0.00005109213340681087 * A::fma(t27, t27, t29);
+                let t34 = math::max(t32, 0.000012773033351702718);
                 let t35 = math::select(t31 < 0.0, 1.0, 0.0);
                 let t36 = math::sqrt(math::max(t31, t32));
                 let t37 = -math::sqrt(t30);
@@ -1435,7 +1435,7 @@ mod __Calibrated {
                 let t40 = t26 * t38;
                 let t41 = math::max(
                     math::select(A::fma(t34, t34, t33) < t31 * t31, 0.0, 1.0),
-                    math::select(t33 + 1.373634202361911e-11 < t30 * t30, 0.0, 1.0),
+                    math::select(t33 + 1.6315038100370996e-10 < t30 * t30, 0.0, 1.0),
                 );
                 let t42 = 1.0 / t30;
                 // Residual: forward kinematics against the target (what all branches
@@ -1543,12 +1543,12 @@ mod __Calibrated {
                     let t77 = t64 * t65;
                     let t78 = A::fma(t65, t66, t61 * t66);
                     let t79 = A::fma(
-                        0.000014825028579328465,
+                        0.00005109213340681087,
                         A::fma(t71, t71, t74 * t74),
-                        0.000011212444426432298
+                        0.00003864192931476166
                             * A::fma(t78, t78, A::fma(t76, t76, t77 * t77)),
                     );
-                    let t80 = math::max(0.0000028031111066080745, t68);
+                    let t80 = math::max(0.000009660482328690414, t68);
                     let t81 = t67 * t67;
                     let t82 = math::max(
                         math::max(
@@ -1565,7 +1565,7 @@ mod __Calibrated {
                             t41_[t],
                             math::select(A::fma(t80, t80, t79) < t81, 0.0, 1.0),
                         ),
-                        math::select(t79 + 7.857431875989545e-12 < t81, 0.0, 1.0),
+                        math::select(t79 + 9.332491882293978e-11 < t81, 0.0, 1.0),
                     );
                     let t87 = 1.0 / t67;
                     let s6 = math::select(
@@ -1628,9 +1628,9 @@ mod __Calibrated {
                             * (A::fma(t66, c6, -(t65 * t103))
                                 - A::fma(t66, t104, t61 * s6)));
                     let t116 = A::fma(
-                        0.0000037062571448321162,
+                        0.000012773033351702718,
                         A::fma(t110, t110, t112 * t112),
-                        0.0000028031111066080745
+                        0.000009660482328690414
                             * A::fma(t115, t115, A::fma(t113, t113, t114 * t114)),
                     );
                     let s5 = math::select(t107 < 1e-24, t2, (t101 - t105) * t109);
@@ -1717,20 +1717,20 @@ mod __Calibrated {
                     let t162 = t161 + A::fma(t121, t159, t122 * t160);
                     let t163 = t126 * t162;
                     let t164 = A::fma(
-                        0.000014825028579328465,
+                        0.00005109213340681087,
                         A::fma(t142, t142, A::fma(t134, t134, t141 * t141)),
-                        0.000011212444426432298
+                        0.00003864192931476166
                             * A::fma(t163, t163, A::fma(t149, t149, t156 * t156)),
                     );
                     let t165 = math::max(
                         math::max(
                             t86,
                             math::select(
-                                t116 + 7.857431875989545e-12 < t107 * t107,
+                                t116 + 9.332491882293978e-11 < t107 * t107,
                                 0.0, 1.0,
                             ),
                         ),
-                        math::select(t164 + 2.40138374939562e-11 < t127 * t127, 0.0, 1.0),
+                        math::select(t164 + 2.85219072862594e-10 < t127 * t127, 0.0, 1.0),
                     );
                     let t166 = math::max(
                         math::max(t82, math::select(t67 < 1e-24, -e2[k], 0.0)),
@@ -1829,15 +1829,15 @@ mod __Calibrated {
                     );
                     let t199 = t184 * (0.5 * t198);
                     let t200 = A::fma(
-                        0.0000037062571448321162,
+                        0.000012773033351702718,
                         A::fma(t190, t190, A::fma(t185, t185, t188 * t188)),
-                        0.0000028031111066080745
+                        0.000009660482328690414
                             * A::fma(t199, t199, A::fma(t193, t193, t196 * t196)),
                     );
                     let singular = math::max(
                         t165,
                         math::select(
-                            t200 + 1.373634202361911e-11 < t180 * t180,
+                            t200 + 1.6315038100370996e-10 < t180 * t180,
                             0.0, 1.0,
                         ),
                     );

@@ -3,11 +3,12 @@
 use super::{ClosedForm, Inverse, Refinement};
 use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
 use crate::geometry::{Idealized, Linkage, Swivel, size};
-use crate::model::Model;
+use crate::model::{Model, configurations, place};
 use crate::plan::{Plan, Target};
 use crate::scalar::Scalar;
 use crate::single;
 use kin_runtime::__private::Projection;
+use std::f64::consts::PI;
 
 /// Axes of an idealized arm meet to this, in radians and of its size.
 const EXACT: f64 = 1e-11;
@@ -86,17 +87,45 @@ impl Reading {
     }
 }
 
+/// A slide that nothing stops goes so many times the arm's size for each metre that it is tried at.
+const FAR: f64 = 20.0;
+
+/// How often all joints are taken to where the tips are farthest apart, out of so many places.
+const ROUNDS: usize = 3;
+const PLACES: usize = 16;
+
 /// How far apart the tips of two arms get as targets see them, with orientation as a length at
-/// the distance of the arm's size; metres.
+/// the distance of the arm's size; metres. From the worst of many configurations one joint after the
+/// other is taken to where they are farthest apart.
 pub(crate) fn tip_shift(given: &Model, idealized: &Model, seen: &Projection) -> f64 {
     let (a, b) = (given.chain(), idealized.chain());
     let size = size(given);
-    let at = |k: usize| {
-        let q: Vec<f64> = (0..given.variables.len())
-            .map(|i| (i * 5 + k * 7) as f64 * 0.61 % 3.0)
-            .collect();
+    let is_unstopped = |i: &usize| !given.turns(*i) && given.variables[*i].travel().is_none();
+    let unstopped: Vec<usize> = (0..given.variables.len()).filter(is_unstopped).collect();
+    let apart = |q: &[f64]| {
+        let mut q = q.to_vec();
+        unstopped.iter().for_each(|&i| q[i] *= FAR * size);
         let [a, b] = [&a, &b].map(|chain| seen.pose(&chain.fk(&q)));
         seen.counts.distance(&a, &b, size)
     };
-    (0..64).map(at).fold(0.0, f64::max)
+    let mut worst = (0.0, Vec::new());
+    let farther = |q: &[f64], worst: &mut (f64, Vec<f64>)| {
+        let shift = apart(q);
+        if shift > worst.0 {
+            *worst = (shift, q.to_vec());
+        }
+    };
+    for q in configurations(given) {
+        farther(&q, &mut worst);
+    }
+    for _ in 0..ROUNDS {
+        for i in 0..worst.1.len() {
+            let mut q = worst.1.clone();
+            for k in 0..PLACES {
+                q[i] = place(given, i, PI * (2.0 * k as f64 / PLACES as f64 - 1.0));
+                farther(&q, &mut worst);
+            }
+        }
+    }
+    worst.0
 }

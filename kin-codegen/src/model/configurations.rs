@@ -62,7 +62,7 @@ pub fn spread(model: &Model, count: usize, random: &mut Random) -> Vec<Vec<f64>>
 }
 
 /// Where a joint is at an angle: a quarter turn of a sliding one is a quarter of its travel.
-fn place(model: &Model, i: usize, angle: f64) -> f64 {
+pub fn place(model: &Model, i: usize, angle: f64) -> f64 {
     if model.turns(i) {
         return angle;
     }

@@ -149,22 +149,22 @@ impl Writer<'_> {
     }
 
     /// Of two equations of one unknown, the one that changes faster with it at
-    /// its roots: a² + b² − d² is the square of that, in units of the equation.
+    /// its roots: a² + b² − d² is the square of that, in the unit of the first.
     /// Where both have a double root, the one with the larger amplitude tells it
     /// better: one whose amplitude is nothing tells no angle.
     fn steeper(&mut self, one: CosineSine, other: CosineSine) -> CosineSine {
-        let [first, second] = [one, other].map(|CosineSine { a, b, d, unit }| {
-            let [aa, bb, dd] = [a, b, d].map(|x| self.g.square(x));
+        let share = one.unit / other.unit;
+        let other = [other.a, other.b, other.d].map(|x| self.scaled(share, x));
+        let terms = [one.a, one.b, one.d];
+        let [first, second] = [terms, other].map(|equation| {
+            let [aa, bb, dd] = equation.map(|x| self.g.square(x));
             let amplitude = self.g.add(aa, bb);
             let more = self.scaled(1.0 + AMPLITUDE, amplitude);
-            let square = self.g.sub(more, dd);
-            self.scaled(unit.powi(-2), square)
+            self.g.sub(more, dd)
         });
-        let mut choose = |x, y| self.g.select_less(first, second, y, x);
-        let a = choose(one.a, other.a);
-        let b = choose(one.b, other.b);
-        let d = choose(one.d, other.d);
-        CosineSine { a, b, d, ..one }
+        let [a, b, d] = [0, 1, 2].map(|i| self.g.select_less(first, second, other[i], terms[i]));
+        let unit = one.unit;
+        CosineSine { a, b, d, unit }
     }
 
     /// The first joint and the end of the joints that an unknown stands for.
