@@ -50,7 +50,17 @@ pub(super) struct Candidate {
     pub posed: Posed,
     /// Bit k is set where it degenerates in the k-th configuration that a plan has to tell.
     pub weak_at: u64,
-    pub cost: u32,
+    /// Operations, about.
+    pub work: u32,
+    /// Whether it degenerates nowhere, or everywhere: what it depends on does not move.
+    pub steady: bool,
+}
+
+impl Candidate {
+    /// What a search pays for it.
+    pub fn cost(&self) -> u32 {
+        self.work + if self.steady { 0 } else { MAY_DEGENERATE }
+    }
 }
 
 /// The relations of an arm, and what is known of it.
@@ -130,7 +140,6 @@ impl<'a> Posing<'a> {
             // No relation poses it: it is what is left when the search finds nothing.
             Subproblem::Univariate => 1000,
         };
-        let cost = work + 9 * known + if steady { 0 } else { MAY_DEGENERATE };
         let parallel = match *unknown {
             [a, b] => self
                 .relations
@@ -145,7 +154,8 @@ impl<'a> Posing<'a> {
                 with: None,
             },
             weak_at: unknown.iter().fold(parallel, |bits, d| bits | d.weak_at),
-            cost,
+            work: work + 9 * known,
+            steady,
         };
         Some(((subproblem, unknowns), candidate))
     }
@@ -194,10 +204,6 @@ impl<'a> Posing<'a> {
             return None;
         }
         let known = (first.depends.len() + second.depends.len() - 4) as u32;
-        let penalty = match independence.steady {
-            true => 0,
-            false => MAY_DEGENERATE,
-        };
         let candidate = Candidate {
             posed: Posed {
                 relation: pair[0],
@@ -209,7 +215,8 @@ impl<'a> Posing<'a> {
                 &self.relations.told,
                 unknowns.map(joint_of),
             ),
-            cost: 300 + 9 * known + penalty,
+            work: 300 + 9 * known,
+            steady: independence.steady,
         };
         Some(((Subproblem::Sp6, unknowns.to_vec()), candidate))
     }

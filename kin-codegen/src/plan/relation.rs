@@ -134,6 +134,7 @@ impl Samples {
         self.bits(|_, sample| sine(sample) < NEARLY_NOTHING)
     }
 
+    /// Bit k is set where it holds in the k-th configuration, of 64.
     fn bits(&self, holds: impl Fn(usize, &Sample) -> bool) -> u64 {
         let all = self.0.iter().take(64).enumerate();
         all.fold(0, |bits, (k, sample)| {

@@ -211,7 +211,7 @@ impl Partial {
             steps.entry(asked).or_default().push(candidate);
         }
         for candidates in steps.values_mut() {
-            candidates.sort_by_key(|candidate| candidate.cost);
+            candidates.sort_by_key(|candidate| candidate.cost());
         }
         steps
             .iter()
@@ -263,12 +263,12 @@ impl Partial {
                 .iter()
                 .filter(tells)
                 .take(ALTERNATIVES)
-                .filter(|c| c.cost < alone.cost + MAY_DEGENERATE)
+                .filter(|c| c.cost() < alone.cost() + MAY_DEGENERATE)
                 .map(|c| c.posed)
                 .collect();
-            taken.push(step(alone.cost, posed, None));
+            taken.push(step(alone.cost(), posed, None));
         }
-        let can_degenerate = !posing.determined || best.cost >= MAY_DEGENERATE;
+        let can_degenerate = !posing.determined || !best.steady;
         if let ([atom], true) = (&unknowns[..], can_degenerate) {
             let mut different = vec![best];
             let others = complementary(subproblem)
@@ -282,7 +282,7 @@ impl Partial {
                 let tells = other.weak_at & best.weak_at == 0;
                 if different.len() <= COMPLEMENTS && tells && different.iter().all(differs) {
                     different.push(other);
-                    let cost = best.cost + other.cost % MAY_DEGENERATE;
+                    let cost = best.cost() + other.work;
                     taken.push(step(cost, vec![best.posed], Some(other.posed)));
                 }
             }
