@@ -268,6 +268,34 @@ mod tests {
     use super::*;
     use crate::spec::{ArmSpec, Source};
 
+    /// Where it stands is given, though another joint would leave a plan that the file tells to more
+    /// digits, or the only one.
+    #[test]
+    fn what_an_arm_stands_on_is_given() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let read = |file: &str| std::fs::read_to_string(root.join(file)).unwrap();
+        let turned = read("tests/robots/redundant/rail.yaml")
+            .replace("[0, 0, 162.5], ", "[0, 0, 162.5], rpy: [0, 0, 37.123],");
+        let column = "mdh:\n  - {name: column, link: carriage, alpha: 0, a: 0, theta: 0, d: 0, \
+                      type: prismatic, limits: [0, 1000]}\n";
+        let lifted = read("robots/xarm6.yaml").replace("mdh:\n", column);
+        for text in [turned, lifted] {
+            let source = Source {
+                path: "arm.yaml".into(),
+                text,
+            };
+            let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+            assert_eq!(model.joints.len(), 7);
+            let found = solve_redundant(
+                &model,
+                &Linkage::new(&model),
+                Target::Pose,
+                &Asked::default(),
+            );
+            assert_eq!(found.unwrap().1.joints, [0], "{}", source.text);
+        }
+    }
+
     /// Whatever the wrist is given, the joints before it reach most positions; a wrist alone reaches
     /// few, though its plan takes no more.
     #[test]

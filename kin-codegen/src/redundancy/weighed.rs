@@ -36,15 +36,41 @@ pub struct Weighed {
     pub weight: Option<usize>,
 }
 
-/// The choices of the first row that has any with a plan, the best first; without a plan in any
-/// row, those of the first.
+/// The choices, the best first. What an arm stands on is given where that leaves it regular: all other
+/// choices come behind those that give it, whether or not these have a plan.
 pub(super) fn weigh(
     model: &Model,
     linkage: &Linkage,
     target: Target,
     rows: Vec<Vec<Vec<usize>>>,
 ) -> Vec<Weighed> {
-    let first = rows[0].clone();
+    let stand = stand(model);
+    let stands = |joints: &Vec<usize>| {
+        stand > 0
+            && (0..stand).all(|joint| joints.contains(&joint))
+            && is_usually_regular(model, joints, target)
+    };
+    let (standing, others): (Vec<_>, Vec<_>) = rows
+        .into_iter()
+        .map(|row| row.into_iter().partition::<Vec<_>, _>(stands))
+        .unzip();
+    let [mut first, rest] = [standing, others].map(|rows| weighed(model, linkage, target, rows));
+    first.extend(rest);
+    first
+}
+
+/// The choices of the first row that has any with a plan, the best first; without a plan in any
+/// row, those of the first.
+fn weighed(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+    mut rows: Vec<Vec<Vec<usize>>>,
+) -> Vec<Weighed> {
+    rows.retain(|row| !row.is_empty());
+    let Some(first) = rows.first().cloned() else {
+        return Vec::new();
+    };
     for row in rows {
         let (mut weighed, left) = planned(model, linkage, target, row);
         if !weighed.is_empty() {
@@ -162,9 +188,7 @@ fn swept(model: &Model, locked: &[usize], target: Target) -> f64 {
 /// which orients the tip; of positions these slides alone. Whoever stands an arm on these means to say
 /// where they are.
 pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
-    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
-    let slides = model.joints.iter().take_while(is_slide).count();
-    let platform = slides + usize::from(slides == 2);
+    let platform = stand(model);
     let most = match target {
         Target::Orientation => joints.len(),
         Target::Position => platform,
@@ -172,6 +196,14 @@ pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
     };
     let from_first = joints.iter().zip(0..).take_while(|(joint, i)| *joint == i);
     from_first.take(most).count()
+}
+
+/// How many joints an arm stands on: the slides of a rail or a gantry, or the two and the turn of a
+/// platform.
+fn stand(model: &Model) -> usize {
+    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
+    let slides = model.joints.iter().take_while(is_slide).count();
+    slides + usize::from(slides == 2)
 }
 
 /// How many of these joints, from the last of the chain on, the others carry, of which a position is
