@@ -268,18 +268,31 @@ mod tests {
     use super::*;
     use crate::spec::{ArmSpec, Source};
 
-    /// Where it stands is given, though another joint would leave a plan that the file tells to more
-    /// digits, or the only one.
+    /// Angles of six digits, and of four.
+    const RAIL: &str = "\
+robot: arm
+units: {angle: rad, length: m}
+joints:
+  - {name: rail, axis: [0, 1, 0], type: prismatic, limits: [0, 0.9]}
+  - {name: pan, xyz: [0, 0, 0.2807], rpy: [0, 0, 1.5708], axis: [0, 0, 1]}
+  - {name: lift, rpy: [1.570796, 0, 0], axis: [0, 0, 1]}
+  - {name: elbow, xyz: [-0.6127, 0, 0], axis: [0, 0, 1]}
+  - {name: wrist_1, xyz: [-0.57155, 0, 0.17415], axis: [0, 0, 1]}
+  - {name: wrist_2, xyz: [0, -0.11985, 0], rpy: [1.570796, 0, 0], axis: [0, 0, 1]}
+  - {name: wrist_3, xyz: [0, 0.11655, 0], rpy: [1.570796, 3.141593, 3.141593], axis: [0, 0, 1]}
+tip: tool0
+";
+
+    /// Where it stands is given, though another joint would leave a plan of axes that are told to more
+    /// digits, or the only plan.
     #[test]
     fn what_an_arm_stands_on_is_given() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let read = |file: &str| std::fs::read_to_string(root.join(file)).unwrap();
-        let turned = read("tests/robots/redundant/rail.yaml")
-            .replace("[0, 0, 162.5], ", "[0, 0, 162.5], rpy: [0, 0, 37.123],");
         let column = "mdh:\n  - {name: column, link: carriage, alpha: 0, a: 0, theta: 0, d: 0, \
                       type: prismatic, limits: [0, 1000]}\n";
         let lifted = read("robots/xarm6.yaml").replace("mdh:\n", column);
-        for text in [turned, lifted] {
+        for text in [RAIL.to_owned(), lifted] {
             let source = Source {
                 path: "arm.yaml".into(),
                 text,
