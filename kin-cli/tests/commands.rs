@@ -352,7 +352,13 @@ fn mechanisms_are_explained_generated_and_told_from_arms() {
     );
     let swept = kin(&["check", DELTA, "--targets", "10"]);
     assert_eq!(swept.status.code(), Some(1));
-    assert!(stderr(&swept).contains("try an arm, and this is a mechanism"));
+    assert!(stderr(&swept).contains("try an arm, and this is a mechanism\nhelp: leave them out"));
+    // The arms beside it are tried.
+    let both = kin(&["check", DELTA, "robots/ur5e.urdf", "--targets", "10"]);
+    assert_eq!(both.status.code(), Some(1));
+    assert!(stderr(&both).contains("this is a mechanism"));
+    assert!(stdout(&both).contains("10 targets of seed"));
+    assert!(stdout(&both).contains("delta.yaml: solved"));
 }
 
 /// The message of a file whose fault is no diagnostic of the reader of arms.

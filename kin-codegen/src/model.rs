@@ -246,7 +246,7 @@ impl Model {
     ///
     /// There is no such chain, it is not the only one, nothing in it moves, or
     /// one of its joints cannot be used: it floats, is planar or spherical, has
-    /// limits that cannot be meant, or mimics a joint outside the chain.
+    /// limits that cannot be meant, or mimics a fixed joint or by no gear.
     pub fn new(
         spec: &ArmSpec,
         base: Option<&str>,

@@ -19,8 +19,13 @@ pub fn run(arguments: &arguments::Check) -> Done {
             sweep: None,
             replay: None,
         };
+        // Among several files the others are tried all the same.
         if let Err(diagnostic) = checked.try_more(arguments) {
-            return Done::failing(Exit::Broken, diagnostic);
+            if arguments.files.len() == 1 {
+                return Done::failing(Exit::Broken, diagnostic);
+            }
+            done.stderr += &format!("{diagnostic}\n\n");
+            done.exit = worse(done.exit, Exit::Broken);
         }
         // The line names the first diagnostic; here are all, with their places.
         match &checked.check.verdict {
@@ -75,7 +80,8 @@ impl Checked {
             Compiled::Arm(arm) => arm,
             Compiled::Mechanism(_) if arguments.targets > 0 || arguments.at.is_some() => {
                 return Err(format!(
-                    "{}: --targets and --at try an arm, and this is a mechanism",
+                    "{}: --targets and --at try an arm, and this is a mechanism\n\
+                     help: leave them out; its closed form is verified all the same",
                     one_line(&self.check.path)
                 ));
             }

@@ -5,12 +5,12 @@ use super::chain::Chain;
 use super::mimic::Drives;
 use crate::spec::{ArmSpec, Collector, Joint, JointType, Limits, Rating};
 
-/// Whole numbers of this size, as limits of an angle, are degrees: 45 rad are
-/// seven turns.
+/// Numbers of this size, as limits of an angle, are degrees if they are whole or of quarters: 45 rad
+/// are seven turns.
 const DEGREES: std::ops::RangeInclusive<f64> = 45.0..=720.0;
 
-/// Of radians few limits are beyond a turn to both sides.
-const FULL_TURN: f64 = 6.3;
+/// Of radians few limits are beyond two turns to both sides; a flange often turns more than once.
+const TWO_TURNS: f64 = 12.6;
 
 /// Strokes of this size are millimetres.
 const MILLIMETRES: std::ops::RangeInclusive<f64> = 100.0..=FARTHEST;
@@ -45,7 +45,7 @@ fn check_travel(spec: &ArmSpec, chain: &Chain, diagnostics: &mut Collector) {
     };
     let travels: Vec<f64> = chain.joints.iter().filter_map(farthest).collect();
     let most = travels.iter().copied().fold(0.0, f64::max);
-    if travels.len() > 1 && most > 0.0 && most < FULL_TURN.to_radians() {
+    if travels.len() > 1 && most > 0.0 && most < TWO_TURNS.to_radians() {
         let reason = format!(
             "no joint turns farther than {:.2} degrees from zero: this looks like radians, read as \
              degrees",
@@ -77,7 +77,7 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
         }
         Limits::Range { lower, upper, at } => (lower, upper, at),
     };
-    let whole = lower.fract() == 0.0 && upper.fract() == 0.0;
+    let round = [lower, upper].iter().all(|end| (4.0 * end).fract() == 0.0);
     let largest = lower.abs().max(upper.abs());
     if lower > upper {
         diagnostics.at(
@@ -121,7 +121,7 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
             "joint `{name}` {moves} {lower}..{upper} {unit}, which is as good as no limits"
         );
         diagnostics.warn(at, reason, remedy);
-    } else if turns && whole && DEGREES.contains(&largest) {
+    } else if turns && round && DEGREES.contains(&largest) {
         let reason =
             format!("joint `{name}` has the limits {lower}..{upper} rad: this looks like degrees");
         diagnostics.at(

@@ -6,8 +6,8 @@ use crate::geometry::Linkage;
 /// Which joints and which sums of parallel joints are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Solved {
-    joints: u64,
-    sums: u64,
+    joints: u128,
+    sums: u128,
 }
 
 impl Solved {

@@ -56,7 +56,7 @@ use kin_runtime::Pose;
 /// is called, perhaps behind a prefix, `tool0`, `tcp`, `tcp_link`, `tool`,
 /// `tool_link`, `tool_frame`, `flange`, `flange_link`, `ee_link`, `ee`,
 /// `ee_frame`, `eef`, `eef_link`, `end_effector`, `end_effector_link`,
-/// `grasp_link`, `grasp_frame`, `gripper_frame_link` or `gripper_frame`;
+/// `grasp_link`, `grasp_frame`, `gripper_frame_link`, `gripper_frame` or `end_link`;
 /// without these the only leaf; otherwise the link that the joint moves or that
 /// carries the fingers. A file with several arms is ambiguous, and the error
 /// lists them, those of most joints first. Wheels, casters and heads make no file ambiguous: where

@@ -39,7 +39,7 @@ pub(super) fn check_quaternion(q: [f64; 4]) -> Result<(), f64> {
     }
 }
 
-/// The nearest rotation, by Gram-Schmidt on the rows; `None` if the matrix is
+/// The rotation that is next to a matrix, by Gram-Schmidt on its rows; `None` if the matrix is
 /// off by more than 1e-4 or turns right hands into left ones.
 pub(super) fn from_matrix(m: Rotation) -> Option<Rotation> {
     let x = unit(m[0])?;

@@ -43,9 +43,9 @@ pub struct DomainMargin(pub f64);
 
 /// Writes the plan for a linkage whose tip is at `tip` at home.
 ///
-/// `margin` is 0 when the linkage is exact. On an idealized linkage it is the
-/// tolerance of the snapping: roots out of domain by less stay alive, because
-/// refinement on the given arm may still reach them.
+/// `margin` is 0 when the linkage is exact. On an idealized linkage branches of which a root is out
+/// of its domain by what that explains stay, flagged singular, because refinement on the given arm
+/// may still reach a solution.
 pub fn inverse(
     linkage: &Linkage,
     plan: &Plan,

@@ -4,7 +4,7 @@ use super::fields::Reader;
 use super::node::Node;
 use crate::spec::JointType;
 use crate::spec::orientation::FULL_TURN;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::FRAC_PI_4;
 
 /// The units of a file.
 pub(super) struct Units {
@@ -27,11 +27,19 @@ pub(super) fn read(node: &Node, reader: &mut Reader) -> Option<Units> {
     })
 }
 
-/// Whether a number is a quarter turn in radians, or several, but for rounding to three digits.
-fn is_quarter_turn(angle: f64) -> bool {
-    let quarters = angle / FRAC_PI_2;
-    let off = (quarters - quarters.round()) * FRAC_PI_2;
-    quarters.abs() > 0.5 && quarters.abs() < 4.5 && off.abs() < 5e-4
+/// What part of pi a number is a multiple of in radians, a half or a quarter, but for rounding: to
+/// three digits whatever was written, to two where no more were.
+fn part_of_pi(angle: f64) -> Option<u8> {
+    let quarters = (angle / FRAC_PI_4).round();
+    let exact = quarters * FRAC_PI_4;
+    let is_rounded = |by: f64| (angle * by - (exact * by).round()).abs() < 1e-6;
+    match quarters.abs() as u8 {
+        1..=8 if quarters % 2.0 == 0.0 => {
+            ((angle - exact).abs() < 5e-4 || is_rounded(1e2)).then_some(2)
+        }
+        1..=8 => (is_rounded(1e3) || is_rounded(1e4)).then_some(4),
+        _ => None,
+    }
 }
 
 impl Units {
@@ -80,10 +88,14 @@ impl Units {
             );
             return None;
         }
-        if self.degrees && is_quarter_turn(angle.to_degrees()) {
+        let part = part_of_pi(angle.to_degrees()).filter(|_| self.degrees);
+        if let Some(part) = part {
+            let reason = format!(
+                "this angle is in degrees, and a multiple of pi/{part}: this looks like radians"
+            );
             reader.at(
                 node.at,
-                "this angle is in degrees, and a multiple of pi/2: this looks like radians",
+                reason,
                 "write degrees (a right angle is 90), or state `angle: rad`; an angle that is meant \
                  so can be written in radians alone",
             );
