@@ -48,6 +48,14 @@ pub fn pairs(
     share: Share,
 ) -> Result<Vec<Pair>, Fault> {
     if !input.is_dir() {
+        if share.of > 1 {
+            let reason = "is one table, and `--share` takes every Nth of a folder";
+            return Err(Fault::whole(
+                input,
+                reason,
+                "name the folder, or leave out `--share`",
+            ));
+        }
         let format = match format {
             Some(format) => format,
             None => Format::of(output)?,

@@ -39,6 +39,15 @@ pub(super) struct Told {
     pub(super) is_whole: bool,
 }
 
+/// A process that is just being started has the files of this one for a moment, and with them the
+/// lock, until it is given up.
+impl Drop for Journal {
+    fn drop(&mut self) {
+        // Where it cannot be, closing the file does.
+        let _ = self.0.unlock();
+    }
+}
+
 impl Journal {
     /// Opens the journal of an output, and reads it if it is about the same identity.
     pub(super) fn open(path: &Path, output: &Path, identity: &str) -> Result<(Self, Told), Fault> {

@@ -88,7 +88,14 @@ impl Checked {
             Compiled::Mechanism(_) => return Ok(()),
         };
         let (model, Some(form)) = (&arm.model, arm.form()) else {
-            return Ok(());
+            return match arguments.targets > 0 || arguments.at.is_some() {
+                true => Err(format!(
+                    "{}: --targets and --at try inverse kinematics, and --no-ik leaves it out\n\
+                     help: leave out --no-ik",
+                    one_line(&self.check.path)
+                )),
+                false => Ok(()),
+            };
         };
         if arguments.targets > 0 {
             let settings = Settings {

@@ -265,6 +265,19 @@ fn files_that_are_none_of_these_are_told() {
         done.stderr
     );
     assert_eq!(fs::read_to_string(&input).unwrap(), format!("{NAMES}\n"));
+    let done = kin(
+        "fk",
+        "ur5e.urdf",
+        &input,
+        &folder.join("out.csv"),
+        &["--share", "2/2"],
+    );
+    assert!(
+        done.stderr
+            .contains("joints.csv: is one table, and `--share` takes"),
+        "{}",
+        done.stderr
+    );
 }
 
 #[test]

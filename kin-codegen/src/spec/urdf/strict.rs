@@ -19,6 +19,9 @@ pub(super) fn read(
         refuse_root(robot, diagnostics);
         return None;
     }
+    if refuse_srdf(robot, diagnostics) {
+        return None;
+    }
     let mut draft = Draft {
         name: robot_name(robot, source),
         links: Vec::new(),
@@ -53,6 +56,22 @@ fn refuse_root(root: Node, diagnostics: &mut Collector) {
         None => "convert the robot to URDF, or write it down in YAML",
     };
     diagnostics.at(place(root, diagnostics), reason, remedy);
+}
+
+/// A file without links that has what an SRDF has.
+fn refuse_srdf(robot: Node, diagnostics: &mut Collector) -> bool {
+    let name = |node: &Node| node.tag_name().name().to_owned();
+    let foreign = elements(robot).find(|it| vocabulary::OF_SRDF.contains(&name(it).as_str()));
+    let Some(foreign) = foreign.filter(|_| elements(robot).all(|it| name(&it) != "link")) else {
+        return false;
+    };
+    let reason = format!(
+        "this is SRDF, which tells MoveIt about a robot: it has a <{}> and no links",
+        name(&foreign)
+    );
+    let at = place(foreign, diagnostics);
+    diagnostics.at(at, reason, "name the URDF that it belongs to");
+    true
 }
 
 fn name_if_any(node: Node, diagnostics: &Collector) -> Option<Name> {

@@ -67,6 +67,14 @@ pub(super) fn other_format(root: &str) -> Option<&'static str> {
     })
 }
 
+/// What a robot has in SRDF, which says what MoveIt does with a URDF, and in no URDF.
+pub(super) const OF_SRDF: [&str; 4] = [
+    "group",
+    "group_state",
+    "virtual_joint",
+    "disable_collisions",
+];
+
 /// The motion that a joint type stands for.
 pub(super) fn joint_type(word: &str) -> Option<JointType> {
     Some(match word {

@@ -12,6 +12,10 @@ pub(super) const EXPAND: &str =
 const EXPAND_OR_REMOVE: &str = "expand the file that this one is part of, and use the result; if the \
                                 robot is whole without what is called, remove the call";
 
+/// The way out of a file of definitions.
+const EXPAND_INCLUDING: &str =
+    "expand the file that includes it: `xacro robot.urdf.xacro > robot.urdf`, and use the result";
+
 /// What the elements have before their names. Where it is not declared, xacro itself expands nothing.
 pub(super) const PREFIX: &str = "xacro";
 
@@ -45,8 +49,16 @@ pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
         return;
     }
     if let Some((element, name)) = left_over {
-        let reason = format!("<xacro:{name}> is left over from xacro, and means nothing here");
         let at = diagnostics.place(element.range().start);
+        let is_link = |node: Node| node.tag_name().name() == "link";
+        if !elements(document.root_element()).any(is_link) {
+            let reason = format!(
+                "<xacro:{name}>: this file is xacro, for others to include, and has no robot of its own"
+            );
+            diagnostics.at(at, reason, EXPAND_INCLUDING);
+            return;
+        }
+        let reason = format!("<xacro:{name}> is left over from xacro, and means nothing here");
         diagnostics.warn(
             at,
             reason,
