@@ -283,6 +283,20 @@ joints:
 tip: tool0
 ";
 
+    /// A turntable under an arm, with noise of 1e-8.
+    const TABLE: &str = "\
+robot: arm
+units: {angle: rad, length: m}
+dh:
+  - {name: table, a: 0.400000004, alpha: 1.570796328, d: 0.199999993, theta: 0.000000023}
+  - {name: q1, a: 0.149999996, alpha: -1.570796334, d: 0.524999986, theta: 0.000000008}
+  - {name: q2, a: 0.789999995, alpha: 3.141592651, d: -0.000000008, theta: -1.570796338}
+  - {name: q3, a: 0.249999995, alpha: -1.570796359, d: 0.000000004, theta: -0.000000009}
+  - {name: q4, a: -0.000000007, alpha: 1.570796329, d: -0.835000004, theta: 0.000000012}
+  - {name: q5, a: -0.000000009, alpha: -1.570796325, d: 0.000000001, theta: 0.000000002}
+  - {name: q6, a: -0.000000013, alpha: 3.141592652, d: -0.099999986, theta: -0.000000015}
+";
+
     /// Where it stands is given, though another joint would leave a plan of axes that are told to more
     /// digits, or the only plan.
     #[test]
@@ -292,7 +306,7 @@ tip: tool0
         let column = "mdh:\n  - {name: column, link: carriage, alpha: 0, a: 0, theta: 0, d: 0, \
                       type: prismatic, limits: [0, 1000]}\n";
         let lifted = read("robots/xarm6.yaml").replace("mdh:\n", column);
-        for text in [RAIL.to_owned(), lifted] {
+        for text in [RAIL.to_owned(), TABLE.to_owned(), lifted] {
             let source = Source {
                 path: "arm.yaml".into(),
                 text,

@@ -82,13 +82,17 @@ fn weighed(
 }
 
 /// The choices that leave the others a plan, the best first, and those that do not. Of an arm off
-/// its design those come first beside whose branches an elimination can be asked.
+/// its design those come first beside whose branches an elimination can be asked, and as long as
+/// there is none it is read further from that design.
 fn planned(
     model: &Model,
     linkage: &Linkage,
     target: Target,
     choices: Vec<Vec<usize>>,
 ) -> (Vec<Weighed>, Vec<Vec<usize>>) {
+    let is_dear = |shift: f64, joints: &[usize]| {
+        shift >= linkage.unmoved(target) && !leaves_row(linkage, joints)
+    };
     let mut weighed: Vec<Weighed> = Vec::new();
     let mut left = choices;
     let mut shift = 0.0;
@@ -119,12 +123,10 @@ fn planned(
             }
         }
         left = rest;
-        if !weighed.is_empty() {
+        if weighed.iter().any(|it| !is_dear(shift, &it.joints)) {
             break;
         }
     }
-    let is_noisy = shift >= linkage.unmoved(target);
-    let is_dear = |joints: &[usize]| is_noisy && !leaves_row(linkage, joints);
     let reach: Vec<f64> = weighed
         .iter()
         .map(|choice| swept(model, &choice.joints, target))
@@ -135,7 +137,7 @@ fn planned(
         let joints = &choice.joints;
         let little = *reach < WIDE * most;
         (
-            is_dear(joints),
+            is_dear(shift, joints),
             little,
             Reverse(carriers(model, target, joints)),
             Reverse(carried(model, target, joints)),
