@@ -32,6 +32,11 @@ pub fn norm(a: Vec3) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// The angle between the lines along two vectors, from 0 to π/2, exact also where it is small.
+pub fn angle(a: Vec3, b: Vec3) -> f64 {
+    norm(cross(a, b)).atan2(dot(a, b).abs())
+}
+
 /// a / |a|, for a vector that has a direction.
 pub fn unit(a: Vec3) -> Vec3 {
     let n = norm(a);

@@ -105,7 +105,9 @@ pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
 /// those before it, longest first, relative to the longest. Lengths are in
 /// units of the arm's size. `row` is one more below the Jacobian.
 fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> Vec<f64> {
-    lengths_of(&chain.geometric_jacobian(q), chain, q, size, target, row)
+    let columns = chain.geometric_jacobian(q).into_iter();
+    let motions: Vec<Motion> = columns.map(Motion::of).collect();
+    lengths_of(&motions, chain, q, size, target, row)
 }
 
 /// The same of the coordinates of a chain whose joints depend on them.
@@ -117,17 +119,40 @@ fn coupled_lengths(
     target: Target,
 ) -> Vec<f64> {
     let joints = coupling.joints(q);
-    let mut columns = vec![Twist::default(); q.len()];
+    let mut motions = vec![Motion::default(); q.len()];
     for (twist, row) in chain.geometric_jacobian(&joints).iter().zip(&coupling.rows) {
-        for (column, &weight) in columns.iter_mut().zip(&row.weights) {
-            *column = *column + *twist * weight;
+        for (motion, &weight) in motions.iter_mut().zip(&row.weights) {
+            motion.turns |= weight != 0.0 && turns(twist);
+            motion.twist = motion.twist + *twist * weight;
         }
     }
-    lengths_of(&columns, chain, &joints, size, target, &[])
+    lengths_of(&motions, chain, &joints, size, target, &[])
+}
+
+/// How a coordinate moves the tip.
+#[derive(Clone, Copy, Default)]
+struct Motion {
+    twist: Twist,
+    /// Whether it is an angle: it turns a joint, though the tip may only be shifted by several.
+    turns: bool,
+}
+
+impl Motion {
+    /// A joint's own.
+    fn of(twist: Twist) -> Self {
+        Self {
+            twist,
+            turns: turns(&twist),
+        }
+    }
+}
+
+fn turns(twist: &Twist) -> bool {
+    twist.angular != [0.0; 3]
 }
 
 fn lengths_of(
-    jacobian: &[Twist],
+    motions: &[Motion],
     chain: &Chain,
     q: &[f64],
     size: f64,
@@ -138,12 +163,11 @@ fn lengths_of(
         Target::PositionAxis | Target::Direction => chain.fk(q).rotation.map(|row| row[2]),
         _ => [0.0; 3],
     };
-    let turns = |twist: &Twist| twist.angular != [0.0; 3];
     let first = chain.twists().iter().find(|twist| turns(twist));
     let yaw = first.map_or([0.0; 3], |twist| twist.angular);
-    let rows = |twist: &Twist| -> Column {
+    let rows = |&Motion { twist, turns }: &Motion| -> Column {
         // A slide goes as far as the arm is long where a joint turns by one radian.
-        let unit = if turns(twist) { size } else { 1.0 };
+        let unit = if turns { size } else { 1.0 };
         let v = twist.linear.map(|x| x / unit);
         let w = twist.angular;
         let about = dot(w, yaw);
@@ -157,7 +181,7 @@ fn lengths_of(
             Target::Planar => column([along(v, -dot(v, yaw), yaw), [about, 0.0, 0.0]]),
         }
     };
-    let mut columns: Vec<Column> = jacobian.iter().map(rows).collect();
+    let mut columns: Vec<Column> = motions.iter().map(rows).collect();
     for (column, &entry) in columns.iter_mut().zip(row) {
         column[6] = entry;
     }

@@ -15,6 +15,8 @@ use kin_runtime::Pose;
 const TOLERANCES: [f64; 6] = [1e-12, 1e-8, 1e-6, 5e-5, 1e-3, NOISIEST];
 /// The largest of them.
 pub(crate) const NOISIEST: f64 = 8e-3;
+/// Axes that were shifted to meet do so but for rounding, relative to the arm's size.
+const MEETING: f64 = 1e-12;
 /// Noise that reaches over a tolerance is found by so many times it.
 const WIDER: f64 = 10.0;
 
@@ -68,7 +70,7 @@ pub(crate) fn idealizations(model: &Model) -> impl Iterator<Item = Idealized> {
 pub fn idealize(model: &Model, tolerance: f64) -> Idealized {
     let given = axes(model);
     let directions = idealize_directions(&given, tolerance);
-    let lines = idealize_points(model, &given, &directions, tolerance * size(model));
+    let lines = idealize_points(model, &given, &directions, tolerance);
     let mut idealized = model.clone();
     let mut moved = Vec::new();
     for (i, (line, was)) in lines.iter().zip(&given).enumerate() {
@@ -133,13 +135,15 @@ fn square_up(d: Vec3, known: &[Vec3], tolerance: f64) -> Vec3 {
 }
 
 /// Axes that nearly meet the one before, or a point where earlier ones meet,
-/// are shifted to meet it.
+/// are shifted to meet it; `tolerance` in units of the arm's size.
 fn idealize_points(
     model: &Model,
     given: &[Line],
     directions: &[Vec3],
     tolerance: f64,
 ) -> Vec<Line> {
+    let size = size(model);
+    let tolerance = tolerance * size;
     let mut lines: Vec<Line> = Vec::with_capacity(given.len());
     let mut centres: Vec<Vec3> = Vec::new();
     for (i, (line, &direction)) in given.iter().zip(directions).enumerate() {
@@ -159,7 +163,7 @@ fn idealize_points(
             }
             if let Some(previous) = previous.map(|j| lines[j])
                 && norm(cross(previous.direction, line.direction)) > 0.01
-                && previous.distance(&line) < 1e-12 * tolerance.max(1.0)
+                && previous.distance(&line) < MEETING * size
             {
                 centres.push(previous.foot(&line));
             }

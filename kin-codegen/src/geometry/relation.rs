@@ -18,8 +18,8 @@ pub enum AxisRelation {
 /// Relates two axes. `angle` is the tolerance on directions in radians,
 /// `length` that on distances in metres.
 pub fn relate(a: &Line, b: &Line, angle: f64, length: f64) -> AxisRelation {
-    let sine = norm(cross(a.direction, b.direction)).min(1.0);
-    if sine < angle {
+    let between = super::angle(a.direction, b.direction);
+    if between < angle {
         let distance = norm(a.offset_of(b.point));
         return if distance < length {
             AxisRelation::Coincident
@@ -29,9 +29,9 @@ pub fn relate(a: &Line, b: &Line, angle: f64, length: f64) -> AxisRelation {
     }
     let distance = a.distance(b);
     if distance < length {
-        AxisRelation::Intersecting(sine.asin())
+        AxisRelation::Intersecting(between)
     } else {
-        AxisRelation::Skew(distance, sine.asin())
+        AxisRelation::Skew(distance, between)
     }
 }
 

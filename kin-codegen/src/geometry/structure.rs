@@ -1,7 +1,7 @@
 //! The structure of an arm: how the axes of the file lie to each other, in the
 //! field's words.
 
-use super::{AxisRelation, Line, Vec3, axes, concurrency, cross, dot, norm, relate, size};
+use super::{AxisRelation, Line, Vec3, angle, axes, concurrency, norm, relate, size};
 use crate::model::{JointKind, Model};
 use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
@@ -103,7 +103,7 @@ fn slides(model: &Model, joint: usize) -> bool {
 
 fn neighbours(model: &Model, lines: &[Line], i: usize) -> Neighbours {
     let (a, b) = (&lines[i], &lines[i + 1]);
-    let angle = angle(a, b);
+    let angle = angle(a.direction, b.direction);
     let direction_alone = slides(model, i) || slides(model, i + 1);
     let relation = match relate(a, b, NEAR, NEAR * size(model)) {
         _ if direction_alone && angle < NEAR => PairRelation::Parallel,
@@ -127,19 +127,15 @@ fn neighbours(model: &Model, lines: &[Line], i: usize) -> Neighbours {
     }
 }
 
-/// Between two lines, from 0 to π/2, exact also where it is small.
-fn angle(a: &Line, b: &Line) -> f64 {
-    let sine = norm(cross(a.direction, b.direction));
-    sine.atan2(dot(a.direction, b.direction).abs())
-}
-
 /// Rows of at least two revolute joints that are parallel; sliding joints in
 /// between do not end them.
 fn parallel_rows(model: &Model, lines: &[Line]) -> Vec<Row> {
     let turning: Vec<usize> = (0..lines.len()).filter(|&i| !slides(model, i)).collect();
     let deviation = |row: &[usize]| {
         let first = &lines[row[0]];
-        let off = row.iter().map(|&i| angle(first, &lines[i]));
+        let off = row
+            .iter()
+            .map(|&i| angle(first.direction, lines[i].direction));
         off.fold(0.0, f64::max)
     };
     longest(turning.len(), 2, |row| deviation(&turning[row]) < NEAR)

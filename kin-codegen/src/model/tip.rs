@@ -379,7 +379,7 @@ impl Below<'_> {
         let has_fingers = !arm.fingers.is_empty();
         let tip = self.rigid_tip(self.last(arm), has_fingers, diagnostics);
         if has_fingers {
-            self.warn_of_fingers(base, tip, &arm.fingers, diagnostics);
+            self.warn_of_fingers(base, tip, arm, diagnostics);
         }
         tip
     }
@@ -442,18 +442,20 @@ impl Below<'_> {
         link
     }
 
-    fn warn_of_fingers(
-        &self,
-        base: usize,
-        tip: usize,
-        fingers: &[usize],
-        diagnostics: &mut Collector,
-    ) {
-        let names: Vec<&str> = fingers
-            .iter()
-            .map(|&j| self.spec.joints[j].name.as_str())
-            .collect();
-        let [base, tip] = [base, tip].map(|link| &self.spec.links[link].name);
+    fn warn_of_fingers(&self, base: usize, tip: usize, arm: &Arm, diagnostics: &mut Collector) {
+        let fingers = arm.fingers.iter().map(|&j| &self.spec.joints[j]);
+        let names: Vec<&str> = fingers.map(|joint| joint.name.as_str()).collect();
+        let moved = arm.joints.last().map(|&j| self.spec.joints[j].child);
+        let beside = moved.and_then(|link| self.named(&self.rigid(link)));
+        let name = |link: usize| self.spec.links[link].name.as_str();
+        let remedy = match beside.filter(|link| *link != tip) {
+            Some(beside) => format!(
+                "name the tip if you mean another one, such as `{}` (tip)",
+                name(beside)
+            ),
+            None => "name the tip if you mean another one (tip)".into(),
+        };
+        let [base, tip] = [base, tip].map(name);
         let (subject, verb) = match names.len() {
             1 => ("joint", "looks like that of a gripper and is"),
             _ => ("joints", "look like those of a gripper and are"),
@@ -462,7 +464,7 @@ impl Below<'_> {
             "the arm is taken from `{base}` to `{tip}`: the {subject} {} {verb} left out",
             crate::spec::list_names(&names)
         );
-        diagnostics.warn_whole(reason, "name the tip if you mean another one (tip)");
+        diagnostics.warn_whole(reason, remedy);
     }
 
     /// The name of the tip of an arm that is not taken.

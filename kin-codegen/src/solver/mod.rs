@@ -8,8 +8,8 @@ mod search;
 use crate::certificate::{Certificate, Failure, SOMEWHERE, Trials};
 use crate::closed_form::{ClosedForm, Inverse, tip_shift};
 use crate::geometry::{
-    AxisRelation, Linkage, NOISIEST, Undetermined, axes, coupled_rank, cross, dot, idealizations,
-    norm, rank, relate, uncoupled,
+    AxisRelation, Linkage, NOISIEST, Undetermined, angle, axes, coupled_rank, idealizations, rank,
+    relate, uncoupled,
 };
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -287,14 +287,7 @@ fn turns_about_one_direction(model: &Model) -> bool {
 /// A joint that turns about an axis more than so many radians off that of the first, and by how many.
 fn tilted(model: &Model, beyond: f64) -> Option<(&Joint, f64)> {
     let first = turning(model).next()?;
-    let angle = |joint: &Joint| {
-        let [cosine, sine] = [
-            dot(first.axis, joint.axis).abs(),
-            norm(cross(first.axis, joint.axis)),
-        ];
-        sine.atan2(cosine)
-    };
-    let mut angles = turning(model).map(|joint| (joint, angle(joint)));
+    let mut angles = turning(model).map(|joint| (joint, angle(first.axis, joint.axis)));
     angles.find(|(_, angle)| *angle > beyond)
 }
 

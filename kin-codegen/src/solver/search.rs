@@ -7,11 +7,12 @@ use super::{
 use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::inverse::{FreeAngles, InverseGraph, Turn, weight};
-use crate::geometry::{Idealized, Linkage, NOISIEST, dot};
+use crate::geometry::{Idealized, Linkage, NOISIEST, angle};
 use crate::model::JointKind;
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
 use crate::univariate;
+use std::f64::consts::FRAC_PI_2;
 
 /// Plans of which the one with the fewest operations is tried first.
 pub(crate) const COMPARED: usize = 4;
@@ -142,7 +143,7 @@ fn lifting(reading: &Reading, target: Target) -> Option<NoClosedForm> {
     let axis = linkage.axis(axis).direction;
     let slides = (0..linkage.links.len())
         .filter(|&i| linkage.links[i].kind == JointKind::Prismatic && !linkage.locked.contains(&i));
-    let mut angles = slides.map(|i| (i, dot(axis, linkage.axis(i).direction).abs().asin()));
+    let mut angles = slides.map(|i| (i, FRAC_PI_2 - angle(axis, linkage.axis(i).direction)));
     let (slide, angle) = angles.find(|(_, angle)| *angle > NOISIEST)?;
     Some(NoClosedForm::Lifting {
         joint: reading.model().joints[slide].name.clone(),
