@@ -8,7 +8,7 @@ use crate::expr::jacobian::{
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
 use crate::found::Found;
-use crate::geometry::{Linkage, natural_target, rank};
+use crate::geometry::{Linkage, natural_target, rank, uncoupled};
 use crate::model::Model;
 use crate::options::{Ik, Options, file_name};
 use crate::plan::Target;
@@ -344,14 +344,16 @@ impl CompiledArm {
     /// of these as there are joints, or a position with joints that stay free.
     pub fn fitting(&self) -> Option<Target> {
         let joints = self.model.variables.len();
-        let is_coupled = self.model.is_coupled();
+        // Joints that mimic others are solved as if they moved by themselves, and none stays free.
+        let coupled = self.model.is_coupled().then(|| uncoupled(&self.model));
         let chooses = |target: &Target| {
             let coordinates = target.coordinates();
-            let moves_all = if is_coupled {
-                // None of their joints stays free.
-                joints == coordinates
-            } else {
-                joints >= coordinates && rank(&self.model, *target) == coordinates
+            let moves_all = match &coupled {
+                Some(uncoupled) => {
+                    let own = uncoupled.as_ref().map(|(model, _)| model.joints.len());
+                    joints == coordinates && own == Ok(coordinates)
+                }
+                None => joints >= coordinates && rank(&self.model, *target) == coordinates,
             };
             moves_all && admits(&self.model, *target).is_ok()
         };

@@ -205,9 +205,11 @@ impl fmt::Display for Unknown {
 
 impl std::error::Error for Unknown {}
 
+/// A file's name without its ending, `.urdf.xacro` being one: `arm.v2.urdf` is `arm.v2`.
 pub(crate) fn stem(path: &str) -> &str {
     let file = file_name(path);
-    file.split('.').next().unwrap_or(file)
+    let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    stem.strip_suffix(".urdf").unwrap_or(stem)
 }
 
 /// The last part of a path, on any system.
@@ -243,7 +245,9 @@ mod tests {
         let name = |path: &str| Options::default().type_name(path);
         assert_eq!(name("robots/kr6_r900.yaml"), "Kr6R900");
         assert_eq!(name("ur5e.urdf"), "Ur5e");
-        assert_eq!(name("C:\\arms\\my-arm.v2.urdf"), "MyArm");
+        assert_eq!(name("C:\\arms\\my-arm.v2.urdf"), "MyArmV2");
+        assert_eq!(name("my_arm.urdf.xacro"), "MyArm");
+        assert_eq!(name("arm"), "Arm");
         assert_eq!(name("3r.yaml"), "Robot3r");
         assert_eq!(name("ärm.urdf"), "Rm");
     }

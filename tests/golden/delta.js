@@ -2003,7 +2003,7 @@ return $mechanism({
             }],
             home: [1.0, 0.0, 0.0, 5.134781488891349e-16, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -0.0968590151711022],
             aim: {
-                size: 0.37719764047840426,
+                size: 0.3771976404784038,
                 counts_translation: true,
                 counts_rotation: true,
                 counts_axis: false,
@@ -3203,7 +3203,7 @@ return $mechanism({
             }],
             home: [1.0, 0.0, 0.0, 5.134781488891349e-16, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -0.0968590151711022],
             aim: {
-                size: 0.37719764047840426,
+                size: 0.3771976404784038,
                 counts_translation: true,
                 counts_rotation: true,
                 counts_axis: false,

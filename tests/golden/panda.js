@@ -828,7 +828,7 @@ return $arm({
     frames: [],
     home: [1.0, 0.0, 0.0, 0.088, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.9259999999999999],
     aim: {
-        size: 0.9298011359438998,
+        size: 0.9880918706887848,
         counts_translation: true,
         counts_rotation: true,
         counts_axis: false,
@@ -860,10 +860,10 @@ return $arm({
         locked: [6],
         turns_tool: false,
         swivel: null,
-        size: 0.9298011359438998,
-        tolerance: 9.298011359438999e-10,
-        taken: 9.298011359438999e-10,
-        nearly: 9.298011359438999e-6,
+        size: 0.9880918706887848,
+        tolerance: 9.88091870688785e-10,
+        taken: 9.88091870688785e-10,
+        nearly: 9.88091870688785e-6,
         free_angles: [],
         counts_translation: true,
         counts_rotation: true,
@@ -921,7 +921,7 @@ return $arm({
             const t27 = t23 * t23 + t25 * t25;
             const t28 = 1e-13 * t27;
             const t29 = -Math.sqrt(t27);
-            const t30 = $select(t27, 8.645301524025664e-25, 1.0, 0.0);
+            const t30 = $select(t27, 9.763255449212622e-25, 1.0, 0.0);
             const t31 = 1.0 / t27;
             /* Residual: forward kinematics against the target (what all branches share) */
             const t32 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
@@ -931,7 +931,7 @@ return $arm({
             const t36 = r23 - (r12 * r31 - r11 * r32);
             const t37 = r33 - (r11 * r22 - r12 * r21);
             const t38 = 0.25 * (t32 * t32 + t33 * t33) + t34 * t34 + t35 * t35 + t36 * t36;
-            const t39 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 0.8645301524025665 * (t38 + t37 * t37);
+            const t39 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 0.9763255449212622 * (t38 + t37 * t37);
             /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
             const e1_of_4 = [1.0, -1.0, 1.0, -1.0];
             const e2_of_4 = [1.0, 1.0, -1.0, -1.0];
@@ -964,15 +964,15 @@ return $arm({
                 const t47 = -e2;
                 const t48 = e2 * Math.sqrt($select(t46, t28, 0.0, t46));
                 const t49 = $max(t29, -$max(t29, -t44));
-                const t50 = $max($max($select(t14, 1.645395867506249e-15, -e1, 0.0), $select(t46, t28, t47, 0.0)), $select(t27, 8.645301524025664e-25, t47, 0.0));
-                const s6 = $select(t27, 8.645301524025664e-25, t2, -((t25 * t49 + t23 * t48) * t31));
-                const c6 = $select(t27, 8.645301524025664e-25, t5, (t25 * t48 - t23 * t49) * t31);
+                const t50 = $max($max($select(t14, 1.645395867506249e-15, -e1, 0.0), $select(t46, t28, t47, 0.0)), $select(t27, 9.763255449212622e-25, t47, 0.0));
+                const s6 = $select(t27, 9.763255449212622e-25, t2, -((t25 * t49 + t23 * t48) * t31));
+                const c6 = $select(t27, 9.763255449212622e-25, t5, (t25 * t48 - t23 * t49) * t31);
                 const t51 = t25 * c6 - t23 * s6;
                 const t52 = Math.sqrt(t45 * t45 * (t26 + t51 * t51));
-                const t53 = $max($max($max(t15, $select(t46, t28, 1.0, 0.0)), t30), $select(t52, 8.645301524025664e-25, 1.0, 0.0));
+                const t53 = $max($max($max(t15, $select(t46, t28, 1.0, 0.0)), t30), $select(t52, 9.763255449212622e-25, 1.0, 0.0));
                 const t54 = 1.0 / t52;
-                const s5 = $select(t52, 8.645301524025664e-25, t1, t45 * t24 * t54);
-                const c5 = $select(t52, 8.645301524025664e-25, t4, t45 * t51 * t54);
+                const s5 = $select(t52, 9.763255449212622e-25, t1, t45 * t24 * t54);
+                const c5 = $select(t52, 9.763255449212622e-25, t4, t45 * t51 * t54);
                 /* 3. q1 and q2 by SP2, given q4, q5, q6 and q7 (what several branches share) */
                 const t55 = s4 * c5;
                 const t56 = s4 * s5;
@@ -1045,7 +1045,7 @@ return $arm({
                 const t119 = t88 * t99 - t89 * t98 - r31;
                 const t120 = t86 - r32;
                 const t121 = t96 - r33;
-                const t122 = t39 + (t111 * t111 + (t109 * t109 + t110 * t110)) + 0.43226507620128324 * (t118 + t119 * t119 + t120 * t120 + t121 * t121);
+                const t122 = t39 + (t111 * t111 + (t109 * t109 + t110 * t110)) + 0.4881627724606311 * (t118 + t119 * t119 + t120 * t120 + t121 * t121);
                 const residual = Math.sqrt(t122);
                 /* Joint values: angles from sines and cosines, in (−π, π] */
                 const t123 = $angle(t68, t69);

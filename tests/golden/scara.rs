@@ -198,10 +198,10 @@ mod __Scara {
         }
 
         const ACCEPT: Acceptance = Acceptance {
-            size: 0.7,
-            tolerance: 7e-10,
-            taken: 7e-10,
-            nearly: 0.000007,
+            size: 1.2,
+            tolerance: 1.2e-9,
+            taken: 1.2e-9,
+            nearly: 0.000012,
             near_singular: 0.0,
             prismatic: 8,
         };
@@ -214,7 +214,7 @@ mod __Scara {
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
         ///
-        /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 7.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
+        /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.2e-9 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]
@@ -562,7 +562,7 @@ mod __Scara {
                 let t33 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    0.48999999999999994 * A::fma(t31, t31, t32),
+                    1.44 * A::fma(t31, t31, t32),
                 );
                 let t34 = t5 - pz[t];
                 let t35 = t34 * t34;
@@ -580,7 +580,7 @@ mod __Scara {
                                 A::fma(t37, t37, A::fma(r13[t], r13[t], t36 * t36)),
                             )),
                 );
-                let t40 = 0.24499999999999997 * t39;
+                let t40 = 0.72 * t39;
                 t3_[t] = t3;
                 t4_[t] = t4;
                 d4_[t] = d4;
@@ -618,16 +618,16 @@ mod __Scara {
                     let t44 = math::sqrt(A::fma(t43, t43, t20_[t]) * t21_[t]);
                     let singular = math::max(
                         t13_[t],
-                        math::select(t44 < 4.899999999999999e-25, 1.0, 0.0),
+                        math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
                     );
                     let t45 = 1.0 / t44;
                     let s3 = math::select(
-                        t44 < 4.899999999999999e-25,
+                        t44 < 1.4399999999999998e-24,
                         t1,
                         A::fma(t4_[t], t43, -t19_[t]) * t45,
                     );
                     let c3 = math::select(
-                        t44 < 4.899999999999999e-25,
+                        t44 < 1.4399999999999998e-24,
                         t2,
                         -(A::fma(t3_[t], t43, t18_[t]) * t45),
                     );

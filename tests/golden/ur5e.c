@@ -1007,10 +1007,10 @@ int ur5e_within_limits(const double q[UR5E_JOINTS], double moved[UR5E_JOINTS])
  * corrected, metres; below which conditioning of the Jacobian branches do not tell solutions, of an arm off its
  * design. */
 #define UR5E_SOLVED 6
-#define UR5E_SIZE 1.1498
-#define UR5E_TOLERANCE 1.1498e-9
-#define UR5E_TAKEN 1.1498e-9
-#define UR5E_NEARLY 1.1498e-5
+#define UR5E_SIZE 1.3122999999999998
+#define UR5E_TOLERANCE 1.3123e-9
+#define UR5E_TAKEN 1.3123e-9
+#define UR5E_NEARLY 1.3123e-5
 #define UR5E_NEAR_SINGULAR 0.0
 
 static const ur5e_metric ur5e_own_metric = {
@@ -1092,7 +1092,7 @@ UR5E_INLINE void ur5e_lanes_of(
     const double t18 = ur5e_max(t17, -ur5e_max(-0.1333, t17));
     const double t19 = t12 * t18;
     const double t20 = t11 * t18;
-    const double t21 = ur5e_max(ur5e_select(t14, t15, 1.0, 0.0), ur5e_select(t13, 1.3220400399999997e-24, 1.0, 0.0));
+    const double t21 = ur5e_max(ur5e_select(t14, t15, 1.0, 0.0), ur5e_select(t13, 1.7221312899999994e-24, 1.0, 0.0));
     const double t22 = 1.0 / t13;
     /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
     const double t23 = r33 * r33;
@@ -1104,7 +1104,7 @@ UR5E_INLINE void ur5e_lanes_of(
     const double t28 = r23 - (r12 * r31 - r11 * r32);
     const double t29 = r33 - (r11 * r22 - r12 * r21);
     const double t30 = 0.25 * (t24 * t24 + t25 * t25) + t26 * t26 + t27 * t27 + t28 * t28;
-    const double t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.3220400399999999 * (t30 + t29 * t29);
+    const double t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t30 + t29 * t29);
     /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
     static const double e1_of_4[4] = {1.0, -1.0, 1.0, -1.0};
     static const double e2_of_4[4] = {1.0, 1.0, -1.0, -1.0};
@@ -1140,8 +1140,8 @@ UR5E_INLINE void ur5e_lanes_of(
         /* 1. q1 by SP4 */
         const double t32 = -e1;
         const double t33 = e1 * t16;
-        const double s1 = ur5e_select(t13, 1.3220400399999997e-24, t2, (t20 + t12 * t33) * t22);
-        const double c1 = ur5e_select(t13, 1.3220400399999997e-24, t5, (t19 - t11 * t33) * t22);
+        const double s1 = ur5e_select(t13, 1.7221312899999994e-24, t2, (t20 + t12 * t33) * t22);
+        const double c1 = ur5e_select(t13, 1.7221312899999994e-24, t5, (t19 - t11 * t33) * t22);
         /* 2. q2+q3+q4 and q5 by SP2, given q1 */
         const double t34 = r13 * s1;
         const double t35 = r23 * c1;
@@ -1149,7 +1149,7 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t37 = t35 - t34;
         const double c5 = t34 - t35;
         const double t38 = t23 + t36 * t36;
-        const double t39 = ur5e_max(ur5e_max(ur5e_select(t14, t15, t32, 0.0), ur5e_select(t13, 1.3220400399999997e-24, t32, 0.0)), ur5e_select(t38, free_below, -e2, 0.0));
+        const double t39 = ur5e_max(ur5e_max(ur5e_select(t14, t15, t32, 0.0), ur5e_select(t13, 1.7221312899999994e-24, t32, 0.0)), ur5e_select(t38, free_below, -e2, 0.0));
         const double s5 = e2 * sqrt(ur5e_select(t38, free_below, 0.0, t38));
         const double t40 = 1.0 / t38;
         const double s234 = ur5e_select(t38, free_below, t4, -(r33 * s5 * t40));
@@ -1188,7 +1188,7 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t64 = t59 * t60;
         const double t65 = t49 * t61;
         const double t66 = sqrt((t50 + t59 * t59) * (t60 * t60 + t61 * t61));
-        const double singular = ur5e_max(t53, ur5e_select(t66, 1.3220400399999997e-24, 1.0, 0.0));
+        const double singular = ur5e_max(t53, ur5e_select(t66, 1.7221312899999994e-24, 1.0, 0.0));
         const double t67 = 1.0 / t66;
         /* Residual: forward kinematics against the target (what several branches share) */
         const double t68 = c5 * s6;
@@ -1217,7 +1217,7 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t91 = t73 * t76 - t72 * t77 - r31;
         const double t92 = t70 - r32;
         const double t93 = r33 + t75;
-        const double t94 = 0.6610200199999999 * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
+        const double t94 = 0.8610656449999997 * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
         /* Joint values: angles from sines and cosines, in (−π, π] */
         const double q1 = ur5e_angle(s1, c1);
         const double t95 = ur5e_angle(-t57, c3);
@@ -1291,8 +1291,8 @@ UR5E_INLINE void ur5e_lanes_of(
         /* 4. q3 by SP3, given q6 */
         const double invalid = ur5e_max(t39_[k], e3 * t54_[k]);
         /* 5. q2 by SP1, given q1, q3 and q6 */
-        const double s2 = ur5e_select(t66_[k], 1.3220400399999997e-24, t3, -((t65_[k] + e3 * t64_[k]) * t67_[k]));
-        const double c2 = ur5e_select(t66_[k], 1.3220400399999997e-24, t6, (e3 * t62_[k] - t63_[k]) * t67_[k]);
+        const double s2 = ur5e_select(t66_[k], 1.7221312899999994e-24, t3, -((t65_[k] + e3 * t64_[k]) * t67_[k]));
+        const double c2 = ur5e_select(t66_[k], 1.7221312899999994e-24, t6, (e3 * t62_[k] - t63_[k]) * t67_[k]);
         /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
         const double t96 = s234_[k] * c2 - c234_[k] * s2;
         const double t97 = c234_[k] * c2 + s234_[k] * s2;

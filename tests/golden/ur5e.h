@@ -22,8 +22,8 @@
  * q[4]: `wrist_2_joint`, turns, -360 degrees to 360 degrees.
  * q[5]: `wrist_3_joint`, turns, -360 degrees to 360 degrees.
  *
- * Inverse kinematics of whole poses. Solutions reach the target to 1.1e-9 m, angles counted
- * at the distance of 1.1498 m.
+ * Inverse kinematics of whole poses. Solutions reach the target to 1.3e-9 m, angles counted
+ * at the distance of 1.3123 m.
  * 1. q1 by SP4
  * 2. q2+q3+q4 and q5 by SP2, given q1
  * 3. q6 by SP1, given q1 and q2+q3+q4

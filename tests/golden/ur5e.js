@@ -822,7 +822,7 @@ return $arm({
     }],
     home: [1.0, 0.0, 0.0, -0.8171999999999999, 0.0, 0.0, -1.0, -0.2329, 0.0, 1.0, 0.0, 0.06280000000000001],
     aim: {
-        size: 1.1498,
+        size: 1.3122999999999998,
         counts_translation: true,
         counts_rotation: true,
         counts_axis: false,
@@ -850,10 +850,10 @@ return $arm({
         locked: [],
         turns_tool: false,
         swivel: null,
-        size: 1.1498,
-        tolerance: 1.1498e-9,
-        taken: 1.1498e-9,
-        nearly: 1.1498e-5,
+        size: 1.3122999999999998,
+        tolerance: 1.3123e-9,
+        taken: 1.3123e-9,
+        nearly: 1.3123e-5,
         free_angles: [3],
         counts_translation: true,
         counts_rotation: true,
@@ -899,7 +899,7 @@ return $arm({
             const t18 = $max(t17, -$max(-0.1333, t17));
             const t19 = t12 * t18;
             const t20 = t11 * t18;
-            const t21 = $max($select(t14, t15, 1.0, 0.0), $select(t13, 1.3220400399999997e-24, 1.0, 0.0));
+            const t21 = $max($select(t14, t15, 1.0, 0.0), $select(t13, 1.7221312899999994e-24, 1.0, 0.0));
             const t22 = 1.0 / t13;
             /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
             const t23 = r33 * r33;
@@ -911,7 +911,7 @@ return $arm({
             const t28 = r23 - (r12 * r31 - r11 * r32);
             const t29 = r33 - (r11 * r22 - r12 * r21);
             const t30 = 0.25 * (t24 * t24 + t25 * t25) + t26 * t26 + t27 * t27 + t28 * t28;
-            const t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.3220400399999999 * (t30 + t29 * t29);
+            const t31 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t30 + t29 * t29);
             /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
             const e1_of_4 = [1.0, -1.0, 1.0, -1.0];
             const e2_of_4 = [1.0, 1.0, -1.0, -1.0];
@@ -947,8 +947,8 @@ return $arm({
                 /* 1. q1 by SP4 */
                 const t32 = -e1;
                 const t33 = e1 * t16;
-                const s1 = $select(t13, 1.3220400399999997e-24, t2, (t20 + t12 * t33) * t22);
-                const c1 = $select(t13, 1.3220400399999997e-24, t5, (t19 - t11 * t33) * t22);
+                const s1 = $select(t13, 1.7221312899999994e-24, t2, (t20 + t12 * t33) * t22);
+                const c1 = $select(t13, 1.7221312899999994e-24, t5, (t19 - t11 * t33) * t22);
                 /* 2. q2+q3+q4 and q5 by SP2, given q1 */
                 const t34 = r13 * s1;
                 const t35 = r23 * c1;
@@ -956,7 +956,7 @@ return $arm({
                 const t37 = t35 - t34;
                 const c5 = t34 - t35;
                 const t38 = t23 + t36 * t36;
-                const t39 = $max($max($select(t14, t15, t32, 0.0), $select(t13, 1.3220400399999997e-24, t32, 0.0)), $select(t38, free_below, -e2, 0.0));
+                const t39 = $max($max($select(t14, t15, t32, 0.0), $select(t13, 1.7221312899999994e-24, t32, 0.0)), $select(t38, free_below, -e2, 0.0));
                 const s5 = e2 * Math.sqrt($select(t38, free_below, 0.0, t38));
                 const t40 = 1.0 / t38;
                 const s234 = $select(t38, free_below, t4, -(r33 * s5 * t40));
@@ -995,7 +995,7 @@ return $arm({
                 const t64 = t59 * t60;
                 const t65 = t49 * t61;
                 const t66 = Math.sqrt((t50 + t59 * t59) * (t60 * t60 + t61 * t61));
-                const singular = $max(t53, $select(t66, 1.3220400399999997e-24, 1.0, 0.0));
+                const singular = $max(t53, $select(t66, 1.7221312899999994e-24, 1.0, 0.0));
                 const t67 = 1.0 / t66;
                 /* Residual: forward kinematics against the target (what several branches share) */
                 const t68 = c5 * s6;
@@ -1024,7 +1024,7 @@ return $arm({
                 const t91 = t73 * t76 - t72 * t77 - r31;
                 const t92 = t70 - r32;
                 const t93 = r33 + t75;
-                const t94 = 0.6610200199999999 * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
+                const t94 = 0.8610656449999997 * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
                 /* Joint values: angles from sines and cosines, in (−π, π] */
                 const q1 = $angle(s1, c1);
                 const t95 = $angle(-t57, c3);
@@ -1098,8 +1098,8 @@ return $arm({
                 /* 4. q3 by SP3, given q6 */
                 const invalid = $max(t39_[k], e3 * t54_[k]);
                 /* 5. q2 by SP1, given q1, q3 and q6 */
-                const s2 = $select(t66_[k], 1.3220400399999997e-24, t3, -((t65_[k] + e3 * t64_[k]) * t67_[k]));
-                const c2 = $select(t66_[k], 1.3220400399999997e-24, t6, (e3 * t62_[k] - t63_[k]) * t67_[k]);
+                const s2 = $select(t66_[k], 1.7221312899999994e-24, t3, -((t65_[k] + e3 * t64_[k]) * t67_[k]));
+                const c2 = $select(t66_[k], 1.7221312899999994e-24, t6, (e3 * t62_[k] - t63_[k]) * t67_[k]);
                 /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
                 const t96 = s234_[k] * c2 - c234_[k] * s2;
                 const t97 = c234_[k] * c2 + s234_[k] * s2;

@@ -248,10 +248,10 @@ mod __Ur5e {
         }
 
         const ACCEPT: Acceptance = Acceptance {
-            size: 1.1498,
-            tolerance: 1.1498e-9,
-            taken: 1.1498e-9,
-            nearly: 0.000011498,
+            size: 1.3122999999999998,
+            tolerance: 1.3123e-9,
+            taken: 1.3123e-9,
+            nearly: 0.000013123,
             near_singular: 0.0,
             prismatic: 0,
         };
@@ -264,7 +264,7 @@ mod __Ur5e {
         /// that is read is not finite. A singular target has a representative
         /// of each family of solutions, with zero for an angle that is free.
         ///
-        /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.1e-9 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
+        /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.3e-9 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
@@ -815,7 +815,7 @@ mod __Ur5e {
                 let t20 = t11 * t18;
                 let t21 = math::max(
                     math::select(t14 < t15, 1.0, 0.0),
-                    math::select(t13 < 1.3220400399999997e-24, 1.0, 0.0),
+                    math::select(t13 < 1.7221312899999994e-24, 1.0, 0.0),
                 );
                 let t22 = 1.0 / t13;
                 // 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share)
@@ -846,7 +846,7 @@ mod __Ur5e {
                 let t31 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.3220400399999999 * A::fma(t29, t29, t30),
+                    1.7221312899999994 * A::fma(t29, t29, t30),
                 );
                 t8_[t] = t8;
                 t9_[t] = t9;
@@ -878,12 +878,12 @@ mod __Ur5e {
                     let t32 = -e1[k];
                     let t33 = e1[k] * t16_[t];
                     let s1 = math::select(
-                        t13_[t] < 1.3220400399999997e-24,
+                        t13_[t] < 1.7221312899999994e-24,
                         t2,
                         A::fma(t12_[t], t33, t20_[t]) * t22_[t],
                     );
                     let c1 = math::select(
-                        t13_[t] < 1.3220400399999997e-24,
+                        t13_[t] < 1.7221312899999994e-24,
                         t5,
                         A::fma(-t11_[t], t33, t19_[t]) * t22_[t],
                     );
@@ -897,7 +897,7 @@ mod __Ur5e {
                     let t39 = math::max(
                         math::max(
                             math::select(t14_[t] < t15_[t], t32, 0.0),
-                            math::select(t13_[t] < 1.3220400399999997e-24, t32, 0.0),
+                            math::select(t13_[t] < 1.7221312899999994e-24, t32, 0.0),
                         ),
                         math::select(t38 < free, -e2[k], 0.0),
                     );
@@ -959,7 +959,7 @@ mod __Ur5e {
                     );
                     let singular = math::max(
                         t53,
-                        math::select(t66 < 1.3220400399999997e-24, 1.0, 0.0),
+                        math::select(t66 < 1.7221312899999994e-24, 1.0, 0.0),
                     );
                     let t67 = 1.0 / t66;
                     // Residual: forward kinematics against the target (what several
@@ -1002,7 +1002,7 @@ mod __Ur5e {
                     let t91 = A::fma(t73, t76, -(t72 * t77)) - r31[t];
                     let t92 = t70 - r32[t];
                     let t93 = r33[t] + t75;
-                    let t94 = 0.6610200199999999
+                    let t94 = 0.8610656449999997
                         * A::fma(t93, t93, A::fma(t92, t92, A::fma(t91, t91, t90)));
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(s1, c1);
@@ -1052,12 +1052,12 @@ mod __Ur5e {
                     let invalid = math::max(t39_[k][t], e3[k] * t54_[k][t]);
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t66_[k][t] < 1.3220400399999997e-24,
+                        t66_[k][t] < 1.7221312899999994e-24,
                         t3,
                         -(A::fma(e3[k], t64_[k][t], t65_[k][t]) * t67_[k][t]),
                     );
                     let c2 = math::select(
-                        t66_[k][t] < 1.3220400399999997e-24,
+                        t66_[k][t] < 1.7221312899999994e-24,
                         t6,
                         A::fma(e3[k], t62_[k][t], -t63_[k][t]) * t67_[k][t],
                     );

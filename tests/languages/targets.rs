@@ -1,7 +1,7 @@
 //! What robots are asked: random and structured.
 
 use crate::random::Random;
-use kinematics::{JointLimit, Pose, Robot};
+use kinematics::{JointLimit, Pose, Robot, Target};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Configurations: random ones, and those with joints at quarter turns, where many arms are
@@ -115,7 +115,34 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
     let joints = 0..robot.joints();
     let beside: Vec<f64> = joints.map(|i| lined_up[i % 6] + off[i % 6]).collect();
     all.push((robot.fk(&beside), vec![0.0; robot.joints()]));
+    // Just out of reach.
+    all.extend(beyond_reach(robot, &pose).map(|pose| (pose, configurations[1].clone())));
     all
+}
+
+/// A pose without solutions so near to one that Newton's method all but reaches it: from a pose that is
+/// reached on along a ray to where the last solutions meet, and by 1e-8 of a metre beyond. None of an
+/// arm with joints to be given.
+fn beyond_reach(robot: &Robot, pose: &Pose) -> Option<Pose> {
+    let at = |t: f64| Pose {
+        translation: pose.translation.map(|x| x * (1.0 + t)),
+        ..*pose
+    };
+    let is_reached = |t: f64| !robot.ik_at(&at(t), &[]).is_empty();
+    let is_isolated = robot.parameters() == 0 && robot.target() == Target::Pose;
+    let (mut reached, mut beyond) = (0.0, 50.0);
+    if !is_isolated || !is_reached(reached) || is_reached(beyond) {
+        return None;
+    }
+    for _ in 0..60 {
+        let middle = 0.5 * (reached + beyond);
+        match is_reached(middle) {
+            true => reached = middle,
+            false => beyond = middle,
+        }
+    }
+    let beyond = beyond + 1e-8;
+    (!is_reached(beyond)).then(|| at(beyond))
 }
 
 /// The arm of [`over_the_base`].

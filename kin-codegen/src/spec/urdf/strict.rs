@@ -2,11 +2,11 @@
 
 use super::checks::{check_attributes, place, refuse_unknown, required};
 use super::{elements, joint, origin, vocabulary};
+use crate::options::stem;
 use crate::spec::tree::{Draft, Name};
 use crate::spec::{Collector, Source, suggest};
 use kin_runtime::Pose;
 use roxmltree::{Document, Node};
-use std::path::Path;
 
 /// Reads links and joints; `None` if this is no robot at all.
 pub(super) fn read(
@@ -84,12 +84,12 @@ fn name_if_any(node: Node, diagnostics: &Collector) -> Option<Name> {
 }
 
 fn robot_name(robot: Node, source: &Source) -> String {
-    let stem = || Path::new(&source.path).file_stem().and_then(|s| s.to_str());
-    let name = robot
-        .attribute("name")
-        .map(str::trim)
-        .filter(|name| !name.is_empty());
-    name.or_else(stem).unwrap_or("robot").to_string()
+    let name = robot.attribute("name").map(str::trim);
+    let mut names = name.into_iter().chain([stem(&source.path), "robot"]);
+    names
+        .find(|name| !name.is_empty())
+        .unwrap_or_default()
+        .to_string()
 }
 
 /// Other elements beside links and joints belong to simulators and drivers,
