@@ -10,14 +10,14 @@ use crate::expr::{Expr, Graph, Operations};
 use crate::found::Found;
 use crate::geometry::{Linkage, natural_target, rank, uncoupled};
 use crate::model::Model;
-use crate::options::{Ik, Options, file_name};
+use crate::options::{Ik, Options};
 use crate::plan::Target;
 use crate::redundancy::{self, Redundancy, solve_redundant};
 use crate::scalar::Scalar;
 use crate::singularity::Singular;
 use crate::solver::{Certified, Lack, NoClosedForm, admits, solve};
 use crate::spec::bounds::JOINTS;
-use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
+use crate::spec::{ArmSpec, Diagnostic, Diagnostics, file_name};
 use kin_runtime::__private::reproducible::reproducibly;
 use std::sync::OnceLock;
 

@@ -20,10 +20,10 @@
 //! Several robots, the arms of one file among them, go to one file by
 //! [`generate_all`].
 
-use crate::options::{Ik, Options, file_name};
+use crate::options::{Ik, Options};
 use crate::plan::Target;
 use crate::scalar::Scalar;
-use crate::spec::Source;
+use crate::spec::{Source, file_name};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::panic;

@@ -5,9 +5,9 @@ use crate::compiled::Compiled;
 use crate::emit::{header, js};
 use crate::error::Error;
 use crate::hash::fnv1a;
-use crate::options::{Options, stem};
+use crate::options::Options;
 use crate::scalar::Scalar;
-use crate::spec::{Diagnostic, Diagnostics, Source};
+use crate::spec::{Diagnostic, Diagnostics, Source, stem};
 
 /// The generated robot as JavaScript.
 #[derive(Clone, Debug)]

@@ -64,6 +64,7 @@ mod single;
 pub mod singularity;
 #[doc(hidden)]
 pub mod solver;
+mod threads;
 #[doc(hidden)]
 pub mod univariate;
 #[doc(hidden)]

@@ -3,7 +3,7 @@
 use crate::model::Model;
 use crate::plan::Target;
 use crate::scalar::Scalar;
-use crate::spec::{ArmSpec, Diagnostics, did_you_mean, list_names};
+use crate::spec::{ArmSpec, Diagnostics, did_you_mean, list_names, stem};
 use std::fmt;
 use std::str::FromStr;
 
@@ -204,18 +204,6 @@ impl fmt::Display for Unknown {
 }
 
 impl std::error::Error for Unknown {}
-
-/// A file's name without its ending, `.urdf.xacro` being one: `arm.v2.urdf` is `arm.v2`.
-pub(crate) fn stem(path: &str) -> &str {
-    let file = file_name(path);
-    let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
-    stem.strip_suffix(".urdf").unwrap_or(stem)
-}
-
-/// The last part of a path, on any system.
-pub(crate) fn file_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
 
 /// `kr6_r900` becomes `Kr6R900`; what cannot stand in a name separates words,
 /// and a leading digit gets a word in front of it.

@@ -24,6 +24,7 @@ pub use trials::Trials;
 
 use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::SINGULAR;
+use crate::threads;
 use held::{Held, Trial};
 use kin_runtime::Pose;
 use recovery::is_among;
@@ -40,6 +41,10 @@ const MOST_EXCUSED: f64 = 0.05;
 const MOST_LOST: f64 = 0.05;
 /// With a larger share of singular ones too little is seen.
 const MOST_SINGULAR: f64 = 0.5;
+
+/// A thread solves no more targets before what comes of them is looked at: where one is lost, the rest
+/// were in vain.
+const TOGETHER: usize = 32;
 
 /// Above this conditioning a configuration is far from singular.
 const REGULAR: f64 = 1e-3;
@@ -141,15 +146,20 @@ pub fn certify(trials: &Trials, form: &ClosedForm, losses: usize) -> Result<Cert
     for held in &trials.held {
         let targets = held.elsewhere(trials.target);
         let targets: Vec<Pose> = targets.map(|it| trials.linkage.scalar.target(it)).collect();
-        for targets in targets.chunks(form.side_by_side()) {
-            let solutions =
-                form.solutions_each(targets.iter().map(|it| (it, &held.parameters[..])));
-            for (target, solutions) in targets.iter().zip(&solutions) {
-                certificate.sound(&Run { trials, held }, target, solutions)?;
-            }
+        let given = targets.iter().map(|it| (it, &held.parameters[..]));
+        let solutions = solved(form, &given.collect::<Vec<_>>());
+        for (target, solutions) in targets.iter().zip(solutions) {
+            certificate.sound(&Run { trials, held }, target, &solutions)?;
         }
     }
     Ok(certificate)
+}
+
+/// The solutions of each target with its parameters.
+fn solved(form: &ClosedForm, targets: &[(&Pose, &[f64])]) -> Vec<Vec<BranchSolution>> {
+    let shares: Vec<_> = targets.chunks(form.side_by_side()).collect();
+    let solved = threads::each(&shares, |share| form.solutions_each(share.iter().copied()));
+    solved.into_iter().flatten().collect()
 }
 
 /// What solutions are held against.
@@ -164,16 +174,19 @@ impl Certificate {
         4 * self.lost > self.configurations
     }
 
-    /// Tries a closed form on configurations, so many side by side.
+    /// Tries a closed form on configurations, so many together at first.
     fn try_all(
         &mut self,
         trials: &Trials,
         form: &ClosedForm,
         all: &[(usize, Rc<Trial>)],
-        side_by_side: usize,
+        mut together: usize,
         losses: usize,
     ) -> Result<(), Failure> {
-        for some in all.chunks(side_by_side) {
+        let mut rest = all;
+        while !rest.is_empty() {
+            let (some, others) = rest.split_at(together.min(rest.len()));
+            rest = others;
             let mut tried = Vec::with_capacity(some.len());
             for (held, trial) in some {
                 self.configurations += 1;
@@ -187,7 +200,8 @@ impl Certificate {
             let targets = tried
                 .iter()
                 .map(|(_, it, _)| (&it.pose, &it.parameters[..]));
-            let solutions = form.solutions_each(targets);
+            let solutions = solved(form, &targets.collect::<Vec<_>>());
+            together = (2 * together).min(TOGETHER * threads::count());
             for ((held, trial, is_excused), solutions) in tried.into_iter().zip(solutions) {
                 let before = self.lost;
                 let run = Run {

@@ -2,8 +2,8 @@
 
 use super::Found;
 use crate::hash::fnv1a;
-use crate::options::{Options, file_name, stem};
-use crate::spec::Source;
+use crate::options::Options;
+use crate::spec::{Source, file_name, stem};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{fs, io, process};

@@ -6,9 +6,9 @@ use super::freedom::Freedom;
 use super::inverse::{Aim, Inverse, LegForm, UnsolvedChain, forward_alone};
 use super::model::{Leg, Mechanism};
 use crate::arm::CompiledArm;
-use crate::options::{Ik, Options, file_name};
+use crate::options::{Ik, Options};
 use crate::scalar::Scalar;
-use crate::spec::{Diagnostic, Diagnostics, MechanismSpec};
+use crate::spec::{Diagnostic, Diagnostics, MechanismSpec, file_name};
 use kin_runtime::Pose;
 
 /// A mechanism, compiled but not yet written as Rust.

@@ -42,6 +42,18 @@ impl Source {
     }
 }
 
+/// A file's name without its ending, `.urdf.xacro` being one: `arm.v2.urdf` is `arm.v2`.
+pub(crate) fn stem(path: &str) -> &str {
+    let file = file_name(path);
+    let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    stem.strip_suffix(".urdf").unwrap_or(stem)
+}
+
+/// The last part of a path, on any system.
+pub(crate) fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
 /// The text of a file, or why it is none.
 fn text(mut bytes: Vec<u8>) -> Result<String, Diagnostic> {
     const UTF_16: [&[u8]; 2] = [&[0xff, 0xfe], &[0xfe, 0xff]];

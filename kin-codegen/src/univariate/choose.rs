@@ -3,6 +3,7 @@
 use super::eliminate::eliminate;
 use super::frames::Family;
 use crate::random::Random;
+use crate::threads;
 use kin_runtime::__private::univariate::{Elimination, Frames, Told, Univariate};
 use kin_runtime::Target;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -78,9 +79,10 @@ pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
     let targets: Vec<[f64; 6]> = (0..targets).map(target).collect();
     let samples = family.sampled();
     let eliminations = (0..joints).flat_map(|joint| eliminate(family, joint));
-    let mut kept: Vec<Kept> = eliminations
-        .map(|elimination| tried(&samples, elimination, &targets))
-        .collect();
+    let eliminations: Vec<Elimination> = eliminations.collect();
+    let mut kept = threads::each(&eliminations, |elimination| {
+        tried(&samples, *elimination, &targets)
+    });
     kept.sort_by_key(|kept| (kept.lost, kept.rank()));
     // Of those that differ in rows and columns alone the best tells as much as all.
     let equations = |kept: &Kept| (kept.elimination.joints, kept.elimination.powers);

@@ -32,6 +32,11 @@ pub trait Dispatched<I> {
     fn run_narrow<const FUSED: bool>(input: I) -> Self::Output {
         Self::run::<FUSED>(input)
     }
+    /// The same without fused operations where there is AVX.
+    #[inline(always)]
+    fn run_avx(input: I) -> Self::Output {
+        Self::run::<false>(input)
+    }
     /// The same where there are AVX2 and fused multiplication and addition.
     #[inline(always)]
     fn run_avx2(input: I) -> Self::Output {
@@ -85,6 +90,21 @@ pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
             true => T::run_narrow::<true>(input),
             false => T::run_narrow::<false>(input),
         }
+    }
+}
+
+/// Runs `T` without fused operations, whatever the processor has: with the same results, to the last
+/// bit, on all of them.
+#[cold]
+#[inline(never)]
+pub fn unfused<T: Dispatched<I>, I>(input: I) -> T::Output {
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
+    {
+        x86_64::unfused::<T, I>(input)
+    }
+    #[cfg(not(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2"))))]
+    {
+        T::run::<false>(input)
     }
 }
 
@@ -143,14 +163,19 @@ mod x86_64 {
     }
 
     #[inline(always)]
-    pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
-        const AVX2: u8 = Instructions::Avx2 as u8;
-        const AVX512: u8 = Instructions::Avx512 as u8;
-        let chosen = match CHOSEN.load(Ordering::Relaxed) {
+    fn chosen() -> u8 {
+        match CHOSEN.load(Ordering::Relaxed) {
             0 => ask_processor(),
             chosen => chosen,
-        };
-        match chosen {
+        }
+    }
+
+    const AVX2: u8 = Instructions::Avx2 as u8;
+    const AVX512: u8 = Instructions::Avx512 as u8;
+
+    #[inline(always)]
+    pub fn dispatch<T: Dispatched<I>, I>(input: I) -> T::Output {
+        match chosen() {
             // SAFETY: what is chosen is not more than the processor has.
             AVX512 if T::WIDTH >= 8 => unsafe { with_avx512::<T, I>(input) },
             // SAFETY: as above.
@@ -159,10 +184,23 @@ mod x86_64 {
         }
     }
 
+    pub fn unfused<T: Dispatched<I>, I>(input: I) -> T::Output {
+        match chosen() {
+            // SAFETY: as above, and where there is AVX2 there is AVX.
+            AVX2 | AVX512 => unsafe { with_avx::<T, I>(input) },
+            _ => with_sse2::<T, I>(input),
+        }
+    }
+
     /// A function as well: its callers have no use for a copy.
     #[inline(never)]
     fn with_sse2<T: Dispatched<I>, I>(input: I) -> T::Output {
         T::run_narrow::<false>(input)
+    }
+
+    #[target_feature(enable = "avx")]
+    fn with_avx<T: Dispatched<I>, I>(input: I) -> T::Output {
+        T::run_avx(input)
     }
 
     #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]

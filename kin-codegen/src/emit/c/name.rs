@@ -1,7 +1,7 @@
 //! What a robot's symbols and files begin with.
 
-use crate::options::{Options, stem};
-use crate::spec::Diagnostic;
+use crate::options::Options;
+use crate::spec::{Diagnostic, stem};
 
 /// Headers of C and C++ that a robot's would stand in for where its folder is searched first.
 const HEADERS: [&str; 30] = [

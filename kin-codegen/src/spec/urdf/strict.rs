@@ -2,7 +2,7 @@
 
 use super::checks::{check_attributes, place, refuse_unknown, required};
 use super::{elements, joint, origin, vocabulary};
-use crate::options::stem;
+use crate::spec::stem;
 use crate::spec::tree::{Draft, Name};
 use crate::spec::{Collector, Source, suggest};
 use kin_runtime::Pose;

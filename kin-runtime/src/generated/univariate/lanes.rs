@@ -4,7 +4,7 @@ mod portable;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod x86_64;
 
-use crate::generated::dispatch::{Dispatched, dispatch};
+use crate::generated::dispatch::{Dispatched, dispatch, unfused};
 use crate::generated::lanes;
 use crate::generated::reproducible;
 use core::marker::PhantomData;
@@ -108,16 +108,10 @@ pub(super) trait InLanes<I> {
 /// Runs `T` by the widest instructions that the processor has.
 #[inline(always)]
 pub(super) fn in_lanes<T: InLanes<I>, I>(input: I) -> T::Output {
-    if reproducible::wanted() {
-        return narrow::<T, I>(input);
+    match reproducible::wanted() {
+        true => unfused::<Widest<T>, I>(input),
+        false => dispatch::<Widest<T>, I>(input),
     }
-    dispatch::<Widest<T>, I>(input)
-}
-
-#[cold]
-#[inline(never)]
-fn narrow<T: InLanes<I>, I>(input: I) -> T::Output {
-    Widest::<T>::run::<false>(input)
 }
 
 struct Widest<T>(PhantomData<T>);
@@ -135,6 +129,12 @@ impl<T: InLanes<I>, I> Dispatched<I> for Widest<T> {
         {
             T::run::<Portable>(input)
         }
+    }
+
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    #[inline(always)]
+    fn run_avx(input: I) -> T::Output {
+        T::run::<x86_64::Avx>(input)
     }
 
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]

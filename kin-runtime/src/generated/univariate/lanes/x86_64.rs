@@ -1,4 +1,4 @@
-//! Vectors of SSE2, AVX2 and AVX-512; the last two with fused multiplications and
+//! Vectors of SSE2, AVX, AVX2 and AVX-512; the last two with fused multiplications and
 //! additions.
 //!
 //! All `unsafe` is of one kind: the wider types are used where
@@ -10,11 +10,12 @@ use core::arch::x86_64::*;
 use core::mem::transmute;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
 
-/// The numbers as some vectors of one width, and what is done with each.
+/// The numbers as some vectors of one width, and what is done with each: written out, not in a loop,
+/// which costs as much as what it does where a macro runs, unoptimized, in a user's build.
 macro_rules! vectors {
     (
         $(#[$doc:meta])*
-        $name:ident: [$vector:ty; $count:literal],
+        $name:ident: [$vector:ty; $count:literal] $($k:literal)*,
         set $set:ident,
         add $add:ident,
         sub $sub:ident,
@@ -60,120 +61,90 @@ macro_rules! vectors {
                 Self([unsafe { $set(x) }; $count])
             }
             #[inline(always)]
-            fn plus(mut self, a: Self, b: Self) -> Self {
-                for k in 0..$count {
-                    let ($sum, $a, $b) = (self.0[k], a.0[k], b.0[k]);
+            fn plus(self, a: Self, b: Self) -> Self {
+                Self([$({
+                    let ($sum, $a, $b) = (self.0[$k], a.0[$k], b.0[$k]);
                     // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $plus };
-                }
-                self
+                    unsafe { $plus }
+                }),*])
             }
             #[inline(always)]
-            fn minus(mut self, a: Self, b: Self) -> Self {
-                for k in 0..$count {
-                    let ($sum, $a, $b) = (self.0[k], a.0[k], b.0[k]);
+            fn minus(self, a: Self, b: Self) -> Self {
+                Self([$({
+                    let ($sum, $a, $b) = (self.0[$k], a.0[$k], b.0[$k]);
                     // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $minus };
-                }
-                self
+                    unsafe { $minus }
+                }),*])
             }
             #[inline(always)]
-            fn inverse(mut self) -> Self {
-                for x in &mut self.0 {
-                    // SAFETY: see the head of this file.
-                    *x = unsafe { $div($set(1.0), *x) };
-                }
-                self
+            fn inverse(self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $div($set(1.0), self.0[$k]) }),*])
             }
             #[inline(always)]
-            fn sqrt(mut self) -> Self {
-                for x in &mut self.0 {
-                    // SAFETY: see the head of this file.
-                    *x = unsafe { $sqrt(*x) };
-                }
-                self
+            fn sqrt(self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $sqrt(self.0[$k]) }),*])
             }
             #[inline(always)]
-            fn abs(mut self) -> Self {
-                for x in &mut self.0 {
-                    // SAFETY: see the head of this file.
-                    *x = unsafe { $and_not($set(-0.0), *x) };
-                }
-                self
+            fn abs(self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $and_not($set(-0.0), self.0[$k]) }),*])
             }
             #[inline(always)]
-            fn max(mut self, other: Self) -> Self {
-                for k in 0..$count {
-                    // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $max(self.0[k], other.0[k]) };
-                }
-                self
+            fn max(self, other: Self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $max(self.0[$k], other.0[$k]) }),*])
             }
             #[inline(always)]
-            fn where_less(mut self, other: Self, yes: Self, no: Self) -> Self {
-                for k in 0..$count {
-                    let ($x, $y, $yes, $no) = (self.0[k], other.0[k], yes.0[k], no.0[k]);
+            fn where_less(self, other: Self, yes: Self, no: Self) -> Self {
+                Self([$({
+                    let ($x, $y, $yes, $no) = (self.0[$k], other.0[$k], yes.0[$k], no.0[$k]);
                     // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $select };
-                }
-                self
+                    unsafe { $select }
+                }),*])
             }
             #[inline(always)]
             fn away_from_zero(self, least: f64) -> Self {
-                let mut away = self.abs().max(Self::splat(least));
-                for k in 0..$count {
-                    // SAFETY: see the head of this file.
-                    away.0[k] = unsafe { $or(away.0[k], $and($set(-0.0), self.0[k])) };
-                }
-                away
+                let away = self.abs().max(Self::splat(least));
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $or(away.0[$k], $and($set(-0.0), self.0[$k])) }),*])
             }
         }
 
         impl Neg for $name {
             type Output = Self;
             #[inline(always)]
-            fn neg(mut self) -> Self {
-                for x in &mut self.0 {
-                    // SAFETY: see the head of this file.
-                    *x = unsafe { $xor($set(-0.0), *x) };
-                }
-                self
+            fn neg(self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $xor($set(-0.0), self.0[$k]) }),*])
             }
         }
 
         impl Add for $name {
             type Output = Self;
             #[inline(always)]
-            fn add(mut self, other: Self) -> Self {
-                for k in 0..$count {
-                    // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $add(self.0[k], other.0[k]) };
-                }
-                self
+            fn add(self, other: Self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $add(self.0[$k], other.0[$k]) }),*])
             }
         }
 
         impl Sub for $name {
             type Output = Self;
             #[inline(always)]
-            fn sub(mut self, other: Self) -> Self {
-                for k in 0..$count {
-                    // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $sub(self.0[k], other.0[k]) };
-                }
-                self
+            fn sub(self, other: Self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $sub(self.0[$k], other.0[$k]) }),*])
             }
         }
 
         impl Mul for $name {
             type Output = Self;
             #[inline(always)]
-            fn mul(mut self, other: Self) -> Self {
-                for k in 0..$count {
-                    // SAFETY: see the head of this file.
-                    self.0[k] = unsafe { $mul(self.0[k], other.0[k]) };
-                }
-                self
+            fn mul(self, other: Self) -> Self {
+                // SAFETY: see the head of this file.
+                Self([$(unsafe { $mul(self.0[$k], other.0[$k]) }),*])
             }
         }
 
@@ -195,7 +166,7 @@ macro_rules! vectors {
 
 vectors! {
     /// Two numbers in each of four vectors: what every x86-64 processor has.
-    Sse2: [__m128d; 4],
+    Sse2: [__m128d; 4] 0 1 2 3,
     set _mm_set1_pd,
     add _mm_add_pd,
     sub _mm_sub_pd,
@@ -217,7 +188,7 @@ vectors! {
 
 vectors! {
     /// Four numbers in each of two vectors.
-    Avx2: [__m256d; 2],
+    Avx2: [__m256d; 2] 0 1,
     set _mm256_set1_pd,
     add _mm256_add_pd,
     sub _mm256_sub_pd,
@@ -235,8 +206,27 @@ vectors! {
 }
 
 vectors! {
+    /// The same with products and sums that are rounded each, as SSE2's.
+    Avx: [__m256d; 2] 0 1,
+    set _mm256_set1_pd,
+    add _mm256_add_pd,
+    sub _mm256_sub_pd,
+    mul _mm256_mul_pd,
+    div _mm256_div_pd,
+    sqrt _mm256_sqrt_pd,
+    max _mm256_max_pd,
+    and _mm256_and_pd,
+    and_not _mm256_andnot_pd,
+    or _mm256_or_pd,
+    xor _mm256_xor_pd,
+    plus |sum, a, b| _mm256_add_pd(sum, _mm256_mul_pd(a, b)),
+    minus _mm256_sub_pd(sum, _mm256_mul_pd(a, b)),
+    less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
+}
+
+vectors! {
     /// All numbers in one vector.
-    Avx512: [__m512d; 1],
+    Avx512: [__m512d; 1] 0,
     set _mm512_set1_pd,
     add _mm512_add_pd,
     sub _mm512_sub_pd,

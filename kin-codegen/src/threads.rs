@@ -1,0 +1,62 @@
+//! Work that is divided between threads: where a macro runs it, unoptimized, a search takes seconds.
+
+use kin_runtime::__private::reproducible::{reproducibly, wanted};
+use std::iter;
+use std::num::NonZero;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// As many as the processor runs at once.
+pub fn count() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+/// What comes of each, in their order, as if this thread had done all. Some may take many times as
+/// long as others: whoever is free takes the next.
+pub fn each<T: Sync, R: Send>(all: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let workers = count().min(all.len());
+    if workers < 2 {
+        return all.iter().map(work).collect();
+    }
+    let next = AtomicUsize::new(0);
+    let take = || {
+        let place = next.fetch_add(1, Ordering::Relaxed);
+        Some((place, work(all.get(place)?)))
+    };
+    let take_all = || iter::from_fn(take).collect::<Vec<_>>();
+    let is_reproducible = wanted();
+    let worker = || match is_reproducible {
+        true => reproducibly(take_all),
+        false => take_all(),
+    };
+    let mut done: Vec<(usize, R)> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
+        let each = workers.into_iter().map(|it| it.join());
+        each.flat_map(|done| done.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect()
+    });
+    done.sort_unstable_by_key(|(place, _)| *place);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_is_done_in_order_and_as_this_thread_does_it() {
+        let all: Vec<usize> = (0..1000).collect();
+        let work = |i: &usize| (*i, wanted());
+        let told = |is: bool| all.iter().map(|i| (*i, is)).collect::<Vec<_>>();
+        assert_eq!(each(&all, work), told(false));
+        assert_eq!(reproducibly(|| each(&all, work)), told(true));
+        assert_eq!(each(&[], work), []);
+    }
+
+    #[test]
+    #[should_panic(expected = "of a worker")]
+    fn a_panic_is_this_threads() {
+        each(&[1, 2, 3], |i| assert!(*i != 2, "of a worker"));
+    }
+}
