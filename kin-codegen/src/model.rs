@@ -305,18 +305,25 @@ fn build(
 /// Every joint is fixed, or moves in one way, and one moves at least.
 fn check_motions(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector) {
     let joints = || chain.joints.iter().map(|&j| &spec.joints[j]);
-    for joint in joints() {
+    for (place, joint) in joints().enumerate() {
         let motion = match joint.kind {
             JointType::Floating => "floats, which is six coordinates in one joint",
             JointType::Planar => "is planar, which is three coordinates in one joint",
             JointType::Spherical => "is spherical, which is three coordinates in one joint",
             JointType::Fixed | JointType::Revolute | JointType::Prismatic => continue,
         };
-        let remedy = format!(
-            "begin the chain behind it (base = \"{}\") or end it before (tip), or replace it by \
-             revolute and prismatic joints",
-            spec.links[joint.child].name
-        );
+        let moves_behind = joints()
+            .skip(place + 1)
+            .any(|it| it.kind != JointType::Fixed);
+        let begin = match moves_behind {
+            true => format!(
+                "begin the chain behind it (base = \"{}\") or ",
+                spec.links[joint.child].name
+            ),
+            false => String::new(),
+        };
+        let remedy =
+            format!("{begin}end it before (tip), or replace it by revolute and prismatic joints");
         diagnostics.at(joint.at, format!("joint `{}` {motion}", joint.name), remedy);
     }
     if joints().all(|joint| joint.kind == JointType::Fixed) {

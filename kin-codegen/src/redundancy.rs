@@ -82,9 +82,9 @@ pub fn is_redundant(model: &Model, target: Target, asked: &Asked) -> bool {
 }
 
 /// Finds and verifies a closed form of an arm with more joints than its targets have
-/// coordinates. Of the joints that may stay free, those are taken whose plan needs the
-/// fewest operations, of an arm off its design first those at the ends of the chain, of positions
-/// those that leave joints which reach far, and of these the last; where no others have a plan,
+/// coordinates. Of the joints that may stay free, those are taken that leave joints which sweep much
+/// of the space of targets, of an arm off its design first those at the ends of the chain, and of these
+/// those whose plan needs the fewest operations, and the last; where no others have a plan,
 /// those at an end that leave the best polynomial between them.
 ///
 /// # Errors
@@ -267,6 +267,7 @@ fn with_repeated(model: &Model, asked: &[usize], count: usize) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::spec::{ArmSpec, Source};
+    use std::f64::consts::{FRAC_PI_2, PI};
 
     /// Angles of six digits, and of four.
     const RAIL: &str = "\
@@ -307,20 +308,80 @@ dh:
                       type: prismatic, limits: [0, 1000]}\n";
         let lifted = read("robots/xarm6.yaml").replace("mdh:\n", column);
         for text in [RAIL.to_owned(), TABLE.to_owned(), lifted] {
-            let source = Source {
-                path: "arm.yaml".into(),
-                text,
-            };
-            let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
-            assert_eq!(model.joints.len(), 7);
-            let found = solve_redundant(
-                &model,
-                &Linkage::new(&model),
-                Target::Pose,
-                &Asked::default(),
-            );
-            assert_eq!(found.unwrap().1.joints, [0], "{}", source.text);
+            assert_eq!(solved(text.clone()).joints, [0], "{text}");
         }
+    }
+
+    /// A spherical wrist behind a shoulder that is none, as a Fetch has. At a pose its elbow hardly
+    /// moves: few of its values have solutions.
+    #[test]
+    fn an_elbow_is_not_given() {
+        let joint = |name: &str, x: f64, z: f64, axis: &str| {
+            format!("  - {{name: {name}, xyz: [{x}, 0, {z}], axis: [{axis}]}}\n")
+        };
+        let (roll, flex) = ("1, 0, 0", "0, 1, 0");
+        let arm = [
+            joint("pan", 0.119525, 0.34858, "0, 0, 1"),
+            joint("lift", 0.117, 0.06, flex),
+            joint("upperarm_roll", 0.219, 0.0, roll),
+            joint("elbow", 0.133, 0.0, flex),
+            joint("forearm_roll", 0.197, 0.0, roll),
+            joint("wrist_flex", 0.1245, 0.0, flex),
+            joint("wrist_roll", 0.1385, 0.0, roll),
+        ];
+        let torso = "  - {name: torso, axis: [0, 0, 1], type: prismatic, limits: [0, 0.4]}\n";
+        for (carrier, given) in [("", vec![0]), (torso, vec![0, 1])] {
+            let found = solved(format!(
+                "robot: arm\nunits: {{angle: rad, length: m}}\njoints:\n{carrier}{}tip: tool0\n",
+                arm.concat()
+            ));
+            assert_eq!(found.joints, given);
+        }
+    }
+
+    /// Whatever tool it has. Where the arm is folded, at which the samples are few, the swivel has no
+    /// angle: that once decided whether an iiwa 7 was given it.
+    #[test]
+    fn the_swivel_angle_is_given_whatever_the_tool() {
+        const IIWA: [[f64; 6]; 7] = [
+            [0.0, 0.0, 0.15, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 0.19, FRAC_PI_2, 0.0, PI],
+            [0.0, 0.21, 0.0, FRAC_PI_2, 0.0, PI],
+            [0.0, 0.0, 0.19, FRAC_PI_2, 0.0, 0.0],
+            [0.0, 0.21, 0.0, -FRAC_PI_2, PI, 0.0],
+            [0.0, 0.0607, 0.19, FRAC_PI_2, 0.0, 0.0],
+            [0.0, 0.081, 0.0607, -FRAC_PI_2, PI, 0.0],
+        ];
+        let joints = IIWA
+            .iter()
+            .enumerate()
+            .map(|(i, [x, y, z, roll, pitch, yaw])| {
+                format!(
+                    "  - {{name: q{i}, xyz: [{x}, {y}, {z}], rpy: [{roll:?}, {pitch:?}, {yaw:?}], \
+                 axis: [0, 0, 1]}}\n"
+                )
+            });
+        let joints: String = joints.collect();
+        for tool in [0.0, 0.045, 0.05, 0.09, 0.3] {
+            let found = solved(format!(
+                "robot: iiwa\nunits: {{angle: rad, length: m}}\njoints:\n{joints}  \
+                 - {{name: tool, type: fixed, xyz: [0, 0, {tool}]}}\n"
+            ));
+            assert!(found.swivel.is_some(), "{tool}: {found:?}");
+        }
+    }
+
+    /// What is given beside a pose to the arm of a file.
+    fn solved(text: String) -> Redundancy {
+        let source = Source {
+            path: "arm.yaml".into(),
+            text,
+        };
+        let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+        let linkage = Linkage::new(&model);
+        let (_, found) =
+            solve_redundant(&model, &linkage, Target::Pose, &Asked::default()).unwrap();
+        found
     }
 
     /// Whatever the wrist is given, the joints before it reach most positions; a wrist alone reaches

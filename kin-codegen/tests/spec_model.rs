@@ -756,13 +756,58 @@ fn one_arm_on_a_mobile_robot_is_the_arm() {
     };
     assert_eq!(
         warning.reason,
-        "the arm is taken from `base` to `arm5`, the only chain of 5 moving joints or more: \
-         those to `head2`, `caster2`, `wheel1` are passed over"
+        "the arm is taken from `base` to `arm5`, the longest chain: those to `head2`, `caster2`, \
+         `wheel1` are passed over"
     );
     assert_eq!(
         warning.remedy,
         "name the end of another one if you mean it (tip), and where it begins (base)"
     );
+}
+
+/// What carries both, a simulator's base and a torso, once made an arm of a head.
+#[test]
+fn a_head_on_what_carries_the_arm_is_no_arm() {
+    let carrying = |head| {
+        limbs(&[
+            ("base", "torso", 4),
+            ("torso4", "head", head),
+            ("torso4", "arm", 7),
+        ])
+    };
+    let read = accept(&carrying(2));
+    assert_eq!((read.tip.as_str(), read.joints.len()), ("arm7", 11));
+    assert!(read.warnings[0].reason.contains("to `head2` is passed"));
+    // Three joints of its own carry a point anywhere.
+    let said = model("arm.urdf", &carrying(3), None, None);
+    let said = said.unwrap_err().to_string();
+    assert!(said.contains("2 chains of joints begin"), "{said}");
+}
+
+/// What is listed of several chains is what each would have for its tip alone.
+#[test]
+fn the_tips_of_legs_are_their_feet() {
+    let legs = limbs(&[("base", "left", 3), ("base", "right", 3)]);
+    let foot = |side: &str| {
+        joint(
+            side,
+            "fixed",
+            &format!("{side}3"),
+            &format!("{side}_foot"),
+            "",
+        )
+    };
+    let feet = format!(
+        "<link name=\"left_foot\"/><link name=\"right_foot\"/>{}{}</robot>",
+        foot("left"),
+        foot("right")
+    );
+    let legs = legs.replace("</robot>", &feet);
+    let said = model("arm.urdf", &legs, None, None)
+        .unwrap_err()
+        .to_string();
+    assert!(said.contains("tip `left_foot`: 3 moving"), "{said}");
+    assert!(said.contains("tip `right_foot`: 3 moving"), "{said}");
 }
 
 /// A simulator's robots stand on a joint that goes anywhere: no chain has it, and the arm begins

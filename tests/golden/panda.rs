@@ -62,7 +62,7 @@ mod __Panda {
     ///
     /// # Inverse kinematics
     ///
-    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. By what could be given, the operations of all branches of a plan for the others, residuals aside: q7: 1677, q4: 1717, q6: 2975, q5: 2992.
+    /// `ik_at` is given beside a target the value of q7 (`joint7`), radians. By what could be given, the operations of all branches of a plan for the others, residuals aside: q7: 1677, q6: 2975, q5: 2992, q4: 1717.
     ///
     /// Where it is singular, and how it moves while the tip rests: the documentation of `RedundantKinematics` tells the methods.
     ///

@@ -149,7 +149,11 @@ impl Held {
     /// What comes with the target of a configuration.
     pub fn parameters(&self, linkage: &Linkage, q: &[f64]) -> Vec<f64> {
         match linkage.swivel {
-            Some(swivel) => vec![swivel.angle(&self.chain, q)],
+            Some(swivel) => {
+                // With the arm stretched or folded it has no angle, and any will do.
+                let angle = swivel.angle(&self.chain, q);
+                vec![if angle.is_nan() { SOMEWHERE } else { angle }]
+            }
             None => self.parameters.clone(),
         }
     }

@@ -89,6 +89,16 @@ pub(super) fn with_row(chain: &Chain, q: &[f64], size: f64, target: Target, row:
         .fold(f64::INFINITY, f64::min)
 }
 
+/// How much of the space of targets some joints sweep for each unit that they move: the volume that
+/// their columns of the Jacobian span.
+pub fn volume(chain: &Chain, q: &[f64], size: f64, target: Target, locked: &[usize]) -> f64 {
+    let columns = chain.geometric_jacobian(q).into_iter().enumerate();
+    let solved = columns.filter(|(joint, _)| !locked.contains(joint));
+    let motions: Vec<Motion> = solved.map(|(_, twist)| Motion::of(twist)).collect();
+    let lengths = absolute(&motions, chain, q, size, target, &[]);
+    lengths.into_iter().product()
+}
+
 /// The motion of six joints that moves the tip least, of length 1; none of more or fewer.
 pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
     let columns: [Twist; 6] = chain.geometric_jacobian(q).try_into().ok()?;
@@ -107,7 +117,7 @@ pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
 fn lengths(chain: &Chain, q: &[f64], size: f64, target: Target, row: &[f64]) -> Vec<f64> {
     let columns = chain.geometric_jacobian(q).into_iter();
     let motions: Vec<Motion> = columns.map(Motion::of).collect();
-    lengths_of(&motions, chain, q, size, target, row)
+    relative(absolute(&motions, chain, q, size, target, row))
 }
 
 /// The same of the coordinates of a chain whose joints depend on them.
@@ -126,7 +136,7 @@ fn coupled_lengths(
             motion.twist = motion.twist + *twist * weight;
         }
     }
-    lengths_of(&motions, chain, &joints, size, target, &[])
+    relative(absolute(&motions, chain, &joints, size, target, &[]))
 }
 
 /// How a coordinate moves the tip.
@@ -151,7 +161,13 @@ fn turns(twist: &Twist) -> bool {
     twist.angular != [0.0; 3]
 }
 
-fn lengths_of(
+fn relative(lengths: Vec<f64>) -> Vec<f64> {
+    let longest = lengths.first().copied().unwrap_or(0.0).max(NOTHING);
+    lengths.into_iter().map(|x| x / longest).collect()
+}
+
+/// The same in units of the arm's size.
+fn absolute(
     motions: &[Motion],
     chain: &Chain,
     q: &[f64],
@@ -196,8 +212,7 @@ fn lengths_of(
             }
         }
     }
-    let longest = lengths.first().copied().unwrap_or(0.0).max(NOTHING);
-    lengths.into_iter().map(|x| x / longest).collect()
+    lengths
 }
 
 /// A column of the Jacobian: the rows that count, one more below them, and zeros.

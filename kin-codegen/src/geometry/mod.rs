@@ -14,7 +14,9 @@ mod swivel;
 pub use crate::vector::{Vec3, angle, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
 pub use carried::Carried;
-pub use conditioning::{SINGULAR, conditioning, coupled_rank, natural_target, rank, weak_motion};
+pub use conditioning::{
+    SINGULAR, conditioning, coupled_rank, natural_target, rank, volume, weak_motion,
+};
 pub use coupling::{Combination, Coupling, InverseRow, Undetermined, uncoupled};
 pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use idealize::{NOISIEST, idealizations};

@@ -18,8 +18,8 @@
 //!
 //! Chains that fork otherwise (two arms in one file) are ambiguous; what is listed of them are the
 //! arms, fingers left out, those of most joints first. But where one has five joints or more, and
-//! every other no more than three, no more than two of them its own, that one is the arm, and the
-//! others are wheels, casters and heads: a warning says so.
+//! every other no more than two of its own, and three in all or as many as leave that one five of its
+//! own, that one is the arm, and the others are wheels, casters and heads: a warning says so.
 
 mod finger;
 
@@ -357,8 +357,12 @@ impl Below<'_> {
     /// or look. The longest finger of a hand is no arm.
     fn is_carried(&self, base: usize, arm: &Arm, others: &[Arm]) -> bool {
         let is_no_limb = |other: &Arm| {
-            let own = other.joints.iter().filter(|j| !arm.joints.contains(j));
-            other.joints.len() <= OTHER_JOINTS && own.count() <= OWN_JOINTS
+            let shared = other.joints.iter().filter(|j| arm.joints.contains(j));
+            let shared = shared.count();
+            // What carries both may have any number of joints, if the arm has enough of its own.
+            let is_short =
+                other.joints.len() <= OTHER_JOINTS || arm.joints.len() - shared >= CARRIED_JOINTS;
+            is_short && other.joints.len() - shared <= OWN_JOINTS
         };
         arm.base == base
             && arm.joints.len() >= CARRIED_JOINTS
@@ -402,6 +406,15 @@ impl Below<'_> {
     /// The tip among the links that move with one. Where fingers hang on it,
     /// a leaf is no better than the link itself.
     fn rigid_tip(&self, link: usize, fingers: bool, diagnostics: &mut Collector) -> usize {
+        let (tip, doubt) = self.end(link, fingers);
+        if let Some(doubt) = doubt {
+            diagnostics.warn_whole(doubt, "name another one if you mean it (tip)");
+        }
+        tip
+    }
+
+    /// The same, and what else may be meant.
+    fn end(&self, link: usize, fingers: bool) -> (usize, Option<String>) {
         let rigid = self.rigid(link);
         let name = |link: usize| self.spec.links[link].name.as_str();
         let named = self.all_named(&rigid);
@@ -409,27 +422,23 @@ impl Below<'_> {
             let others = named[1..].iter().filter(|&&it| !self.is_aside(it));
             let others: Vec<&str> = others.map(|&link| name(link)).collect();
             let has_prefix = !NAMES.contains(&name(first).to_lowercase().as_str());
-            if has_prefix && !others.is_empty() {
+            let doubt = (has_prefix && !others.is_empty()).then(|| {
                 let (first, others) = (name(first), crate::spec::list_names(&others));
-                let reason = format!(
-                    "the tip is `{first}`: {others}, which moves with it, may be meant too"
-                );
-                diagnostics.warn_whole(reason, "name another one if you mean it (tip)");
-            }
-            return first;
+                format!("the tip is `{first}`: {others}, which moves with it, may be meant too")
+            });
+            return (first, doubt);
         }
         if fingers {
-            return link;
+            return (link, None);
         }
         let is_aside = |&j: &usize| self.is_aside(self.spec.joints[j].child);
         let is_leaf =
             |link: &&usize| self.children[**link].iter().all(is_aside) && !self.is_aside(**link);
         let leaves: Vec<usize> = rigid.iter().filter(is_leaf).copied().collect();
-        if leaves.is_empty() {
-            return link;
-        }
-        if let [leaf] = leaves[..] {
-            return leaf;
+        match leaves[..] {
+            [] => return (link, None),
+            [leaf] => return (leaf, None),
+            _ => {}
         }
         let names: Vec<&str> = leaves.iter().map(|&leaf| name(leaf)).collect();
         let reason = format!(
@@ -438,8 +447,7 @@ impl Below<'_> {
             names.len(),
             crate::spec::list_names(&names)
         );
-        diagnostics.warn_whole(reason, "name another one if you mean it (tip)");
-        link
+        (link, Some(reason))
     }
 
     fn warn_of_fingers(&self, base: usize, tip: usize, arm: &Arm, diagnostics: &mut Collector) {
@@ -469,8 +477,7 @@ impl Below<'_> {
 
     /// The name of the tip of an arm that is not taken.
     fn listed_tip(&self, arm: &Arm) -> &str {
-        let last = self.last(arm);
-        let tip = self.named(&self.rigid(last)).unwrap_or(last);
+        let (tip, _) = self.end(self.last(arm), !arm.fingers.is_empty());
         &self.spec.links[tip].name
     }
 
@@ -482,8 +489,8 @@ impl Below<'_> {
             _ => ("those", "are"),
         };
         let reason = format!(
-            "the arm is taken from `{base}` to `{tip}`, the only chain of {CARRIED_JOINTS} moving \
-             joints or more: {subject} to {} {verb} passed over",
+            "the arm is taken from `{base}` to `{tip}`, the longest chain: {subject} to {} {verb} passed \
+             over",
             crate::spec::list_names(&names)
         );
         let remedy = "name the end of another one if you mean it (tip), and where it begins (base)";

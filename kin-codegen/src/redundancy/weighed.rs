@@ -3,12 +3,12 @@
 use crate::certificate::SOMEWHERE;
 use crate::closed_form::tip_shift;
 use crate::expr;
-use crate::geometry::{Carried, Linkage, conditioning, idealizations, size};
-use crate::model::{Joint, JointKind, Model, configurations};
+use crate::geometry::{Carried, Linkage, conditioning, idealizations, size, volume};
+use crate::model::{Joint, JointKind, Model, anywhere, configurations};
 use crate::plan::{Plans, Relations, Target};
+use crate::random::Random;
 use crate::solver::{COMPARED, DESIGNED};
 use crate::univariate;
-use crate::vector::{cross, dot};
 use std::cmp::{Ordering, Reverse};
 use std::rc::Rc;
 
@@ -18,8 +18,13 @@ use std::rc::Rc;
 const NEARLY_SINGULAR: f64 = 1e-3;
 /// Random configurations that tell.
 const TRIED: usize = 16;
-/// A choice of joints that sweep less than this part of what others do comes behind those.
-const WIDE: f64 = 0.5;
+/// Random configurations between which joints sweep.
+const SWEPT: usize = 64;
+/// A choice that leaves joints which sweep less than this part of what others do comes behind those: few
+/// values of what is given, as of the elbow of most arms of seven joints, then have a solution.
+const NARROW: f64 = 0.15;
+/// The same of those that cost about as much.
+const ABOUT_AS_WIDE: f64 = 0.67;
 /// Choices that cost less than one part in so many more than the best cost about as much.
 const ALIKE: usize = 20;
 /// Of so many targets in a hundred, and below this noise, a polynomial is as good as any that is
@@ -135,7 +140,7 @@ fn planned(
     let mut each: Vec<(Weighed, f64)> = weighed.into_iter().zip(reach).collect();
     let preference = |(choice, reach): &(Weighed, f64)| {
         let joints = &choice.joints;
-        let little = *reach < WIDE * most;
+        let little = *reach < NARROW * most;
         (
             is_dear(shift, joints),
             little,
@@ -151,7 +156,13 @@ fn planned(
         let is_alike =
             |it: &(Weighed, f64)| preference(it) == preferred && costs_as_much(it.0.weight, least);
         let alike = each.iter().take_while(|it| is_alike(it)).count();
-        each[..alike].sort_by(|(a, _), (b, _)| b.joints.cmp(&a.joints));
+        let alike = &mut each[..alike];
+        let most = alike.iter().map(|it| it.1).fold(0.0, f64::max);
+        let is_narrow = |reach: f64| reach < ABOUT_AS_WIDE * most;
+        alike.sort_by(|(a, wide), (b, other)| {
+            let by_reach = is_narrow(*wide).cmp(&is_narrow(*other));
+            by_reach.then_with(|| b.joints.cmp(&a.joints))
+        });
     }
     let weighed = each.into_iter().map(|(choice, _)| choice).collect();
     (weighed, left)
@@ -163,25 +174,15 @@ pub fn costs_as_much(weight: Option<usize>, least: Option<usize>) -> bool {
     both.is_some_and(|(weight, least)| ALIKE * weight.saturating_sub(least) < least)
 }
 
-/// How much of space the joints that are not locked sweep, where these are to bring the tip to a
-/// position and most joints are given: whatever those are, the target should be in reach. Otherwise
-/// as much as any.
+/// How much of the space of targets the joints that are not locked sweep: whatever the others are given,
+/// a target should be in reach.
 fn swept(model: &Model, locked: &[usize], target: Target) -> f64 {
-    if target != Target::Position || locked.len() < 2 {
-        return 1.0;
-    }
-    let chain = model.chain();
-    let volume = |q: &Vec<f64>| {
-        let columns = chain.geometric_jacobian(q).into_iter().enumerate();
-        let solved = columns.filter(|(joint, _)| !locked.contains(joint));
-        let moves: Vec<[f64; 3]> = solved.map(|(_, column)| column.linear).collect();
-        match moves[..] {
-            [a, b, c] => dot(a, cross(b, c)).abs(),
-            _ => 1.0,
-        }
-    };
-    let tried = configurations(model);
-    tried.iter().take(TRIED).map(volume).sum()
+    let (chain, size) = (model.chain(), size(model));
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let tried = (0..SWEPT).map(|_| anywhere(model, &mut random));
+    tried
+        .map(|q| volume(&chain, &q, size, target, locked))
+        .sum()
 }
 
 /// How many of these joints, from the first of the chain on, carry the others: all but one, since an
@@ -197,15 +198,22 @@ pub fn carriers(model: &Model, target: Target, joints: &[usize]) -> usize {
         _ => platform.max(joints.len().saturating_sub(1)),
     };
     let from_first = joints.iter().zip(0..).take_while(|(joint, i)| *joint == i);
-    from_first.take(most).count()
+    let first = from_first.take(most).count();
+    // Some slides of a gantry carry nothing without the others.
+    if first < slides(model) { 0 } else { first }
 }
 
 /// How many joints an arm stands on: the slides of a rail or a gantry, or the two and the turn of a
 /// platform.
 fn stand(model: &Model) -> usize {
-    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
-    let slides = model.joints.iter().take_while(is_slide).count();
+    let slides = slides(model);
     slides + usize::from(slides == 2)
+}
+
+/// How many joints from the first on are slides.
+fn slides(model: &Model) -> usize {
+    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
+    model.joints.iter().take_while(is_slide).count()
 }
 
 /// How many of these joints, from the last of the chain on, the others carry, of which a position is
@@ -307,6 +315,8 @@ mod tests {
         assert_eq!(carried_by("sttttttt", &[0, 1]), 1);
         assert_eq!(carried_by("tttttttt", &[0, 7]), 1);
         assert_eq!(carried_by("ssstttttttt", &[0, 1, 2, 3]), 3);
+        // Of a gantry all slides, or none.
+        assert_eq!(carried_by("sssttttt", &[0, 1]), 0);
         // Turntables, slides within, and what a rail carries.
         assert_eq!(carried_by("ttttttt", &[0]), 0);
         assert_eq!(carried_by("tstttttt", &[1]), 0);

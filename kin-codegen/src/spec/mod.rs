@@ -61,8 +61,8 @@ use kin_runtime::Pose;
 /// without these the only leaf; otherwise the link that the joint moves or that
 /// carries the fingers. A file with several arms is ambiguous, and the error
 /// lists them, those of most joints first. Wheels, casters and heads make no file ambiguous: where
-/// one chain has five joints or more, and every other no more than three, of which no more than two
-/// are its own, that one is the arm, with a warning.
+/// one chain has five joints or more, and every other no more than two of its own, and three in all or
+/// as many as leave that one five of its own, that one is the arm, with a warning.
 ///
 /// # Errors and warnings
 ///
