@@ -11,7 +11,7 @@ mod tip;
 mod tool;
 
 use crate::scalar::Scalar;
-use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Rating};
+use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Limits, Rating};
 use crate::vector::norm;
 use kin_runtime::{Chain, JointLimit, Pose, Twist};
 
@@ -344,7 +344,13 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector)
         .joints
         .iter()
         .max_by(|a, b| length(a).total_cmp(&length(b)));
-    if total > 0.0 && total < SHORTEST_ARM {
+    // A slide may be all that has a length.
+    let travel = |&j: &usize| match (spec.joints[j].kind, spec.joints[j].limits) {
+        (JointType::Prismatic, Limits::Range { lower, upper, .. }) => lower.abs().max(upper.abs()),
+        _ => 0.0,
+    };
+    let reach = total + chain.joints.iter().map(travel).sum::<f64>();
+    if total > 0.0 && reach < SHORTEST_ARM {
         let reason = format!("the chain is {:.4} mm long", 1e3 * total);
         let remedy = "check the unit of its lengths: a URDF has metres, YAML what `units` states";
         diagnostics.warn_whole(reason, remedy);

@@ -784,6 +784,18 @@ fn a_head_on_what_carries_the_arm_is_no_arm() {
     assert!(said.contains("2 chains of joints begin"), "{said}");
 }
 
+/// A drawer is as long as it slides, whatever its frames are.
+#[test]
+fn what_slides_far_is_not_short() {
+    let sliding = |upper: &str| {
+        let limit = format!("<origin xyz=\"0.0056 0 0\"/><limit lower=\"0\" upper=\"{upper}\"/>");
+        accept(&urdf("a b", &joint("slide", "prismatic", "a", "b", &limit)))
+    };
+    assert!(sliding("0.1").warnings.is_empty());
+    let short = sliding("0.001");
+    assert!(short.warnings[0].reason.contains("5.6000 mm long"));
+}
+
 /// What is listed of several chains is what each would have for its tip alone.
 #[test]
 fn the_tips_of_legs_are_their_feet() {
@@ -849,6 +861,13 @@ fn a_hand_may_have_a_long_thumb() {
     let read = accept(&robot);
     assert_eq!((read.tip.as_str(), read.joints.len()), ("arm6", 6));
     assert!(read.warnings[0].reason.contains("left out"));
+    // As the hand of a TIAGo has, of which a file tells every joint that a tendon moves.
+    let fingers = ["index", "middle", "ring", "little", "thumb"];
+    let robot: Vec<_> = [("base", "arm", 8)]
+        .into_iter()
+        .chain(fingers.map(|finger| ("arm8", finger, 7)))
+        .collect();
+    assert_eq!(accept(&limbs(&robot)).tip, "arm8");
     for (robot, chains) in [
         // Two limbs are no hand, nor are those of a torso shorter than they are.
         (

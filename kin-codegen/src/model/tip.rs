@@ -77,6 +77,10 @@ const FINGER_JOINTS: usize = 4;
 const HAND_JOINTS: usize = 5;
 /// Fewer fingers are no hand.
 const HAND: usize = 3;
+/// As many are one, whose joints may be told with those that its tendons move,
+const WHOLE_HAND: usize = 5;
+/// and are no more.
+const TENDON_JOINTS: usize = 7;
 /// Of a robot with more ends than this no arm is the one that is meant.
 const MOST_ENDS: usize = 100;
 /// An arm that carries fingers has no fewer joints.
@@ -295,6 +299,7 @@ impl Below<'_> {
             arm -= 1;
         }
         let most = match ends.len() {
+            WHOLE_HAND.. => TENDON_JOINTS,
             HAND.. => HAND_JOINTS,
             _ => FINGER_JOINTS,
         };

@@ -132,18 +132,30 @@ fn planned(
             break;
         }
     }
-    let reach: Vec<f64> = weighed
-        .iter()
-        .map(|choice| swept(model, &choice.joints, target))
-        .collect();
-    let most = reach.iter().copied().fold(0.0, f64::max);
-    let mut each: Vec<(Weighed, f64)> = weighed.into_iter().zip(reach).collect();
+    let weighed = sorted(model, target, weighed, |joints| is_dear(shift, joints));
+    (weighed, left)
+}
+
+/// The choices that leave the others a plan, the best first.
+fn sorted(
+    model: &Model,
+    target: Target,
+    weighed: Vec<Weighed>,
+    is_dear: impl Fn(&[usize]) -> bool,
+) -> Vec<Weighed> {
+    let with_reach = |choice: Weighed| {
+        let reach = swept(model, &choice.joints, target);
+        (choice, reach)
+    };
+    let mut each: Vec<(Weighed, f64)> = weighed.into_iter().map(with_reach).collect();
+    let widest = |each: &[(Weighed, f64)]| each.iter().map(|it| it.1).fold(0.0, f64::max);
+    let most = widest(&each);
     let preference = |(choice, reach): &(Weighed, f64)| {
         let joints = &choice.joints;
-        let little = *reach < NARROW * most;
+        let is_narrow = *reach < NARROW * most;
         (
-            is_dear(shift, joints),
-            little,
+            is_dear(joints),
+            is_narrow,
             Reverse(carriers(model, target, joints)),
             Reverse(carried(model, target, joints)),
         )
@@ -157,15 +169,11 @@ fn planned(
             |it: &(Weighed, f64)| preference(it) == preferred && costs_as_much(it.0.weight, least);
         let alike = each.iter().take_while(|it| is_alike(it)).count();
         let alike = &mut each[..alike];
-        let most = alike.iter().map(|it| it.1).fold(0.0, f64::max);
+        let most = widest(alike);
         let is_narrow = |reach: f64| reach < ABOUT_AS_WIDE * most;
-        alike.sort_by(|(a, wide), (b, other)| {
-            let by_reach = is_narrow(*wide).cmp(&is_narrow(*other));
-            by_reach.then_with(|| b.joints.cmp(&a.joints))
-        });
+        alike.sort_by_key(|(choice, reach)| (is_narrow(*reach), Reverse(choice.joints.clone())));
     }
-    let weighed = each.into_iter().map(|(choice, _)| choice).collect();
-    (weighed, left)
+    each.into_iter().map(|(choice, _)| choice).collect()
 }
 
 /// Whether plans cost about as much as the cheapest.
