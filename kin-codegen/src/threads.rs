@@ -5,15 +5,15 @@ use std::iter;
 use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use std::thread::{self, Builder};
 
 /// As many as the processor runs at once.
 pub fn count() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// What comes of each, in their order, as if this thread had done all. Some may take many times as
-/// long as others: whoever is free takes the next.
+/// What comes of each, in their order, as if this thread had done all, as it does where no other can be
+/// started. Some may take many times as long as others: whoever is free takes the next.
 pub fn each<T: Sync, R: Send>(all: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let workers = count().min(all.len());
     if workers < 2 {
@@ -31,10 +31,13 @@ pub fn each<T: Sync, R: Send>(all: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R
         false => take_all(),
     };
     let mut done: Vec<(usize, R)> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
-        let each = workers.into_iter().map(|it| it.join());
-        each.flat_map(|done| done.unwrap_or_else(|panic| resume_unwind(panic)))
-            .collect()
+        let helper = |_| Builder::new().spawn_scoped(scope, worker).ok();
+        let helpers: Vec<_> = (1..workers).filter_map(helper).collect();
+        let mut done = take_all();
+        for helper in helpers {
+            done.extend(helper.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        }
+        done
     });
     done.sort_unstable_by_key(|(place, _)| *place);
     done.into_iter().map(|(_, result)| result).collect()
