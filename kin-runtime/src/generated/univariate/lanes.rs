@@ -209,12 +209,32 @@ mod tests {
         }
     }
 
+    /// Whether sums of products are, to the last bit, what SSE2 makes of them.
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    fn rounds_twice<L: Lanes>() {
+        let thirds = |of: usize| core::array::from_fn(|k| (k + of) as f64 / 3.0 - 2.0 / 7.0);
+        let [a, b, c] = [1, 2, 3].map(thirds);
+        let sums = [
+            L::of(a).plus(L::of(b), L::of(c)),
+            L::of(a).minus(L::of(b), L::of(c)),
+        ];
+        for k in 0..LANES {
+            let product = b[k] * c[k];
+            let numbers = sums.map(|sum| sum.numbers()[k]);
+            assert_eq!(numbers, [a[k] + product, a[k] - product]);
+        }
+    }
+
     #[test]
     fn vectors_do_in_every_lane_what_is_done_with_single_numbers() {
         agrees::<Portable>();
         #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
         {
             agrees::<x86_64::Sse2>();
+            if std::is_x86_feature_detected!("avx") {
+                agrees::<x86_64::Avx>();
+                rounds_twice::<x86_64::Avx>();
+            }
             let has_fma = std::is_x86_feature_detected!("fma");
             if has_fma && std::is_x86_feature_detected!("avx2") {
                 agrees::<x86_64::Avx2>();

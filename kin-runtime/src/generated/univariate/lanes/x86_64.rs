@@ -186,42 +186,47 @@ vectors! {
     },
 }
 
-vectors! {
-    /// Four numbers in each of two vectors.
-    Avx2: [__m256d; 2] 0 1,
-    set _mm256_set1_pd,
-    add _mm256_add_pd,
-    sub _mm256_sub_pd,
-    mul _mm256_mul_pd,
-    div _mm256_div_pd,
-    sqrt _mm256_sqrt_pd,
-    max _mm256_max_pd,
-    and _mm256_and_pd,
-    and_not _mm256_andnot_pd,
-    or _mm256_or_pd,
-    xor _mm256_xor_pd,
-    plus |sum, a, b| _mm256_fmadd_pd(a, b, sum),
-    minus _mm256_fnmadd_pd(a, b, sum),
-    less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
+/// Four numbers in each of two vectors, which differ in how products are added alone.
+macro_rules! of_four {
+    (
+        $(#[$doc:meta])*
+        $name:ident,
+        plus |$sum:ident, $a:ident, $b:ident| $plus:expr,
+        minus $minus:expr,
+    ) => {
+        vectors! {
+            $(#[$doc])*
+            $name: [__m256d; 2] 0 1,
+            set _mm256_set1_pd,
+            add _mm256_add_pd,
+            sub _mm256_sub_pd,
+            mul _mm256_mul_pd,
+            div _mm256_div_pd,
+            sqrt _mm256_sqrt_pd,
+            max _mm256_max_pd,
+            and _mm256_and_pd,
+            and_not _mm256_andnot_pd,
+            or _mm256_or_pd,
+            xor _mm256_xor_pd,
+            plus |$sum, $a, $b| $plus,
+            minus $minus,
+            less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
+        }
+    };
 }
 
-vectors! {
-    /// The same with products and sums that are rounded each, as SSE2's.
-    Avx: [__m256d; 2] 0 1,
-    set _mm256_set1_pd,
-    add _mm256_add_pd,
-    sub _mm256_sub_pd,
-    mul _mm256_mul_pd,
-    div _mm256_div_pd,
-    sqrt _mm256_sqrt_pd,
-    max _mm256_max_pd,
-    and _mm256_and_pd,
-    and_not _mm256_andnot_pd,
-    or _mm256_or_pd,
-    xor _mm256_xor_pd,
+of_four! {
+    /// Rounded once.
+    Avx2,
+    plus |sum, a, b| _mm256_fmadd_pd(a, b, sum),
+    minus _mm256_fnmadd_pd(a, b, sum),
+}
+
+of_four! {
+    /// Rounded twice, as SSE2's.
+    Avx,
     plus |sum, a, b| _mm256_add_pd(sum, _mm256_mul_pd(a, b)),
     minus _mm256_sub_pd(sum, _mm256_mul_pd(a, b)),
-    less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
 }
 
 vectors! {
