@@ -157,6 +157,13 @@ fn too_few_joints_for_whole_poses_are_told() {
         assert!(targets.ends_with("the rest of a pose is not read."));
     }
     assert_eq!(told(&robot("ur5e.urdf")).inverse.unwrap().targets, None);
+    // Three coordinates of four joints, which are solved as four: positions would be refused.
+    let rack = told(&robot("../tests/robots/coupled/rack.yaml"));
+    let targets = rack.inverse.unwrap().targets.unwrap();
+    assert!(
+        targets.ends_with("and no others have solutions."),
+        "{targets}"
+    );
 }
 
 #[test]

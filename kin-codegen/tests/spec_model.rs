@@ -677,6 +677,28 @@ fn a_long_slide_is_no_finger() {
     assert_eq!(tip(0.1), "carriage");
 }
 
+/// A gripper on a flange beside which a tool hangs: either may be meant, and the warning names both.
+#[test]
+fn a_tool_before_the_fingers_is_named() {
+    let limbs = limbs(&[("base", "arm", 6)]);
+    let more = [
+        joint("tool", "fixed", "arm6", "tool0", ""),
+        joint("grip", "fixed", "arm6", "hand", ""),
+        joint("open_l", "prismatic", "hand", "l", LIMIT),
+        joint("open_r", "prismatic", "hand", "r", LIMIT),
+    ];
+    let links = ["tool0", "hand", "l", "r"].map(|link| format!("<link name=\"{link}\"/>"));
+    let more = links.concat() + &more.concat() + "</robot>";
+    let read = accept(&limbs.replace("</robot>", &more));
+    assert_eq!((read.tip.as_str(), read.joints.len()), ("hand", 6));
+    let remedy = "name the tip if you mean another one, such as `tool0` (tip)";
+    assert!(
+        read.warnings.iter().any(|it| it.remedy == remedy),
+        "{:?}",
+        read.warnings
+    );
+}
+
 /// Fingers on an arm of fewer joints than those that carry a hand elsewhere were told as two arms,
 /// the same in every word.
 #[test]

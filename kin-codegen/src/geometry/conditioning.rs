@@ -89,8 +89,8 @@ pub(super) fn with_row(chain: &Chain, q: &[f64], size: f64, target: Target, row:
         .fold(f64::INFINITY, f64::min)
 }
 
-/// How much of the space of targets some joints sweep for each unit that they move: the volume that
-/// their columns of the Jacobian span.
+/// How much of the space of targets the joints that are not locked sweep for each unit that they move:
+/// the volume that their columns of the Jacobian span, lengths in units of the arm's size.
 pub fn volume(chain: &Chain, q: &[f64], size: f64, target: Target, locked: &[usize]) -> f64 {
     let columns = chain.geometric_jacobian(q).into_iter().enumerate();
     let solved = columns.filter(|(joint, _)| !locked.contains(joint));
@@ -230,4 +230,55 @@ fn longest(columns: &[Column]) -> Option<(usize, f64)> {
 
 fn product(a: &Column, b: &Column) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::{ArmSpec, Source};
+
+    /// An upper arm that one angle turns and another turns back, so that it shifts what it carries:
+    /// an angle all the same, whatever the unit of length.
+    #[test]
+    fn a_parallelogram_is_moved_by_an_angle() {
+        let arm = |unit: f64| {
+            let joint = |name, parent, xyz: [f64; 3], axis, more| {
+                let [x, y, z] = xyz.map(|x| x * unit);
+                format!(
+                    "<link name=\"{name}\"/><joint name=\"to_{name}\" type=\"continuous\">\
+                     <parent link=\"{parent}\"/><child link=\"{name}\"/>\
+                     <origin xyz=\"{x} {y} {z}\"/><axis xyz=\"{axis}\"/>{more}</joint>"
+                )
+            };
+            let back = "<mimic joint=\"to_c\" multiplier=\"-1\"/>";
+            let joints = [
+                joint("a", "base", [0.0, 0.0, 0.6], "0 0 1", ""),
+                joint("b", "a", [0.1, 0.0, 0.0], "0 1 0", back),
+                joint("c", "b", [0.0, 0.0, 0.7], "0 1 0", ""),
+                joint("d", "c", [0.4, 0.0, 0.0], "0 1 0", ""),
+            ];
+            let tool = format!(
+                "<link name=\"tool0\"/><joint name=\"tool\" type=\"fixed\"><parent link=\"d\"/>\
+                 <child link=\"tool0\"/><origin xyz=\"{} 0 0\"/></joint>",
+                0.3 * unit
+            );
+            let source = Source {
+                path: "arm.urdf".into(),
+                text: format!(
+                    "<robot name=\"arm\"><link name=\"base\"/>{}{tool}</robot>",
+                    joints.concat()
+                ),
+            };
+            Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap()
+        };
+        for unit in [1.0, 1e-6] {
+            let (model, linkage) = uncoupled(&arm(unit)).unwrap();
+            let coupling = linkage.coupling.unwrap();
+            assert_eq!(
+                coupled_rank(&model, &coupling, Target::Position),
+                3,
+                "{unit}"
+            );
+        }
+    }
 }
