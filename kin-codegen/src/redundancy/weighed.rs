@@ -9,7 +9,7 @@ use crate::plan::{Plans, Relations, Target};
 use crate::random::Random;
 use crate::solver::{COMPARED, DESIGNED};
 use crate::univariate;
-use std::cmp::{Ordering, Reverse};
+use std::cmp::Reverse;
 use std::rc::Rc;
 
 /// Below this conditioning a configuration is nearly singular: an elbow that turns the
@@ -277,12 +277,19 @@ fn between(
         })
     };
     let mut rows: Vec<([f64; 3], Vec<usize>)> = rows.map(|row| (quality(&row), row)).collect();
-    // Of equals the last in the order of the joints comes first, as of those with a plan.
-    rows.sort_by(|a, b| {
-        let by_quality = a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal);
-        by_quality.then_with(|| b.1.cmp(&a.1))
+    let least = |i: usize| rows.iter().map(|it| it.0[i]).fold(f64::INFINITY, f64::min);
+    let (unsure, noise) = (least(0), least(2));
+    // The measures are those of a few targets, others of mirror images: of those about as good the
+    // last in the order of the joints comes first, as of those with a plan.
+    rows.sort_by_cached_key(|(quality, joints)| {
+        (
+            Reverse(carriers(model, Target::Pose, joints)),
+            (quality[0] / unsure).log2() as i32,
+            quality[1] as i32,
+            (quality[2] / noise).log10() as i32,
+            Reverse(joints.clone()),
+        )
     });
-    rows.sort_by_key(|(_, joints)| Reverse(carriers(model, Target::Pose, joints)));
     let weighed = rows.into_iter().map(|(_, joints)| Weighed {
         joints,
         weight: None,
@@ -294,6 +301,7 @@ fn between(
 mod tests {
     use super::*;
     use crate::spec::{ArmSpec, Source};
+    use std::f64::consts::{FRAC_PI_2, PI};
 
     #[test]
     fn rails_and_platforms_carry_an_arm() {
@@ -330,5 +338,37 @@ mod tests {
         assert_eq!(carried_by("tstttttt", &[1]), 0);
         assert_eq!(carried_by("stttttt", &[1]), 0);
         assert_eq!(carried_by("tttttt", &[]), 0);
+    }
+
+    /// Without a closed form for any six of its joints.
+    #[test]
+    fn mirrored_arms_are_given_the_same_joints() {
+        let first = |offset: f64, mirrored: f64| {
+            let links = [
+                (offset, FRAC_PI_2, 0.2),
+                (0.0, -FRAC_PI_2, 0.245),
+                (0.54, PI, 0.0),
+                (0.0, -FRAC_PI_2, 0.0),
+                (0.0, FRAC_PI_2, -0.54),
+                (0.0, -FRAC_PI_2, 0.15),
+                (0.0, PI, -0.16),
+            ];
+            let row = |(i, (a, alpha, d)): (usize, &(f64, f64, f64))| {
+                let alpha = alpha * mirrored;
+                format!("- {{name: q{i}, a: {a}, alpha: {alpha}, d: {d}, theta: 0}}\n")
+            };
+            let rows: String = links.iter().enumerate().map(row).collect();
+            let source = Source {
+                path: "arm.yaml".into(),
+                text: format!("robot: arm\nunits: {{angle: rad, length: m}}\ndh:\n{rows}"),
+            };
+            let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+            let linkage = Linkage::for_target(&model, Target::Pose);
+            let ends = vec![vec![0], vec![6]];
+            between(&model, &linkage, ends, true)[0].joints.clone()
+        };
+        for offset in [0.1, 0.4, 0.7] {
+            assert_eq!(first(offset, 1.0), first(offset, -1.0), "{offset}");
+        }
     }
 }
