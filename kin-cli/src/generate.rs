@@ -33,6 +33,13 @@ pub fn run(arguments: &Generate) -> Done {
         Ok(output) => output,
         Err(error) => return Done::failing(Exit::from(&error), error),
     };
+    if let (Language::C, Some(folder), false) =
+        (&arguments.lang, &arguments.output, arguments.check)
+    {
+        if let Err(error) = fs::create_dir_all(folder) {
+            return Done::unwritten(folder, &error);
+        }
+    }
     let mut done = Done::printing("");
     for (file, code) in files {
         done = match file {

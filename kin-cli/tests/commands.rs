@@ -115,13 +115,15 @@ fn a_tool_is_part_of_what_is_generated() {
 #[test]
 fn c_is_written_as_two_files() {
     let folder = temporary("c");
-    std::fs::create_dir_all(&folder).unwrap();
+    let _ = std::fs::remove_dir_all(&folder);
     let [header, source] = ["scara.h", "scara.c"].map(|file| folder.join(file));
     let command = ["generate", "--lang", "c", "robots/scara.yaml"];
     let nowhere = kin(&command);
     assert_eq!(nowhere.status.code(), Some(2), "two files are no output");
     let command = [&command[..], &["-o", folder.to_str().unwrap()]].concat();
     let check = [&command[..], &["--check"]].concat();
+    assert_eq!(kin(&check).status.code(), Some(1), "nothing is there");
+    assert!(!folder.exists(), "--check makes no folder");
     let written = kin(&command);
     assert_eq!((written.status.code(), stdout(&written)), (Some(0), ""));
     assert_eq!(kin(&check).status.code(), Some(0));

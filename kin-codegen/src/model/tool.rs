@@ -1,9 +1,8 @@
 //! The frame of a tool in that of the tip, as the options give it.
 
 use super::Model;
-use crate::spec::{ArmSpec, Diagnostic, Diagnostics};
+use crate::spec::{ArmSpec, Diagnostic, Diagnostics, FULL_TURN};
 use crate::vector::norm;
-use core::f64::consts::TAU;
 use kin_runtime::Pose;
 
 /// A longer tool, in metres, was written in millimetres.
@@ -31,7 +30,7 @@ impl Model {
                 "is longer than 10 m: this looks like millimetres",
                 "give x, y and z in metres",
             ))
-        } else if rpy.iter().any(|angle| angle.abs() > TAU) {
+        } else if rpy.iter().any(|angle| angle.abs() > FULL_TURN) {
             let turns = "turns by more than a full turn: this looks like degrees";
             Some((turns, "give roll, pitch and yaw in radians"))
         } else {

@@ -123,6 +123,11 @@ impl<'s> Collector<'s> {
 
     /// As [`nearest_of`](Self::nearest_of), of a link that the file does not have.
     pub(crate) fn link_for(&self, word: &str, names: &[&str]) -> String {
+        if names.is_empty() {
+            return "add a link of that name; if this file is a part of a robot, use the one that \
+                    includes it"
+                .into();
+        }
         let remedy = self.nearest_of(word, names);
         match remedy.starts_with("did") {
             true => remedy,

@@ -19,13 +19,8 @@ pub(super) fn of(source: &Source) -> Result<Format, Diagnostics> {
         .and_then(|e| e.to_str())
         .unwrap_or("");
     match extension.to_ascii_lowercase().as_str() {
-        "urdf" | "xml" => Ok(Format::Urdf),
+        "urdf" | "xml" | "xacro" => Ok(Format::Urdf),
         "yaml" | "yml" => Ok(Format::Yaml),
-        "xacro" => Err(refuse(
-            source,
-            "this is a xacro file: a program that writes a URDF, not a URDF",
-            "expand it with `xacro arm.urdf.xacro > arm.urdf` and use the result",
-        )),
         "sdf" | "mjcf" | "usd" | "usda" | "srdf" => Err(refuse(
             source,
             format!("`.{extension}` files cannot be read"),

@@ -32,6 +32,7 @@ pub use diagnostic::{Diagnostic, Diagnostics, Location, Severity};
 pub use mechanism::{ChainSpec, LoopedTree, MechanismSpec, Topology};
 pub(crate) use one_line::escaped;
 pub use one_line::{is_shown, one_line};
+pub(crate) use orientation::FULL_TURN;
 pub use source::Source;
 pub(crate) use source::{file_name, stem};
 pub(crate) use suggest::{did_you_mean, list as list_names};

@@ -9,7 +9,7 @@ use kin_runtime::Pose;
 const ROUNDING: f64 = 1e-15;
 
 /// Larger angles are degrees: no file turns a frame more than once around.
-pub(super) const FULL_TURN: f64 = std::f64::consts::TAU + 0.01;
+pub(crate) const FULL_TURN: f64 = std::f64::consts::TAU + 0.01;
 
 /// A row-major rotation matrix.
 pub(super) type Rotation = [[f64; 3]; 3];

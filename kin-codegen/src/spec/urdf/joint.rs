@@ -230,6 +230,13 @@ impl<'a, 'i> Parts<'a, 'i> {
             let attribute = node.attribute_node(name)?;
             numbers::refuse_junk(&attribute, diagnostics);
             let value: f64 = attribute.value().trim().parse().ok()?;
+            if value < 0.0 {
+                let reason = format!("the {name} {value} is negative, so it bounds nothing");
+                let remedy =
+                    format!("write how large the joint's {name} may be in either direction");
+                let at = diagnostics.place(attribute.range_value().start);
+                diagnostics.warn(at, reason, remedy);
+            }
             // People write 0 and huge numbers where they do not know.
             (value.is_finite() && value > 0.0).then_some(value)
         };
