@@ -460,7 +460,7 @@ impl<'a> Writer<'a> {
     /// A place that was never used.
     fn another(&mut self) -> Place {
         self.tape.places += 1;
-        Place::try_from(self.tape.places - 1).unwrap_or(Place::MAX)
+        Place::try_from(self.tape.places - 1).expect("an arm has fewer than 65,536 live values")
     }
 
     fn next(&mut self) -> Place {
