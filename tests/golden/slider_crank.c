@@ -2445,10 +2445,20 @@ int slider_crank_joint_rates(
     for (int joint = 0; joint < SLIDER_CRANK_JOINTS; ++joint) {
         rates[joint] = 0.0;
     }
+    for (int a = 0; a < SLIDER_CRANK_ACTUATED; ++a) {
+        rates[slider_crank_actuated[a]] = actuated[a];
+    }
     for (int chain = 0; chain < SLIDER_CRANK_CHAINS; ++chain) {
         slider_crank_span span;
-        slider_crank_span_of(seen.columns, slider_crank_chains[chain], slider_crank_chains[chain + 1], 0, -1, &span);
-        slider_crank_coordinates(&span, velocity, 1.0, rates);
+        double left[6];
+        for (int i = 0; i < 6; ++i) {
+            left[i] = velocity[i];
+            for (int joint = slider_crank_chains[chain]; joint < slider_crank_chains[chain + 1]; ++joint) {
+                left[i] -= rates[joint] * seen.columns[6 * joint + i];
+            }
+        }
+        slider_crank_span_of(seen.columns, slider_crank_chains[chain], slider_crank_chains[chain + 1], 1, -1, &span);
+        slider_crank_coordinates(&span, left, 1.0, rates);
     }
     return 1;
 }

@@ -68,8 +68,9 @@ int slider_crank_forward_jacobian(const double q[SLIDER_CRANK_JOINTS], double ja
  * that the mechanism allows. 1, or 0 where an actuated joint's motion is one that the others
  * of its chain can do without it. */
 int slider_crank_inverse_jacobian(const double q[SLIDER_CRANK_JOINTS], double jacobian[6 * SLIDER_CRANK_ACTUATED]);
-/* The rates of all joints while the actuated ones move at the given rates. 1, or 0 where there is
- * no forward Jacobian. */
+/* The rates of all joints while the actuated ones move at the given rates; a passive joint whose
+ * motion the other passive ones of its chain can undo stays at rest. 1, or 0 where there is no
+ * forward Jacobian. */
 int slider_crank_joint_rates(
     const double q[SLIDER_CRANK_JOINTS], const double actuated[SLIDER_CRANK_ACTUATED], double rates[SLIDER_CRANK_JOINTS]);
 /* How far from where the platform can move while the actuated joints are locked: the least singular

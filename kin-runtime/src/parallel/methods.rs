@@ -192,14 +192,15 @@ macro_rules! parallel_methods {
                 }
 
                 /// The rates of all joints while the actuated ones move at the given rates,
-                /// rad/s and m/s; none where there is no forward Jacobian.
+                /// rad/s and m/s; none where there is no forward Jacobian. A passive joint whose
+                /// motion the other passive ones of its chain can undo stays at rest.
                 fn joint_rates(&self, q: &[f64; $n], actuated: &[f64; $m])
                     -> ::core::option::Option<[f64; $n]>
                 {
                     let velocity = self.forward_jacobian(q)?.velocity(actuated);
                     let mut rates = [0.0; $n];
                     posture::<Self, _, _, _, _>(self, q, |posture| {
-                        posture.joint_rates(&velocity, &mut rates);
+                        posture.joint_rates(actuated, &velocity, &mut rates);
                     });
                     Some(rates)
                 }

@@ -162,15 +162,23 @@ impl Posture<'_> {
         (is_held && is_free).then(|| core::array::from_fn(twist))
     }
 
-    /// The rate of every joint while the platform moves with a spatial
-    /// velocity that the mechanism allows. A joint whose motion the others of
-    /// its chain can undo stays at rest.
-    pub(crate) fn joint_rates(&self, velocity: &Twist, rates: &mut [f64]) {
+    /// The rate of every joint while the actuated ones move at the given rates, and the platform
+    /// with the spatial velocity that these give it. A passive joint whose motion the other passive
+    /// ones of its chain can undo stays at rest.
+    pub(crate) fn joint_rates(&self, actuated: &[f64], velocity: &Twist, rates: &mut [f64]) {
         let velocity = self.scaled(velocity);
         rates.fill(0.0);
-        for (chain, [first, _]) in self.chains.iter().enumerate() {
-            let span = self.span(chain, |_| true);
-            span.coordinates(velocity, |j, rate| rates[first + j] = rate);
+        for (&joint, &rate) in self.actuated.iter().zip(actuated) {
+            rates[joint] = rate;
+        }
+        for (chain, &[first, end]) in self.chains.iter().enumerate() {
+            let mut left = velocity;
+            for joint in (first..end).filter(|&joint| self.is_actuated(joint)) {
+                let column = self.column(joint);
+                (0..6).for_each(|i| left[i] -= rates[joint] * column[i]);
+            }
+            let span = self.passive(chain);
+            span.coordinates(left, |j, rate| rates[first + j] = rate);
         }
     }
 

@@ -1,6 +1,7 @@
 //! r = 1, l = 3, e = 0.2: x = r cos q + √(l² − (r sin q − e)²).
 
 use super::{CLOSED, SliderCrank};
+use core::f64::consts::TAU;
 use kinematics::Pose;
 
 const R: f64 = 1.0;
@@ -24,6 +25,35 @@ fn golden_stroke_and_rate_at_50_degrees() {
     assert!((rates[3] + 0.889544833).abs() < 5e-10, "{rates:?}");
     let forward = SliderCrank.forward_jacobian(&ahead).unwrap();
     assert!((forward.rows[0][0] - rates[3]).abs() < 1e-14);
+}
+
+/// At dead centres the slider stands still while the crank moves on, though the platform's rod could
+/// undo what the crank does.
+#[test]
+fn at_dead_centres_the_crank_moves_at_the_rate_it_is_given() {
+    for (sine, rod) in [(E / (L + R), L + R), (-E / (L - R), L - R)] {
+        let crank = sine.asin();
+        for q in [crank, crank + 1e-10, crank - 1e-9, crank + 1e-6] {
+            for assembly in SliderCrank.fk(&[q]).iter() {
+                let q = assembly.q;
+                assert!(SliderCrank.actuator_singularity(&q) > 0.1, "{rod}");
+                let rates = SliderCrank.joint_rates(&q, &[1.0]).unwrap();
+                assert!((rates[0] - 1.0).abs() < 1e-12, "{rates:?}");
+                // By differences of the positions.
+                let [ahead, behind] = [1e-5, -1e-5].map(|by| {
+                    let near = SliderCrank.fk_near(&[q[0] + by], &q).unwrap();
+                    near.q
+                });
+                for joint in 0..4 {
+                    let turned = (ahead[joint] - behind[joint] + 3.0).rem_euclid(TAU) - 3.0;
+                    assert!(
+                        (rates[joint] - turned / 2e-5).abs() < 1e-8,
+                        "{joint} {rates:?}"
+                    );
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -30,8 +30,9 @@ int kin_forward_jacobian(const double q[KIN_JOINTS], double jacobian[6 * KIN_ACT
  * that the mechanism allows. 1, or 0 where an actuated joint's motion is one that the others
  * of its chain can do without it. */
 int kin_inverse_jacobian(const double q[KIN_JOINTS], double jacobian[6 * KIN_ACTUATED]);
-/* The rates of all joints while the actuated ones move at the given rates. 1, or 0 where there is
- * no forward Jacobian. */
+/* The rates of all joints while the actuated ones move at the given rates; a passive joint whose
+ * motion the other passive ones of its chain can undo stays at rest. 1, or 0 where there is no
+ * forward Jacobian. */
 int kin_joint_rates(
     const double q[KIN_JOINTS], const double actuated[KIN_ACTUATED], double rates[KIN_JOINTS]);
 /* How far from where the platform can move while the actuated joints are locked: the least singular

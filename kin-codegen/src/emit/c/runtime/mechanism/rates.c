@@ -256,10 +256,20 @@ int kin_joint_rates(
     for (int joint = 0; joint < KIN_JOINTS; ++joint) {
         rates[joint] = 0.0;
     }
+    for (int a = 0; a < KIN_ACTUATED; ++a) {
+        rates[kin_actuated[a]] = actuated[a];
+    }
     for (int chain = 0; chain < KIN_CHAINS; ++chain) {
         kin_span span;
-        kin_span_of(seen.columns, kin_chains[chain], kin_chains[chain + 1], 0, -1, &span);
-        kin_coordinates(&span, velocity, 1.0, rates);
+        double left[6];
+        for (int i = 0; i < 6; ++i) {
+            left[i] = velocity[i];
+            for (int joint = kin_chains[chain]; joint < kin_chains[chain + 1]; ++joint) {
+                left[i] -= rates[joint] * seen.columns[6 * joint + i];
+            }
+        }
+        kin_span_of(seen.columns, kin_chains[chain], kin_chains[chain + 1], 1, -1, &span);
+        kin_coordinates(&span, left, 1.0, rates);
     }
     return 1;
 }
