@@ -3,6 +3,7 @@
 use kin_codegen::mechanism::{Aim, CompiledMechanism, ForwardMethod, Mechanism};
 use kin_codegen::spec::{ArmSpec, MechanismSpec, Spec};
 use kin_codegen::{Compiled, Ik, Options, Source, Target, compile, generate};
+use kin_runtime::Pose;
 use std::path::Path;
 
 fn robot(file: &str) -> Source {
@@ -182,6 +183,113 @@ fn what_the_platform_is_asked_for_follows_from_its_freedoms() {
     assert_eq!(aim("delta.yaml"), Aim::Translation);
     assert_eq!(aim("slider_crank.yaml"), Aim::Translation);
     assert_eq!(aim("five_bar.yaml"), Aim::Lead(0));
+}
+
+/// Three chains of an arm and a rod between universal joints, 120 degrees apart: turned by a motor, or
+/// on rails that leave the middle.
+fn delta(base: f64, platform: f64, arm: Option<(f64, f64)>, rod: f64) -> Source {
+    let (out, down) = match arm {
+        Some((length, turned)) => (base + length * turned.cos(), length * turned.sin()),
+        None => (base, 0.0),
+    };
+    let below = down + (rod * rod - (out - platform).powi(2)).sqrt();
+    let chain = |k: usize| {
+        let (s, c) = (k as f64 * std::f64::consts::FRAC_PI_3 * 2.0).sin_cos();
+        let at = |[x, z]: [f64; 2]| format!("[{}, {}, {z}]", x * c, x * s);
+        let across = format!("[{}, {c}, 0]", -s);
+        let (knee, end) = (at([out, -down]), at([platform, -below]));
+        let rest = at([below - down, platform - out]);
+        let motor = match arm {
+            Some(_) => format!("axis: {across}, point: {}", at([base, 0.0])),
+            None => format!("axis: [{c}, {s}, 0], type: prismatic"),
+        };
+        format!(
+            "  - name: chain{k}
+    screws:
+    - {{name: a{k}, {motor}, actuated: true}}
+    - {{name: b{k}, axis: {across}, point: {knee}}}
+    - {{name: c{k}, axis: {rest}, point: {knee}}}
+    - {{name: d{k}, axis: {rest}, point: {end}}}
+    - {{name: e{k}, axis: {across}, point: {end}}}
+"
+        )
+    };
+    let chains = [0, 1, 2].map(chain).concat();
+    let text = format!(
+        "robot: delta
+units: {{angle: rad, length: m}}
+mechanism:
+  home: {{xyz: [0, 0, {}]}}
+  chains:
+{chains}",
+        -below
+    );
+    Source {
+        path: "delta.yaml".into(),
+        text,
+    }
+}
+
+/// Not by its measures: near home, and beyond singularities of the actuators, the chains close in modes
+/// in which the platform turns.
+#[test]
+fn the_platform_of_a_delta_does_not_turn() {
+    let rails = [0.5, 0.7].map(|rod| (0.4, 0.1, None, rod));
+    let motors = [
+        (0.1003, 0.1468, Some((0.1895, 0.6917)), 0.3735),
+        (0.11, 0.12, Some((0.18, 0.3)), 0.53),
+        (0.25, 0.15, Some((0.15, 0.9)), 0.35),
+        (0.3, 0.03, Some((0.25, 0.0)), 0.7),
+    ];
+    for (base, platform, arm, rod) in rails.into_iter().chain(motors) {
+        let found = compiled(&delta(base, platform, arm, rod));
+        let aim = found.inverse.unwrap().aim;
+        assert_eq!(aim, Aim::Translation, "{base} {platform} {arm:?} {rod}");
+        assert!(matches!(found.forward, ForwardMethod::Spheres(_)));
+    }
+}
+
+/// Of a parallelogram it does, where the cranks are on different sides.
+#[test]
+fn every_assembly_of_a_parallelogram_is_a_target() {
+    let text = "
+robot: parallelogram
+units: {angle: rad, length: m}
+mechanism:
+  home: {xyz: [1.6, 0.8, 0]}
+  chains:
+    - name: left
+      screws:
+        - {name: crank, axis: [0, 0, 1], point: [0, 0, 0], actuated: true}
+        - {name: coupler, axis: [0, 0, 1], point: [0.6, 0.8, 0]}
+    - name: right
+      screws:
+        - {name: follower, axis: [0, 0, 1], point: [3, 0, 0]}
+        - {name: end, axis: [0, 0, 1], point: [3.6, 0.8, 0]}
+";
+    let parallelogram = compiled(&Source {
+        path: "parallelogram.yaml".into(),
+        text: text.into(),
+    });
+    for turned in [1.0, -1.7, 2.5] {
+        let (y, x) = (0.8_f64.atan2(0.6) + turned).sin_cos();
+        // The coupler's ends are 3 m apart, and the second is 1 m from the follower's axis at (3, 0):
+        // along x, or as much on the other side of the line from the first to that axis.
+        let twice = 2.0 * (-y).atan2(3.0 - x);
+        for angle in [0.0, twice] {
+            let tip = [x + angle.cos(), y + angle.sin(), 0.0];
+            let target = Pose::from_axis_angle([0.0, 0.0, 1.0], angle, tip);
+            let placed = parallelogram.solutions(&target);
+            let there = placed
+                .iter()
+                .find(|it| it.pose.translation_distance(&target) < 1e-9);
+            let there = there.unwrap_or_else(|| panic!("{turned} {angle}"));
+            assert!(there.pose.rotation_distance(&target) < 1e-9);
+            let cranks = &there.solutions[0];
+            let is_same = |q: &Vec<f64>| (q[0] - turned).abs() < 1e-9;
+            assert!(cranks.iter().any(is_same), "{turned} {angle}: {cranks:?}");
+        }
+    }
 }
 
 #[test]

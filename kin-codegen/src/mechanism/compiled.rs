@@ -1,7 +1,7 @@
 //! The whole way from a file to verified expressions.
 
 use super::chains::meaningless;
-use super::forward::ForwardMethod;
+use super::forward::{ForwardMethod, Loop};
 use super::freedom::Freedom;
 use super::inverse::{Aim, Inverse, LegForm, UnsolvedChain, forward_alone};
 use super::model::{Leg, Mechanism};
@@ -132,14 +132,21 @@ pub(crate) fn compile(
     let mechanism = Mechanism::new(spec, base, platform)?;
     let freedom = Freedom::of(&mechanism);
     freedom.check(&mechanism, source)?;
+    let around = Loop::find(&mechanism, &freedom, file);
+    let turns = around
+        .as_ref()
+        .is_some_and(|it| it.turns(&mechanism, &freedom));
     let (inverse, refused) = match options.ik {
         Ik::None => (None, None),
-        Ik::ClosedForm => match Inverse::find(&mechanism, &freedom, file) {
+        Ik::ClosedForm => match Inverse::find(&mechanism, &freedom, turns, file) {
             Ok(inverse) => (Some(inverse), None),
             Err(reason) => (None, Some(reason)),
         },
     };
-    let forward = ForwardMethod::find(&mechanism, &freedom, inverse.as_ref(), file);
+    let forward = match around {
+        Some(around) => ForwardMethod::Loop(Box::new(around)),
+        None => ForwardMethod::find(&mechanism, &freedom, inverse.as_ref(), file),
+    };
     let leg = |(k, leg): (usize, &Leg)| match inverse.as_ref().map(|inverse| &inverse.legs[k]) {
         Some(LegForm::Whole(whole)) => (**whole).clone(),
         _ => forward_alone(file, leg.model.clone()),

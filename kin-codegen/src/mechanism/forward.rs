@@ -1,6 +1,6 @@
 //! Forward kinematics: closed forms where a loop or three spheres give them.
 
-use super::freedom::Freedom;
+use super::freedom::{Freedom, is_upright};
 use super::inverse::{Aim, Inverse, forward_alone, solved};
 use super::model::{Leg, Mechanism, meeting_point};
 use crate::arm::CompiledArm;
@@ -52,18 +52,13 @@ pub struct Rod {
 }
 
 impl ForwardMethod {
-    /// Finds a closed form, verified on the samples.
+    /// Finds a closed form where there is more than a single loop, verified on the samples.
     pub fn find(
         mechanism: &Mechanism,
         freedom: &Freedom,
         inverse: Option<&Inverse>,
         file: &str,
     ) -> Self {
-        if let Some(found) = single_loop(mechanism, file)
-            && recovers(mechanism, freedom, &found)
-        {
-            return ForwardMethod::Loop(Box::new(found));
-        }
         if inverse.is_some_and(|inverse| inverse.aim == Aim::Translation)
             && let Some(rods) = rods(mechanism, file)
             && hold(mechanism, freedom, &rods)
@@ -81,6 +76,62 @@ impl ForwardMethod {
             ForwardMethod::Newton => 0,
         }
     }
+}
+
+impl Loop {
+    /// Finds the closed form of a mechanism that is one, verified on the samples.
+    pub fn find(mechanism: &Mechanism, freedom: &Freedom, file: &str) -> Option<Self> {
+        let found = single_loop(mechanism, file)?;
+        let is_same = |q: &[f64], other: &[f64]| {
+            let same = |(i, &joint): (usize, &usize)| {
+                let d = other[joint] - q[joint];
+                let turns = found.passive.model.joints[i].kind == JointKind::Revolute;
+                (if turns { math::wrap(d) } else { d }).abs() < 1e-6
+            };
+            found.joints.iter().enumerate().all(same)
+        };
+        let mut samples = regular(mechanism, freedom);
+        let recovers = samples.all(|q| {
+            let assemblies = found.assemblies(mechanism, q);
+            assemblies.iter().any(|assembly| is_same(q, assembly))
+        });
+        recovers.then_some(found)
+    }
+
+    /// Whether the platform is turned in some assembly mode at the samples.
+    pub fn turns(&self, mechanism: &Mechanism, freedom: &Freedom) -> bool {
+        regular(mechanism, freedom).any(|q| {
+            let assemblies = self.assemblies(mechanism, q);
+            assemblies.iter().any(|q| !is_upright(mechanism, q))
+        })
+    }
+
+    /// All closed configurations with the actuated values of one.
+    fn assemblies(&self, mechanism: &Mechanism, q: &[f64]) -> Vec<Vec<f64>> {
+        let actuated = mechanism.actuated();
+        let values: Vec<f64> = self.driven.iter().map(|a| q[actuated[*a]]).collect();
+        let end = self.drive.model.chain().fk(&values);
+        let solutions = self.passive.form().map(|form| form.solutions(&end));
+        let assembly = |passive: &[f64]| {
+            let mut all = q.to_vec();
+            for (&joint, &value) in self.joints.iter().zip(passive) {
+                all[joint] = value;
+            }
+            all
+        };
+        let solutions = solutions.iter().flatten();
+        solutions.map(|it| assembly(&it.q)).collect()
+    }
+}
+
+/// Samples at which the actuators hold the platform.
+fn regular<'f>(
+    mechanism: &Mechanism,
+    freedom: &'f Freedom,
+) -> impl Iterator<Item = &'f Vec<f64>> + use<'f> {
+    let generic = mechanism.generic();
+    let samples = freedom.samples.iter();
+    samples.filter(move |q| generic.actuator_singularity(q) > 1e-4)
 }
 
 /// A joint of the loop: its number, and whether the loop passes it from base to
@@ -154,29 +205,6 @@ fn chain_of(mechanism: &Mechanism, passed: &[Passed], home: Pose) -> Model {
     }
 }
 
-/// Every sample comes back from its actuated values.
-fn recovers(mechanism: &Mechanism, freedom: &Freedom, found: &Loop) -> bool {
-    let generic = mechanism.generic();
-    let actuated = mechanism.actuated();
-    let drive = found.drive.model.chain();
-    let Some(form) = found.passive.form() else {
-        return false;
-    };
-    let regular = |q: &&Vec<f64>| generic.actuator_singularity(q) > 1e-4;
-    freedom.samples.iter().filter(regular).all(|q| {
-        let values: Vec<f64> = found.driven.iter().map(|a| q[actuated[*a]]).collect();
-        let same = |(i, x): (usize, &f64)| {
-            let d = x - q[found.joints[i]];
-            let turns = found.passive.model.joints[i].kind == JointKind::Revolute;
-            (if turns { math::wrap(d) } else { d }).abs() < 1e-6
-        };
-        let solutions = form.solutions(&drive.fk(&values));
-        solutions
-            .iter()
-            .any(|solution| solution.q.iter().enumerate().all(same))
-    })
-}
-
 /// Three rods, if every chain is actuated joints and then passive axes that meet
 /// in one or the other end of a rod.
 fn rods(mechanism: &Mechanism, file: &str) -> Option<Vec<Rod>> {
@@ -194,10 +222,8 @@ fn rods(mechanism: &Mechanism, file: &str) -> Option<Vec<Rod>> {
 
 /// Every sample's platform is where the spheres of its rods meet.
 fn hold(mechanism: &Mechanism, freedom: &Freedom, rods: &[Rod]) -> bool {
-    let generic = mechanism.generic();
-    let actuated = mechanism.actuated();
-    let regular = |q: &&Vec<f64>| generic.actuator_singularity(q) > 1e-4;
-    freedom.samples.iter().filter(regular).all(|q| {
+    let (generic, actuated) = (mechanism.generic(), mechanism.actuated());
+    regular(mechanism, freedom).all(|q| {
         let centre = |rod: &Rod| {
             let values: Vec<f64> = rod.driven.iter().map(|a| q[actuated[*a]]).collect();
             let from = rod.drive.model.chain().fk(&values);

@@ -16,13 +16,23 @@ pub struct Freedom {
     /// Of these, motions of the platform; the others are idle.
     pub platform: usize,
     /// Closed configurations: home, some near it, and some on the ways that
-    /// the actuators drive it.
+    /// the actuators drive it. Of a platform that translates, those at which it is not turned:
+    /// there may be others close by, in modes in which it turns.
     pub samples: Vec<Vec<f64>>,
+    /// Whether the platform does not turn while the actuators drive it from home.
+    pub translates: bool,
 }
 
 /// Steps of a drive away from home, and how many drives.
 const STEPS: usize = 6;
 const DRIVES: usize = 16;
+
+/// This part of a drive away from home, by how far home is from an actuator singularity, does not
+/// lead into another mode.
+const NEAR: f64 = 0.1;
+
+/// Below this the actuators are not in charge.
+const SINGULAR: f64 = 1e-3;
 
 impl Freedom {
     /// Counts freedoms at home and nearby.
@@ -31,15 +41,27 @@ impl Freedom {
         let home = vec![0.0; generic.joints()];
         let mut samples = generic.neighbours();
         samples.push(home.clone());
+        for k in 0..DRIVES {
+            samples.extend(drive(&generic, &home, k));
+        }
+        let is_upright = |q: &Vec<f64>| is_upright(mechanism, q);
+        // What is so next to home, a regular configuration, is so in all of its mode, which is
+        // analytic.
+        let regular = generic.actuator_singularity(&home);
+        let near = |k: usize| generic.fk_near(&goal(&generic, &home, k, NEAR * regular), &home);
+        let translates = match regular > SINGULAR {
+            true => (0..DRIVES).all(|k| near(k).as_ref().is_some_and(is_upright)),
+            false => samples.iter().all(is_upright),
+        };
+        if translates {
+            samples.retain(is_upright);
+        }
         let least = |count: &dyn Fn(&[f64]) -> usize| {
             let counts = samples.iter().map(|q| count(q));
             counts.min().unwrap_or(0)
         };
         let mobility = least(&|q| generic.mobility_at(q));
         let platform = least(&|q| generic.platform_freedom(q));
-        for k in 0..DRIVES {
-            samples.extend(drive(&generic, &home, k));
-        }
         let dimension = generic.motion_dimension();
         Freedom {
             dimension,
@@ -47,6 +69,7 @@ impl Freedom {
             mobility,
             platform,
             samples,
+            translates,
         }
     }
 
@@ -154,27 +177,33 @@ fn refuse(
     Diagnostics::one(&source.path, diagnostic)
 }
 
+/// Whether the platform is turned as it is at home.
+pub(super) fn is_upright(mechanism: &Mechanism, q: &[f64]) -> bool {
+    let poses = mechanism.generic().poses(q);
+    poses[0].rotation_distance(&mechanism.home()) < 1e-9
+}
+
+/// The actuators' values a part of the way to where a drive ends.
+fn goal(generic: &kin_runtime::Mechanism, home: &[f64], k: usize, part: f64) -> Vec<f64> {
+    let twists = generic.twists(home);
+    let actuated = generic.actuated().iter().enumerate();
+    let value = |(i, &joint): (usize, &usize)| {
+        let slides = twists[joint].angular == [0.0; 3];
+        let reach = if slides { 0.15 * generic.length() } else { 0.6 };
+        part * reach * (1.3 + 2.1 * k as f64 + 4.7 * i as f64).sin()
+    };
+    actuated.map(value).collect()
+}
+
 /// Closed configurations while the actuators go from home to some values, as
 /// far as the loops stay closed and the actuators in charge.
 fn drive(generic: &kin_runtime::Mechanism, home: &[f64], k: usize) -> Vec<Vec<f64>> {
-    let twists = generic.twists(home);
-    let goal: Vec<f64> = generic
-        .actuated()
-        .iter()
-        .enumerate()
-        .map(|(i, &joint)| {
-            let slides = twists[joint].angular == [0.0; 3];
-            let reach = if slides { 0.15 * generic.length() } else { 0.6 };
-            reach * (1.3 + 2.1 * k as f64 + 4.7 * i as f64).sin()
-        })
-        .collect();
     let mut found: Vec<Vec<f64>> = Vec::new();
     let mut q = home.to_vec();
     for step in 1..=STEPS {
-        let part = step as f64 / STEPS as f64;
-        let values: Vec<f64> = goal.iter().map(|x| part * x).collect();
+        let values = goal(generic, home, k, step as f64 / STEPS as f64);
         match generic.fk_near(&values, &q) {
-            Some(next) if generic.actuator_singularity(&next) > 1e-3 => q = next,
+            Some(next) if generic.actuator_singularity(&next) > SINGULAR => q = next,
             _ => break,
         }
         found.push(q.clone());

@@ -56,7 +56,8 @@ pub struct Inverse {
 const SAME: f64 = 1e-6;
 
 impl Inverse {
-    /// Finds and verifies the closed forms.
+    /// Finds and verifies the closed forms of a mechanism whose platform `turns` in some assembly
+    /// mode, though it may not do so in that of home.
     ///
     /// # Errors
     ///
@@ -64,9 +65,10 @@ impl Inverse {
     pub fn find(
         mechanism: &Mechanism,
         freedom: &Freedom,
+        turns: bool,
         file: &str,
     ) -> Result<Self, UnsolvedChain> {
-        let aim = aim(mechanism, freedom);
+        let aim = aim(mechanism, freedom, turns);
         let regular = regular(mechanism, freedom);
         let mut legs = Vec::new();
         for (k, leg) in mechanism.legs.iter().enumerate() {
@@ -109,11 +111,9 @@ fn regular<'f>(mechanism: &Mechanism, freedom: &'f Freedom) -> Vec<&'f Vec<f64>>
     freedom.samples.iter().filter(clear).collect()
 }
 
-fn aim(mechanism: &Mechanism, freedom: &Freedom) -> Aim {
-    let generic = mechanism.generic();
-    let home = mechanism.home();
-    let upright = |q: &Vec<f64>| generic.poses(q)[0].rotation_distance(&home) < 1e-9;
-    if freedom.samples.iter().all(upright) {
+/// What the platform is asked for, which `turns` in some assembly mode.
+fn aim(mechanism: &Mechanism, freedom: &Freedom, turns: bool) -> Aim {
+    if freedom.translates && !turns {
         return Aim::Translation;
     }
     let fixed = |leg: &Leg| natural_target(&leg.model) == Target::Position;
