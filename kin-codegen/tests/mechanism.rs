@@ -111,6 +111,52 @@ fn chains_are_found_in_a_tree_with_loop_joints_whichever_way_they_hang() {
 
 /// The third leg is passed against its joints: its values are those of the
 /// joints as written, and a positive one turns the parent back.
+/// As those of other joints; and without transmissions the remedy is one.
+#[test]
+fn limits_of_a_loop_joint_are_read() {
+    let limited = three_legs().replacen(
+        "<axis xyz=\"0 0 1\"/></loop_joint>",
+        "<axis xyz=\"0 0 1\"/><limit lower=\"-0.5\" upper=\"0.75\" velocity=\"2\"/></loop_joint>",
+        1,
+    );
+    let spec = MechanismSpec::parse(&urdf(limited.clone())).unwrap();
+    let mechanism = Mechanism::new(&spec, None, None).unwrap();
+    let mut variables = mechanism.legs.iter().flat_map(|leg| &leg.model.variables);
+    let closing = variables.find(|it| it.name == "c2").unwrap();
+    assert_eq!(closing.limits, Some([-0.5, 0.75]));
+    assert_eq!(closing.rating.velocity, Some(2.0));
+
+    let idle = limited.split("<transmission").next().unwrap().to_owned() + "</robot>";
+    let refused = compile(&urdf(idle), &Options::default()).unwrap_err();
+    let said = "help: name 3 joints in a transmission: <transmission";
+    assert!(refused.to_string().contains(said), "{refused}");
+    let degrees = limited
+        .replace("\"0.75\"", "\"90\"")
+        .replace("lower=\"-0.5\"", "lower=\"-90\"");
+    let refused = compile(&urdf(degrees), &Options::default()).unwrap_err();
+    let said = "joint `c2` has the limits -90..90 rad: this looks like degrees";
+    assert!(refused.to_string().contains(said), "{refused}");
+}
+
+#[test]
+fn limits_of_chains_in_another_unit_are_told_once() {
+    let source = robot("five_bar.yaml");
+    let limited = |unit: &str| Source {
+        text: source
+            .text
+            .replace("angle: deg", &format!("angle: {unit}"))
+            .replace("point:", "limits: [-1.57, 1.57], point:"),
+        ..source.clone()
+    };
+    assert_eq!(compiled(&limited("rad")).warnings, []);
+    let warnings = compiled(&limited("deg")).warnings;
+    let [warning] = &warnings[..] else {
+        panic!("{warnings:?}");
+    };
+    let said = "no joint turns farther than 1.57 degrees from zero";
+    assert!(warning.reason.starts_with(said), "{warning:?}");
+}
+
 #[test]
 fn a_joint_passed_backwards_keeps_its_value() {
     let spec = MechanismSpec::parse(&urdf(three_legs())).unwrap();

@@ -99,6 +99,17 @@ impl CompiledMechanism {
     }
 }
 
+/// Of the file and of the chains; what several chains say is told once.
+fn warnings(spec: &MechanismSpec, mechanism: &Mechanism) -> Vec<Diagnostic> {
+    let mut warnings = spec.warnings.clone();
+    for warning in mechanism.legs.iter().flat_map(|leg| &leg.model.warnings) {
+        if !warnings.contains(warning) {
+            warnings.push(warning.clone());
+        }
+    }
+    warnings
+}
+
 /// Compiles the mechanism of a robot file. If inverse kinematics is asked for
 /// and there is none, the mechanism comes without it, and why beside it.
 ///
@@ -131,7 +142,7 @@ pub(crate) fn compile(
     let (base, platform) = (options.base.as_deref(), options.tip.as_deref());
     let mechanism = Mechanism::new(spec, base, platform)?;
     let freedom = Freedom::of(&mechanism);
-    freedom.check(&mechanism, source)?;
+    freedom.check(&mechanism, spec)?;
     let around = Loop::find(&mechanism, &freedom, file);
     let turns = around
         .as_ref()
@@ -153,7 +164,7 @@ pub(crate) fn compile(
     };
     let compiled = CompiledMechanism {
         file: file.to_owned(),
-        warnings: spec.warnings.clone(),
+        warnings: warnings(spec, &mechanism),
         legs: mechanism.legs.iter().enumerate().map(leg).collect(),
         mechanism,
         freedom,

@@ -1,7 +1,7 @@
 //! How a mechanism can move, and whether its actuators make it.
 
 use super::Mechanism;
-use crate::spec::{Diagnostic, Diagnostics, Source};
+use crate::spec::{Diagnostic, Diagnostics, MechanismSpec, Source};
 
 /// How a mechanism can move.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +78,7 @@ impl Freedom {
     /// # Errors
     ///
     /// The mechanism is immobile, redundant, under-actuated or over-actuated.
-    pub fn check(&self, mechanism: &Mechanism, source: &Source) -> Result<(), Diagnostics> {
+    pub fn check(&self, mechanism: &Mechanism, spec: &MechanismSpec) -> Result<(), Diagnostics> {
         let generic = mechanism.generic();
         let actuated = mechanism.actuated().len();
         let moves = |n: usize| {
@@ -111,7 +111,7 @@ impl Freedom {
                     moves(self.platform),
                     if actuated == 1 { "is" } else { "are" }
                 ),
-                format!("mark {} with `actuated: true`", joints(self.platform)),
+                spec.topology.actuate(&joints(self.platform)),
             )
         } else if actuated > self.platform && actuated <= self.mobility {
             (
@@ -125,10 +125,9 @@ impl Freedom {
                     }
                 ),
                 format!(
-                    "leave out {} that can move while the platform rests, and mark {} with \
-                     `actuated: true`",
+                    "leave out {} that can move while the platform rests, and {}",
                     joints(self.mobility - self.platform),
-                    joints(self.platform)
+                    spec.topology.actuate(&joints(self.platform))
                 ),
             )
         } else if actuated > self.platform {
@@ -138,7 +137,7 @@ impl Freedom {
                      joints are actuated, whose values cannot be chosen independently",
                     moves(self.platform)
                 ),
-                format!("mark {} with `actuated: true`", joints(self.platform)),
+                spec.topology.actuate(&joints(self.platform)),
             )
         } else if self
             .samples
@@ -155,7 +154,7 @@ impl Freedom {
         } else {
             return Ok(());
         };
-        Err(refuse(mechanism, source, reason, remedy))
+        Err(refuse(mechanism, &spec.source, reason, remedy))
     }
 }
 

@@ -36,6 +36,19 @@ pub enum Topology {
     Looped(LoopedTree),
 }
 
+impl Topology {
+    /// How a file actuates some of its joints.
+    pub(crate) fn actuate(&self, joints: &str) -> String {
+        match self {
+            Self::Chains { .. } => format!("mark {joints} with `actuated: true`"),
+            Self::Looped(_) => format!(
+                "name {joints} in a transmission: <transmission name=\"...\"><joint \
+                 name=\"...\"/></transmission>"
+            ),
+        }
+    }
+}
+
 /// One chain of a mechanism.
 #[derive(Clone, Debug)]
 pub struct ChainSpec {
@@ -63,7 +76,8 @@ pub struct ChainSpec {
 /// The joint's frame lies in `link1`, with `axis` a direction in it (x by
 /// default); `link2` says where the same point lies in the other link, and
 /// with all joint values 0 the two coincide. `type` is `revolute`,
-/// `prismatic`, `fixed`, or `spherical` (three revolutes). Joints that a
+/// `prismatic`, `fixed`, or `spherical` (three revolutes); the first two may
+/// have a `<limit>`, without which they have none. Joints that a
 /// `<transmission>` names are actuated.
 #[derive(Clone, Debug)]
 pub struct LoopedTree {

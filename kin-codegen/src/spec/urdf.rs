@@ -11,6 +11,7 @@ mod loops;
 mod markup;
 mod numbers;
 mod origin;
+mod parts;
 mod strict;
 mod vocabulary;
 mod xacro;

@@ -14,18 +14,19 @@
 //! The joint's frame lies in `link1`; `axis` is a direction in it, along x by
 //! default. `link2` says where the same point lies in the other link: with all
 //! joint values 0 the two have to coincide. `type` is `revolute`, `prismatic`,
-//! `fixed`, or `spherical`, which is three revolutes about the frame's axes.
-//! Joints that some `<transmission>` names are actuated, as elsewhere in ROS.
+//! `fixed`, or `spherical`, which is three revolutes about the frame's axes; the
+//! first two may have a `<limit>`. Joints that some `<transmission>` names are actuated, as elsewhere in ROS.
 //!
 //! Which chains they make, and from where to where, is decided behind this
 //! room.
 
-use super::checks::{attribute, check_attributes, place, required};
-use super::{elements, numbers, origin};
+use super::checks::{check_attributes, place, refuse_text, required};
+use super::parts::Parts;
+use super::{elements, numbers, origin, vocabulary};
 use crate::spec::tree::Name;
 use crate::spec::{
-    ArmSpec, Collector, Joint, JointType, Limits, LoopedTree, MechanismSpec, Rating, Topology,
-    bounds, did_you_mean, orientation,
+    ArmSpec, Collector, Joint, JointType, Limits, Location, LoopedTree, MechanismSpec, Rating,
+    Topology, bounds, did_you_mean,
 };
 use crate::vector::norm;
 use kin_runtime::Pose;
@@ -34,6 +35,9 @@ use std::collections::HashSet;
 
 /// Points of two links that are to be one, relative to the robot's extent.
 const TOGETHER: f64 = 1e-6;
+
+/// Children of `<loop_joint>` that are read.
+const PARTS: [&str; 4] = ["link1", "link2", "axis", "limit"];
 
 /// Whether a document has loop joints.
 pub(super) fn is_looped(document: &Document) -> bool {
@@ -44,13 +48,24 @@ fn loop_joints<'a, 'i>(document: &'a Document<'i>) -> impl Iterator<Item = Node<
     elements(document.root_element()).filter(|node| node.tag_name().name() == "loop_joint")
 }
 
-/// The joints that transmissions name.
-fn actuated(document: &Document) -> Vec<String> {
+/// The joints that transmissions name; one that there is not is reported.
+fn actuated(document: &Document, spec: &ArmSpec, diagnostics: &mut Collector) -> Vec<String> {
+    let joints: Vec<&str> = spec.joints.iter().map(|it| it.name.as_str()).collect();
     let named = |node: &Node| node.tag_name().name() == "joint";
     elements(document.root_element())
         .filter(|node| node.tag_name().name() == "transmission")
         .flat_map(|node| node.children().filter(named))
-        .filter_map(|joint| joint.attribute("name").map(str::to_owned))
+        .filter_map(|joint| {
+            let name = required(joint, "name", diagnostics)?;
+            if !joints.contains(&name.text.as_str()) {
+                let reason = format!(
+                    "a <transmission> drives `{}`, and there is no such joint",
+                    name.text
+                );
+                diagnostics.at(name.at, reason, did_you_mean(&name.text, &joints));
+            }
+            Some(name.text)
+        })
         .collect()
 }
 
@@ -87,6 +102,7 @@ pub(super) fn read(
     }
     refuse_repeated(&links, diagnostics);
     refuse_mimics(&links, diagnostics);
+    let actuated = actuated(document, &links, diagnostics);
     Some(MechanismSpec {
         name: links.name.clone(),
         source: links.source.clone(),
@@ -95,7 +111,7 @@ pub(super) fn read(
         topology: Topology::Looped(LoopedTree {
             links,
             tree_joints,
-            actuated: actuated(document),
+            actuated,
         }),
     })
 }
@@ -129,11 +145,13 @@ fn loop_joint(
     diagnostics: &mut Collector,
 ) -> Option<Vec<Joint>> {
     check_attributes(node, diagnostics);
+    refuse_text(node, diagnostics);
     let name = required(node, "name", diagnostics);
-    let word = required(node, "type", diagnostics);
+    let kind = required(node, "type", diagnostics).and_then(|word| kind(&word, diagnostics));
+    let parts = Parts::of(node, &PARTS, &vocabulary::IN_JOINT, diagnostics);
     let at = place(node, diagnostics);
     let child = |role: &str, diagnostics: &mut Collector| {
-        let found = elements(node).find(|child| child.tag_name().name() == role);
+        let found = parts.find(role);
         if found.is_none() {
             let reason = format!("the loop joint has no <{role}>, so it closes nothing");
             diagnostics.at(
@@ -142,7 +160,16 @@ fn loop_joint(
                 format!("add <{role} link=\"...\" xyz=\"0 0 0\"/>"),
             );
         }
-        found.inspect(|child| check_attributes(*child, diagnostics))
+        let inside = found.and_then(|it| elements(it).next());
+        if let Some(inside) = inside {
+            let name = inside.tag_name().name();
+            let reason = format!("<{name}> in a <{role}>, which has none");
+            let remedy =
+                format!("write where it lies as attributes: <{role} link=\"...\" xyz=\"0 0 0\"/>");
+            diagnostics.at(place(inside, diagnostics), reason, remedy);
+            return None;
+        }
+        found
     };
     let (one, two) = (child("link1", diagnostics), child("link2", diagnostics));
     let link = |node: Node, diagnostics: &mut Collector| {
@@ -162,9 +189,9 @@ fn loop_joint(
         Some(xyz) => numbers::read::<3>(&xyz, diagnostics),
         None => Some([0.0; 3]),
     };
-    let axis = axis(node, diagnostics);
-    let (name, word, parent, other, frame, point, axis) =
-        (name?, word?, parent?, other?, frame?, point?, axis?);
+    let motion = motion(&parts, kind, at, diagnostics);
+    let (name, kind, parent, other, frame, point, motion) =
+        (name?, kind?, parent?, other?, frame?, point?, motion?);
     if parent == other {
         let reason = format!(
             "the loop joint `{}` joins the link `{}` to itself",
@@ -192,40 +219,66 @@ fn loop_joint(
         return None;
     }
     let home = there.inverse() * homes[other];
-    joints_of(
+    Some(joints_of(
         &name,
-        &word,
+        kind,
         (parent, other),
-        frame,
-        axis,
-        home,
-        diagnostics,
-    )
+        [frame, home],
+        motion,
+    ))
 }
 
-fn axis(node: Node, diagnostics: &mut Collector) -> Option<[f64; 3]> {
-    let Some(element) = elements(node).find(|child| child.tag_name().name() == "axis") else {
-        return Some([1.0, 0.0, 0.0]);
+fn kind(word: &Name, diagnostics: &mut Collector) -> Option<JointType> {
+    let kind = match word.text.as_str() {
+        "revolute" | "continuous" => JointType::Revolute,
+        "prismatic" => JointType::Prismatic,
+        "fixed" => JointType::Fixed,
+        "spherical" | "ball" => JointType::Spherical,
+        other => {
+            let known = ["revolute", "prismatic", "spherical", "fixed"];
+            let reason = format!("`{other}` is no type of a loop joint");
+            diagnostics.at(word.at, reason, did_you_mean(other, &known));
+            return None;
+        }
     };
-    let xyz = attribute(element, "xyz", diagnostics)?;
-    let axis = orientation::unit(numbers::read(&xyz, diagnostics)?);
-    if axis.is_none() {
-        let at = diagnostics.place(xyz.range_value().start);
-        let reason = format!("the axis {} is no direction", xyz.value().trim());
-        diagnostics.at(at, reason, "write a direction, for example xyz=\"0 0 1\"");
-    }
-    axis
+    Some(kind)
 }
 
+/// What a loop joint turns about or slides along, and how far; without limits as far as it goes.
+struct Motion {
+    axis: [f64; 3],
+    limits: Limits,
+    rating: Rating,
+}
+
+fn motion(
+    parts: &Parts,
+    kind: Option<JointType>,
+    at: Location,
+    diagnostics: &mut Collector,
+) -> Option<Motion> {
+    let axis = parts.axis(kind, diagnostics);
+    let is_free = parts.find("limit").is_none();
+    let (limits, rating) = parts.limits(kind, is_free, diagnostics)?;
+    if !is_free && matches!(kind, Some(JointType::Spherical | JointType::Fixed)) {
+        let reason = "limits of a loop joint that is neither revolute nor prismatic are not read";
+        diagnostics.at(at, reason, "remove <limit>");
+    }
+    Some(Motion {
+        axis: axis?,
+        limits,
+        rating,
+    })
+}
+
+/// With the joint's frame in its parent, and the child in that frame at home.
 fn joints_of(
     name: &Name,
-    word: &Name,
+    kind: JointType,
     (parent, child): (usize, usize),
-    frame: Pose,
-    axis: [f64; 3],
-    home: Pose,
-    diagnostics: &mut Collector,
-) -> Option<Vec<Joint>> {
+    [frame, home]: [Pose; 2],
+    motion: Motion,
+) -> Vec<Joint> {
     let at = name.at;
     let joint = |name: String, kind: JointType, axis: [f64; 3]| Joint {
         name,
@@ -235,9 +288,9 @@ fn joints_of(
         origin: Pose::IDENTITY,
         axis,
         mount: Pose::IDENTITY,
-        limits: Limits::Unlimited,
+        limits: motion.limits,
         mimic: None,
-        rating: Rating::default(),
+        rating: motion.rating,
         faults: Vec::new(),
         at,
     };
@@ -246,26 +299,18 @@ fn joints_of(
         ("y", [0.0, 1.0, 0.0]),
         ("x", [1.0, 0.0, 0.0]),
     ];
-    let mut joints = match word.text.as_str() {
-        "revolute" | "continuous" => vec![joint(name.text.clone(), JointType::Revolute, axis)],
-        "prismatic" => vec![joint(name.text.clone(), JointType::Prismatic, axis)],
-        "fixed" => vec![joint(name.text.clone(), JointType::Fixed, axis)],
-        "spherical" | "ball" => AXES
+    let mut joints = match kind {
+        JointType::Spherical => AXES
             .map(|(letter, axis)| {
                 joint(format!("{}_{letter}", name.text), JointType::Revolute, axis)
             })
             .to_vec(),
-        other => {
-            let known = ["revolute", "prismatic", "spherical", "fixed"];
-            let reason = format!("`{other}` is no type of a loop joint");
-            diagnostics.at(word.at, reason, did_you_mean(other, &known));
-            return None;
-        }
+        _ => vec![joint(name.text.clone(), kind, motion.axis)],
     };
     let last = joints.len() - 1;
     joints[0].origin = frame;
     joints[last].mount = home;
-    Some(joints)
+    joints
 }
 
 /// Adds the joints of a loop joint, with links between them.

@@ -108,7 +108,8 @@ fn refuse_misspelt_structure(
             "close it with a <loop_joint>, or give its open chain",
         );
     }
-    let meant = suggest::nearest(name, vocabulary::STRUCTURE)?;
+    let [link, joint] = vocabulary::STRUCTURE;
+    let meant = suggest::nearest(name, [link, joint, "loop_joint"])?;
     let reason = format!("unknown element <{name}>: skipping it might lose a {meant}");
     diagnostics.at(at, reason, format!("did you mean <{meant}>?"));
     Some(meant)
