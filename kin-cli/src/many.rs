@@ -2,7 +2,7 @@
 
 use crate::arguments::{Fk, InverseOfMany, Many, RobotOptions, read};
 use crate::bar::Bar;
-use crate::batch::{Forward, Inverse, Job, Kept, Pair, Report, Tally, Task, Written};
+use crate::batch::{Forward, Inverse, Job, Kept, Pair, RADIANS, Report, Tally, Task, Written};
 use crate::batch::{forget_all, pairs};
 use crate::table::{Fault, Format, Place, Reader};
 use crate::{Done, Exit};
@@ -251,18 +251,12 @@ fn warnings(pair: &Pair, report: &Report) -> String {
         );
         let _ = writeln!(lines, "{first}");
     }
-    if let Some((row, joint)) = &report.tally.first_beyond {
+    if let Some((row, reason)) = &report.tally.first_beyond {
         let at = Place {
             row: Some(*row),
             column: None,
         };
-        let reason = format!("{joint} is more than a turn beyond its stops");
-        let first = Fault::at(
-            &pair.input,
-            at,
-            reason,
-            "values are radians and metres, not degrees",
-        );
+        let first = Fault::at(&pair.input, at, reason, RADIANS);
         let _ = writeln!(lines, "{first}");
     }
     lines

@@ -352,9 +352,13 @@ fn mechanisms_are_explained_generated_and_told_from_arms() {
         "robots/delta.yaml: solved: 3 chains, 104 closed configurations recovered; R*UU, R*UU, \
          R*UU\n"
     );
-    let swept = kin(&["check", DELTA, "--targets", "10"]);
-    assert_eq!(swept.status.code(), Some(1));
-    assert!(stderr(&swept).contains("try an arm, and this is a mechanism\nhelp: leave them out"));
+    for option in ["--targets", "--deep"] {
+        let tried = kin(&["check", DELTA, option, "10"]);
+        assert_eq!(tried.status.code(), Some(1));
+        assert!(
+            stderr(&tried).contains("try an arm, and this is a mechanism\nhelp: leave them out")
+        );
+    }
     let without = kin(&["check", "robots/ur5e.urdf", "--no-ik", "--targets", "10"]);
     assert_eq!(without.status.code(), Some(1));
     assert!(stderr(&without).contains("--no-ik leaves it out\nhelp: leave out --no-ik"));

@@ -178,6 +178,20 @@ fn a_table_of_joints_is_taken_as_it_stands() {
         "{}",
         done.stdout
     );
+    assert!(!done.stdout.contains("degrees"), "{}", done.stdout);
+    let degrees = temporary("degrees.csv");
+    fs::write(
+        &degrees,
+        "shoulder_pan_joint,shoulder_lift_joint,elbow_joint,wrist_1_joint,wrist_2_joint,wrist_3_joint\n\
+         10,-90,90,0,45,0\n",
+    )
+    .unwrap();
+    let done = plot_table("../robots/ur5e.urdf", &degrees, &temporary("degrees.svg"));
+    assert_eq!(
+        done.stdout.lines().last().unwrap(),
+        "joint `shoulder_lift_joint` at -90 is more than a turn beyond its stops: values are radians \
+         and metres, not degrees"
+    );
     assert_eq!(
         fs::read_to_string(svg)
             .unwrap()
@@ -272,6 +286,18 @@ fn what_is_wrong_with_a_table_is_said() {
         "bent.csv",
         "x,y,z,qx,qy,qz,qw\n0,0,0,1,1,0,0\n",
         &["bent.csv: row 0: the quaternion has not the length 1"],
+    );
+    says(
+        scara,
+        "gaps.csv",
+        "shoulder,elbow,wrist,lift\n1,nan,0,0\n1,,0,inf\n",
+        &["gaps.csv: no row has a finite number for every joint\nhelp: give values of the joints"],
+    );
+    says(
+        "../robots/delta.yaml",
+        "gap.csv",
+        "motor1,motor2,motor3\n1,nan,0\n",
+        &["gap.csv: no row has a finite number for every joint"],
     );
     let mut long = String::from("x,y,z\n");
     long += &"0,0,-0.2\n".repeat(100_001);

@@ -40,16 +40,9 @@ impl<'a> Forward<'a> {
         })
     }
 
-    /// The first joint that is more than a turn beyond its stops, as radians read as degrees are not.
-    fn beyond(&self, q: &[f64]) -> Option<String> {
-        let is_beyond = |limit: &JointLimit, value: f64| match *limit {
-            JointLimit::Revolute { lower, upper } => value < lower - TAU || value > upper + TAU,
-            JointLimit::Continuous | JointLimit::Prismatic { .. } => false,
-        };
-        let limits = self.robot.limits().iter().zip(q);
-        let mut joints = self.robot.joint_names().into_iter().zip(limits);
-        let (name, (_, value)) = joints.find(|(_, (limit, value))| is_beyond(limit, **value))?;
-        Some(format!("joint `{}` at {value}", one_line(name)))
+    fn joints(&self) -> impl Iterator<Item = (&str, JointLimit)> {
+        let limits = self.robot.limits().iter().copied();
+        self.robot.joint_names().into_iter().zip(limits)
     }
 
     /// The columns of a file that have the joints' values.
@@ -60,6 +53,27 @@ impl<'a> Forward<'a> {
     pub fn find(&self, path: &Path, header: &Header) -> Result<Vec<usize>, Fault> {
         columns(path, header, &self.robot.joint_names())
     }
+}
+
+/// What to do about a joint far beyond its stops.
+pub const RADIANS: &str = "values are radians and metres, not degrees";
+
+/// The first joint that is more than a turn beyond its stops, which degrees read as radians are, and
+/// that it is.
+pub fn beyond<'a>(
+    joints: impl Iterator<Item = (&'a str, JointLimit)>,
+    q: &[f64],
+) -> Option<String> {
+    let is_beyond = |limit: JointLimit, value: f64| match limit {
+        JointLimit::Revolute { lower, upper } => value < lower - TAU || value > upper + TAU,
+        JointLimit::Continuous | JointLimit::Prismatic { .. } => false,
+    };
+    let mut joints = joints.zip(q);
+    let ((name, _), value) = joints.find(|((_, limit), value)| is_beyond(*limit, **value))?;
+    let name = one_line(name);
+    Some(format!(
+        "joint `{name}` at {value} is more than a turn beyond its stops"
+    ))
 }
 
 /// The columns of a file that have the values of these joints.
@@ -125,7 +139,7 @@ impl Task for Forward<'_> {
             }
             if q.iter().all(|value| value.is_finite()) {
                 if tally.first_beyond.is_none()
-                    && let Some(joint) = self.beyond(&q)
+                    && let Some(joint) = beyond(self.joints(), &q)
                 {
                     tally.first_beyond = Some((first + row as u64, joint));
                 }

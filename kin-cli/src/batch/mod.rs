@@ -39,7 +39,7 @@ mod pose;
 mod task;
 
 pub use folder::{Pair, Share, pairs};
-pub use forward::{Forward, columns};
+pub use forward::{Forward, RADIANS, beyond, columns};
 pub use inverse::{Inverse, Kept};
 pub use job::{Job, Report, forget_all};
 pub use pose::{PoseColumns, Written};

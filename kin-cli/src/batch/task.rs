@@ -24,7 +24,8 @@ pub struct Tally {
     pub faulty: u64,
     /// The number of the first of these, and what is wrong with it.
     pub first_fault: Option<(u64, String)>,
-    /// The number of the first row in which a joint is more than a turn beyond its stops, and which.
+    /// The number of the first row in which a joint is more than a turn beyond its stops, and what is
+    /// said of it.
     #[serde(default)]
     pub first_beyond: Option<(u64, String)>,
 }

@@ -78,9 +78,11 @@ impl Checked {
         };
         let arm = match &**robot {
             Compiled::Arm(arm) => arm,
-            Compiled::Mechanism(_) if arguments.targets > 0 || arguments.at.is_some() => {
+            Compiled::Mechanism(_)
+                if arguments.targets > 0 || arguments.deep > 0 || arguments.at.is_some() =>
+            {
                 return Err(format!(
-                    "{}: --targets and --at try an arm, and this is a mechanism\n\
+                    "{}: --deep, --targets and --at try an arm, and this is a mechanism\n\
                      help: leave them out; its closed form is verified all the same",
                     one_line(&self.check.path)
                 ));

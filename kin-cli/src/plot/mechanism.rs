@@ -157,7 +157,7 @@ impl<'a> Platform<'a> {
             _ => None,
         };
         if let Some(places) = places {
-            let rows = configurations(&table.columns(&places)?);
+            let rows = configurations(path, &table.columns(&places)?)?;
             return Ok(self.of_values(rows));
         }
         let Some(inverse) = &self.compiled.inverse else {

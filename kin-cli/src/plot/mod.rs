@@ -11,6 +11,7 @@ mod table;
 mod trajectory;
 
 use crate::arguments::{self, read};
+use crate::batch::{RADIANS, beyond};
 use crate::{Done, Exit};
 use kin_codegen::spec::{Spec, one_line};
 use kin_codegen::{Ik, Options, Source, compile};
@@ -164,6 +165,13 @@ fn report(subject: &Subject, path: &Path) -> String {
         let measure = subject.measure[0];
         let measure = measure.strip_suffix(" of the Jacobian").unwrap_or(measure);
         text += &format!("; {measure} {least:.4} at least");
+    }
+    let joints = |q| {
+        let joints = subject.joints.iter();
+        beyond(joints.map(|it| (it.name.as_str(), it.limit)), q)
+    };
+    if let Some(reason) = path.taken.iter().flatten().find_map(|q| joints(q)) {
+        text += &format!("\n{reason}: {RADIANS}");
     }
     text + "\n"
 }

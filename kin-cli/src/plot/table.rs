@@ -116,12 +116,30 @@ impl<'a> Table<'a> {
             return Ok(Rows::Solutions(by_target(&columns, joints.len())));
         }
         let columns = self.columns(&places)?;
-        Ok(Rows::Configurations(configurations(&columns)))
+        Ok(Rows::Configurations(configurations(path, &columns)?))
     }
 }
 
+/// Configurations, of which some rows may have no numbers: a gap.
+///
+/// # Errors
+///
+/// All rows are gaps.
+pub fn configurations(path: &Path, columns: &[Vec<f64>]) -> Result<Vec<Option<Vec<f64>>>, Fault> {
+    let rows = complete(columns);
+    if rows.iter().any(Option::is_some) {
+        return Ok(rows);
+    }
+    let reason = "no row has a finite number for every joint";
+    Err(Fault::whole(
+        path,
+        reason,
+        "give values of the joints, radians and metres",
+    ))
+}
+
 /// The rows of columns; none where a value is missing.
-pub fn configurations(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
+fn complete(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
     let count = columns.first().map_or(0, Vec::len);
     let row = |row: usize| -> Vec<f64> { columns.iter().map(|column| column[row]).collect() };
     let rows = (0..count).map(row);
@@ -134,7 +152,7 @@ pub fn configurations(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
 fn by_target(columns: &[Vec<f64>], joints: usize) -> BTreeMap<u64, Vec<(usize, Vec<f64>)>> {
     let mut targets: BTreeMap<u64, Vec<_>> = BTreeMap::new();
     let rows = columns[0].iter().zip(&columns[1]);
-    let rows = rows.zip(configurations(&columns[2..2 + joints]));
+    let rows = rows.zip(complete(&columns[2..2 + joints]));
     for ((&target, &branch), q) in rows {
         let all = targets.entry(target.max(0.0) as u64).or_default();
         if let (Some(q), true) = (q, branch >= 0.0) {
