@@ -879,7 +879,7 @@ return $mechanism({
     base: "frame",
     platform: "effector",
     home: [1.0, 0.0, 0.0, 5.134781488891349e-16, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -0.0968590151711022],
-    length: 0.2765455247449999,
+    length: 0.26253210241891534,
     mobility: 3,
     freedom: 3,
     actuated: [0, 5, 10],

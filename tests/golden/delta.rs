@@ -2637,7 +2637,7 @@ mod __Delta {
         const ACTUATED: [usize; 3] = [0, 5, 10];
         const BASE: &'static str = "frame";
         const PLATFORM: &'static str = "effector";
-        const LENGTH: f64 = 0.2765455247449999;
+        const LENGTH: f64 = 0.26253210241891534;
         const MOBILITY: usize = 3;
         const BRANCHES: [usize; 3] = [4, 4, 4];
         const ASSEMBLY_MODES: usize = 2;
