@@ -68,6 +68,10 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
         };
         return Done::failing(Exit::Usage, reason);
     }
+    if at.iter().any(|x| !x.is_finite()) {
+        let reason = "the values of `--at` have to be finite";
+        return Done::failing(Exit::Usage, reason);
+    }
     let kept = Kept {
         within_limits: arguments.within_limits,
         empty: arguments.keep_empty,

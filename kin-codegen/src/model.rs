@@ -357,10 +357,14 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector)
     }
     if let Some(&longest) = longest.filter(|_| total > LONGEST_ARM) {
         let joint = &spec.joints[longest];
+        // What is fixed may be a link of the file that is no joint there.
+        let place = match joint.kind {
+            JointType::Fixed => format!("link `{}`", spec.links[joint.child].name),
+            _ => format!("joint `{}`", joint.name),
+        };
         let reason = format!(
-            "the chain is {total:.4} m long, {:.4} m of it at joint `{}`: this looks like millimetres",
-            length(&longest),
-            joint.name
+            "the chain is {total:.4} m long, {:.4} m of it at {place}: this looks like millimetres",
+            length(&longest)
         );
         diagnostics.at(
             joint.at,

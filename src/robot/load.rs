@@ -158,7 +158,8 @@ impl Robot {
         }
         let Compiled::Arm(arm) = compile()? else {
             let reason = "the file has a mechanism of several chains, which is no arm";
-            let remedy = "generate its code with `kinematics!` or a build script";
+            let remedy =
+                "generate its code with `kinematics!`, in a build script or by `kin generate`";
             return Err(Diagnostics::one(&source.path, Diagnostic::whole(reason, remedy)).into());
         };
         Ok(Self::new(*arm))

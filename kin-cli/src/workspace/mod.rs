@@ -109,7 +109,9 @@ fn placeless(robot: &Compiled) -> String {
             arm.target().phrase()
         ),
         Compiled::Mechanism(_) => {
-            "the platform's position cannot be chosen freely at a given orientation".into()
+            "the platform's position cannot be chosen freely at a given orientation\n\
+             help: `kin plot` draws what it does while the actuated joints move"
+                .into()
         }
     }
 }

@@ -321,6 +321,11 @@ fn options_that_say_nothing_of_this_robot_are_refused() {
             &["--at", "1,2"],
             "`--at` has 2 values, for joint7",
         ),
+        (
+            "panda.yaml",
+            &["--at", "nan"],
+            "of `--at` have to be finite",
+        ),
         ("ur5e.urdf", &["--no-ik"], "leave out `--ik none`"),
         (
             "ur5e.urdf",

@@ -98,6 +98,13 @@ impl<'s> Reader<'s> {
     fn explain_syntax(&mut self, error: &serde_yaml::Error) {
         let mut message = format!("this cannot be read: {error}");
         let mut remedy = "correct the YAML; the format is described in kin_codegen::spec::yaml";
+        if let Some(second) = self
+            .second_document()
+            .filter(|_| message.contains("document"))
+        {
+            let reason = "a second document begins here, and a file has one robot";
+            return self.at(second, reason, "give it a file of its own");
+        }
         let Some(at) = node::place(error) else {
             return self.diagnostics.whole(message, remedy);
         };
@@ -123,6 +130,24 @@ impl<'s> Reader<'s> {
                       one column";
         }
         self.diagnostics.at(at, message, remedy);
+    }
+
+    /// Where a line of dashes ends what comes before it.
+    fn second_document(&self) -> Option<usize> {
+        let is_content = |line: &str| {
+            let line = line.trim();
+            !line.is_empty() && !line.starts_with(['#', '%']) && !line.starts_with("---")
+        };
+        let mut begun = false;
+        let mut offset = 0;
+        for line in self.text.split_inclusive('\n') {
+            if begun && line.starts_with("---") {
+                return Some(offset);
+            }
+            begun |= is_content(line);
+            offset += line.len();
+        }
+        None
     }
 
     /// A mapping with these keys and no others.
