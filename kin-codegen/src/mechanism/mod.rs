@@ -18,7 +18,9 @@
 //! **Inverse kinematics.** Once the platform is placed, its chains know nothing
 //! of each other. What can be asked of the platform depends on its freedoms:
 //! all six make whole poses; a platform that only translates is asked for
-//! positions, with the orientation that it always has; and where one chain is
+//! positions, with the orientation that it always has (told next to home: the
+//! loops may close in modes in which it turns, which are left out, but for those
+//! of a single loop, whose assembly modes are known); and where one chain is
 //! fixed by a position (the two links of a five-bar), that chain goes first and
 //! tells the others the pose. A chain that a platform of fixed orientation
 //! hangs on by axes that meet is solved up to that point, and then about it.
