@@ -95,10 +95,7 @@ struct Tree<'s> {
 
 impl<'s> Tree<'s> {
     fn new(spec: &'s ArmSpec) -> Self {
-        let mut above = vec![None; spec.links.len()];
-        for (j, joint) in spec.joints.iter().enumerate() {
-            above[joint.child] = Some(j);
-        }
+        let above = spec.above();
         Tree { spec, above }
     }
 
@@ -110,16 +107,13 @@ impl<'s> Tree<'s> {
     /// anywhere carries all of the robot.
     fn standing(&self, root: usize, diagnostics: &mut Collector) -> usize {
         let joints = &self.spec.joints;
-        let mut children = vec![Vec::new(); self.spec.links.len()];
-        for (j, joint) in joints.iter().enumerate() {
-            children[joint.parent].push(j);
-        }
+        let below = self.spec.below();
         let moving_from = |link: usize| -> Vec<usize> {
-            let mut open = children[link].clone();
+            let mut open = below[link].clone();
             let mut moving = Vec::new();
             while let Some(j) = open.pop() {
                 match joints[j].kind {
-                    JointType::Fixed => open.extend(&children[joints[j].child]),
+                    JointType::Fixed => open.extend(&below[joints[j].child]),
                     _ => moving.push(j),
                 }
             }

@@ -119,16 +119,10 @@ pub(super) fn default_tip(
     base: usize,
     diagnostics: &mut Collector,
 ) -> Option<usize> {
-    let mut children = vec![Vec::new(); spec.links.len()];
-    let mut above = vec![None; spec.links.len()];
-    for (j, joint) in spec.joints.iter().enumerate() {
-        children[joint.parent].push(j);
-        above[joint.child] = Some(j);
-    }
     let below = Below {
         spec,
-        children,
-        above,
+        children: spec.below(),
+        above: spec.above(),
         followed: followed(spec),
     };
     let ends = below.without_followers(below.ends(base));

@@ -286,4 +286,22 @@ impl ArmSpec {
             }
         }
     }
+
+    /// By link the joint that it hangs on, if any.
+    pub(crate) fn above(&self) -> Vec<Option<usize>> {
+        let mut above = vec![None; self.links.len()];
+        for (j, joint) in self.joints.iter().enumerate() {
+            above[joint.child] = Some(j);
+        }
+        above
+    }
+
+    /// By link the joints that hang on it.
+    pub(crate) fn below(&self) -> Vec<Vec<usize>> {
+        let mut below = vec![Vec::new(); self.links.len()];
+        for (j, joint) in self.joints.iter().enumerate() {
+            below[joint.parent].push(j);
+        }
+        below
+    }
 }

@@ -118,16 +118,11 @@ pub(super) fn read(
 
 /// Where the tree puts its links with all joint values 0.
 fn homes(spec: &ArmSpec) -> Vec<Pose> {
-    let mut below: Vec<Vec<&Joint>> = vec![Vec::new(); spec.links.len()];
-    let mut roots = vec![true; spec.links.len()];
-    for joint in &spec.joints {
-        below[joint.parent].push(joint);
-        roots[joint.child] = false;
-    }
+    let (above, below) = (spec.above(), spec.below());
     let mut homes = vec![Pose::IDENTITY; spec.links.len()];
-    let mut reached: Vec<usize> = (0..roots.len()).filter(|&link| roots[link]).collect();
+    let mut reached: Vec<usize> = (0..above.len()).filter(|&it| above[it].is_none()).collect();
     while let Some(link) = reached.pop() {
-        for joint in &below[link] {
+        for joint in below[link].iter().map(|&j| &spec.joints[j]) {
             homes[joint.child] = homes[link] * joint.origin * joint.mount;
             reached.push(joint.child);
         }
