@@ -35,10 +35,9 @@ pub fn run(arguments: &Generate) -> Done {
     };
     if let (Language::C, Some(folder), false) =
         (&arguments.lang, &arguments.output, arguments.check)
+        && let Err(error) = fs::create_dir_all(folder)
     {
-        if let Err(error) = fs::create_dir_all(folder) {
-            return Done::unwritten(folder, &error);
-        }
+        return Done::unwritten(folder, &error);
     }
     let mut done = Done::printing("");
     for (file, code) in files {
