@@ -338,6 +338,14 @@ pub fn solutions_are_the_same<K: Kinematics<N>, const N: usize>(robot: &Subject<
                 assert_eq!(there.q, here.q);
             }
         }
+        // A joint without a seed is at 0 where the target leaves it free.
+        let mut partly = q;
+        partly[compared % N] = f64::NAN;
+        let (there, here) = (
+            loaded.ik_seeded(&target, &partly),
+            robot.arm.ik_seeded(&target, &partly),
+        );
+        assert_eq!(there.len(), here.len(), "seeded at {partly:?}");
         let (there, here) = (
             loaded.ik_nearest(&target, &q),
             robot.arm.ik_nearest(&target, &q),

@@ -227,8 +227,8 @@ impl Display for Singularities {
         if let Some(difference) = self.difference {
             writeln!(
                 f,
-                "  Their product is the determinant of the generic Jacobian to {difference:.1e}; \
-                 rank was seen to drop at each."
+                "  The determinant of the generic Jacobian is the product of their powers to \
+                 {difference:.1e}; rank was seen to drop at each."
             )?;
         }
         Ok(())

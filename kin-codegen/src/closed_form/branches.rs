@@ -293,7 +293,9 @@ impl<'a> Question<'a> {
     /// The values with an angle turned where it is free, and the seed that turns it.
     fn turned_by(&self, turn: f64, angle: usize, seed: &[f64]) -> (Vec<f64>, Rc<Values<'a>>) {
         let mut seed = seed.to_vec();
-        seed[self.inverse.free_angles[angle].turn.coordinate] += turn;
+        let from = &mut seed[self.inverse.free_angles[angle].turn.coordinate];
+        // As in `inputs`.
+        *from = turn + if from.is_finite() { *from } else { 0.0 };
         let bits = seed.iter().map(|x| x.to_bits()).collect();
         let nearly_free = self.scalar.tolerances().nearly_free;
         let computed = || Rc::new(self.evaluate_at(&seed, nearly_free));

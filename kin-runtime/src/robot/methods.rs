@@ -142,7 +142,8 @@ macro_rules! kinematics_methods {
                 /// free keeps its value in `seed`. What a controller asks for in
                 /// every cycle.
                 ///
-                /// None if there is none; [`Self::try_ik_nearest`] says why.
+                /// None if there is none with these values of free angles; [`Self::try_ik_nearest`]
+                /// says why.
                 fn ik_nearest(&self, target: &$($root)*::Pose, seed: &[$real; $n])
                     -> ::core::option::Option<$($root)*::Solution<$n>>
                 {

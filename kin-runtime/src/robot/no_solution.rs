@@ -31,7 +31,8 @@ pub enum NoSolution<const N: usize> {
     },
     /// The robot was loaded without inverse kinematics, by `ik = none`.
     WithoutInverse,
-    /// The target is reached outside the limits alone.
+    /// The target is reached outside the limits alone; a singular one with what it leaves free as the
+    /// seed has it, of which other values may be inside.
     OutsideLimits {
         /// The solution that is least outside.
         solution: Solution<N>,

@@ -28,7 +28,8 @@ pub enum JointLimit {
     },
     /// A rotation without stops.
     Continuous,
-    /// A translation between two stops, metres.
+    /// A translation between two stops, metres; or a coordinate that turns joints at ratios of which
+    /// a full turn is none of its own, as of a joint and one that mimics it by 1.5: radians.
     Prismatic {
         /// Lower stop.
         lower: Real,
