@@ -126,6 +126,14 @@ fn limits_of_a_loop_joint_are_read() {
     assert_eq!(closing.limits, Some([-0.5, 0.75]));
     assert_eq!(closing.rating.velocity, Some(2.0));
 
+    let continuous = limited.replace("type=\"revolute\"", "type=\"continuous\"");
+    let spec = MechanismSpec::parse(&urdf(continuous)).unwrap();
+    let mechanism = Mechanism::new(&spec, None, None).unwrap();
+    let mut variables = mechanism.legs.iter().flat_map(|leg| &leg.model.variables);
+    let closing = variables.find(|it| it.name == "c2").unwrap();
+    assert_eq!(closing.limits, None);
+    assert_eq!(closing.rating.velocity, Some(2.0));
+
     let idle = limited.split("<transmission").next().unwrap().to_owned() + "</robot>";
     let refused = compile(&urdf(idle), &Options::default()).unwrap_err();
     let said = "help: name 3 joints in a transmission: <transmission";

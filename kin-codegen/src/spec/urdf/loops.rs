@@ -15,7 +15,8 @@
 //! default. `link2` says where the same point lies in the other link: with all
 //! joint values 0 the two have to coincide. `type` is `revolute`, `prismatic`,
 //! `fixed`, or `spherical`, which is three revolutes about the frame's axes; the
-//! first two may have a `<limit>`. Joints that some `<transmission>` names are actuated, as elsewhere in ROS.
+//! first two may have a `<limit>`. Joints that some `<transmission>` names are
+//! actuated, as elsewhere in ROS.
 //!
 //! Which chains they make, and from where to where, is decided behind this
 //! room.
@@ -142,7 +143,9 @@ fn loop_joint(
     check_attributes(node, diagnostics);
     refuse_text(node, diagnostics);
     let name = required(node, "name", diagnostics);
-    let kind = required(node, "type", diagnostics).and_then(|word| kind(&word, diagnostics));
+    let word = required(node, "type", diagnostics);
+    let kind = word.as_ref().and_then(|word| kind(word, diagnostics));
+    let continuous = word.is_some_and(|word| word.text == "continuous");
     let parts = Parts::of(node, &PARTS, &vocabulary::IN_JOINT, diagnostics);
     let at = place(node, diagnostics);
     let child = |role: &str, diagnostics: &mut Collector| {
@@ -184,7 +187,7 @@ fn loop_joint(
         Some(xyz) => numbers::read::<3>(&xyz, diagnostics),
         None => Some([0.0; 3]),
     };
-    let motion = motion(&parts, kind, at, diagnostics);
+    let motion = motion(&parts, kind, continuous, at, diagnostics);
     let (name, kind, parent, other, frame, point, motion) =
         (name?, kind?, parent?, other?, frame?, point?, motion?);
     if parent == other {
@@ -249,13 +252,14 @@ struct Motion {
 fn motion(
     parts: &Parts,
     kind: Option<JointType>,
+    continuous: bool,
     at: Location,
     diagnostics: &mut Collector,
 ) -> Option<Motion> {
     let axis = parts.axis(kind, diagnostics);
-    let is_free = parts.find("limit").is_none();
-    let (limits, rating) = parts.limits(kind, is_free, diagnostics)?;
-    if !is_free && matches!(kind, Some(JointType::Spherical | JointType::Fixed)) {
+    let has_limit = parts.find("limit").is_some();
+    let (limits, rating) = parts.limits(kind, continuous || !has_limit, diagnostics)?;
+    if has_limit && matches!(kind, Some(JointType::Spherical | JointType::Fixed)) {
         let reason = "limits of a loop joint that is neither revolute nor prismatic are not read";
         diagnostics.at(at, reason, "remove <limit>");
     }
