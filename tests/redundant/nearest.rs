@@ -6,7 +6,9 @@ use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
     Criterion, Follow, JointLimit, Nearest, NoSolution, Parameter, Pose, RedundantKinematics,
+    SelfMotionOptions, self_motions,
 };
+use std::f64::consts::PI;
 
 fn anywhere(random: &mut Random) -> [f64; 7] {
     std::array::from_fn(|_| random.angle())
@@ -177,4 +179,47 @@ fn a_seed_that_reaches_a_singular_target_is_the_best() {
     let iiwa = |q: &[f64; 7]| crate::Iiwa14.ik_best(&crate::Iiwa14.fk(q), &Criterion::Nearest(*q));
     best(&iiwa, [-0.6, 0.0, 0.3, 0.0, 1.57, 0.31, -1.57]);
     best(&iiwa, [-0.9, 0.0, -1.3, 1.57, -1.57, -1.57, -0.3]);
+}
+
+/// Next to a straight second joint the first and the third turn by half a turn while the parameter
+/// hardly moves: what is nearest lies between values of it that are 1e-5 apart. A trace of the
+/// self-motion goes by the joints.
+#[test]
+fn the_nearest_is_found_where_joints_turn_within_little_of_the_parameter() {
+    fn of<K: RedundantKinematics<7>>(arm: &K, near: usize, off: f64) -> usize {
+        let mut random = Random::new(77);
+        let mut compared = 0;
+        for _ in 0..12 {
+            let mut q: [f64; 7] = anywhere_within(&K::LIMITS, &mut random);
+            q[near] = off;
+            let seed: [f64; 7] = anywhere_within(&K::LIMITS, &mut random);
+            let way = |q: &[f64; 7]| -> Option<f64> {
+                let ways = (0..7).map(|i| Some(K::LIMITS[i].nearest(q[i], seed[i])? - seed[i]));
+                ways.map(|way| way.map(|way| way * way)).sum()
+            };
+            let options = SelfMotionOptions {
+                step: 0.02,
+                ..SelfMotionOptions::default()
+            };
+            let motions = self_motions(arm, &[q], &options).unwrap();
+            let traced = motions.components[0].path.iter().filter_map(way);
+            let traced = traced.fold(f64::INFINITY, f64::min);
+            if traced.is_infinite() {
+                continue;
+            }
+            let best = arm.ik_best(&arm.fk(&q), &Criterion::Nearest(seed)).unwrap();
+            let own = way(&best).unwrap();
+            assert!(own <= traced + 1e-6, "{q:?} from {seed:?}: {own}, {traced}");
+            compared += 1;
+        }
+        compared
+    }
+    for off in [1e-2, -1e-3, 1e-5, -1e-7] {
+        let compared = of(&crate::Panda, 1, off) + of(&crate::Iiwa14, 5, off);
+        assert!(compared > 8, "{off}: {compared}");
+    }
+}
+
+fn anywhere_within(limits: &[JointLimit; 7], random: &mut Random) -> [f64; 7] {
+    limits.map(|limit| random.between(limit.lower().max(-PI), limit.upper().min(PI)))
 }

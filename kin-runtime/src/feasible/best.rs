@@ -11,6 +11,10 @@ use alloc::vec::Vec;
 /// radian or metre of the parameter, and at least so many.
 const DENSITY: f64 = 24.0;
 const FEWEST: usize = 24;
+/// Between configurations with a joint farther apart, radians or metres, another is looked at,
+/// and halving ends after so many.
+const FARTHEST: f64 = 0.2;
+const DEEPEST: usize = 48;
 /// Golden-section steps: the variable to the square root of rounding.
 const STEPS: usize = 40;
 /// Costs that differ by less, relative to the largest, are the same.
@@ -108,6 +112,18 @@ fn seeded<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     Some((criterion.cost(task.robot, &q, stops), q))
 }
 
+/// A configuration of a part.
+struct Sample<const N: usize> {
+    variable: f64,
+    found: Option<(f64, [f64; N])>,
+}
+
+impl<const N: usize> Sample<N> {
+    fn cost(&self) -> f64 {
+        self.found.map_or(f64::INFINITY, |(cost, _)| cost)
+    }
+}
+
 /// The minima of a part.
 fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
@@ -117,38 +133,69 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     criterion: &Criterion<N>,
 ) -> Vec<(f64, [f64; N])> {
     let at = |variable: f64| {
-        let q = task.q(&task.on(curve, curve.parameter(variable))?);
-        let q = criterion.wound(&q, stops).filter(|q| is_within(q, stops))?;
-        Some((criterion.cost(task.robot, &q, stops), q))
+        let found = task.on(curve, curve.parameter(variable)).and_then(|x| {
+            let q = criterion.wound(&task.q(&x), stops)?;
+            is_within(&q, stops).then(|| (criterion.cost(task.robot, &q, stops), q))
+        });
+        Sample { variable, found }
     };
-    let cost = |variable: f64| at(variable).map_or(f64::INFINITY, |(cost, _)| cost);
     let count = FEWEST.max((curve.length(&part) * DENSITY) as usize);
     let variable = |i: usize| part.from + (part.to - part.from) * i as f64 / count as f64;
-    let costs: Vec<f64> = (0..=count).map(|i| cost(variable(i))).collect();
-    let finite = costs.iter().filter(|cost| cost.is_finite());
+    let mut samples = alloc::vec![at(part.from)];
+    for i in 1..=count {
+        // Those that are still to come, the next last.
+        let mut ahead = alloc::vec![at(variable(i))];
+        while let (Some(here), Some(next)) = (samples.last(), ahead.last()) {
+            let middle = 0.5 * (here.variable + next.variable);
+            let is_between = middle != here.variable && middle != next.variable;
+            if is_between && ahead.len() < DEEPEST && are_apart(task, here, next) {
+                ahead.push(at(middle));
+            } else {
+                samples.extend(ahead.pop());
+            }
+        }
+    }
+    let costs = samples.iter().map(Sample::cost);
+    let finite = costs.filter(|cost| cost.is_finite());
     let same = SAME * finite.fold(0.0, |most: f64, cost| most.max(cost.abs()));
+    let last = samples.len() - 1;
     // Where all that is seen is the same, the first.
     let is_least = |&i: &usize| {
-        let before = i == 0 || costs[i] < costs[i - 1] - same;
-        before && (i == count || costs[i] <= costs[i + 1] + same) && costs[i].is_finite()
+        let cost = samples[i].cost();
+        let before = i == 0 || cost < samples[i - 1].cost() - same;
+        before && (i == last || cost <= samples[i + 1].cost() + same) && cost.is_finite()
     };
     let refined = |i: usize| {
-        let beside = [i.saturating_sub(1), (i + 1).min(count)];
-        let [low, high] = beside.map(variable);
+        let beside = [i.saturating_sub(1), (i + 1).min(last)];
+        let [low, high] = beside.map(|i| samples[i].variable);
         // Where the cost jumps, at a stop, what is between the last two may be on either side.
-        let mut best = at(variable(i));
+        let mut best = at(samples[i].variable);
         let mut gain = |variable: f64| {
-            let found = at(variable);
-            let cost = found.map_or(f64::INFINITY, |(cost, _)| cost);
-            if best.is_none_or(|(least, _)| cost < least) {
-                best = found.or(best);
+            let sample = at(variable);
+            let cost = sample.cost();
+            if cost < best.cost() {
+                best = sample;
             }
             -cost
         };
         let mut section = GoldenSection::new(low, high, &mut gain);
         (0..STEPS).for_each(|_| section.step(&mut gain));
-        best
+        best.found
     };
-    let least = (0..=count).filter(is_least);
+    let least = (0..=last).filter(is_least);
     least.filter_map(refined).collect()
+}
+
+/// Whether a joint goes so far from one to the other that a minimum may be between them. Full
+/// turns that the limits take are no way.
+fn are_apart<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+    from: &Sample<N>,
+    to: &Sample<N>,
+) -> bool {
+    let Some(((_, from), (_, to))) = from.found.zip(to.found) else {
+        return false;
+    };
+    let way = task.way(&task.point(&from, 0.0), &task.point(&to, 0.0));
+    task.q(&way).iter().any(|way| way.abs() > FARTHEST)
 }

@@ -269,9 +269,9 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// [`Criterion::Nearest`], which looks at those with the seed's parameter and angle as well: it
     /// answers with the seed where that reaches the target.
     ///
-    /// Minima are refined from 24 values of the parameter to a radian. Within some 1e-3 of a value
-    /// that is singular for the other joints these may turn by half a turn between two of them, and a
-    /// minimum there may be missed.
+    /// Minima are refined from 24 values of the parameter to a radian, and more where a joint moves
+    /// by over 0.2 rad from one to the next. Within some 1e-6 of a value that is singular for the
+    /// other joints a minimum may still be missed.
     #[cfg(feature = "alloc")]
     fn ik_best(&self, target: &Pose, criterion: &Criterion<N>) -> Option<[f64; N]> {
         best(self, target, &self.own_limits(), criterion)
