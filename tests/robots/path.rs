@@ -96,6 +96,47 @@ fn no_other_sequence_moves_less<K: Kinematics<N>, const N: usize>(robot: &Subjec
     }
 }
 
+/// Through a wrist that is straight at one target, forearm and flange turning on the way: with the
+/// values of a neighbour there they go on by steps. Likewise from there on without a seed.
+#[test]
+fn a_path_goes_on_through_a_straight_wrist() {
+    let arm = crate::zoo::Puma560;
+    let at = |k: usize| {
+        let s = k as f64 / 20.0;
+        [
+            0.3 + 0.2 * s,
+            -0.7 + 0.3 * s,
+            0.4,
+            0.2 + 1.9 * s,
+            s - 0.5,
+            1.0 - 1.7 * s,
+        ]
+    };
+    let targets: Vec<Pose> = (0..=20).map(|k| arm.fk(&at(k))).collect();
+    assert!(
+        arm.ik(&targets[10])
+            .iter()
+            .any(|solution| solution.singular)
+    );
+    let limits = std::array::from_fn(|i| {
+        let [from, to] = [at(0)[i], at(20)[i]];
+        JointLimit::revolute(from.min(to) - 0.2, from.max(to) + 0.2)
+    });
+    let mut nearest = Nearest::new(at(0), &limits);
+    nearest.step = [0.2; 6];
+    let path = ik_path(&arm, &targets, &nearest).unwrap();
+    for (k, solution) in path.solutions.iter().enumerate() {
+        assert!(
+            (0..6).all(|i| (solution.q[i] - at(k)[i]).abs() < 0.1),
+            "{solution:?}"
+        );
+        assert!(crate::measure::entrywise(&arm.fk(&solution.q), &targets[k]) < 1e-12);
+    }
+    nearest.seed = [f64::NAN; 6];
+    let path = ik_path(&arm, &targets[10..], &nearest).unwrap();
+    assert_eq!(path.solutions.len(), 11);
+}
+
 /// A UR5e towards its stretched elbow and beyond its reach: all branches end.
 #[test]
 fn a_path_out_of_reach_tells_where_and_why() {

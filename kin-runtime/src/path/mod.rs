@@ -10,6 +10,9 @@ use alloc::vec::Vec;
 use core::fmt;
 pub use sequence::Joints;
 
+/// Joint values that differ by less are the same, radians and metres.
+const SAME: f64 = 1e-9;
+
 /// Solutions for all targets of a path; see [`ik_path`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<const N: usize> {
@@ -57,7 +60,8 @@ impl<const N: usize> core::error::Error for NoPath<N> {}
 /// moving further than its step from one target to the next. From the seed to
 /// the first target it may: a path can have to begin a full turn away.
 ///
-/// Angles that singular targets leave free have the values of the seed; a joint
+/// Angles that singular targets leave free have the values of the seed, or those of a solution
+/// for the target before or behind; a joint
 /// whose seed is not finite begins anywhere, and one whose stops are a thousand
 /// radians apart does not look ahead for them. The time grows with the square of the
 /// number of solutions, and hardly with that of full turns.
@@ -71,6 +75,7 @@ pub fn ik_path<K: Kinematics<N>, const N: usize>(
 ) -> Result<Path<N>, NoPath<N>> {
     let limits = nearest.limits();
     let mut layers: Vec<Vec<Solution<N>>> = Vec::with_capacity(targets.len());
+    let mut singular = Vec::new();
     let mut ends = Vec::new();
     for (target, pose) in targets.iter().enumerate() {
         let all = robot.ik_seeded(pose, &nearest.seed);
@@ -84,6 +89,24 @@ pub fn ik_path<K: Kinematics<N>, const N: usize>(
             }));
         }
         layers.push(inside);
+        if all.iter().any(|solution| solution.singular) {
+            singular.push(target);
+        }
+    }
+    let before = singular.iter().map(|&at| (at, at.checked_sub(1)));
+    let behind = singular.iter().rev().map(|&at| (at, Some(at + 1)));
+    for (at, beside) in before.chain(behind) {
+        let beside = beside.and_then(|beside| layers.get(beside)).cloned();
+        for seed in beside.into_iter().flatten() {
+            let inside = robot
+                .ik_seeded(&targets[at], &seed.q)
+                .within_limits(&limits);
+            for solution in inside.iter().filter(|solution| solution.singular) {
+                if !layers[at].iter().any(|known| is_same(known, solution)) {
+                    layers[at].push(*solution);
+                }
+            }
+        }
     }
     let path = least_motion(&layers, nearest);
     let (solutions, motion) = path.map_err(|(target, seed)| NoPath {
@@ -138,6 +161,10 @@ pub fn least_motion<const N: usize>(
         let before = least(possible).and_then(|(taken, _)| taken.last().map(|last| last.q));
         (possible, before.unwrap_or(nearest.seed))
     })
+}
+
+fn is_same<const N: usize>(a: &Solution<N>, b: &Solution<N>) -> bool {
+    (0..N).all(|i| (a.q[i] - b.q[i]).abs() < SAME)
 }
 
 /// The branches of some solutions, each once.
