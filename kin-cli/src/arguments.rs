@@ -196,8 +196,9 @@ pub struct Workspace {
     /// Orientations tried at every point
     #[arg(long, value_name = "COUNT", default_value_t = 40, value_parser = at_least_one)]
     pub samples: usize,
-    /// Points along every side of a slice
-    #[arg(long, value_name = "COUNT", default_value_t = 65, value_parser = at_least_one)]
+    /// Points along every side of a slice; of an even number none is on an axis through the middle,
+    /// where values of spare joints hardly ever lead
+    #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = at_least_one)]
     pub cells: usize,
     /// Only solutions within the joints' limits count
     #[arg(long)]

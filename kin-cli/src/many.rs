@@ -32,6 +32,7 @@ pub fn forward(arguments: &Fk) -> Done {
     let all = All {
         identity: format!("fk {written:?} {identity}"),
         answers: "poses",
+        keeps_empty: false,
         help: "",
         robot: &arguments.file,
         input: &arguments.input,
@@ -80,6 +81,7 @@ pub fn inverse(arguments: &InverseOfMany) -> Done {
     let all = All {
         identity: format!("ik {at:?} {kept:?} {identity}"),
         answers: "solutions",
+        keeps_empty: kept.empty,
         help: &help,
         robot: &arguments.file,
         input: &arguments.input,
@@ -132,6 +134,8 @@ struct All<'a> {
     /// What the answers depend on beside a table.
     identity: String,
     answers: &'static str,
+    /// Whether a row without any has an empty one.
+    keeps_empty: bool,
     /// What to do where no row has any.
     help: &'a str,
     robot: &'a str,
@@ -173,6 +177,9 @@ impl All<'_> {
                     done.exit = Exit::Broken;
                 }
             }
+        }
+        if self.keeps_empty {
+            answers -= total.unsolved + total.faulty;
         }
         if done.exit == Exit::Success {
             forget_all(pairs.iter().map(|pair| &*pair.output));

@@ -117,7 +117,8 @@ impl Config {
         self
     }
 
-    /// The file to write; by default `$OUT_DIR/<stem of the robot file>.rs`. A
+    /// The file to write; by default `$OUT_DIR/<stem of the robot file>.rs`: two of one stem
+    /// need names of their own. A
     /// relative path is relative to `$OUT_DIR`; an absolute one does without.
     pub fn file(mut self, file: impl Into<PathBuf>) -> Self {
         self.file = Some(file.into());

@@ -235,8 +235,13 @@ fn report(sampling: &Sampling, map: &Map, files: &[PathBuf]) -> String {
         let area = |count: usize| count as f64 * sampling.step.powi(2);
         let reached = share.iter().filter(|share| **share > 0.0).count();
         let everywhere = share.iter().filter(|share| **share == 1.0).count();
+        let all = if reached == share.len() {
+            "all of its "
+        } else {
+            ""
+        };
         text += &format!(
-            "{}: {:.3} m² in reach, {:.3} m² with every orientation tried\n",
+            "{}: {all}{:.3} m² in reach, {:.3} m² with every orientation tried\n",
             slice.name,
             area(reached),
             area(everywhere)
