@@ -41,6 +41,22 @@ fn planar_3r_annuli() {
         }
     }
     assert!(!arm.is_reachable([0.5, 0.0, 0.1]), "out of its plane");
+    for arm in [
+        arm,
+        Workspace::of(&Puma560).unwrap(),
+        Workspace::of(&Ur5e).unwrap(),
+    ] {
+        for none in [
+            [f64::NAN, 0.1, 0.1],
+            [0.1, f64::INFINITY, 0.1],
+            [0.1, 0.1, f64::NAN],
+        ] {
+            assert!(
+                !arm.is_reachable(none) && !arm.is_dextrous(none),
+                "{none:?}"
+            );
+        }
+    }
 }
 
 /// The annuli are those in which inverse kinematics has answers.

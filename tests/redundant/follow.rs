@@ -128,3 +128,37 @@ fn joints_are_most_crowded_at_their_stops() {
         assert_eq!(how.crowding(&[0.0, 9.0]), 0.0);
     }
 }
+
+/// Whatever solution moves by the steps, though another is nearer by the norm.
+#[test]
+fn what_moves_by_steps_is_no_jump() {
+    let mut random = Random::new(78);
+    let (mut followed, mut farther) = (0, 0);
+    for _ in 0..60 {
+        let limits = crate::Panda::LIMITS;
+        let q: [f64; 7] =
+            std::array::from_fn(|i| random.between(limits[i].lower(), limits[i].upper()));
+        let target = crate::Panda.fk(&q.map(|q| q + random.between(-0.3, 0.3)));
+        let parameter = crate::Panda.parameter_of(&target, &q);
+        let mut ways = Vec::new();
+        for solution in &crate::Panda.ik_seeded_at(&target, parameter, &q) {
+            let moved = |i: usize| Some((limits[i].nearest(solution.q[i], q[i])? - q[i]).abs());
+            let moved: Option<Vec<f64>> = (0..7).map(moved).collect();
+            ways.extend(moved);
+        }
+        let norm = |way: &[f64]| way.iter().map(|x| x * x).sum::<f64>();
+        let least = ways
+            .iter()
+            .map(|way| norm(way))
+            .fold(f64::INFINITY, f64::min);
+        for way in &ways {
+            let mut how = Follow::new(&limits, 0.0);
+            how.step = std::array::from_fn(|i| way[i] + 1e-7);
+            let step = crate::Panda.ik_follow(&target, &q, &how).unwrap();
+            assert!(!step.jumps, "{q:?}: {way:?}, {step:?}");
+            followed += 1;
+            farther += usize::from(norm(way) > least + 1e-6);
+        }
+    }
+    assert!(followed > 60 && farther > 30, "{followed} {farther}");
+}

@@ -70,10 +70,13 @@ pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     follow: &Follow<N>,
 ) -> Option<PathStep<N>> {
     let nearest = Nearest::new(*from, &follow.limits);
+    // One by steps, if there is one.
+    let mut by_steps = nearest;
+    by_steps.step = follow.step;
     let at = |parameter: f64| {
-        let solution = robot
-            .ik_seeded_at(target, parameter, from)
-            .nearest_by(&nearest)?;
+        let all = robot.ik_seeded_at(target, parameter, from);
+        let solution = all.nearest_by(&by_steps);
+        let solution = solution.or_else(|| all.nearest_by(&nearest))?;
         let moves = |i: usize| (solution.q[i] - from[i]).abs() > follow.step[i];
         Some(PathStep {
             parameter: robot.parameter_of(target, &solution.q),

@@ -123,6 +123,9 @@ impl Workspace {
     /// Whether the tip reaches a point with every orientation. False for all
     /// points if the arm has fewer than six joints and is not planar.
     pub fn is_dextrous(&self, point: [f64; 3]) -> bool {
+        if point.iter().any(|x| !x.is_finite()) {
+            return false;
+        }
         match &self.kind {
             Kind::Planar(planar) => planar.is_dextrous(point),
             Kind::Shoulder(shoulder) => shoulder.is_dextrous(point),
