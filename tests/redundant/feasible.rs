@@ -387,6 +387,59 @@ fn intervals_next_to_a_straight_elbow_of_a_gen3_are_found() {
     }
 }
 
+fn read(path: &str, free: &[&str]) -> Robot {
+    let source = RobotSource::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let options = RobotOptions {
+        free: free.iter().map(|&name| name.to_owned()).collect(),
+        ..RobotOptions::default()
+    };
+    Robot::load(&source, &options).unwrap()
+}
+
+/// At right angles double roots are everywhere in one part of the turn: what is looked at there is not
+/// missing elsewhere.
+#[test]
+fn what_is_spent_on_one_part_of_the_turn_leaves_the_others_theirs() {
+    let robot = read("robots/redundant/xarm7.yaml", &["joint6"]);
+    let right = PI / 2.0;
+    let target = robot.fk(&[right, -right, -right, PI, 0.0, PI, 0.0]);
+    let along = robot.along(0, &[0.0]);
+    let intervals = along.feasible(&target);
+    let mut reached = 0;
+    for i in 0..1000 {
+        let value = -PI + TAU * (f64::from(i) + 0.5) / 1000.0;
+        let near = |value: f64| {
+            let mut ends = intervals
+                .iter()
+                .flat_map(|it| [it.from - 1e-3, it.to + 1e-3]);
+            ends.any(|end| (end - value).abs() < 3e-3)
+        };
+        let holds = |value: f64| intervals.iter().any(|it| it.contains(value));
+        if !along.ik_at(&target, value).is_empty() {
+            assert!(holds(value) || near(value), "{value}: {intervals:#?}");
+            reached += 1;
+        }
+    }
+    assert!(reached > 20, "{reached}");
+}
+
+/// A wrist that is straight whatever the slide: solutions are a circle of half a metre, and none
+/// goes on in one way. They are there where it is, and nowhere else.
+#[test]
+fn branches_that_are_singular_throughout_end_where_solutions_do() {
+    let robot = read("robots/redundant/gantry_arm.yaml", &["x", "joint6"]);
+    let target = robot.fk(&[0.0, 0.0, PI, 0.0, 0.0, -PI / 2.0, 0.0, 0.0]);
+    let along = robot.along(0, &[0.0, 0.0]);
+    let intervals = along.feasible(&target);
+    assert!(!intervals.is_empty());
+    for i in 0..250 {
+        let value = -1.0 + 2.5 * (f64::from(i) + 0.5) / 250.0;
+        let there = !along.ik_at(&target, value).is_empty();
+        let holds = intervals.iter().any(|it| it.contains(value));
+        assert_eq!(there, holds, "{value}: {intervals:#?}");
+    }
+}
+
 /// Where curves cross, nothing tells how they go on, however near to each other samples are.
 #[test]
 fn curves_that_cross_are_not_cut_to_pieces() {

@@ -12,6 +12,7 @@ macro_rules! for_every_robot {
                 iiwa_by_elbow IiwaByElbow "../robots/iiwa14.yaml" Pose,
                 panda Panda "../robots/panda.yaml" Pose,
                 panda_by_shoulder PandaByShoulder "../robots/panda.yaml" Pose,
+                panda_by_wrist PandaByWrist "../robots/panda.yaml" Pose,
                 sawyer Sawyer "../robots/sawyer.yaml" Pose,
                 sawyer_by_flange SawyerByFlange "../robots/sawyer.yaml" Pose,
                 sawyer_by_wrist SawyerByWrist "../robots/sawyer.yaml" Pose,
@@ -78,6 +79,7 @@ kinematics!(
     name = PandaByShoulder,
     free = "joint1"
 );
+kinematics!("../robots/panda.yaml", name = PandaByWrist, free = "joint6");
 kinematics!("../robots/sawyer.yaml");
 kinematics!(
     "../robots/sawyer.yaml",

@@ -88,9 +88,14 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The values of the parameter to begin with, ascending.
     pub fn values(&self) -> Vec<f64> {
+        self.spread(SAMPLES)
+    }
+
+    /// So many values of the parameter, and those at its ends, ascending.
+    pub fn spread(&self, count: usize) -> Vec<f64> {
         let [from, to] = self.range();
-        let at = |i: usize| from + (to - from) * (i as f64 + OFFSET) / SAMPLES as f64;
-        let mut values: Vec<f64> = (0..SAMPLES).map(at).collect();
+        let at = |i: usize| from + (to - from) * (i as f64 + OFFSET) / count as f64;
+        let mut values: Vec<f64> = (0..count).map(at).collect();
         if !self.turns(self.parameter) {
             values.insert(0, from);
             values.push(to);

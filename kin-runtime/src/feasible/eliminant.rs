@@ -29,8 +29,8 @@ const QUIET: f64 = 1e-11;
 const AMPLIFIED: f64 = 1e3;
 /// Parts of a rectangle that are looked at, at most.
 const PATCHES: usize = 400;
-/// And so many of all: of targets that are singular throughout, what rounding leaves has double
-/// roots everywhere.
+/// And so many of all, of which what is left is shared by the pieces that are left: of targets that
+/// are singular throughout, what rounding leaves has double roots everywhere.
 const MOST: usize = 20_000;
 /// Rectangles are not halved below these sides: shares of the parameter's range, and of t.
 const SHORTEST: [f64; 2] = [1e-4, 5e-4];
@@ -52,10 +52,12 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             ends: Vec::new(),
             touching: Vec::new(),
             looked_at: 0,
+            most: 0,
             shortest: [SHORTEST[0] * (to - from), SHORTEST[1]],
         };
         let end = |i: usize| from + (to - from) * i as f64 / PIECES as f64;
         for i in 0..PIECES {
+            search.most = search.looked_at + (MOST - search.looked_at) / (PIECES - i);
             search.piece(end(i), end(i + 1), HALVINGS)?;
         }
         let mut ends = search.ends;
@@ -86,6 +88,8 @@ struct Search<'a, K: ?Sized, const N: usize> {
     touching: Vec<f64>,
     /// How many rectangles were looked at.
     looked_at: usize,
+    /// And how many may be, the present piece included.
+    most: usize,
     shortest: [f64; 2],
 }
 
@@ -101,8 +105,10 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Search<'_, K, N> {
         let tail = size(&coefficients[POINTS - 3..]);
         let largest = size(&coefficients);
         if tail > RESOLVED * largest + noise && halvings > 0 {
-            let middle = 0.5 * (from + to);
+            let (middle, most) = (0.5 * (from + to), self.most);
+            self.most = self.looked_at.midpoint(most);
             self.piece(from, middle, halvings - 1)?;
+            self.most = most;
             return self.piece(middle, to, halvings - 1);
         }
         let noise = AMPLIFIED * noise + tail;
@@ -169,7 +175,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Search<'_, K, N> {
     fn explore(&mut self, whole: Patch) {
         let mut waiting = alloc::vec![whole];
         let mut looked_at = 0;
-        while let Some(patch) = waiting.pop().filter(|_| self.looked_at < MOST) {
+        while let Some(patch) = waiting.pop().filter(|_| self.looked_at < self.most) {
             looked_at += 1;
             self.looked_at += 1;
             match patch.folds() {

@@ -14,6 +14,8 @@ const BLURRED: f64 = 1e-6;
 /// Where between two places the solutions are asked for: not in the middle, where targets with
 /// a symmetry have roots that meet.
 pub(super) const AMID: f64 = 0.381_966;
+/// Halvings between samples, where nothing else tells where branches begin and end.
+const HALVINGS: usize = 40;
 /// Where in an interval the configuration is that stands for it: in the middle, or near it where
 /// that is singular and the branch is not told from another.
 pub(super) const MIDDLES: [f64; 3] = [0.5, 0.49, 0.53];
@@ -72,7 +74,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     }
 
     /// The ends of a travel.
-    pub fn stops(&self) -> Vec<Cut> {
+    fn stops(&self) -> Vec<Cut> {
         let ends = self.range().into_iter();
         let stop = |value| Cut {
             value,
@@ -81,6 +83,41 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         ends.filter(|_| !self.turns(self.parameter))
             .map(stop)
             .collect()
+    }
+
+    /// Where samples and halving between them find other branches, ascending; of a travel its ends
+    /// too.
+    pub fn changes(&self) -> Vec<Cut> {
+        let mut values = self.values();
+        if let (true, Some(&first)) = (self.turns(self.parameter), values.first()) {
+            values.push(first + TAU);
+        }
+        let there = |value: f64| branches(&self.solutions(value));
+        let change = |pair: &[f64]| {
+            let [mut low, mut high] = [pair[0], pair[1]];
+            let before = there(low);
+            if there(high) == before {
+                return None;
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                match there(middle) == before {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+            Some(Cut {
+                value: match self.turns(self.parameter) {
+                    true => crate::math::wrap(high),
+                    false => high,
+                },
+                touches: false,
+            })
+        };
+        let mut cuts = self.stops();
+        cuts.extend(values.windows(2).filter_map(change));
+        cuts.sort_by(|a, b| a.value.total_cmp(&b.value));
+        cuts
     }
 
     /// All places at which branches may begin or end, ascending; of a travel its ends too.

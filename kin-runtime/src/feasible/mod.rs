@@ -111,7 +111,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let curves: Vec<Curve> = curves.collect();
         match curves.is_empty() {
             // Nothing is followed where an angle is free, whatever the parameter.
-            true => Branches::OfLanes(self.intervals_between(&self.stops())),
+            true => Branches::OfLanes(self.intervals_between(&self.changes())),
             false => Branches::Followed(curves),
         }
     }

@@ -1,14 +1,17 @@
 //! Branches that exist between two samples alone, or are gone there alone.
 //!
 //! Of arms whose plan tells no ends: margins are continuous functions of the parameter, whose
-//! sign tells whether branches exist. Where one has an extremum of the other sign between
-//! samples of one, one more sample is taken.
+//! sign tells whether branches exist. They cost less than solutions and are looked at more densely:
+//! where one has changed its sign, or has an extremum of the other sign in between, one more sample
+//! is taken.
 
 use super::task::Task;
 use crate::RedundantKinematics;
 use crate::scalar::golden_section::GoldenSection;
 use alloc::vec::Vec;
 
+/// Margins of a turn, or of a slide's travel.
+const MARGINS: usize = 256;
 /// Golden-section steps.
 const STEPS: usize = 24;
 
@@ -26,11 +29,15 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The values of the parameter to sample, ascending; none of an arm without margins.
     pub fn margin_samples(&self) -> Option<Vec<f64>> {
         let at = |value: f64| Some((value, self.margins(value)?));
-        let samples = self.values().into_iter().map(at);
+        let samples = self.spread(MARGINS).into_iter().map(at);
         let samples: Vec<Margins> = samples.collect::<Option<_>>()?;
-        let found = self.suspects(&samples);
-        let mut values: Vec<f64> = samples.iter().map(|sample| sample.0).collect();
-        values.extend(found);
+        let mut values = self.values();
+        values.extend(self.suspects(&samples));
+        let changes = |pair: &&[Margins]| {
+            let [before, here] = [0, 1].map(|i| pair[i].1.map(|margin| margin < 0.0));
+            before != here
+        };
+        values.extend(samples.windows(2).filter(changes).map(|pair| pair[1].0));
         values.sort_by(f64::total_cmp);
         values.dedup();
         Some(values)

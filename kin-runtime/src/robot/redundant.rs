@@ -152,9 +152,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
             .nearest_by(&nearest)
     }
 
-    /// By branch, how far its plan is from having no root at this parameter: a continuous
-    /// function of the parameter, without unit, that is positive where the branch exists:
-    /// the least argument of a square root, in units of the arm's size.
+    /// By branch, a continuous function of the parameter, without unit, that changes its sign where
+    /// the branch begins or ends: the least argument of a square root, in units of the arm's size,
+    /// positive where the branch exists; of a plan with a quartic that times its discriminant, which
+    /// also changes its sign where two other roots meet.
     ///
     /// Of an arm that is read as an ideal one, that of the ideal arm.
     fn margins_at(&self, target: &Pose, parameter: f64) -> Option<[f64; 16]> {

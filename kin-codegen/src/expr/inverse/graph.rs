@@ -22,8 +22,8 @@ pub struct InverseGraph {
     /// to what it differs from the given one.
     pub singular: Expr,
     /// How far the roots are from having no solution: the least argument of a square root
-    /// by the unit of its equation, positive where the branch exists; none where no root can be out of
-    /// domain. Not among the outputs.
+    /// by the unit of its equation, positive where the branch exists, times the discriminants of
+    /// quartics; none where no root can be out of domain. Not among the outputs.
     pub margin: Option<Expr>,
     /// What the roots that may be out of domain are the roots of, by their choices and by the
     /// units of their equations; none where some are roots of quartics. Not among the outputs.

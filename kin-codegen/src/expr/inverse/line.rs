@@ -121,7 +121,7 @@ impl Writer<'_> {
         });
         let [a, b] = [of_point, of_line].map(|columns| self.square(columns));
         let coefficients = [0, 1, 2, 3, 4].map(|i| self.g.sub(a[i], b[i]));
-        let trig = self.quartic_roots(coefficients, None, None);
+        let trig = self.quartic_roots(coefficients, None, None, None);
         self.set(far, trig);
         let [c, s, m] = circle;
         let (c, s) = (self.g.scale(trig.cos, c), self.g.scale(trig.sin, s));

@@ -103,6 +103,8 @@ struct Writer<'a> {
     singular: Expr,
     /// See [`InverseGraph::margin`].
     margin: Option<Expr>,
+    /// The product of the discriminants of quartics.
+    meetings: Option<Expr>,
     /// See [`InverseGraph::arguments`].
     arguments: Option<Vec<(Choice, Expr)>>,
     /// See [`InverseGraph::told`].
@@ -177,6 +179,7 @@ impl<'a> Writer<'a> {
             invalid: zero,
             singular: zero,
             margin: None,
+            meetings: None,
             arguments: Some(Vec::new()),
             told: 1.0,
             watched: Vec::new(),
@@ -389,13 +392,17 @@ impl<'a> Writer<'a> {
             let zero = self.g.zero();
             self.invalid = self.g.select_less(zero, self.singular, zero, self.invalid);
         }
+        let margin = match (self.margin, self.meetings) {
+            (Some(margin), Some(meetings)) => Some(self.g.mul(margin, meetings)),
+            (margin, meetings) => margin.or(meetings),
+        };
         let mut inverse = InverseGraph {
             parts: self.parts,
             q,
             residual: self.g.named(residual, "residual"),
             invalid: self.g.named(self.invalid, "invalid"),
             singular: self.g.named(self.singular, "singular"),
-            margin: self.margin,
+            margin,
             arguments: self.arguments,
             told: self.told,
             free_angles,

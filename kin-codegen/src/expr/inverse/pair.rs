@@ -41,7 +41,7 @@ impl Writer<'_> {
     pub(super) fn sp6(&mut self, relation: &Relation, first: Atom, second: Atom) {
         let Some(with) = &relation.with else { return };
         let planes = [relation, with].map(|relation| self.plane(relation, first, second));
-        let circle = self.circle(planes);
+        let (circle, apart) = self.circle(planes);
         let [one, other] = [0, 2].map(|i| {
             let columns = circle.each_ref().map(|column| [column[i], column[i + 1]]);
             self.square(columns)
@@ -51,7 +51,7 @@ impl Writer<'_> {
         let rounding = (self.target == Target::Position).then_some(ROUNDING);
         let [cos, sin, centre] = circle;
         let free = self.free_circle([first, second], [&cos, &sin], &coefficients);
-        let phi = self.quartic_roots(coefficients, rounding, free);
+        let phi = self.quartic_roots(coefficients, rounding, free, Some(apart));
         let z = [0, 1, 2, 3].map(|i| {
             let [c, s] = [self.g.mul(cos[i], phi.cos), self.g.mul(sin[i], phi.sin)];
             let turning = self.g.add(c, s);
@@ -103,8 +103,8 @@ impl Writer<'_> {
     }
 
     /// Where two planes meet the sphere |z|² = 2, as c cos φ + s sin φ + m: behind a reflection each
-    /// plane tells a coordinate.
-    fn circle(&mut self, [first, second]: [Plane; 2]) -> [Vec<Expr>; 3] {
+    /// plane tells a coordinate. And 0, or by how much the square of its radius is negative.
+    fn circle(&mut self, [first, second]: [Plane; 2]) -> ([Vec<Expr>; 3], Expr) {
         let (outer, x) = self.reflection(&first.row, first.level);
         let across = self.reflect(&outer, &second.row);
         let told = self.g.mul(across[0], x);
@@ -117,14 +117,17 @@ impl Writer<'_> {
         let radius = self.g.max(square, least);
         let radius = self.g.sqrt(radius);
         let zero = self.g.zero();
+        let minus = self.g.neg(square);
+        let apart = self.g.max(zero, minus);
         let inside = [[radius, zero], [zero, radius], [zero; 2]];
         let told = [[zero; 2], [zero; 2], [x, y]];
-        [0, 1, 2].map(|i| {
+        let circle = [0, 1, 2].map(|i| {
             let [[x, y], [cos, sin]] = [told[i], inside[i]];
             let mut all = vec![x];
             all.extend(self.reflect(&inner, &[y, cos, sin]));
             self.reflect(&outer, &all)
-        })
+        });
+        (circle, apart)
     }
 
     /// The reflection that takes a plane's normal to the first axis, and where it takes the plane.

@@ -39,12 +39,14 @@ impl Writer<'_> {
     /// The roots of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, in all four
     /// places at once: two signs choose among them. Of two roots that rounding of so much may have
     /// parted from zero the first stands. Where all coefficients vanish, the angle is `free`, and there
-    /// is one branch.
+    /// is one branch. `apart` is positive where what the
+    /// equation is of does not exist, and otherwise 0.
     pub(super) fn quartic_roots(
         &mut self,
         coefficients: [Expr; 5],
         rounding: Option<f64>,
         free: Option<Free>,
+        apart: Option<Expr>,
     ) -> Trig {
         let signs = [self.g.sign(), self.g.sign()];
         let [sin, cos, state] = [RootField::Sin, RootField::Cos, RootField::State].map(|field| {
@@ -90,11 +92,56 @@ impl Writer<'_> {
             // Roots that nearly exist are not seen.
             Some(_) => self.singular = one,
         }
-        let minus = self.g.constant(-1.0);
-        let margin = self.g.select_less(some, state, one, minus);
-        self.narrow(margin);
+        let discriminant = self.discriminant(coefficients);
+        let meeting = match apart {
+            Some(apart) => self.g.add(discriminant, apart),
+            None => discriminant,
+        };
+        let all = self.meetings.take();
+        let all = all.map(|others| self.g.mul(others, meeting));
+        self.meetings = Some(all.unwrap_or(meeting));
         self.arguments = None;
         trig
+    }
+
+    /// The discriminant of a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, which is positive where
+    /// four roots or none are real and negative where two are, by the invariants of the quartic in
+    /// exp iθ whose last two coefficients are the conjugates of the first; relative to the sum of
+    /// the squares of the coefficients.
+    fn discriminant(&mut self, [a, b, c, d, e]: [Expr; 5]) -> Expr {
+        let g = &mut self.g;
+        let [aa, bb, cc, dd, ee] = [a, b, c, d, e].map(|x| g.square(x));
+        let [second, first] = [(aa, bb), (cc, dd)].map(|(x, y)| g.add(x, y));
+        // I = 3 |a + b i|² − ¾ |c + d i|² + e².
+        let thrice = self.scaled(3.0, second);
+        let less = self.scaled(0.75, first);
+        let i = self.g.sub(thrice, less);
+        let i = self.g.add(i, ee);
+        // J = e (18 |a + b i|² + 9/4 |c + d i|² − 2 e²) − 27/4 (a (c² − d²) + 2 b c d).
+        let [x, y, z] = [(18.0, second), (2.25, first), (-2.0, ee)];
+        let [x, y, z] = [x, y, z].map(|(k, of)| self.scaled(k, of));
+        let g = &mut self.g;
+        let sum = g.add(x, y);
+        let sum = g.add(sum, z);
+        let even = g.mul(e, sum);
+        let cosine = g.sub(cc, dd);
+        let sine = g.mul(c, d);
+        let sine = g.add(sine, sine);
+        let [cosine, sine] = [(a, cosine), (b, sine)].map(|(x, y)| g.mul(x, y));
+        let across = g.add(cosine, sine);
+        let across = self.scaled(6.75, across);
+        let g = &mut self.g;
+        let j = g.sub(even, across);
+        let (ii, jj) = (g.square(i), g.square(j));
+        let cube = g.mul(ii, i);
+        let four = self.scaled(4.0, cube);
+        let g = &mut self.g;
+        let discriminant = g.sub(four, jj);
+        let size = g.add(second, first);
+        let size = g.add(size, ee);
+        let square = g.square(size);
+        let cube = g.mul(square, size);
+        g.div(discriminant, cube)
     }
 
     /// a cos 2θ + b sin 2θ + c cos θ + d sin θ + e, and its first two derivatives.
