@@ -217,7 +217,7 @@ impl AlongParameter<'_> {
     ///
     /// # Panics
     ///
-    /// N is not the number of joints; as [`AlongParameter::feasible`].
+    /// N is not the number of joints. With an N of more than eight it does not compile.
     pub fn ik_best<const N: usize>(
         &self,
         pose: &Pose,

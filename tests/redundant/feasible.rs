@@ -5,8 +5,8 @@ use crate::random::Random;
 use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
-    Criterion, FeasibleInterval, Parameter, Pose, RedundantKinematics, Robot, RobotOptions,
-    RobotSource, Solutions,
+    Criterion, FeasibleInterval, JointLimit, Parameter, Pose, RedundantKinematics, Robot,
+    RobotOptions, RobotSource, Solutions,
 };
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
@@ -134,6 +134,13 @@ fn limits_are_kept<K: RedundantKinematics<N>, const N: usize>(robot: &Subject<K,
             let held = holding::<K, N>(&intervals, value);
             assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
             held_at_all += held;
+        }
+        for interval in intervals.iter().filter(|it| it.to - it.from > CLOSE) {
+            let inside = |(q, limit): (&f64, JointLimit)| {
+                (limit.lower() - 1e-8..=limit.upper() + 1e-8).contains(q)
+            };
+            let all = interval.middle.iter().zip(K::LIMITS).all(inside);
+            assert!(all, "{interval:?}");
         }
     }
     assert!(held_at_all > 0);

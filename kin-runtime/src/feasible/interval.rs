@@ -19,7 +19,9 @@ pub struct FeasibleInterval<const N: usize> {
     /// Whether the branch goes on from the upper end at the lower: it has no end.
     pub is_closed: bool,
     /// The configuration of the branch in the middle of the interval, by which it is told
-    /// from others; beside the middle where it is singular there and not told from another.
+    /// from others; beside the middle where it is singular there and not told from another. Angles
+    /// are in (−π, π], or wound to lie within the limits that were asked for, where they can be: an
+    /// angle that is free may not.
     pub middle: [f64; N],
 }
 

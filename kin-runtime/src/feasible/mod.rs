@@ -64,9 +64,14 @@ pub(crate) fn feasible_within<K: RedundantKinematics<N> + ?Sized, const N: usize
     let task = Task::new(robot, target);
     let curves = task.curves();
     let parts = parts(&task, &curves, stops);
-    parts
-        .filter_map(|(curve, part)| task.interval(curve, &part))
-        .collect()
+    let wound = |(curve, part)| {
+        let mut interval: FeasibleInterval<N> = task.interval(curve, &part)?;
+        for (q, stop) in interval.middle.iter_mut().zip(stops) {
+            *q = stop.nearest(*q, *q).unwrap_or(*q);
+        }
+        Some(interval)
+    };
+    parts.filter_map(wound).collect()
 }
 
 /// The best configuration within limits.
