@@ -445,6 +445,18 @@ fn branches_that_are_singular_throughout_end_where_solutions_do() {
         let holds = intervals.iter().any(|it| it.contains(value));
         assert_eq!(there, holds, "{value}: {intervals:#?}");
     }
+    let within = along.feasible_within(&target, robot.limits());
+    assert!(
+        !within.is_empty() && within.iter().all(|it| it.to < 1e-6),
+        "{within:#?}"
+    );
+    let best = along
+        .ik_best::<8>(&target, &Criterion::Nearest([0.1; 8]))
+        .unwrap();
+    assert!(
+        robot.fk(&best).translation_distance(&target) < 1e-9,
+        "{best:?}"
+    );
 }
 
 /// Where curves cross, nothing tells how they go on, however near to each other samples are.
@@ -548,8 +560,8 @@ fn a_limit_that_is_hardly_passed_cuts_an_interval() {
             let peaks = peaks.filter(|&i| at(i) - at(i - 1) < 0.1 && at(i) - at(i + 1) < 0.1);
             for peak in peaks {
                 let upper = at(peak) - 1e-6;
-                let mut limits = [kinematics::JointLimit::Continuous; 7];
-                limits[joint] = kinematics::JointLimit::revolute(upper - 6.2, upper);
+                let mut limits = [JointLimit::Continuous; 7];
+                limits[joint] = JointLimit::revolute(upper - 6.2, upper);
                 let within = robot.arm.feasible_within(&target, &limits);
                 let solutions = robot.arm.ik_at(&target, value(peak)).within_limits(&limits);
                 let held = holding::<crate::Panda, 7>(&within, value(peak));
@@ -568,7 +580,7 @@ fn limits_that_leave_a_single_value_leave_points() {
     let target = crate::Panda.fk(&q);
     for joint in 0..7 {
         let mut limits = crate::Panda::LIMITS;
-        let value = kinematics::JointLimit::revolute(q[joint], q[joint]);
+        let value = JointLimit::revolute(q[joint], q[joint]);
         limits[joint] = value;
         let within = crate::Panda.feasible_within(&target, &limits);
         let is_own = |it: &FeasibleInterval<7>| (0..7).all(|i| (it.middle[i] - q[i]).abs() < 1e-6);

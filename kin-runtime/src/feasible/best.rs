@@ -12,9 +12,10 @@ use alloc::vec::Vec;
 const DENSITY: f64 = 24.0;
 const FEWEST: usize = 24;
 /// Between configurations with a joint farther apart, radians or metres, another is looked at,
-/// and halving ends after so many.
+/// halving ends after so many in a row, and after so many in all.
 const FARTHEST: f64 = 0.2;
 const DEEPEST: usize = 48;
+const MOST: usize = 1024;
 /// Golden-section steps: the variable to the square root of rounding.
 const STEPS: usize = 40;
 /// Costs that differ by less, relative to the largest, are the same.
@@ -142,13 +143,17 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     let count = FEWEST.max((curve.length(&part) * DENSITY) as usize);
     let variable = |i: usize| part.from + (part.to - part.from) * i as f64 / count as f64;
     let mut samples = alloc::vec![at(part.from)];
+    let mut between = 0;
     for i in 1..=count {
         // Those that are still to come, the next last.
         let mut ahead = alloc::vec![at(variable(i))];
         while let (Some(here), Some(next)) = (samples.last(), ahead.last()) {
             let middle = 0.5 * (here.variable + next.variable);
             let is_between = middle != here.variable && middle != next.variable;
-            if is_between && ahead.len() < DEEPEST && are_apart(task, here, next) {
+            let is_function = is_between && !curve.is_free;
+            let may_halve = is_function && ahead.len() < DEEPEST && between < MOST;
+            if may_halve && are_apart(task, here, next) {
+                between += 1;
                 ahead.push(at(middle));
             } else {
                 samples.extend(ahead.pop());

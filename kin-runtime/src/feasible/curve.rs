@@ -15,6 +15,8 @@ pub(super) struct Curve {
     pub from: f64,
     pub to: f64,
     pub is_closed: bool,
+    /// Whether joint values along it may be anything, because an angle is free throughout.
+    pub is_free: bool,
     by: By,
 }
 
@@ -44,6 +46,7 @@ impl Curve {
             from,
             to,
             is_closed: arc.is_closed,
+            is_free: false,
             by: By::Points(arc),
         })
     }
@@ -82,12 +85,13 @@ impl Curve {
 
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The curve of a branch of the plan.
-    pub fn curve(&self, branch: usize, interval: &FeasibleInterval<N>) -> Curve {
+    pub fn curve(&self, branch: usize, interval: &FeasibleInterval<N>, is_free: bool) -> Curve {
         let middle = 0.5 * (interval.from + interval.to);
         Curve {
             from: interval.from,
             to: interval.to,
             is_closed: interval.is_closed,
+            is_free,
             by: By::Plan {
                 branch,
                 point: self.point(&interval.middle, middle),

@@ -13,6 +13,9 @@ use core::f64::consts::PI;
 
 /// Pieces of a curve to begin with.
 const PIECES: usize = 4;
+/// Samples of a curve on which an angle is free throughout, and halvings between two of them.
+const SAMPLES: usize = 48;
+const HALVINGS: usize = 32;
 /// How far beyond a bound a joint crosses it, less than what still counts as resting on it: one
 /// that rests there crosses nothing.
 const BEYOND: f64 = 0.1 * JointLimit::TOLERANCE;
@@ -34,7 +37,10 @@ pub(super) fn within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     };
     let whole = curve.whole();
     let mut ends = alloc::vec![whole.from];
-    ends.extend(crossings(task, curve, stops));
+    match curve.is_free {
+        true => ends.extend(changes(&inside, &whole)),
+        false => ends.extend(crossings(task, curve, stops)),
+    }
     ends.push(whole.to);
     ends.sort_by(f64::total_cmp);
     let mut parts: Vec<Part> = Vec::new();
@@ -58,6 +64,26 @@ pub(super) fn within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         join_round(&mut parts, &whole);
     }
     parts
+}
+
+/// Where samples and halving between them find the other side of a limit: joint values that may be
+/// anything are no functions.
+fn changes(inside: &dyn Fn(f64) -> bool, whole: &Part) -> Vec<f64> {
+    let at = |i: usize| whole.from + (whole.to - whole.from) * i as f64 / SAMPLES as f64;
+    let samples: Vec<(f64, bool)> = (0..=SAMPLES).map(|i| (at(i), inside(at(i)))).collect();
+    let changed = samples.windows(2).filter(|pair| pair[0].1 != pair[1].1);
+    let change = |pair: &[(f64, bool)]| {
+        let [(mut low, before), (mut high, _)] = [pair[0], pair[1]];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            match inside(middle) == before {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        high
+    };
+    changed.map(change).collect()
 }
 
 /// Of a closed curve, the last part goes on as the first if both reach where it was cut.

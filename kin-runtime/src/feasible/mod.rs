@@ -47,7 +47,7 @@ pub(crate) fn feasible<K: RedundantKinematics<N> + ?Sized, const N: usize>(
 ) -> Vec<FeasibleInterval<N>> {
     let task = Task::new(robot, target);
     match task.branches() {
-        Branches::OfLanes(intervals) => intervals.into_iter().map(|(_, it)| it).collect(),
+        Branches::OfLanes { intervals, .. } => intervals.into_iter().map(|(_, it)| it).collect(),
         Branches::Followed(curves) => {
             let whole = |curve: &Curve| task.interval(curve, &curve.whole());
             curves.iter().filter_map(whole).collect()
@@ -107,7 +107,10 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             return Branches::Followed(Vec::new());
         }
         if let Some(intervals) = self.intervals_of_lanes() {
-            return Branches::OfLanes(intervals);
+            return Branches::OfLanes {
+                intervals,
+                is_free: false,
+            };
         }
         let arcs = self.turned_arcs().unwrap_or_else(|| arcs::arcs(self));
         let curves = arcs
@@ -116,16 +119,19 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let curves: Vec<Curve> = curves.collect();
         match curves.is_empty() {
             // Nothing is followed where an angle is free, whatever the parameter.
-            true => Branches::OfLanes(self.intervals_between(&self.changes())),
+            true => Branches::OfLanes {
+                intervals: self.intervals_between(&self.changes()),
+                is_free: true,
+            },
             false => Branches::Followed(curves),
         }
     }
 
     fn curves(&self) -> Vec<Curve> {
         match self.branches() {
-            Branches::OfLanes(intervals) => {
+            Branches::OfLanes { intervals, is_free } => {
                 let each = intervals.iter();
-                each.map(|(lane, interval)| self.curve(*lane, interval))
+                each.map(|(lane, interval)| self.curve(*lane, interval, is_free))
                     .collect()
             }
             Branches::Followed(curves) => curves,
@@ -136,7 +142,11 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 /// What is known of branches.
 enum Branches<const N: usize> {
     /// Their numbers and intervals.
-    OfLanes(Vec<(usize, FeasibleInterval<N>)>),
+    OfLanes {
+        intervals: Vec<(usize, FeasibleInterval<N>)>,
+        /// Whether an angle is free throughout.
+        is_free: bool,
+    },
     /// Their curves.
     Followed(Vec<Curve>),
 }
