@@ -192,6 +192,13 @@ fn a_table_of_joints_is_taken_as_it_stands() {
         "joint `shoulder_lift_joint` at -90 is more than a turn beyond its stops: values are radians \
          and metres, not degrees"
     );
+    let (from, to) = ("0.1,-1.2,1.1,0.4,0.8,0", "30,-70,90,20,40,0");
+    let done = plot("../robots/ur5e.urdf", from, to, &temporary("degrees.svg"));
+    assert_eq!(
+        done.stdout.lines().last().unwrap(),
+        "joint `shoulder_pan_joint` at 30 is more than a turn beyond its stops: values are radians \
+         and metres, not degrees"
+    );
     assert_eq!(
         fs::read_to_string(svg)
             .unwrap()

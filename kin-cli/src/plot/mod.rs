@@ -143,13 +143,13 @@ fn write(
     let picture = picture.map_err(|error| Done::unwritten(&arguments.output, &error))?;
     let done = Done::writing(&arguments.file, &arguments.output, picture);
     match done.exit {
-        Exit::Success => Ok(report(subject, path)),
+        Exit::Success => Ok(report(arguments, subject, path)),
         _ => Err(done),
     }
 }
 
 /// How the robot got along.
-fn report(subject: &Subject, path: &Path) -> String {
+fn report(arguments: &arguments::Plot, subject: &Subject, path: &Path) -> String {
     let points = path.taken.len();
     let taken = path.taken.iter().flatten();
     let within = taken.filter(|q| subject.is_within(q)).count();
@@ -166,11 +166,14 @@ fn report(subject: &Subject, path: &Path) -> String {
         let measure = measure.strip_suffix(" of the Jacobian").unwrap_or(measure);
         text += &format!("; {measure} {least:.4} at least");
     }
-    let joints = |q| {
+    let joints = |q: &Vec<f64>| {
         let joints = subject.joints.iter();
         beyond(joints.map(|it| (it.name.as_str(), it.limit)), q)
     };
-    if let Some(reason) = path.taken.iter().flatten().find_map(|q| joints(q)) {
+    // Ends as they were given: of solutions full turns are taken.
+    let ends = [&arguments.from, &arguments.to].into_iter();
+    let ends = ends.filter(|q| q.len() == subject.joints.len());
+    if let Some(reason) = ends.chain(path.taken.iter().flatten()).find_map(joints) {
         text += &format!("\n{reason}: {RADIANS}");
     }
     text + "\n"
