@@ -223,6 +223,45 @@ fn short_lived_branches_without_a_plan_are_found() {
     }
 }
 
+/// Of a plan with a quartic: where two of its roots are real for less than samples are apart.
+#[test]
+fn branches_of_a_quartic_between_two_samples_are_found() {
+    let cases = [
+        (
+            [
+                0.6757653780083204,
+                0.2941411211391922,
+                -2.0066016863084517,
+                -0.4209746982836484,
+                0.05395236203595921,
+                3.0223688123979704,
+                1.9860066598075607,
+            ],
+            3.0223688123979704,
+        ),
+        (
+            [
+                2.1406992613830327,
+                0.34737177630865146,
+                2.061450712767862,
+                -0.5086528888428483,
+                -0.4154432668332193,
+                1.1903628249763771,
+                -1.7305591952364454,
+            ],
+            0.77,
+        ),
+    ];
+    for (q, value) in cases {
+        let target = crate::PandaByWrist.fk(&q);
+        let intervals = crate::PandaByWrist.feasible(&target);
+        let solutions = crate::PandaByWrist.ik_at(&target, value).len();
+        let held = holding::<crate::PandaByWrist, 7>(&intervals, value);
+        assert_eq!(held, solutions, "at {value} of {q:?}: {intervals:#?}");
+        assert!(solutions > 0);
+    }
+}
+
 /// Branches that come or go twice within a tenth of a radian of an end of another.
 #[test]
 fn branches_that_come_or_go_twice_next_to_an_end_are_found() {
