@@ -21,7 +21,7 @@ use crate::spec::{ArmSpec, Diagnostic, Diagnostics, file_name};
 use kin_runtime::__private::reproducible::reproducibly;
 use std::sync::OnceLock;
 
-/// A serial arm, compiled but not yet written as Rust.
+/// A serial arm, compiled but not yet written as code.
 #[derive(Clone, Debug)]
 pub struct CompiledArm {
     /// The robot file's name, without its folders: what is generated does not

@@ -1,10 +1,10 @@
-//! What a robot file becomes before it is written as Rust.
+//! What a robot file becomes before it is written as code.
 
 use crate::arm::CompiledArm;
 use crate::mechanism::CompiledMechanism;
 use crate::spec::Diagnostic;
 
-/// A robot, compiled but not yet written as Rust.
+/// A robot, compiled but not yet written as code.
 #[derive(Clone, Debug)]
 pub enum Compiled {
     /// A serial arm.

@@ -74,10 +74,10 @@ impl GeneratedC {
     pub fn of(robot: Compiled, name: String, source: &Source, options: &Options) -> Self {
         let warnings = robot.warnings().to_vec();
         let hash = fnv1a(source.text.as_bytes());
-        let told = header::of(&robot, &name, hash, options, Some(" --lang c"));
+        let header = header::of(&robot, &name, hash, options, Some(" --lang c"));
         let Files { header, source } = match &robot {
-            Compiled::Arm(arm) => c::arm(arm, &name, &told),
-            Compiled::Mechanism(mechanism) => c::mechanism(mechanism, &name, &told),
+            Compiled::Arm(arm) => c::arm(arm, &name, &header),
+            Compiled::Mechanism(mechanism) => c::mechanism(mechanism, &name, &header),
         };
         Self {
             name,

@@ -71,9 +71,9 @@ impl GeneratedJs {
         let warnings = robot.warnings().to_vec();
         let hash = fnv1a(source.text.as_bytes());
         let name = stem(&source.path);
-        let told = header::of(&robot, name, hash, options, Some(" --lang js"));
+        let header = header::of(&robot, name, hash, options, Some(" --lang js"));
         Self {
-            source: js::robot(&robot, &told),
+            source: js::robot(&robot, &header),
             warnings,
             robot,
         }

@@ -14,6 +14,7 @@ use crate::scalar::Scalar;
 use crate::spec::{self, ArmSpec, Collector, Diagnostic, Diagnostics, JointType, Limits, Rating};
 use crate::vector::norm;
 use kin_runtime::{Chain, JointLimit, Pose, Twist};
+use std::f64::consts::{PI, TAU};
 
 pub(crate) use configurations::{anywhere, configurations, place, spread};
 
@@ -70,6 +71,13 @@ pub struct Joint {
     pub multiplier: f64,
     /// See `multiplier`.
     pub offset: f64,
+}
+
+impl Joint {
+    /// Whether it turns.
+    pub fn is_revolute(&self) -> bool {
+        self.kind == JointKind::Revolute
+    }
 }
 
 /// A link that does not move against another one.
@@ -191,14 +199,25 @@ impl Model {
     /// Whether a coordinate of q is an angle.
     pub fn turns(&self, variable: usize) -> bool {
         let mut joints = self.joints.iter();
-        joints.any(|joint| joint.variable == variable && joint.kind == JointKind::Revolute)
+        joints.any(|joint| joint.variable == variable && joint.is_revolute())
+    }
+
+    /// The difference of two values of a coordinate of q, modulo 2π where it is an angle.
+    pub fn joint_distance(&self, variable: usize, a: f64, b: f64) -> f64 {
+        let d = (a - b).abs();
+        if self.turns(variable) {
+            let d = d % TAU;
+            if d > PI { TAU - d } else { d }
+        } else {
+            d
+        }
     }
 
     /// Whether a full turn of a coordinate of q changes nothing: it moves no slide, and turns joints
     /// a whole number of times.
     pub fn repeats(&self, variable: usize) -> bool {
         let mut moved = self.joints.iter().filter(|it| it.variable == variable);
-        moved.all(|it| it.kind == JointKind::Revolute && it.multiplier.fract() == 0.0)
+        moved.all(|it| it.is_revolute() && it.multiplier.fract() == 0.0)
     }
 
     /// The stops of every coordinate of q. One that does not repeat is as a length.

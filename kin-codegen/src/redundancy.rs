@@ -6,7 +6,7 @@ mod named;
 mod weighed;
 
 use crate::geometry::{Linkage, Swivel, rank};
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Certified, Coupled, NoClosedForm, alike, solve};
 use choices::{all, choices};
@@ -75,7 +75,7 @@ pub fn is_redundant(model: &Model, target: Target, asked: &Asked) -> bool {
         true => model.variables.len(),
         false => model.joints.len(),
     };
-    let turns_twice = || alike(model).any(|i| model.joints[i].kind == JointKind::Revolute);
+    let turns_twice = || alike(model).any(|i| model.joints[i].is_revolute());
     asked.count() > 0
         || n > target.coordinates()
         || n > coordinates(model, target) && !turns_twice()

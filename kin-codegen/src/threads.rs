@@ -51,9 +51,9 @@ mod tests {
     fn work_is_done_in_order_and_as_this_thread_does_it() {
         let all: Vec<usize> = (0..1000).collect();
         let work = |i: &usize| (*i, wanted());
-        let told = |is: bool| all.iter().map(|i| (*i, is)).collect::<Vec<_>>();
-        assert_eq!(each(&all, work), told(false));
-        assert_eq!(reproducibly(|| each(&all, work)), told(true));
+        let expected = |is: bool| all.iter().map(|i| (*i, is)).collect::<Vec<_>>();
+        assert_eq!(each(&all, work), expected(false));
+        assert_eq!(reproducibly(|| each(&all, work)), expected(true));
         assert_eq!(each(&[], work), []);
     }
 

@@ -34,7 +34,7 @@ pub(super) struct Journal(File);
 
 /// What a journal says.
 #[derive(Default)]
-pub(super) struct Told {
+pub(super) struct Progress {
     pub(super) done: Vec<Done>,
     pub(super) is_whole: bool,
 }
@@ -50,7 +50,11 @@ impl Drop for Journal {
 
 impl Journal {
     /// Opens the journal of an output, and reads it if it is about the same identity.
-    pub(super) fn open(path: &Path, output: &Path, identity: &str) -> Result<(Self, Told), Fault> {
+    pub(super) fn open(
+        path: &Path,
+        output: &Path,
+        identity: &str,
+    ) -> Result<(Self, Progress), Fault> {
         let mut options = OpenOptions::new();
         options.read(true).write(true).create(true).truncate(false);
         let file = options
@@ -61,8 +65,8 @@ impl Journal {
             let reason = "is being written by another process";
             return Err(Fault::whole(output, reason, "wait until that has ended"));
         }
-        let told = told(&file, identity);
-        Ok((Self(file), told))
+        let progress = progress(&file, identity);
+        Ok((Self(file), progress))
     }
 
     /// Begins anew with these pieces.
@@ -90,19 +94,19 @@ impl Journal {
 }
 
 /// What stands in whole lines, up to the first that is none of a journal.
-fn told(file: &File, identity: &str) -> Told {
+fn progress(file: &File, identity: &str) -> Progress {
     let mut lines = BufReader::new(file).lines().map_while(Result::ok);
-    let mut told = Told::default();
+    let mut progress = Progress::default();
     if lines.next().as_deref() != Some(identity) {
-        return told;
+        return progress;
     }
     for line in lines.map_while(|line| read(&line)) {
         match line {
-            Line::Piece(done) => told.done.push(done),
-            Line::Whole => told.is_whole = true,
+            Line::Piece(done) => progress.done.push(done),
+            Line::Whole => progress.is_whole = true,
         }
     }
-    told
+    progress
 }
 
 /// A line with its checksum; none if it was cut off or damaged.

@@ -5,7 +5,7 @@
 //! whole, and at once. What was made from other input, by other options or by another `kin` is
 //! not gone on with.
 
-use super::journal::{Done, Journal, Told};
+use super::journal::{Done, Journal, Progress};
 use super::pipeline::Finished;
 use crate::table::{Encoder, Fault};
 use std::fs::{self, File, OpenOptions};
@@ -48,8 +48,8 @@ impl<'a> Partial<'a> {
         encoder: &'a dyn Encoder,
     ) -> Result<Self, Fault> {
         let unwritable = |error| Fault::unwritable(output, &error);
-        let (journal, told) = Journal::open(&beside(output, "journal"), output, identity)?;
-        let Told { done, is_whole } = told;
+        let (journal, progress) = Journal::open(&beside(output, "journal"), output, identity)?;
+        let Progress { done, is_whole } = progress;
         let mut options = OpenOptions::new();
         options.read(true).write(true).create(true).truncate(false);
         let data = options.open(beside(output, "partial"));

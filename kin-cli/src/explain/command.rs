@@ -7,10 +7,10 @@ use kin_codegen::Error;
 
 pub fn run(arguments: &Explain) -> Done {
     let options = arguments.options.options();
-    let told = read(&arguments.file)
+    let explanation = read(&arguments.file)
         .map_err(Error::from)
         .and_then(|source| explain(&source, &options));
-    match told {
+    match explanation {
         Err(error) => Done::failing(Exit::from(&error), error),
         Ok(explanation) if arguments.json => match json::pretty(&explanation) {
             Ok(json) => Done::printing(json),

@@ -151,16 +151,16 @@ pub fn explain(source: &Source, options: &Options) -> Result<Explanation, Error>
     let (robot, refusal) = match compile(source, options) {
         Ok(robot) => (robot, None),
         Err(Error::Refused(refusal)) => {
-            let told = refusal.diagnostic();
-            (refusal.robot, Some(told))
+            let diagnostic = refusal.diagnostic();
+            (refusal.robot, Some(diagnostic))
         }
         Err(error) => return Err(error),
     };
     Ok(match robot {
         Compiled::Arm(arm) => Explanation::Arm(Box::new(ArmExplanation::of(&arm, refusal))),
         Compiled::Mechanism(mechanism) => {
-            let told = MechanismExplanation::of(&mechanism, refusal);
-            Explanation::Mechanism(Box::new(told))
+            let explanation = MechanismExplanation::of(&mechanism, refusal);
+            Explanation::Mechanism(Box::new(explanation))
         }
     })
 }

@@ -205,11 +205,11 @@ impl Inverse {
         };
         let free: Vec<String> = self.free.iter().map(name).collect();
         write!(f, "  Given beside a target: {}", free.join(", "))?;
-        let told = |weighed: &Weighed| {
+        let text = |weighed: &Weighed| {
             let weight = weighed.weight?;
             Some(format!("{}: {weight}", weighed.free.join(" and ")))
         };
-        let weights: Vec<String> = self.weighed.iter().filter_map(told).collect();
+        let weights: Vec<String> = self.weighed.iter().filter_map(text).collect();
         match (self.weighed.len(), &weights[..]) {
             (0 | 1, _) => writeln!(f, "."),
             (_, []) => writeln!(

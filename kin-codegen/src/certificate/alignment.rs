@@ -5,10 +5,10 @@
 //! tilt of a few digits makes a plan lose what it would lose if it were degenerate.
 
 use crate::geometry::{Line, Vec3, axes, concurrency, cross, dot, norm, size, sub};
-use crate::model::{JointKind, Model, configurations};
+use crate::model::{Model, configurations};
 use crate::random::Random;
+use kin_runtime::Chain;
 use kin_runtime::subproblems::{subproblem1, subproblem2};
-use kin_runtime::{Chain, Pose};
 use std::f64::consts::PI;
 
 /// How far off their alignment configurations are tried too, radians or metres.
@@ -116,7 +116,7 @@ impl Arm<'_> {
     }
 
     fn turns(&self, joint: usize) -> bool {
-        self.model.joints[joint].kind == JointKind::Revolute
+        self.model.joints[joint].is_revolute()
     }
 
     /// Turns one or two joints between `i` and `j` so that their axes are
@@ -164,12 +164,12 @@ impl Arm<'_> {
         let joint = i + 1 + random.below((j - i - 1) as u64);
         let [before, behind] =
             [i + 1..joint, joint + 1..j].map(|joints| self.chain.displacement(joints, &q));
-        let axis = moved(&behind, &self.axes[j]);
+        let axis = self.axes[j].moved(&behind);
         let mut at = q.clone();
         let mut apart = |x: f64| {
             at[joint] = x;
             let moving = self.chain.displacement(joint..joint + 1, &at);
-            let line = moved(&(before * moving), &axis);
+            let line = axis.moved(&(before * moving));
             let normal = cross(self.axes[i].direction, line.direction);
             dot(sub(line.point, self.axes[i].point), normal)
         };
@@ -236,13 +236,5 @@ impl Arm<'_> {
             q[second] -= ((uu * ve - uv * ue) / determinant).clamp(-0.5, 0.5);
         }
         Some(q)
-    }
-}
-
-/// A line that a motion has moved.
-fn moved(motion: &Pose, line: &Line) -> Line {
-    Line {
-        direction: motion.rotate(line.direction),
-        point: motion.transform_point(line.point),
     }
 }

@@ -19,8 +19,6 @@ const STARTS: usize = 3;
 /// Where a step degenerates and the arm is singular, so many configurations of its other joints are
 /// tried: an angle that is free may leave later steps a root for some of them alone.
 const SINGULAR_ONES: usize = 12;
-/// Above this conditioning the arm is not singular where a step degenerates.
-const NEARLY_SINGULAR: f64 = 1e-5;
 
 impl Trials<'_> {
     /// Configurations in which what a plan divides by vanishes, and next to these; where the arm is
@@ -48,7 +46,7 @@ impl Trials<'_> {
             }
             let beside = alignment::neighbours(&exact);
             let trials = exact.into_iter().chain(beside).map(trial);
-            for trial in trials.filter(|trial| trial.conditioning > NEARLY_SINGULAR) {
+            for trial in trials.filter(|trial| trial.conditioning > SINGULAR) {
                 all.push((number, trial.rounded(&mut random)));
                 all.push((number, trial));
             }

@@ -1,7 +1,7 @@
 //! The certificate: no inverse kinematics is emitted that was not seen to
 //! work.
 //!
-//! The plan runs in the interpreter on random and on structured configurations
+//! The plan runs on a tape, on random and on structured configurations
 //! of the arm as given, and is held against the generic product of
 //! exponentials, which shares no code with it: every configuration that made
 //! the target must come back (*recovered*), every solution must reach the target

@@ -27,10 +27,10 @@ impl Trials<'_> {
     /// Configurations that are nearer to singular than some conditioning, though not
     /// singular: next to singular ones there are some at every distance. Of arms that are solved
     /// for six joints, by whole poses.
-    pub fn near_singular(&self, untold: f64) -> Vec<NearSingular> {
+    pub fn near_singular(&self, least_conditioning: f64) -> Vec<NearSingular> {
         let mut random = Random(0x94d0_49bb_1331_11eb);
         let mut nearby = |q: &[f64]| -> Vec<f64> {
-            let off = untold * random.between(0.0, 4.0);
+            let off = least_conditioning * random.between(0.0, 4.0);
             let shifted = q.iter().map(|x| x + off * random.between(-1.0, 1.0));
             shifted.collect()
         };
@@ -41,7 +41,7 @@ impl Trials<'_> {
             let near = starts.filter_map(|trial| {
                 let q = nearby(&trial.q);
                 let conditioning = geometry::conditioning(&held.chain, &q, size, self.target);
-                let is_near = (0.01 * SINGULAR..untold).contains(&conditioning);
+                let is_near = (0.01 * SINGULAR..least_conditioning).contains(&conditioning);
                 let motion = is_near.then(|| geometry::weak_motion(&held.chain, &q, size))??;
                 Some(NearSingular {
                     held: number,

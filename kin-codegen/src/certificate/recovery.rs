@@ -3,7 +3,6 @@
 use super::Failure;
 use crate::closed_form::BranchSolution;
 use crate::model::Model;
-use std::f64::consts::{PI, TAU};
 
 /// The configuration is among the solutions, to what its conditioning allows,
 /// and no solution comes twice.
@@ -36,17 +35,6 @@ pub(super) fn is_among(
     solutions: &[BranchSolution],
     tolerance: f64,
 ) -> bool {
-    let same = |a: &[f64]| (0..q.len()).all(|i| joint_distance(model, i, a[i], q[i]) < tolerance);
+    let same = |a: &[f64]| (0..q.len()).all(|i| model.joint_distance(i, a[i], q[i]) < tolerance);
     solutions.iter().any(|solution| same(&solution.q))
-}
-
-/// The difference of two values of a coordinate, modulo 2π where it turns.
-pub(super) fn joint_distance(model: &Model, variable: usize, a: f64, b: f64) -> f64 {
-    let d = (a - b).abs();
-    if model.turns(variable) {
-        let d = d % TAU;
-        if d > PI { TAU - d } else { d }
-    } else {
-        d
-    }
 }

@@ -1,7 +1,6 @@
 //! Configurations in which what a plan divides by vanishes, and the vectors that tell its angles:
 //! there a step may degenerate where the arm does not.
 
-use super::recovery::joint_distance;
 use crate::closed_form::ClosedForm;
 use crate::expr::Expr;
 use crate::model::Model;
@@ -83,7 +82,7 @@ impl<F: Fn(&[f64]) -> (Pose, Vec<f64>)> OnBranch<'_, F> {
         let apart = |other: &[f64]| -> f64 {
             let other = joints(other);
             let each = 0..own.len();
-            each.map(|i| joint_distance(self.model, i, own[i], other[i]))
+            each.map(|i| self.model.joint_distance(i, own[i], other[i]))
                 .sum()
         };
         let branches = self.form.branches_at(&target, &parameters);

@@ -46,7 +46,7 @@ impl ClosedForm {
         seed: &[f64; N],
     ) -> Vec<(bool, Solution<N>)> {
         match self.question(target, parameters, seed) {
-            Some(at) => at.all_told(&at.evaluate(self.tolerances().free_below)),
+            Some(at) => at.all_solutions(&at.evaluate(self.tolerances().free_below)),
             None => Vec::new(),
         }
     }
@@ -78,7 +78,7 @@ impl ClosedForm {
                     joints: at.inverse.q.len(),
                     of: Of::Several(&lanes, place),
                 };
-                let branches = at.all_told(&values);
+                let branches = at.all_solutions(&values);
                 answer(self.sorted(at.target, at.parameters, None, &branches));
             }
         }
@@ -237,7 +237,7 @@ fn evaluate_each<'a>(all: &[Question<'a>; TARGETS], free_below: f64) -> Vec<Lane
 
 impl<'a> Question<'a> {
     /// Whether a branch exists, and what it is.
-    fn told<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
+    fn solution<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
         let turned = self.turned(values, branch, self.seed, 0);
         let values = turned.as_deref().unwrap_or(values);
         let solution = Solution {
@@ -249,8 +249,10 @@ impl<'a> Question<'a> {
         (values.at(INVALID, branch) <= 0.0, solution)
     }
 
-    fn all_told<const N: usize>(&self, values: &Values) -> Vec<(bool, Solution<N>)> {
-        (0..self.branches).map(|it| self.told(values, it)).collect()
+    fn all_solutions<const N: usize>(&self, values: &Values) -> Vec<(bool, Solution<N>)> {
+        (0..self.branches)
+            .map(|it| self.solution(values, it))
+            .collect()
     }
 
     /// The values with angles turned, from the `first` one, that are free and leave a later root of

@@ -35,7 +35,7 @@ const NOT_CORRECTED: f64 = 0.1;
 const NONE: f64 = -1.0;
 
 /// Residuals are believed to tell a larger share of a miss than this.
-const LEAST_TOLD: f64 = 0.1;
+const LEAST_RESIDUAL_SHARE: f64 = 0.1;
 
 /// A tip that is off by less than this share of what branches may miss a target by is not off.
 const NOTICED: f64 = 1e-3;
@@ -203,7 +203,7 @@ impl ClosedForm {
         self.elimination().is_some() && (self.expressions().is_none() || !self.is_exact())
     }
 
-    /// What the generated function will return, computed by the interpreter; of an arm
+    /// What the generated function will return, computed on the tape; of an arm
     /// without locked joints.
     pub fn solutions(&self, target: &Pose) -> Vec<BranchSolution> {
         self.solutions_at(target, &[])
@@ -222,15 +222,15 @@ impl ClosedForm {
     ) -> Vec<Vec<BranchSolution>> {
         let mut all = Vec::new();
         match self.given.variables() {
-            1 => self.solved_each::<1>(targets, |found| all.push(told(&found))),
-            2 => self.solved_each::<2>(targets, |found| all.push(told(&found))),
-            3 => self.solved_each::<3>(targets, |found| all.push(told(&found))),
-            4 => self.solved_each::<4>(targets, |found| all.push(told(&found))),
-            5 => self.solved_each::<5>(targets, |found| all.push(told(&found))),
+            1 => self.solved_each::<1>(targets, |found| all.push(of_solutions(&found))),
+            2 => self.solved_each::<2>(targets, |found| all.push(of_solutions(&found))),
+            3 => self.solved_each::<3>(targets, |found| all.push(of_solutions(&found))),
+            4 => self.solved_each::<4>(targets, |found| all.push(of_solutions(&found))),
+            5 => self.solved_each::<5>(targets, |found| all.push(of_solutions(&found))),
             7 => all.extend(targets.into_iter().map(|(target, parameters)| {
-                told(&self.solved_at_swivel(target, parameters, &[0.0; 7]))
+                of_solutions(&self.solved_at_swivel(target, parameters, &[0.0; 7]))
             })),
-            _ => self.solved_each::<6>(targets, |found| all.push(told(&found))),
+            _ => self.solved_each::<6>(targets, |found| all.push(of_solutions(&found))),
         }
         all
     }
@@ -284,7 +284,7 @@ impl ClosedForm {
                     let seed = seed.unwrap_or(&[0.0; N]);
                     let (begun, count) = (begun.iter().copied(), self.plan.branches());
                     arm.at(between)
-                        .refined(&carried, begun, seed, count, self.untold())
+                        .refined(&carried, begun, seed, count, self.least_conditioning())
                 };
                 let corrected = || self.refined(target, parameters, existing(branches));
                 let degenerates = || begun.iter().any(|branch| branch.singular);
@@ -293,8 +293,8 @@ impl ClosedForm {
                 match self.completion() {
                     Completion::Never => completed(),
                     Completion::Unanswered => match corrected() {
-                        told if told.is_empty() && nearly_reach() => completed(),
-                        told => told,
+                        corrected if corrected.is_empty() && nearly_reach() => completed(),
+                        corrected => corrected,
                     },
                     Completion::Degenerate if degenerates() => completed(),
                     Completion::Degenerate => corrected(),
@@ -362,17 +362,17 @@ impl ClosedForm {
 
     /// The branches of the plan that exist, of an arm of so many joints as it has.
     pub fn branches_at(&self, target: &Pose, parameters: &[f64]) -> Vec<BranchSolution> {
-        fn told<const N: usize>(branches: &[Solution<N>]) -> Vec<BranchSolution> {
+        fn existing_ones<const N: usize>(branches: &[Solution<N>]) -> Vec<BranchSolution> {
             branches.iter().map(BranchSolution::of).collect()
         }
         match self.given.variables() {
-            1 => told(&self.branches::<1>(target, parameters, &[0.0; 1])),
-            2 => told(&self.branches::<2>(target, parameters, &[0.0; 2])),
-            3 => told(&self.branches::<3>(target, parameters, &[0.0; 3])),
-            4 => told(&self.branches::<4>(target, parameters, &[0.0; 4])),
-            5 => told(&self.branches::<5>(target, parameters, &[0.0; 5])),
-            7 => told(&self.branches::<7>(target, parameters, &[0.0; 7])),
-            _ => told(&self.branches::<6>(target, parameters, &[0.0; 6])),
+            1 => existing_ones(&self.branches::<1>(target, parameters, &[0.0; 1])),
+            2 => existing_ones(&self.branches::<2>(target, parameters, &[0.0; 2])),
+            3 => existing_ones(&self.branches::<3>(target, parameters, &[0.0; 3])),
+            4 => existing_ones(&self.branches::<4>(target, parameters, &[0.0; 4])),
+            5 => existing_ones(&self.branches::<5>(target, parameters, &[0.0; 5])),
+            7 => existing_ones(&self.branches::<7>(target, parameters, &[0.0; 7])),
+            _ => existing_ones(&self.branches::<6>(target, parameters, &[0.0; 6])),
         }
     }
 
@@ -433,7 +433,7 @@ impl ClosedForm {
         match self.refinement {
             _ if self.is_exact() => self.tolerances().near_singular,
             // Their roots that meet start in one place.
-            Refinement::Correction if self.plan.target == Target::Pose => self.untold(),
+            Refinement::Correction if self.plan.target == Target::Pose => self.least_conditioning(),
             Refinement::Correction => NOT_CORRECTED * self.relative_shift().sqrt(),
             Refinement::Univariate(_) => DROWNED,
         }
@@ -441,7 +441,7 @@ impl ClosedForm {
 
     /// Below this conditioning the branches of the idealized arm do not tell those
     /// of the arm as given; 0 if they are one.
-    pub fn untold(&self) -> f64 {
+    pub fn least_conditioning(&self) -> f64 {
         match self.is_exact() {
             true => 0.0,
             false => NEAR_SINGULAR * self.relative_shift().sqrt(),
@@ -453,11 +453,15 @@ impl ClosedForm {
         self.tip_shift / self.linkage.size
     }
 
-    /// The share of a miss that residuals tell; see [`InverseGraph::told`].
-    fn told(&self) -> f64 {
-        let told = self.expressions().map_or(1.0, |graph| graph.told);
-        let is_all = told > 1.0 - self.tolerances().accepted;
-        if is_all { 1.0 } else { told.max(LEAST_TOLD) }
+    /// The share of a miss that residuals tell; see [`InverseGraph::residual_share`].
+    fn residual_share(&self) -> f64 {
+        let share = self.expressions().map_or(1.0, |graph| graph.residual_share);
+        let is_all = share > 1.0 - self.tolerances().accepted;
+        if is_all {
+            1.0
+        } else {
+            share.max(LEAST_RESIDUAL_SHARE)
+        }
     }
 
     /// What makes a branch a solution.
@@ -481,19 +485,19 @@ impl ClosedForm {
         let is_corrected = self.refinement == Refinement::Correction && !self.is_exact();
         let (taken, nearly) = match is_corrected {
             true => (NONE, size),
-            false => (self.told() * tolerance, nearly * size),
+            false => (self.residual_share() * tolerance, nearly * size),
         };
         Acceptance {
             size,
             tolerance,
             taken,
             nearly,
-            near_singular: self.untold(),
+            near_singular: self.least_conditioning(),
             prismatic: sliding.fold(0, |mask, i| mask | 1 << i),
         }
     }
 }
 
-fn told<const N: usize>(found: &Solutions<N>) -> Vec<BranchSolution> {
+fn of_solutions<const N: usize>(found: &Solutions<N>) -> Vec<BranchSolution> {
     found.iter().map(BranchSolution::of).collect()
 }

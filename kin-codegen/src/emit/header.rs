@@ -32,7 +32,7 @@ pub struct Header {
 
 impl Provenance<'_> {
     /// The header, with what is to be said of the robot.
-    fn header(&self, told: Vec<String>) -> Header {
+    fn header(&self, description: Vec<String>) -> Header {
         let version = env!("CARGO_PKG_VERSION");
         let mut paragraphs = vec![
             format!(
@@ -42,7 +42,7 @@ impl Provenance<'_> {
             format!("Robot file: FNV-1a 64 {:016x}.", self.hash),
             format!("Options: {}.", self.all()),
         ];
-        paragraphs.extend(told);
+        paragraphs.extend(description);
         let command = self.command();
         let made_by = format!("Made again, beside the robot file, by: {command}");
         Header {
@@ -126,7 +126,7 @@ pub fn of(
     asked: &Options,
     language: Option<&'static str>,
 ) -> Header {
-    let (path, told, ends, target) = match robot {
+    let (path, description, ends, target) = match robot {
         Compiled::Arm(arm) => {
             let target = arm.form().map(|_| arm.target());
             let ends = [&arm.model.base, &arm.model.tip];
@@ -159,7 +159,7 @@ pub fn of(
         options,
         language,
     };
-    provenance.header(told)
+    provenance.header(description)
 }
 
 /// An arm's ends, and what its kinematics costs.

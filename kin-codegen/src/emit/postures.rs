@@ -502,17 +502,13 @@ fn meeting(at: &At, joints: &[usize], size: f64) -> Option<Vec3> {
 
 impl At {
     fn new(chain: &Chain, q: &[f64]) -> Self {
-        let line = |twist: &kin_runtime::Twist| {
-            let direction = twist.angular;
-            let turns = dot(direction, direction) > 0.5;
-            turns.then(|| Line {
-                direction,
-                point: cross(direction, twist.linear),
-            })
-        };
         let Pose { translation, .. } = chain.fk(q);
         Self {
-            lines: chain.spatial_jacobian(q).iter().map(line).collect(),
+            lines: chain
+                .spatial_jacobian(q)
+                .iter()
+                .map(Line::of_twist)
+                .collect(),
             tip: translation,
         }
     }

@@ -1,7 +1,7 @@
 //! Expressions: a hash-consed DAG of scalar operations.
 //!
 //! Forward kinematics, Jacobians and every inverse plan are built here before
-//! anything is written as Rust. Constructors simplify as they go (constants
+//! any code is written. Constructors simplify as they go (constants
 //! fold, exact 0 and ±1 vanish, signs move outwards), and equal expressions
 //! are one node, so what is counted is what is emitted.
 //!

@@ -8,7 +8,7 @@
 //! after the other. Dependent joints, from which none follows, have to agree with those: the wrist
 //! of a palletizer, which keeps its tool level.
 
-use super::{AxisRelation, Line, Linkage, cross, dot, norm, relate, size};
+use super::{Line, Linkage, PairRelation, cross, dot, norm, relate, size};
 use crate::model::{Joint, JointKind, Model, Variable};
 use crate::spec::Rating;
 use kin_runtime::__private::math::wrap;
@@ -269,14 +269,10 @@ impl Merged {
         let [.., a, b] = &self.joints[..] else {
             return false;
         };
-        let line = |joint: &Joint| Line {
-            direction: joint.axis,
-            point: joint.point,
-        };
         let is_one = a.kind == b.kind
             && match a.kind {
                 JointKind::Revolute => {
-                    relate(&line(a), &line(b), SAME, self.same) == AxisRelation::Coincident
+                    relate(&Line::of(a), &Line::of(b), SAME, self.same) == PairRelation::Coincident
                 }
                 JointKind::Prismatic => are_parallel(a, b),
             };
@@ -297,7 +293,7 @@ impl Merged {
         let ([.., a, b, c], [.., first, second, third]) = (&self.joints[..], &self.rows[..]) else {
             return false;
         };
-        let turn = |joint: &&Joint| joint.kind == JointKind::Revolute && are_parallel(a, joint);
+        let turn = |joint: &&Joint| joint.is_revolute() && are_parallel(a, joint);
         let by = |joint: &Joint, row: &Combination| row.times(dot(a.axis, joint.axis).signum());
         let is_one = [a, b, c].iter().all(turn)
             && [first, second, third].iter().all(|row| row.offset == 0.0)

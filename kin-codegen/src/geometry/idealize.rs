@@ -151,11 +151,9 @@ fn idealize_points(
             direction,
             point: line.point,
         };
-        if model.joints[i].kind == JointKind::Revolute {
+        if model.joints[i].is_revolute() {
             let near = |c: &&Vec3| norm(line.offset_of(**c)) < tolerance;
-            let previous = (0..i)
-                .rev()
-                .find(|&j| model.joints[j].kind == JointKind::Revolute);
+            let previous = (0..i).rev().find(|&j| model.joints[j].is_revolute());
             if let Some(&centre) = centres.iter().rev().find(near) {
                 line.point = along(line.point, 1.0, line.offset_of(centre));
             } else if let Some(previous) = previous.map(|j| lines[j]) {

@@ -134,7 +134,7 @@ impl Linkage {
             let mut before = orientation;
             let mut sign = 1.0;
             let mut continues = !runs.is_empty();
-            if joint.kind == JointKind::Revolute {
+            if joint.is_revolute() {
                 let z = column(&orientation, 2);
                 if norm(cross(z, joint.axis)) < PARALLEL {
                     sign = dot(z, joint.axis).signum();
@@ -146,7 +146,7 @@ impl Linkage {
                 }
             }
             before.translation = origins[i];
-            let turn = if joint.kind == JointKind::Revolute {
+            let turn = if joint.is_revolute() {
                 align(&before, wanted_x(model, &origins, i))
             } else {
                 0.0
@@ -449,12 +449,9 @@ fn link(joint: &Joint, sign: f64, turn: f64, before: Pose, after: Pose) -> Link 
 /// its own and takes that of the joint before.
 fn origins(model: &Model) -> Vec<Vec3> {
     let turning: Vec<usize> = (0..model.joints.len())
-        .filter(|&i| model.joints[i].kind == JointKind::Revolute)
+        .filter(|&i| model.joints[i].is_revolute())
         .collect();
-    let line = |i: usize| Line {
-        direction: model.joints[i].axis,
-        point: model.joints[i].point,
-    };
+    let line = |i: usize| Line::of(&model.joints[i]);
     let skew = |i: usize, j: usize| norm(cross(line(i).direction, line(j).direction)) > FAR_NORMAL;
     let mut feet: Vec<Option<Vec3>> = vec![None; model.joints.len()];
     for pair in turning.windows(2).rev() {

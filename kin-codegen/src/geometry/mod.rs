@@ -22,12 +22,13 @@ pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use idealize::{NOISIEST, idealizations};
 pub(crate) use linkage::without_noise;
 pub use linkage::{Link, Linkage, Run};
-pub use relation::{AxisRelation, concurrency, relate};
+pub use relation::{PairRelation, concurrency, relate};
 pub use singular::{Condition, conditions};
-pub use structure::{Axes, Neighbours, PairRelation, Row, RowRelation, numbers, structure};
+pub use structure::{Axes, Neighbours, Row, RowRelation, numbers, structure};
 pub use swivel::Swivel;
 
-use crate::model::{JointKind, Model};
+use crate::model::{Joint, Model};
+use kin_runtime::{Pose, Twist};
 
 /// A directed line: a unit direction through a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +58,31 @@ pub enum Axis<V> {
 }
 
 impl Line {
+    /// A joint's axis at home, base coordinates.
+    pub fn of(joint: &Joint) -> Self {
+        Self {
+            direction: joint.axis,
+            point: joint.point,
+        }
+    }
+
+    /// The axis of a unit twist; none of one that slides.
+    pub fn of_twist(twist: &Twist) -> Option<Self> {
+        let direction = twist.angular;
+        (norm(direction) > 0.5).then(|| Self {
+            direction,
+            point: cross(direction, twist.linear),
+        })
+    }
+
+    /// Where a motion takes the line.
+    pub fn moved(&self, motion: &Pose) -> Self {
+        Self {
+            direction: motion.rotate(self.direction),
+            point: motion.transform_point(self.point),
+        }
+    }
+
     /// The vector from the line's nearest point to `p`.
     pub fn offset_of(&self, p: Vec3) -> Vec3 {
         let d = sub(p, self.point);
@@ -97,14 +123,7 @@ impl Line {
 
 /// The joint axes of a model as lines, at home, in base coordinates.
 pub fn axes(model: &Model) -> Vec<Line> {
-    model
-        .joints
-        .iter()
-        .map(|joint| Line {
-            direction: joint.axis,
-            point: joint.point,
-        })
-        .collect()
+    model.joints.iter().map(Line::of).collect()
 }
 
 /// The arm's size, metres: how far the tip can be from the first axis if
@@ -116,16 +135,9 @@ pub fn axes(model: &Model) -> Vec<Line> {
 pub fn size(model: &Model) -> f64 {
     let mut length = 0.0;
     let mut here = model.joints[0].point;
-    let revolute = model
-        .joints
-        .iter()
-        .filter(|joint| joint.kind == JointKind::Revolute);
+    let revolute = model.joints.iter().filter(|joint| joint.is_revolute());
     for joint in revolute.skip(1) {
-        let next = Line {
-            direction: joint.axis,
-            point: joint.point,
-        }
-        .nearest(here);
+        let next = Line::of(joint).nearest(here);
         length += norm(sub(next, here));
         here = next;
     }

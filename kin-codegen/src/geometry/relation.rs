@@ -2,36 +2,36 @@
 
 use super::{Line, Vec3, cross, norm, sub};
 
-/// Two axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AxisRelation {
-    /// The same line.
+/// What two axes are to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum PairRelation {
+    /// One line.
     Coincident,
-    /// Parallel at a distance, in metres.
-    Parallel(f64),
-    /// They meet in a point, at an angle between 0 and π/2.
-    Intersecting(f64),
-    /// Neither: distance in metres, angle between 0 and π/2.
-    Skew(f64, f64),
+    /// The same or opposite direction.
+    Parallel,
+    /// They meet.
+    Intersecting,
+    /// Neither meet nor are parallel.
+    Skew,
+    /// A direction of sliding at an angle to the other axis.
+    Inclined,
 }
 
-/// Relates two axes. `angle` is the tolerance on directions in radians,
+/// Relates two lines. `angle` is the tolerance on directions in radians,
 /// `length` that on distances in metres.
-pub fn relate(a: &Line, b: &Line, angle: f64, length: f64) -> AxisRelation {
-    let between = super::angle(a.direction, b.direction);
-    if between < angle {
-        let distance = norm(a.offset_of(b.point));
-        return if distance < length {
-            AxisRelation::Coincident
-        } else {
-            AxisRelation::Parallel(distance)
-        };
-    }
-    let distance = a.distance(b);
-    if distance < length {
-        AxisRelation::Intersecting(between)
-    } else {
-        AxisRelation::Skew(distance, between)
+pub fn relate(a: &Line, b: &Line, angle: f64, length: f64) -> PairRelation {
+    let is_parallel = super::angle(a.direction, b.direction) < angle;
+    let distance = match is_parallel {
+        true => norm(a.offset_of(b.point)),
+        false => a.distance(b),
+    };
+    match (is_parallel, distance < length) {
+        (true, true) => PairRelation::Coincident,
+        (true, false) => PairRelation::Parallel,
+        (false, true) => PairRelation::Intersecting,
+        (false, false) => PairRelation::Skew,
     }
 }
 

@@ -92,15 +92,11 @@ fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
 }
 
 fn axis_of(twist: &Twist) -> Axis<Vec3> {
-    if norm(twist.angular) > 0.5 {
-        Axis::Revolute {
-            direction: twist.angular,
-            point: cross(twist.angular, twist.linear),
-        }
-    } else {
-        Axis::Prismatic {
+    match Line::of_twist(twist) {
+        Some(Line { direction, point }) => Axis::Revolute { direction, point },
+        None => Axis::Prismatic {
             direction: twist.linear,
-        }
+        },
     }
 }
 

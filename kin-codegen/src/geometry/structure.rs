@@ -1,8 +1,8 @@
 //! The structure of an arm: how the axes of the file lie to each other, in the
 //! field's words.
 
-use super::{AxisRelation, Line, Vec3, angle, axes, concurrency, norm, relate, size};
-use crate::model::{JointKind, Model};
+use super::{Line, PairRelation, Vec3, angle, axes, concurrency, norm, relate, size};
+use crate::model::Model;
 use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
@@ -28,31 +28,13 @@ pub struct Axes {
 pub struct Neighbours {
     /// Their numbers.
     pub joints: [usize; 2],
-    /// What they are to each other.
+    /// What they are to each other, to within a thousandth of a radian and of the arm's size.
     pub relation: PairRelation,
     /// Between them, from 0 to π/2.
     pub angle: f64,
     /// Between the lines; 0 where one of them is merely a direction because
     /// its joint slides.
     pub distance: f64,
-}
-
-/// What two axes are to each other, to within a thousandth of a radian and of
-/// the arm's size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum PairRelation {
-    /// One line.
-    Coincident,
-    /// The same or opposite direction.
-    Parallel,
-    /// They meet.
-    Intersecting,
-    /// Neither meet nor are parallel.
-    Skew,
-    /// A direction of sliding at an angle to the other axis.
-    Inclined,
 }
 
 /// A row of joints with a relation in common.
@@ -98,7 +80,7 @@ impl Axes {
 }
 
 fn slides(model: &Model, joint: usize) -> bool {
-    model.joints[joint].kind == JointKind::Prismatic
+    !model.joints[joint].is_revolute()
 }
 
 fn neighbours(model: &Model, lines: &[Line], i: usize) -> Neighbours {
@@ -108,10 +90,7 @@ fn neighbours(model: &Model, lines: &[Line], i: usize) -> Neighbours {
     let relation = match relate(a, b, NEAR, NEAR * size(model)) {
         _ if direction_alone && angle < NEAR => PairRelation::Parallel,
         _ if direction_alone => PairRelation::Inclined,
-        AxisRelation::Coincident => PairRelation::Coincident,
-        AxisRelation::Parallel(_) => PairRelation::Parallel,
-        AxisRelation::Intersecting(_) => PairRelation::Intersecting,
-        AxisRelation::Skew(..) => PairRelation::Skew,
+        relation => relation,
     };
     let distance = match relation {
         _ if direction_alone => 0.0,
@@ -207,7 +186,7 @@ pub fn structure(model: &Model) -> String {
     });
     found.extend(meeting.map(ToString::to_string));
     let sliding = model.joints.iter().enumerate();
-    let sliding = sliding.filter(|(_, joint)| joint.kind == JointKind::Prismatic);
+    let sliding = sliding.filter(|(_, joint)| !joint.is_revolute());
     found.extend(sliding.map(|(i, _)| format!("{} slides", i + 1)));
     if found.is_empty() {
         found.push(match model.joints.len() {

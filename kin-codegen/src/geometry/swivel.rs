@@ -2,7 +2,7 @@
 
 use super::linkage::short;
 use super::{Vec3, axes, concurrency, conditioning, cross, dot, norm, size, sub};
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use kin_runtime::{Chain, Pose, Target, Twist};
 
 /// An elbow or wrist nearer to where it would turn nothing is none; of the arm's size.
@@ -36,7 +36,7 @@ impl Swivel {
     /// Of seven joints that turn, of which the first three and the last three meet in a point
     /// each, to within `near`: radians, and multiples of the arm's size.
     pub fn of(model: &Model, near: f64) -> Option<Self> {
-        let turns = |i: usize| model.joints[i].kind == JointKind::Revolute;
+        let turns = |i: usize| model.joints[i].is_revolute();
         if model.joints.len() != 7 || model.is_coupled() || !(0..7).all(turns) {
             return None;
         }

@@ -8,7 +8,7 @@
 
 use crate::spec::{
     ArmSpec, ChainSpec, Collector, Diagnostic, Diagnostics, Joint, Location, LoopedTree,
-    MechanismSpec, Topology, did_you_mean, list_names,
+    MechanismSpec, Topology, list_names,
 };
 use std::collections::HashSet;
 
@@ -77,7 +77,7 @@ fn cut(
     let links = &looped.links;
     let graph = Graph::of(looped);
     let base = match base {
-        Some(name) => find(links, "base", name, diagnostics)?,
+        Some(name) => links.find("base", name, diagnostics)?,
         None => {
             let tree = &links.joints[..looped.tree_joints];
             let hanging: HashSet<usize> = tree.iter().map(|joint| joint.child).collect();
@@ -85,7 +85,7 @@ fn cut(
         }
     };
     let platform = match platform {
-        Some(name) => find(links, "tip", name, diagnostics)?,
+        Some(name) => links.find("tip", name, diagnostics)?,
         None => graph.platform(base, at, diagnostics)?,
     };
     let paths = graph.paths(base, platform, at, diagnostics)?;
@@ -94,16 +94,6 @@ fn cut(
         platform: links.links[platform].name.clone(),
         chains: paths.iter().map(|path| chain(looped, path)).collect(),
     })
-}
-
-fn find(spec: &ArmSpec, role: &str, name: &str, diagnostics: &mut Collector) -> Option<usize> {
-    let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
-    let found = names.iter().position(|known| *known == name);
-    if found.is_none() {
-        let reason = format!("the {role} `{name}` is no link of this robot");
-        diagnostics.whole(reason, did_you_mean(name, &names));
-    }
-    found
 }
 
 /// Links and the joints at each.
@@ -115,7 +105,7 @@ struct Graph<'s> {
 }
 
 /// A joint on a path, and whether it is passed from parent to child.
-type Passed = (usize, bool);
+pub(super) type Passed = (usize, bool);
 
 impl<'s> Graph<'s> {
     fn of(looped: &'s LoopedTree) -> Self {

@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::spec::{Diagnostic, Diagnostics, MechanismSpec, file_name};
 use kin_runtime::Pose;
 
-/// A mechanism, compiled but not yet written as Rust.
+/// A mechanism, compiled but not yet written as code.
 #[derive(Clone, Debug)]
 pub struct CompiledMechanism {
     /// The robot file's name, without its folders: what is generated does not
@@ -45,8 +45,8 @@ pub struct Placed {
 type Led = (usize, Vec<f64>);
 
 impl CompiledMechanism {
-    /// What the generated inverse kinematics will return, computed by the
-    /// interpreter: the poses that a target stands for (see [`Aim`]) and all
+    /// What the generated inverse kinematics will return, computed on the
+    /// tapes of its arms: the poses that a target stands for (see [`Aim`]) and all
     /// chains reach. There are several only where a chain leads. Empty if the
     /// target is out of reach, or there is no inverse kinematics.
     ///

@@ -1,14 +1,15 @@
 //! Forward kinematics: closed forms where a loop or three spheres give them.
 
+use super::chains::Passed;
 use super::freedom::{Freedom, is_upright};
-use super::inverse::{Aim, Inverse, forward_alone, solved};
+use super::inverse::{Aim, Inverse, SAME, forward_alone, solved};
 use super::model::{Leg, Mechanism, meeting_point};
 use crate::arm::CompiledArm;
 use crate::geometry::{Vec3, norm, sub};
-use crate::model::{Joint, JointKind, Model};
+use crate::model::{Joint, Model};
 use crate::plan::Target;
 use crate::scalar::Scalar;
-use kin_runtime::__private::{math, three_spheres};
+use kin_runtime::__private::three_spheres;
 use kin_runtime::Pose;
 
 /// How forward kinematics finds the assembly modes.
@@ -83,10 +84,9 @@ impl Loop {
     pub fn find(mechanism: &Mechanism, freedom: &Freedom, file: &str) -> Option<Self> {
         let found = single_loop(mechanism, file)?;
         let is_same = |q: &[f64], other: &[f64]| {
+            let passive = &found.passive.model;
             let same = |(i, &joint): (usize, &usize)| {
-                let d = other[joint] - q[joint];
-                let turns = found.passive.model.joints[i].kind == JointKind::Revolute;
-                (if turns { math::wrap(d) } else { d }).abs() < 1e-6
+                passive.joint_distance(i, other[joint], q[joint]) < SAME
             };
             found.joints.iter().enumerate().all(same)
         };
@@ -133,10 +133,6 @@ fn regular<'f>(
     let samples = freedom.samples.iter();
     samples.filter(move |q| generic.actuator_singularity(q) > 1e-4)
 }
-
-/// A joint of the loop: its number, and whether the loop passes it from base to
-/// platform.
-type Passed = (usize, bool);
 
 fn single_loop(mechanism: &Mechanism, file: &str) -> Option<Loop> {
     let [out, back] = &mechanism.ranges()[..] else {
@@ -243,7 +239,7 @@ fn rod(leg: &Leg, first: usize, home: Pose, file: &str) -> Option<Rod> {
     if driven == 0 || leg.actuated != (0..driven).collect::<Vec<_>>() {
         return None;
     }
-    let turn = |j: usize| model.joints[j].kind == JointKind::Revolute;
+    let turn = |j: usize| model.joints[j].is_revolute();
     if !(driven..n).all(turn) {
         return None;
     }

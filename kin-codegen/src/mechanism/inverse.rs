@@ -4,10 +4,9 @@ use super::freedom::Freedom;
 use super::model::{Leg, Mechanism, meeting_point};
 use crate::arm::CompiledArm;
 use crate::geometry::{Linkage, Vec3, natural_target};
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{NoClosedForm, solve};
-use kin_runtime::__private::math;
 use kin_runtime::Pose;
 
 /// What the platform is asked for.
@@ -53,7 +52,7 @@ pub struct Inverse {
 }
 
 /// Joint values agree to this where the chain is regular.
-const SAME: f64 = 1e-6;
+pub(super) const SAME: f64 = 1e-6;
 
 impl Inverse {
     /// Finds and verifies the closed forms of a mechanism whose platform `turns` in some assembly
@@ -164,7 +163,7 @@ fn split(leg: &Leg, file: &str) -> Option<LegForm> {
         .filter(|count| *count < n)
         .find_map(|count| {
             let at = n - count;
-            let turn = |j: usize| model.joints[j].kind == JointKind::Revolute;
+            let turn = |j: usize| model.joints[j].is_revolute();
             if !(at..n).all(turn) {
                 return None;
             }
@@ -239,7 +238,7 @@ impl LegForm {
         }
     }
 
-    /// What the generated function will return, computed by the interpreter.
+    /// What the generated function will return, computed on the tapes of its arms.
     pub fn solutions(&self, target: &Pose) -> Vec<Vec<f64>> {
         let of = |compiled: &CompiledArm, target: &Pose| -> Vec<Vec<f64>> {
             let form = compiled.form();
@@ -268,12 +267,8 @@ impl LegForm {
     /// solution makes that pose.
     fn recovers(self, leg: &Leg, samples: &[Vec<f64>]) -> Result<Self, ChainRefusal> {
         let chain = leg.chain();
-        let turns = |j: usize| leg.model.joints[j].kind == JointKind::Revolute;
         let same = |a: &[f64], b: &[f64]| {
-            (0..a.len()).all(|j| {
-                let d = a[j] - b[j];
-                (if turns(j) { math::wrap(d) } else { d }).abs() < SAME
-            })
+            (0..a.len()).all(|j| leg.model.joint_distance(j, a[j], b[j]) < SAME)
         };
         for q in samples {
             let solutions = self.solutions(&chain.fk(q));

@@ -8,10 +8,10 @@
 //!   -> spec::MechanismSpec   chains, or a tree with loops; which joints are actuated
 //!   -> chains                from base to platform
 //!   -> model                 every chain as a Model; at home they end together
-//!   -> mobility              Grübler's formula and the rank; what cannot work is refused
+//!   -> freedom               Grübler's formula and the rank; what cannot work is refused
 //!   -> inverse               chain by chain through the plan search, aimed at the platform
 //!   -> forward               closed form, if there is one; otherwise Newton's method
-//!   -> verify                closed configurations come back both ways, or there is no code
+//!   -> compiled              closed configurations come back both ways, or there is no code
 //!   -> emit                  one type for every chain, one for the mechanism
 //! ```
 //!

@@ -211,7 +211,7 @@ impl Leg {
 
 /// Whether some joints are revolute, and their axes meet in a point.
 fn meet(model: &Model, joints: std::ops::Range<usize>) -> bool {
-    let turn = |j: usize| model.joints[j].kind == JointKind::Revolute;
+    let turn = |j: usize| model.joints[j].is_revolute();
     joints.clone().all(turn) && meeting_point(model, joints).is_some()
 }
 

@@ -1,7 +1,7 @@
 //! Which joints lead from base to tip.
 
 use super::tip::default_tip;
-use crate::spec::{ArmSpec, Collector, Joint, JointType, did_you_mean};
+use crate::spec::{ArmSpec, Collector, Joint, JointType};
 use std::borrow::Cow;
 
 /// Fewer joints are no robot that a base carries: what floats may be the arm itself.
@@ -33,11 +33,11 @@ pub(super) fn choose(
     }
     let tree = Tree::new(spec);
     let base_link = match base {
-        Some(name) => find(spec, "base", name, diagnostics),
+        Some(name) => spec.find("base", name, diagnostics),
         None => tree.root().map(|root| tree.standing(root, diagnostics)),
     };
     let tip_link = match tip {
-        Some(name) => find(spec, "tip", name, diagnostics),
+        Some(name) => spec.find("tip", name, diagnostics),
         None => Some(default_tip(spec, base_link?, diagnostics)?),
     };
     let (base, tip) = (base_link?, tip_link?);
@@ -73,18 +73,6 @@ pub(super) fn hung_on_base<'s>(
         hung.joints[joint] = spec.joints[joint].reversed();
     }
     Cow::Owned(hung)
-}
-
-fn find(spec: &ArmSpec, role: &str, name: &str, diagnostics: &mut Collector) -> Option<usize> {
-    let found = spec.links.iter().position(|link| link.name == name);
-    if found.is_none() {
-        let names: Vec<&str> = spec.links.iter().map(|link| link.name.as_str()).collect();
-        diagnostics.whole(
-            format!("the {role} `{name}` is no link of this robot"),
-            did_you_mean(name, &names),
-        );
-    }
-    found
 }
 
 /// The robot with links that know the joint above them.

@@ -143,7 +143,7 @@ impl<'a> Posing<'a> {
         let parallel = match *unknown {
             [a, b] => self
                 .relations
-                .told
+                .to_solve
                 .parallel(joint_of(a.atom), joint_of(b.atom)),
             _ => 0,
         };
@@ -212,7 +212,7 @@ impl<'a> Posing<'a> {
             weak_at: first.dependent_at(
                 second,
                 self.linkage,
-                &self.relations.told,
+                &self.relations.to_solve,
                 unknowns.map(joint_of),
             ),
             work: 300 + 9 * known,

@@ -149,11 +149,7 @@ impl Sample {
         let mut axes = Vec::new();
         for (i, q) in q.iter().enumerate() {
             let here = bodies[i];
-            let axis = linkage.axis(i);
-            axes.push(Line {
-                direction: here.rotate(axis.direction),
-                point: here.transform_point(axis.point),
-            });
+            axes.push(linkage.axis(i).moved(&here));
             bodies.push(here * Pose::exp(&linkage.twist(i), *q));
         }
         Self { q, bodies, axes }
@@ -161,11 +157,11 @@ impl Sample {
 
     /// An invariant where this configuration has it.
     fn place(&self, invariant: &Invariant) -> Line {
-        let body = self.bodies[invariant.joints.start];
-        Line {
-            point: body.transform_point(invariant.point),
-            direction: body.rotate(invariant.direction),
-        }
+        let line = Line {
+            point: invariant.point,
+            direction: invariant.direction,
+        };
+        line.moved(&self.bodies[invariant.joints.start])
     }
 
     /// Where it has those of a relation.
@@ -185,19 +181,19 @@ struct Ends {
 }
 
 impl Relation {
-    /// The relation between invariants, unless it says nothing. `told` are configurations
-    /// that a plan has to tell.
+    /// The relation between invariants, unless it says nothing. `to_solve` are configurations
+    /// that a plan has to solve.
     ///
     /// A joint that it does not depend on wherever the loop is closed is crossed as if it stood at
     /// zero ([`crate::expr`]): what it says of the others, it has to say there.
     pub fn new(
         linkage: &Linkage,
         samples: &Samples,
-        told: &Samples,
+        to_solve: &Samples,
         from: &Invariant,
         to: Option<&Invariant>,
     ) -> Option<Self> {
-        let relation = Self::seen(linkage, samples, told, from, to)?;
+        let relation = Self::seen(linkage, samples, to_solve, from, to)?;
         let is_crossed = |&joint: &usize| relation.depends_on(linkage, joint).is_none();
         let crossed: Vec<usize> = relation.between(linkage).filter(is_crossed).collect();
         if crossed.is_empty() {
@@ -230,7 +226,7 @@ impl Relation {
     fn seen(
         linkage: &Linkage,
         samples: &Samples,
-        told: &Samples,
+        to_solve: &Samples,
         from: &Invariant,
         to: Option<&Invariant>,
     ) -> Option<Self> {
@@ -243,7 +239,7 @@ impl Relation {
         };
         let ends = |sample: &Sample| sample.ends(from, to);
         let places: Vec<Ends> = samples.0.iter().map(ends).collect();
-        let told_places: Vec<Ends> = told.0.iter().map(ends).collect();
+        let places_to_solve: Vec<Ends> = to_solve.0.iter().map(ends).collect();
         let mut depends: Vec<Dependence> = Vec::new();
         for joint in between(n, from, to) {
             let atom = atom_of(linkage, joint, directional);
@@ -254,11 +250,11 @@ impl Relation {
                 std::array::from_fn(|k| strength(linkage, &samples.0[k], &places[k], joint));
             let inner = to.is_some() && (from.joints.end..behind).contains(&joint);
             let weak = |k: usize, sample: &Sample| {
-                strength(linkage, sample, &told_places[k], joint).amplitude < NEARLY_NOTHING
+                strength(linkage, sample, &places_to_solve[k], joint).amplitude < NEARLY_NOTHING
             };
             let dependence = dependence(atom, inner, &strengths, nothing);
             depends.extend(dependence.map(|dependence| Dependence {
-                weak_at: told.bits(weak),
+                weak_at: to_solve.bits(weak),
                 ..dependence
             }));
         }
@@ -276,7 +272,7 @@ impl Relation {
     pub fn of_swivel(
         linkage: &Linkage,
         samples: &Samples,
-        told: &Samples,
+        to_solve: &Samples,
         swivel: &Swivel,
     ) -> Option<Self> {
         let elbow = Swivel::ELBOW;
@@ -286,7 +282,7 @@ impl Relation {
             point: swivel.elbow,
             direction: [0.0; 3],
         };
-        let relation = Self::new(linkage, samples, told, &invariant, None)?;
+        let relation = Self::new(linkage, samples, to_solve, &invariant, None)?;
         let turns_it = |depends: &Dependence| matches!(depends.atom, Atom::Joint(i) if i < elbow);
         let mut depends = relation.depends;
         depends.retain(turns_it);
@@ -463,15 +459,15 @@ impl Relation {
     }
 
     /// Bit k is set where two relations are one about two joints in the k-th of the
-    /// configurations that a plan has to tell.
+    /// configurations that a plan has to solve.
     pub fn dependent_at(
         &self,
         other: &Relation,
         linkage: &Linkage,
-        told: &Samples,
+        to_solve: &Samples,
         joints: [usize; 2],
     ) -> u64 {
-        told.bits(|_, sample| {
+        to_solve.bits(|_, sample| {
             let [a, b] = [self, other].map(|relation| {
                 let ends = sample.ends(&relation.from, relation.to.as_ref());
                 let [one, other] = joints.map(|joint| strength(linkage, sample, &ends, joint));

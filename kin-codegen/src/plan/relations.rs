@@ -12,16 +12,16 @@ pub struct Relations {
     pub(super) all: Vec<Relation>,
     /// By relation, what it depends on.
     pub(super) atoms: Vec<Solved>,
-    /// The configurations that a plan has to tell.
-    pub(super) told: Samples,
+    /// The configurations that a plan has to solve.
+    pub(super) to_solve: Samples,
 }
 
 impl Relations {
-    /// Of a linkage, for plans that tell some configurations, by joint. They do not depend on the
+    /// Of a linkage, for plans that solve some configurations, by joint. They do not depend on the
     /// joints that it has locked.
     pub fn new(linkage: &Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
-        let told = Samples::at(linkage, configurations);
-        let all = relations(linkage, target, &told);
+        let to_solve = Samples::at(linkage, configurations);
+        let all = relations(linkage, target, &to_solve);
         let atoms = all.iter().map(|relation| {
             let mut atoms = Solved::default();
             for depends in &relation.depends {
@@ -32,13 +32,13 @@ impl Relations {
         Self {
             atoms: atoms.collect(),
             all,
-            told,
+            to_solve,
         }
     }
 }
 
 /// Every relation of the loop.
-fn relations(linkage: &Linkage, target: Target, told: &Samples) -> Vec<Relation> {
+fn relations(linkage: &Linkage, target: Target, to_solve: &Samples) -> Vec<Relation> {
     let n = linkage.links.len();
     let samples = Samples::new(linkage);
     let invariants = invariants(linkage, target);
@@ -56,7 +56,7 @@ fn relations(linkage: &Linkage, target: Target, told: &Samples) -> Vec<Relation>
     let mut out = Vec::new();
     for a in &invariants {
         if a.kind != Kind::Plane {
-            out.extend(Relation::new(linkage, &samples, told, a, None));
+            out.extend(Relation::new(linkage, &samples, to_solve, a, None));
         }
         for b in &invariants {
             let comparable = match (a.kind, b.kind) {
@@ -67,12 +67,12 @@ fn relations(linkage: &Linkage, target: Target, told: &Samples) -> Vec<Relation>
                 _ => true,
             };
             if comparable && a.joints.end <= b.joints.start {
-                out.extend(Relation::new(linkage, &samples, told, a, Some(b)));
+                out.extend(Relation::new(linkage, &samples, to_solve, a, Some(b)));
             }
         }
     }
     out.retain(crosses);
     let swivel = linkage.swivel.as_ref();
-    out.extend(swivel.and_then(|swivel| Relation::of_swivel(linkage, &samples, told, swivel)));
+    out.extend(swivel.and_then(|swivel| Relation::of_swivel(linkage, &samples, to_solve, swivel)));
     out
 }

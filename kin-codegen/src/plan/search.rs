@@ -42,12 +42,12 @@ pub struct Plans<'a> {
 impl<'a> Plans<'a> {
     /// Nothing is searched yet.
     pub fn new(linkage: &'a Linkage, target: Target) -> Self {
-        Self::telling(linkage, target, &[])
+        Self::solving(linkage, target, &[])
     }
 
     /// As [`Self::new`], but no step may degenerate in any of these configurations: a relation that
     /// does is used together with a complement only.
-    pub fn telling(linkage: &'a Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
+    pub fn solving(linkage: &'a Linkage, target: Target, configurations: &[Vec<f64>]) -> Self {
         let relations = Relations::new(linkage, target, configurations);
         Self::of(linkage, target, &Rc::new(relations))
     }

@@ -4,7 +4,7 @@ use crate::certificate::SOMEWHERE;
 use crate::closed_form::tip_shift;
 use crate::expr;
 use crate::geometry::{Carried, Linkage, conditioning, idealizations, size, volume};
-use crate::model::{Joint, JointKind, Model, anywhere, configurations};
+use crate::model::{Joint, Model, anywhere, configurations};
 use crate::plan::{Plans, Relations, Target};
 use crate::random::Random;
 use crate::solver::{COMPARED, DESIGNED};
@@ -220,7 +220,7 @@ fn stand(model: &Model) -> usize {
 
 /// How many joints from the first on are slides.
 fn slides(model: &Model) -> usize {
-    let is_slide = |joint: &&Joint| joint.kind == JointKind::Prismatic;
+    let is_slide = |joint: &&Joint| !joint.is_revolute();
     model.joints.iter().take_while(is_slide).count()
 }
 

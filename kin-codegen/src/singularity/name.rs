@@ -4,7 +4,7 @@ use super::Singularity;
 use crate::expr::determinant::Factor;
 use crate::geometry::cross;
 use crate::geometry::norm;
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 
 /// The shoulder of a six-axis arm is in its first three joints, the wrist in
 /// its last three, and the elbow between them. Smaller arms have an elbow
@@ -36,7 +36,7 @@ fn of_six(factor: &Factor, coordinates: &[usize]) -> Option<&'static str> {
 }
 
 fn is_elbow(model: &Model, joint: usize) -> bool {
-    let turns = |i: usize| model.joints[i].kind == JointKind::Revolute;
+    let turns = |i: usize| model.joints[i].is_revolute();
     let parallel = |i: usize, j: usize| {
         turns(i) && turns(j) && norm(cross(model.joints[i].axis, model.joints[j].axis)) < 1e-6
     };

@@ -61,23 +61,9 @@ pub(super) fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<
     if form.plan.target != Target::Pose || is_other {
         return None;
     }
-    let near = trials.near_singular(form.untold());
-    let mut arms = univariate::Arm::keeping_each(trials.model(), trials.linkage());
-    arms.retain(|arm| arm.kept[0].noise < NOISY);
-    // Those that say nothing are taken where all do.
-    if !arms.iter().all(univariate::Arm::says_nothing) {
-        arms.retain(|arm| !arm.says_nothing());
-    }
-    // How many of the motions no kept joint takes part in.
-    let untold = |kept: &[Kept]| {
-        let hardly = |near: &NearSingular, kept: &Kept| {
-            near.motion[usize::from(kept.elimination.joints[0])].abs() < TAKES_PART
-        };
-        let by_none = |near: &&NearSingular| kept.iter().all(|kept| hardly(near, kept));
-        near.iter().filter(by_none).count()
-    };
-    let quarters = |kept: &[Kept]| 4 * untold(kept) / near.len().max(1);
-    let quality = |arm: &univariate::Arm| (quarters(&arm.kept), arm.kept[0].rank());
+    let near = trials.near_singular(form.least_conditioning());
+    let mut arms = candidates(trials);
+    arms.sort_by_key(|arm| (quarters_unmoved(&near, &arm.kept), arm.kept[0].rank()));
     let lost = |arm: &univariate::Arm| {
         let form = ClosedForm {
             refinement: Refinement::Univariate(Box::new(arm.clone())),
@@ -87,41 +73,78 @@ pub(super) fn eliminations_beside(trials: &Trials, form: &ClosedForm) -> Option<
         lost.extend(trials.lost_again(&form));
         lost
     };
-    arms.sort_by_key(quality);
     let mut each = Vec::new();
     for arm in &arms {
         let lost = lost(arm);
-        if lost.contains(&true) {
-            each.push((arm.clone(), lost));
-            continue;
+        if !lost.contains(&true) {
+            return Some(with_surer_ones(trials, &near, &arms, arm.clone()));
         }
-        // What was not seen to be lost may be where its joint hardly moves.
-        let mut arm = arm.clone();
-        if quarters(&arm.kept) > 0 {
-            let both = |other: &Kept| untold(&[arm.kept[0], *other]);
-            let others = arms.iter().map(|other| other.kept[0]);
-            let beside = others.min_by_key(both);
-            let tells = |other: &Kept| both(other) < untold(&arm.kept);
-            arm.kept.extend(beside.filter(tells));
-        }
-        // What one is not sure of another may be; with joints behind its tip a shorter arm is nearly
-        // singular where it is not itself.
-        let is_short = trials.linkage().variables() < 6;
-        let is_beyond = |most: f64| move |kept: &Kept| kept.unsure > most;
-        let lacks = |all: &[Kept]| match all.len() {
-            1 => is_short || all.iter().any(is_beyond(0.0)),
-            count => count < MOST && all.iter().all(is_beyond(OFTEN)),
-        };
-        while lacks(&arm.kept) {
-            let others = arms.iter().map(|other| other.kept[0]);
-            let others = others.filter(|other| !arm.kept.contains(other));
-            let Some(surest) = others.min_by(|a, b| a.unsure.total_cmp(&b.unsure)) else {
-                break;
-            };
-            arm.kept.push(surest);
-        }
-        return Some(arm);
+        each.push((arm.clone(), lost));
     }
+    fewest_lost(&each)
+}
+
+/// Arms that keep one joint each, without those whose polynomial is noisy or, unless all do, says
+/// nothing.
+fn candidates(trials: &Trials) -> Vec<univariate::Arm> {
+    let mut arms = univariate::Arm::keeping_each(trials.model(), trials.linkage());
+    arms.retain(|arm| arm.kept[0].noise < NOISY);
+    if !arms.iter().all(univariate::Arm::says_nothing) {
+        arms.retain(|arm| !arm.says_nothing());
+    }
+    arms
+}
+
+/// In how many of the motions none of the kept joints takes part.
+fn unmoved(near: &[NearSingular], kept: &[Kept]) -> usize {
+    let hardly = |near: &NearSingular, kept: &Kept| {
+        near.motion[usize::from(kept.elimination.joints[0])].abs() < TAKES_PART
+    };
+    let by_none = |near: &&NearSingular| kept.iter().all(|kept| hardly(near, kept));
+    near.iter().filter(by_none).count()
+}
+
+/// [`unmoved`] in quarters of all.
+fn quarters_unmoved(near: &[NearSingular], kept: &[Kept]) -> usize {
+    4 * unmoved(near, kept) / near.len().max(1)
+}
+
+/// An arm that was not seen to lose anything, with joints kept beside its own: where that hardly
+/// moves something may be lost unseen, and what one is not sure of another may be.
+fn with_surer_ones(
+    trials: &Trials,
+    near: &[NearSingular],
+    arms: &[univariate::Arm],
+    mut arm: univariate::Arm,
+) -> univariate::Arm {
+    if quarters_unmoved(near, &arm.kept) > 0 {
+        let both = |other: &Kept| unmoved(near, &[arm.kept[0], *other]);
+        let others = arms.iter().map(|other| other.kept[0]);
+        let beside = others.min_by_key(both);
+        let tells = |other: &Kept| both(other) < unmoved(near, &arm.kept);
+        arm.kept.extend(beside.filter(tells));
+    }
+    // With joints behind its tip a shorter arm is nearly singular where it is not itself.
+    let is_short = trials.linkage().variables() < 6;
+    let is_beyond = |most: f64| move |kept: &Kept| kept.unsure > most;
+    let lacks = |all: &[Kept]| match all.len() {
+        1 => is_short || all.iter().any(is_beyond(0.0)),
+        count => count < MOST && all.iter().all(is_beyond(OFTEN)),
+    };
+    while lacks(&arm.kept) {
+        let others = arms.iter().map(|other| other.kept[0]);
+        let others = others.filter(|other| !arm.kept.contains(other));
+        let Some(surest) = others.min_by(|a, b| a.unsure.total_cmp(&b.unsure)) else {
+            break;
+        };
+        arm.kept.push(surest);
+    }
+    arm
+}
+
+/// Of arms with what each loses the one that loses least, and behind it those that find most of
+/// what is left.
+fn fewest_lost(each: &[(univariate::Arm, Vec<bool>)]) -> Option<univariate::Arm> {
     let count = |lost: &[bool]| lost.iter().filter(|lost| **lost).count();
     let (mut best, mut left) = each.iter().min_by_key(|(_, lost)| count(lost)).cloned()?;
     while best.kept.len() < MOST {

@@ -8,7 +8,7 @@ mod search;
 use crate::certificate::{Certificate, Failure, SOMEWHERE, Trials};
 use crate::closed_form::{ClosedForm, Inverse, tip_shift};
 use crate::geometry::{
-    AxisRelation, Linkage, NOISIEST, Undetermined, angle, axes, coupled_rank, idealizations, rank,
+    Linkage, NOISIEST, PairRelation, Undetermined, angle, axes, coupled_rank, idealizations, rank,
     relate, uncoupled,
 };
 use crate::model::{Joint, JointKind, Model};
@@ -275,7 +275,7 @@ pub(crate) fn admits(model: &Model, target: Target) -> Result<(), NoClosedForm> 
 }
 
 fn turning(model: &Model) -> impl Iterator<Item = &Joint> {
-    let turns = |joint: &&Joint| joint.kind == JointKind::Revolute;
+    let turns = |joint: &&Joint| joint.is_revolute();
     model.joints.iter().filter(turns)
 }
 
@@ -310,10 +310,10 @@ fn rank_without(model: &Model, linkage: &Linkage, target: Target) -> usize {
 pub(crate) fn alike(model: &Model) -> impl Iterator<Item = usize> {
     let axes = axes(model);
     let is_alike = move |&i: &usize| {
-        let slides = [i, i + 1].map(|i| model.joints[i].kind == JointKind::Prismatic);
+        let slides = [i, i + 1].map(|i| !model.joints[i].is_revolute());
         match (slides, relate(&axes[i], &axes[i + 1], 1e-6, 1e-9)) {
-            ([true, true], AxisRelation::Parallel { .. }) => true,
-            ([a, b], AxisRelation::Coincident) => a == b,
+            ([true, true], PairRelation::Parallel) => true,
+            ([a, b], PairRelation::Coincident) => a == b,
             _ => false,
         }
     };

@@ -8,7 +8,6 @@ use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::inverse::{FreeAngles, InverseGraph, Turn, weight};
 use crate::geometry::{Idealized, Linkage, NOISIEST, angle};
-use crate::model::JointKind;
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
 use crate::univariate;
@@ -81,8 +80,8 @@ pub(super) fn solve_idealized(
         linkage,
         target,
         all: plans,
-        told: 0,
-        telling: None,
+        lost: 0,
+        solving: None,
     };
     let enough = if exact { CERTIFIED } else { REFINED };
     let (mut certified, mut degenerate) = (0, 0);
@@ -142,7 +141,7 @@ fn lifting(reading: &Reading, target: Target) -> Option<NoClosedForm> {
     let axis = linkage.first_turn().filter(|_| target == Target::Planar)?;
     let axis = linkage.axis(axis).direction;
     let slides = (0..linkage.links.len())
-        .filter(|&i| linkage.links[i].kind == JointKind::Prismatic && !linkage.locked.contains(&i));
+        .filter(|&i| !linkage.is_revolute(i) && !linkage.locked.contains(&i));
     let mut angles = slides.map(|i| (i, FRAC_PI_2 - angle(axis, linkage.axis(i).direction)));
     let (slide, angle) = angles.find(|(_, angle)| *angle > NOISIEST)?;
     Some(NoClosedForm::Lifting {
@@ -309,26 +308,26 @@ struct Later<'a> {
     linkage: &'a Linkage,
     target: Target,
     all: Plans<'a>,
-    /// How many configurations were lost when `telling` was asked for.
-    told: usize,
-    /// Those that tell the configurations that others have lost.
-    telling: Option<Plans<'a>>,
+    /// How many configurations were lost when `solving` was asked for.
+    lost: usize,
+    /// Those that solve the configurations that others have lost.
+    solving: Option<Plans<'a>>,
 }
 
 impl Later<'_> {
-    /// The next one. Where no plan tells the lost configurations and one stands that does
+    /// The next one. Where no plan solves the lost configurations and one stands that does
     /// not, another will not be better.
     fn next(&mut self, lost: &[Vec<f64>], stands: bool) -> Option<Plan> {
-        if lost.len() > self.told {
-            self.told = lost.len();
+        if lost.len() > self.lost {
+            self.lost = lost.len();
             let moved: Vec<Vec<f64>> = lost.iter().map(|q| self.linkage.by_joint(q)).collect();
-            self.telling = Some(Plans::telling(self.linkage, self.target, &moved));
+            self.solving = Some(Plans::solving(self.linkage, self.target, &moved));
         }
-        let telling = self.telling.as_mut().and_then(Iterator::next);
-        match telling {
-            None if stands && self.told > 0 => None,
+        let solving = self.solving.as_mut().and_then(Iterator::next);
+        match solving {
+            None if stands && self.lost > 0 => None,
             None => self.all.next(),
-            telling => telling,
+            solving => solving,
         }
     }
 }

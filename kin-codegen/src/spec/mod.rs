@@ -287,6 +287,22 @@ impl ArmSpec {
         }
     }
 
+    /// The link of this name, which an option gives for a role.
+    pub(crate) fn find(
+        &self,
+        role: &str,
+        name: &str,
+        diagnostics: &mut Collector,
+    ) -> Option<usize> {
+        let names: Vec<&str> = self.links.iter().map(|link| link.name.as_str()).collect();
+        let found = names.iter().position(|known| *known == name);
+        if found.is_none() {
+            let reason = format!("the {role} `{name}` is no link of this robot");
+            diagnostics.whole(reason, did_you_mean(name, &names));
+        }
+        found
+    }
+
     /// By link the joint that it hangs on, if any.
     pub(crate) fn above(&self) -> Vec<Option<usize>> {
         let mut above = vec![None; self.links.len()];

@@ -4,7 +4,7 @@ use super::eliminate::eliminate;
 use super::frames::Family;
 use crate::random::Random;
 use crate::threads;
-use kin_runtime::__private::univariate::{Elimination, Frames, Told, Univariate};
+use kin_runtime::__private::univariate::{Elimination, Frames, Outcome, Univariate};
 use kin_runtime::Target;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -97,7 +97,7 @@ pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
 
 fn tried(samples: &[Frames], elimination: Elimination, targets: &[[f64; 6]]) -> Kept {
     let mut lost = 0;
-    let told = targets
+    let outcomes = targets
         .iter()
         .zip(samples.iter().cycle())
         .map(|(q, frames)| {
@@ -107,22 +107,22 @@ fn tried(samples: &[Frames], elimination: Elimination, targets: &[[f64; 6]]) -> 
                 counts: Target::Pose,
                 eliminations: &[],
             };
-            let (told, found) = arm.told(&elimination, &frames.forward(q));
+            let (outcome, found) = arm.outcome(&elimination, &frames.forward(q));
             lost += usize::from(!found.iter().any(|found| frames.within(SAME, &found.q, q)));
-            told
+            outcome
         });
-    let told: Vec<_> = told.collect();
-    let share = |of: &dyn Fn(&Told) -> bool| {
-        let count = told.iter().filter(|told| of(told)).count();
+    let outcomes: Vec<_> = outcomes.collect();
+    let share = |of: &dyn Fn(&Outcome) -> bool| {
+        let count = outcomes.iter().filter(|outcome| of(outcome)).count();
         100.0 * count as f64 / targets.len() as f64
     };
-    let mut noises: Vec<f64> = told.iter().map(|told| told.noise).collect();
+    let mut noises: Vec<f64> = outcomes.iter().map(|outcome| outcome.noise).collect();
     noises.sort_by(f64::total_cmp);
     Kept {
         elimination,
         lost,
-        unsure: share(&|told| !told.certain),
-        unclear: share(&|told| told.unclear > 0),
+        unsure: share(&|outcome| !outcome.certain),
+        unclear: share(&|outcome| outcome.unclear > 0),
         noise: noises[noises.len() * 95 / 100],
     }
 }

@@ -138,7 +138,7 @@ fn harmonics_above_the_degree_vanish() {
             };
             let mut noises: Vec<f64> = (0..9)
                 .map(|_| {
-                    arm.told(&elimination, &frames.forward(&anywhere(&mut random)))
+                    arm.outcome(&elimination, &frames.forward(&anywhere(&mut random)))
                         .0
                         .noise
                 })

@@ -1,10 +1,10 @@
 //! The header.
 
-use super::inverse::size;
 use super::name::named;
 use super::text;
 use crate::arm::CompiledArm;
 use crate::closed_form::{ClosedForm, Inverse};
+use crate::emit::curly::data::size;
 use crate::emit::headings::{list, steps};
 use crate::emit::postures::Postures;
 use crate::emit::text::{degrees, number};

@@ -1,11 +1,11 @@
 //! The links that are fixed to others, and the function that says where they are.
 
 use super::forward;
-use super::language::signed;
+use super::language::numbers;
 use super::text::string;
 use crate::arm::CompiledArm;
+use crate::emit::curly::data::rows;
 use crate::geometry::without_noise;
-use kin_runtime::Pose;
 
 /// The names, which are data.
 pub fn names(compiled: &CompiledArm) -> String {
@@ -32,7 +32,7 @@ pub fn function(compiled: &CompiledArm) -> String {
             false => n + following.iter().position(|&j| j == joint).unwrap_or(0),
         });
         carried.push(carrier.map_or("-1".into(), |carrier| carrier.to_string()));
-        poses.push(format!("{{{}}}", entries(&frame.pose)));
+        poses.push(numbers(rows(&without_noise(&frame.pose))));
     }
     let of_following = match following.len() {
         0 => String::new(),
@@ -61,15 +61,4 @@ pub fn function(compiled: &CompiledArm) -> String {
          pose[i + j] = carrier[i] * on[j] + carrier[i + 1] * on[4 + j] + carrier[i + 2] * on[8 + j]\n                \
          + (j == 3 ? carrier[i + 3] : 0.0);\n        }}\n    }}\n    return 0;\n}}\n"
     )
-}
-
-/// The rows of a pose, without the digits that composing frames has left behind.
-fn entries(pose: &Pose) -> String {
-    let pose = without_noise(pose);
-    let row = |i: usize| {
-        let [a, b, c] = pose.rotation[i];
-        [a, b, c, pose.translation[i]]
-    };
-    let entries = (0..3).flat_map(row).map(signed);
-    entries.collect::<Vec<_>>().join(", ")
 }

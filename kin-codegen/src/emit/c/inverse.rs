@@ -3,6 +3,7 @@
 use super::language::signed;
 use super::{lanes, runtime, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
+use crate::emit::curly::data::{counts, size};
 use crate::emit::curly::indented;
 use crate::expr::inverse::InverseGraph;
 use crate::model::Model;
@@ -80,20 +81,9 @@ fn by_expressions(
     ]
 }
 
-/// The distance at which angles count as lengths, metres: an elimination has that of the joints
-/// that are solved for.
-pub fn size(solver: &ClosedForm) -> f64 {
-    match &solver.inverse {
-        Inverse::Univariate(arm) => arm.size,
-        Inverse::Expressions(_) => solver.acceptance().size,
-    }
-}
-
 /// What the runtime's pieces take from the arm.
 fn constants(solver: &ClosedForm) -> String {
     let (size, accept) = (size(solver), solver.acceptance());
-    let target = solver.plan.target;
-    let translation = !matches!(target, Target::Direction | Target::Orientation);
     let all = [
         ("SOLVED", solver.given.variables().to_string()),
         ("SIZE", signed(size)),
@@ -102,7 +92,6 @@ fn constants(solver: &ClosedForm) -> String {
         ("NEARLY", signed(accept.nearly)),
         ("NEAR_SINGULAR", signed(accept.near_singular)),
     ];
-    let counts = [translation, target != Target::Position, target.fixes_axis()];
     let mut out = String::from(
         "/* The joints that are solved for; the arm's size, at whose distance angles count as \
          lengths,\n * and by how much solutions may miss the target, branches that are solutions as they are, and those \
@@ -112,7 +101,7 @@ fn constants(solver: &ClosedForm) -> String {
     for (name, value) in all {
         let _ = writeln!(out, "#define KIN_{name} {value}");
     }
-    let counts = counts
+    let counts = counts(solver.plan.target)
         .map(|counts| i32::from(counts).to_string())
         .join(", ");
     out + &format!(
@@ -351,7 +340,7 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
         None => "",
     };
     let joints = redundancy.joints.iter().enumerate();
-    let told: String = joints
+    let of_joints: String = joints
         .map(|(i, joint)| format!("    parameters[{i}] = q[{joint}];\n"))
         .collect();
     let of_turn = match redundancy.turn {
@@ -385,7 +374,7 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
          const int count = kin_ik_seeded_at(pose, parameters, seed, solutions);\n    \
          return count > 0 ? kin_choose(solutions, count, seed, solution) : count;\n}}\n\n\
          void kin_redundancy(\n    const double pose[12], const double q[KIN_JOINTS], \
-         double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{told}}}\n",
+         double parameters[KIN_PARAMETERS])\n{{\n{of_swivel}{of_turn}{of_joints}}}\n",
         runtime::NEAREST
     )
 }

@@ -72,3 +72,9 @@ pub fn signed(x: f64) -> String {
         x => straight::signed::<C>(x),
     }
 }
+
+/// A list of numbers, as an initializer.
+pub fn numbers(values: impl IntoIterator<Item = f64>) -> String {
+    let values: Vec<String> = values.into_iter().map(signed).collect();
+    format!("{{{}}}", values.join(", "))
+}

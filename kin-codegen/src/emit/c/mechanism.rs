@@ -3,13 +3,13 @@
 use super::called::hidden;
 use super::declarations::{about as about_arm, guarded, of_arm, types};
 use super::definitions::{constants, file, functions, limits};
-use super::language::signed;
+use super::language::{numbers, signed};
 use super::name::{named, of_part};
 use super::runtime;
 use super::text::{comment, string};
 use crate::arm::CompiledArm;
+use crate::emit::curly::data::rows;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Rod};
-use kin_runtime::Pose;
 use std::fmt::Write as _;
 
 const CONVENTIONS: &str = include_str!("runtime/mechanism/conventions.h");
@@ -33,8 +33,8 @@ impl Part<'_> {
             .map(|(i, variable)| (variable, self.arm.model.turns(i)))
             .collect();
         let limits = limits(&variables).replace(";\n", ";\n\n");
-        let told = comment(std::slice::from_ref(&self.what)) + &types(self.arm);
-        let all = [told, limits, functions(self.arm)];
+        let header = comment(std::slice::from_ref(&self.what)) + &types(self.arm);
+        let all = [header, limits, functions(self.arm)];
         of_part(&hidden(&all.join("\n")), &self.name, runtime::is_shared)
     }
 }
@@ -275,9 +275,9 @@ fn seeded(compiled: &CompiledMechanism, aim: Aim, legs: &[LegForm]) -> String {
             let _ = write!(
                 out,
                 "    /* The platform does not turn: its rotation is that at home. */\n    \
-                 double upright[12] = {{{}}};\n{empty}    \
+                 double upright[12] = {};\n{empty}    \
                  for (int i = 3; i < 12; i += 4) {{\n        upright[i] = pose[i];\n    }}\n",
-                entries(&mechanism.home())
+                numbers(rows(&mechanism.home()))
             );
             asks("0", "upright")
                 .iter()
@@ -397,7 +397,7 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod]) -> String {
         );
     }
     let lengths: Vec<String> = rods.iter().map(|rod| signed(rod.length)).collect();
-    let home = entries(&compiled.mechanism.home());
+    let home = numbers(rows(&compiled.mechanism.home()));
     format!(
         "\n{}\n/* Keeps the solutions of chains in which the actuated joints have these values, to 1e-6. */\n\
          static void kin_keep(kin_postures *postures, const double actuated[KIN_ACTUATED])\n{{\n    \
@@ -412,7 +412,7 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod]) -> String {
          kin_assembly assemblies[KIN_ASSEMBLY_MODES])\n{{\n    \
          /* The platform's origin is as far as each rod is long from a point that an actuator places;\n     \
          * there each chain holds the platform as its actuated joint is set. */\n    \
-         static const double home[12] = {{{home}}};\n    \
+         static const double home[12] = {home};\n    \
          static const double lengths[3] = {{{}}}, seed[KIN_JOINTS] = {{0.0}};\n    \
          double centres[9], points[6], from[12];\n    int met, count = 0;\n{asks}    \
          met = kin_three_spheres(centres, lengths, points);\n    \
@@ -428,14 +428,4 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod]) -> String {
         runtime::SPHERES,
         lengths.join(", ")
     )
-}
-
-/// The twelve numbers of a pose.
-fn entries(pose: &Pose) -> String {
-    let row = |i: usize| {
-        let [a, b, c] = pose.rotation[i];
-        [a, b, c, pose.translation[i]]
-    };
-    let entries = (0..3).flat_map(row).map(signed);
-    entries.collect::<Vec<_>>().join(", ")
 }

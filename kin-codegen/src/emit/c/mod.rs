@@ -31,19 +31,19 @@ pub struct Files {
 }
 
 /// The files that an arm becomes, all of whose symbols begin with `prefix`.
-pub(crate) fn arm(compiled: &CompiledArm, prefix: &str, told: &Header) -> Files {
-    let told = text::header(&told.paragraphs, &told.made_by);
+pub(crate) fn arm(compiled: &CompiledArm, prefix: &str, header: &Header) -> Files {
+    let comment = text::header(&header.paragraphs, &header.made_by);
     Files {
-        header: format!("{told}\n{}", declarations::all(compiled, prefix)),
-        source: format!("{told}\n{}", definitions::all(compiled, prefix)),
+        header: format!("{comment}\n{}", declarations::all(compiled, prefix)),
+        source: format!("{comment}\n{}", definitions::all(compiled, prefix)),
     }
 }
 
 /// The files that a mechanism becomes.
-pub(crate) fn mechanism(compiled: &CompiledMechanism, prefix: &str, told: &Header) -> Files {
-    let told = text::header(&told.paragraphs, &told.made_by);
+pub(crate) fn mechanism(compiled: &CompiledMechanism, prefix: &str, header: &Header) -> Files {
+    let comment = text::header(&header.paragraphs, &header.made_by);
     Files {
-        header: format!("{told}\n{}", mechanism::declarations(compiled, prefix)),
-        source: format!("{told}\n{}", mechanism::definitions(compiled, prefix)),
+        header: format!("{comment}\n{}", mechanism::declarations(compiled, prefix)),
+        source: format!("{comment}\n{}", mechanism::definitions(compiled, prefix)),
     }
 }

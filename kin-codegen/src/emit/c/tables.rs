@@ -2,10 +2,8 @@
 //! and C has no way to.
 
 use super::language::signed;
+use crate::emit::curly::data::PARTS;
 use kin_runtime::__private::univariate::{coefficients_on_arc, cosine_of_turn};
-
-/// Parts of a turn: 24 and 32 samples, their halves and 16 arcs are on it.
-const PARTS: usize = 192;
 
 /// The tables as C; those of degrees above 8 where there are any.
 pub fn all(is_high: bool) -> String {

@@ -1,13 +1,13 @@
 //! Inverse kinematics by a polynomial in one joint: the arm's numbers, in front of what is the
 //! same for every arm.
 
-use super::language::signed;
+use super::language::{numbers, signed};
 use super::{runtime, tables};
 use crate::closed_form::ClosedForm;
+use crate::emit::curly::data::{is_whole, nonzero_functionals, rows, twist};
 use crate::geometry::Carried;
 use crate::univariate::Arm;
 use kin_runtime::__private::univariate::{Between, Elimination};
-use kin_runtime::{Pose, Target, Twist};
 use std::fmt::Write as _;
 
 /// The definitions that search for the solutions of a target.
@@ -30,12 +30,6 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
     ];
     let parts = parts.into_iter().filter(|part| !part.is_empty());
     parts.collect::<Vec<_>>().join("\n")
-}
-
-/// Whether all six joints are the arm's own: then what is found are its solutions.
-fn is_whole(solver: &ClosedForm, arm: &Arm) -> bool {
-    let free_turn = usize::from(arm.counts == Target::PositionAxis);
-    solver.given.variables() + free_turn == 6
 }
 
 /// The call that makes solutions of what was found.
@@ -100,7 +94,7 @@ fn constants(arm: &Arm) -> String {
     let degrees = arm.kept.iter().map(|kept| kept.elimination.degree);
     let is_high = degrees.max() > Some(8);
     let most = if is_high { 12 } else { 8 };
-    let fixed = arm.frames.fixed.iter().map(pose);
+    let fixed = arm.frames.fixed.iter().map(|it| numbers(rows(it)));
     let slides = (0..6).map(|joint| i32::from(arm.frames.slides(joint)).to_string());
     let eliminations = arm.kept.iter().map(|kept| elimination(&kept.elimination));
     let mut out = format!(
@@ -135,7 +129,7 @@ fn frames(between: &[Between], first: usize) -> String {
             first => format!("given[{first} + i]"),
         };
         let count = between.len();
-        let twists: Vec<String> = between.iter().map(|it| twist(&it.twist)).collect();
+        let twists: Vec<String> = between.iter().map(|it| numbers(twist(&it.twist))).collect();
         let behind: Vec<u8> = between.iter().map(|it| it.behind).collect();
         given = format!(
             "    static const double twists[{count}][6] = {{\n        {}}};\n    \
@@ -161,18 +155,6 @@ fn frames(between: &[Between], first: usize) -> String {
     )
 }
 
-/// As rows of four.
-fn pose(pose: &Pose) -> String {
-    let rows = pose.rotation.iter().zip(pose.translation);
-    let rows = rows.flat_map(|(&[x, y, z], t)| [x, y, z, t]);
-    numbers(rows)
-}
-
-fn numbers(values: impl IntoIterator<Item = f64>) -> String {
-    let values: Vec<String> = values.into_iter().map(signed).collect();
-    format!("{{{}}}", values.join(", "))
-}
-
 fn integers(values: &[u8]) -> String {
     let values: Vec<String> = values.iter().map(u8::to_string).collect();
     format!("{{{}}}", values.join(", "))
@@ -192,9 +174,7 @@ fn elimination(elimination: &Elimination) -> String {
         rows,
         columns,
     } = elimination;
-    let is_zero = |row: &[f64; 15]| row.iter().all(|x| *x == 0.0);
-    let count = functionals.iter().rposition(|row| !is_zero(row));
-    let count = count.map_or(0, |last| last + 1);
+    let count = nonzero_functionals(elimination).len();
     let rows: Vec<String> = rows.iter().map(|row| integers(row)).collect();
     let vectors = |all: &[[f64; 15]]| {
         let all: Vec<String> = all.iter().map(|row| numbers(*row)).collect();
@@ -229,7 +209,7 @@ fn carry(solver: &ClosedForm) -> (String, &'static str, &'static str) {
 fn carrying(carried: &Carried) -> String {
     let Carried { front, behind, .. } = carried;
     let twists = front.iter().chain(behind);
-    let twists: Vec<String> = twists.map(twist).collect();
+    let twists: Vec<String> = twists.map(|it| numbers(twist(it))).collect();
     let count = twists.len();
     let value = match carried.between() {
         none if none.is_empty() => "given[i]".to_owned(),
@@ -250,10 +230,4 @@ fn carrying(carried: &Carried) -> String {
         twists.join(",\n        "),
         first = front.len(),
     )
-}
-
-/// Without the noise of composing frames.
-fn twist(twist: &Twist) -> String {
-    let clean = |x: &f64| if x.abs() < 1e-15 { 0.0 } else { *x };
-    numbers(twist.linear.iter().chain(&twist.angular).map(clean))
 }

@@ -1,6 +1,7 @@
 //! Languages in which C's statements mean what they mean in C: what C and JavaScript spell
 //! alike, and what each of them has to say of the rest.
 
+pub mod data;
 pub mod forward;
 pub mod lanes;
 

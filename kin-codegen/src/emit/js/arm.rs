@@ -1,9 +1,10 @@
 //! An arm: what the file says of it, and its functions of q.
 
 use super::form;
-use super::language::{JavaScript, array, filling, numbers, object, rows, signed};
+use super::language::{JavaScript, array, filling, numbers, object, signed};
 use super::text::string;
 use crate::arm::CompiledArm;
+use crate::emit::curly::data::rows;
 use crate::emit::curly::forward::{body, jacobian, links_of_joints, pose};
 use crate::emit::curly::indented;
 use crate::emit::straight::Writer;

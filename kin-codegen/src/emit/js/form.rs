@@ -5,6 +5,7 @@ use super::text::string;
 use super::univariate;
 use crate::arm::CompiledArm;
 use crate::closed_form::{ClosedForm, Inverse};
+use crate::emit::curly::data::{counts, rows, size};
 use crate::emit::curly::indented;
 use crate::emit::curly::lanes::body;
 use crate::emit::postures::Postures;
@@ -32,11 +33,6 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
         Some(_) => Solutions::<6>::CAPACITY,
         None => solver.plan.branches(),
     };
-    // An elimination has the size of the joints that are solved for.
-    let size = match &solver.inverse {
-        Inverse::Univariate(arm) => arm.size,
-        Inverse::Expressions(_) => accept.size,
-    };
     let solve = match (&solver.inverse, search) {
         (Inverse::Univariate(_), _) => "$solve_by_roots",
         (Inverse::Expressions(_), Some(_)) => "$solve_refining",
@@ -60,13 +56,15 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
             "swivel",
             swivel.map_or_else(none, |it| points(&it.at_run_time(model))),
         ),
-        ("size", signed(size)),
+        ("size", signed(size(solver))),
         ("tolerance", signed(accept.tolerance)),
         ("taken", signed(accept.taken)),
         ("nearly", signed(accept.nearly)),
         ("free_angles", places(free_angles.collect())),
     ];
-    fields.extend(counts(solver.plan.target));
+    let counted = ["counts_translation", "counts_rotation", "counts_axis"];
+    let counts = counts(solver.plan.target).map(|counts| counts.to_string());
+    fields.extend(counted.into_iter().zip(counts));
     let is_projected = solver.plan.target.is_projected();
     let corrects = !(is_projected && solver.is_exact());
     let projection = is_projected.then(|| solver.projection());
@@ -167,22 +165,10 @@ fn points(swivel: &Swivel) -> String {
 /// How projected targets see the tip.
 fn projected(projection: &Projection) -> String {
     let Projection { counts, axis, home } = projection;
-    let rows = home.rotation.iter().zip(&home.translation);
-    let home = rows.flat_map(|([x, y, z], shift)| [*x, *y, *z, *shift]);
     let fields = object(&[
         ("axis", numbers(*axis)),
-        ("home", numbers(home)),
+        ("home", numbers(rows(home))),
         ("planar", (*counts == Target::Planar).to_string()),
     ]);
     format!("$projection({fields})")
-}
-
-/// What of a target counts.
-fn counts(target: Target) -> [(&'static str, String); 3] {
-    let translation = !matches!(target, Target::Direction | Target::Orientation);
-    [
-        ("counts_translation", translation.to_string()),
-        ("counts_rotation", (target != Target::Position).to_string()),
-        ("counts_axis", target.fixes_axis().to_string()),
-    ]
 }

@@ -4,7 +4,6 @@
 use super::text;
 use crate::emit::curly::{Curly, indented};
 use crate::emit::straight::{self, Trig};
-use kin_runtime::Pose;
 
 /// The language, as of ECMAScript 2020.
 pub struct JavaScript;
@@ -64,18 +63,6 @@ pub fn signed(x: f64) -> String {
 /// An array of numbers.
 pub fn numbers(values: impl IntoIterator<Item = f64>) -> String {
     array(values.into_iter().map(signed))
-}
-
-/// The twelve numbers of a pose, by rows.
-pub fn rows(pose: &Pose) -> impl Iterator<Item = f64> + use<> {
-    let Pose {
-        rotation,
-        translation,
-    } = *pose;
-    (0..3).flat_map(move |i| {
-        let [a, b, c] = rotation[i];
-        [a, b, c, translation[i]]
-    })
 }
 
 /// An array.

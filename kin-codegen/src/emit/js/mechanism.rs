@@ -1,8 +1,9 @@
 //! A parallel mechanism: its chains as arms, and which of their joints are driven.
 
 use super::arm::arm;
-use super::language::{array, numbers, object, rows, signed};
+use super::language::{array, numbers, object, signed};
 use super::text::string;
+use crate::emit::curly::data::rows;
 use crate::mechanism::{Aim, CompiledMechanism, LegForm};
 
 /// The expression that is a mechanism.

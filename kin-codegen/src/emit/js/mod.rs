@@ -12,15 +12,15 @@ use super::header::Header;
 use crate::compiled::Compiled;
 
 /// The module whose default export is the robot.
-pub(crate) fn robot(compiled: &Compiled, told: &Header) -> String {
-    let header = text::header(&told.paragraphs, &told.made_by);
+pub(crate) fn robot(compiled: &Compiled, header: &Header) -> String {
+    let comment = text::header(&header.paragraphs, &header.made_by);
     let robot = match compiled {
         Compiled::Arm(arm) => arm::arm(arm),
         Compiled::Mechanism(mechanism) => mechanism::mechanism(mechanism),
     };
     let pieces = runtime::pieces(&robot);
     format!(
-        "{header}\nconst robot = (() => {{\n\"use strict\";\n\n{pieces}\nreturn {robot};\n}})();\n\n\
+        "{comment}\nconst robot = (() => {{\n\"use strict\";\n\n{pieces}\nreturn {robot};\n}})();\n\n\
          export default robot;\n"
     )
 }

@@ -1,30 +1,26 @@
 //! Inverse kinematics by a polynomial in one joint: the arm's numbers, for what is the same for every
 //! arm.
 
-use super::language::{array, numbers, object, rows, signed};
+use super::language::{array, numbers, object, signed};
 use crate::closed_form::ClosedForm;
+use crate::emit::curly::data::{PARTS, is_whole, nonzero_functionals, rows, twist};
 use crate::geometry::Carried;
 use crate::univariate::Arm;
 use kin_runtime::__private::Completion;
 use kin_runtime::__private::univariate::{
     Between, Elimination, coefficients_on_arc, cosine_of_turn,
 };
-use kin_runtime::{Target, Twist};
-
-/// Parts of a turn: 24 and 32 samples, their halves and 16 arcs are on it.
-const PARTS: usize = 192;
+use kin_runtime::Twist;
 
 /// The object that says what is searched.
 pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
-    let free_turn = usize::from(arm.counts == Target::PositionAxis);
-    let is_whole = solver.given.variables() + free_turn == 6;
     let Carried { front, behind, .. } = &Carried::new(&solver.given);
     let completion = match solver.completion() {
         Completion::Never => "never",
         Completion::Unanswered => "unanswered",
         Completion::Degenerate => "degenerate",
     };
-    let twists = |twists: &[Twist]| array(twists.iter().map(twist));
+    let twists = |twists: &[Twist]| array(twists.iter().map(|it| numbers(twist(it))));
     object(&[
         ("size", signed(arm.size)),
         (
@@ -35,7 +31,7 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
             "slides",
             array((0..6).map(|joint| arm.frames.slides(joint).to_string())),
         ),
-        ("is_whole", is_whole.to_string()),
+        ("is_whole", is_whole(solver, arm).to_string()),
         ("completion", format!("{completion:?}")),
         ("near_singular", signed(solver.acceptance().near_singular)),
         ("front", twists(front)),
@@ -48,17 +44,11 @@ pub fn search(solver: &ClosedForm, arm: &Arm) -> String {
     ])
 }
 
-/// Without the noise of composing frames.
-fn twist(twist: &Twist) -> String {
-    let clean = |x: &f64| if x.abs() < 1e-15 { 0.0 } else { *x };
-    numbers(twist.linear.iter().chain(&twist.angular).map(clean))
-}
-
 /// A joint that is given between those that are solved for.
 fn between(joint: &Between) -> String {
     object(&[
         ("behind", joint.behind.to_string()),
-        ("twist", twist(&joint.twist)),
+        ("twist", numbers(twist(&joint.twist))),
     ])
 }
 
@@ -68,7 +58,7 @@ fn elimination(elimination: &Elimination) -> String {
         backwards,
         degree,
         moved,
-        functionals,
+        functionals: _,
         half,
         third,
         fold,
@@ -76,9 +66,6 @@ fn elimination(elimination: &Elimination) -> String {
         rows,
         columns,
     } = elimination;
-    let is_zero = |row: &[f64; 15]| row.iter().all(|x| *x == 0.0);
-    let count = functionals.iter().rposition(|row| !is_zero(row));
-    let count = count.map_or(0, |last| last + 1);
     let vectors = |all: &[[f64; 15]]| lines(all.iter().map(|row| numbers(*row)));
     object(&[
         ("joints", integers(joints)),
@@ -86,7 +73,7 @@ fn elimination(elimination: &Elimination) -> String {
         ("degree", degree.to_string()),
         ("moved", moved.to_string()),
         ("half", half.to_string()),
-        ("functionals", vectors(&functionals[..count])),
+        ("functionals", vectors(nonzero_functionals(elimination))),
         ("third", vectors(third)),
         ("fold", fold.map_or_else(|| "null".into(), signed)),
         ("powers", integers(powers)),

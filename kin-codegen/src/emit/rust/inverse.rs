@@ -347,10 +347,10 @@ pub fn completed(
     match completion {
         Completion::Never => refined,
         Completion::Unanswered => quote! {
-            let told = #corrected;
-            match told.is_empty() && #completed {
+            let corrected = #corrected;
+            match corrected.is_empty() && #completed {
                 true => #refined,
-                false => told,
+                false => corrected,
             }
         },
         Completion::Degenerate => quote! {

@@ -11,7 +11,6 @@ use crate::arm::CompiledArm;
 use crate::emit::text;
 use crate::expr::forward::Outputs;
 use crate::mechanism::{Aim, CompiledMechanism, ForwardMethod, LegForm, Loop, Rod};
-use crate::model::JointKind;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -368,7 +367,7 @@ fn prismatic(compiled: &CompiledMechanism) -> Literal {
         .iter()
         .flat_map(|leg| &leg.model.joints);
     let slides = |(i, joint): (usize, &crate::model::Joint)| {
-        (joint.kind == JointKind::Prismatic && i < 32).then_some(1_u32 << (i % 32))
+        (!joint.is_revolute() && i < 32).then_some(1_u32 << (i % 32))
     };
     Literal::u32_unsuffixed(joints.enumerate().filter_map(slides).sum())
 }
@@ -421,7 +420,7 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod], n: &Literal) -> TokenStre
         .iter()
         .flat_map(|leg| &leg.model.joints)
         .collect();
-    let slides = |joint: usize| joints[joint].kind == JointKind::Prismatic;
+    let slides = |joint: usize| !joints[joint].is_revolute();
     let kept = mechanism
         .actuated()
         .into_iter()

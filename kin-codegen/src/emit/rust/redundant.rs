@@ -37,7 +37,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
     let takes = takes(model, redundancy);
     let assumes = inverse::assumes(solver);
     let plan = format!(" Solved by {}.", solver.plan);
-    let told = told(redundancy, &n, &value);
+    let parameters_of = parameters_of(redundancy, &n, &value);
     let keeps = match solver.inverse {
         Inverse::Univariate(_) => {
             " As [`Self::ik_at`]; if `seed` (radians, metres) is a singular solution, it is among them."
@@ -73,7 +73,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
             #seeded
         }
 
-        #told
+        #parameters_of
 
         #private
     }
@@ -315,7 +315,7 @@ fn swivel(swivel: &kin_runtime::Swivel) -> TokenStream {
 }
 
 /// The parameters of a configuration.
-fn told(redundancy: &Redundancy, n: &Literal, value: &TokenStream) -> TokenStream {
+fn parameters_of(redundancy: &Redundancy, n: &Literal, value: &TokenStream) -> TokenStream {
     let joints = redundancy.joints.iter().map(|&joint| {
         let joint = usize_literal(joint);
         quote!(q[#joint])

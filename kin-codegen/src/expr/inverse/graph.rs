@@ -31,7 +31,7 @@ pub struct InverseGraph {
     /// The residual tells this share of a miss, at least: the sine and cosine of a direction that a step
     /// turns are divided by what is constant of it, and where a target has it tilted they are those
     /// of no angle.
-    pub told: f64,
+    pub residual_share: f64,
     /// The angles that turn where they are free and the seed's value will not do.
     pub free_angles: Vec<FreeAngle>,
     /// Which of the graph's nodes belong to what.

@@ -5,7 +5,6 @@ use super::Writer;
 use super::transport::Transported;
 use crate::expr::Expr;
 use crate::expr::linear::Vector;
-use crate::model::JointKind;
 use crate::plan::{Atom, Relation};
 
 /// A point c cos θ + s sin θ + m.
@@ -152,7 +151,7 @@ impl Writer<'_> {
     }
 
     fn is_prismatic(&self, unknown: Atom) -> bool {
-        self.linkage.links[self.extent(unknown).0].kind == JointKind::Prismatic
+        !self.linkage.is_revolute(self.extent(unknown).0)
     }
 
     /// J₁⁻¹ left before joint `start`.

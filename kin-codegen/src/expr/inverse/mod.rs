@@ -107,8 +107,8 @@ struct Writer<'a> {
     meetings: Option<Expr>,
     /// See [`InverseGraph::arguments`].
     arguments: Option<Vec<(Choice, Expr)>>,
-    /// See [`InverseGraph::told`].
-    told: f64,
+    /// See [`InverseGraph::residual_share`].
+    residual_share: f64,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
     /// Vectors shorter than this, squared and relative to their scale, leave the
@@ -181,7 +181,7 @@ impl<'a> Writer<'a> {
             margin: None,
             meetings: None,
             arguments: Some(Vec::new()),
-            told: 1.0,
+            residual_share: 1.0,
             watched: Vec::new(),
             free: zero,
             may_be_free: Vec::new(),
@@ -404,7 +404,7 @@ impl<'a> Writer<'a> {
             singular: self.g.named(self.singular, "singular"),
             margin,
             arguments: self.arguments,
-            told: self.told,
+            residual_share: self.residual_share,
             free_angles,
             graph: self.g,
             tape: Tape::default(),

@@ -107,12 +107,12 @@ impl Writer<'_> {
     fn circle(&mut self, [first, second]: [Plane; 2]) -> ([Vec<Expr>; 3], Expr) {
         let (outer, x) = self.reflection(&first.row, first.level);
         let across = self.reflect(&outer, &second.row);
-        let told = self.g.mul(across[0], x);
-        let level = self.g.sub(second.level, told);
+        let known = self.g.mul(across[0], x);
+        let level = self.g.sub(second.level, known);
         let (inner, y) = self.reflection(&across[1..], level);
-        let [xx, yy] = [x, y].map(|told| self.g.square(told));
-        let (two, told) = (self.g.constant(2.0), self.g.add(xx, yy));
-        let square = self.g.sub(two, told);
+        let [xx, yy] = [x, y].map(|it| self.g.square(it));
+        let (two, known) = (self.g.constant(2.0), self.g.add(xx, yy));
+        let square = self.g.sub(two, known);
         let least = self.g.constant(LEAST * LEAST);
         let radius = self.g.max(square, least);
         let radius = self.g.sqrt(radius);
@@ -120,9 +120,9 @@ impl Writer<'_> {
         let minus = self.g.neg(square);
         let apart = self.g.max(zero, minus);
         let inside = [[radius, zero], [zero, radius], [zero; 2]];
-        let told = [[zero; 2], [zero; 2], [x, y]];
+        let centre = [[zero; 2], [zero; 2], [x, y]];
         let circle = [0, 1, 2].map(|i| {
-            let [[x, y], [cos, sin]] = [told[i], inside[i]];
+            let [[x, y], [cos, sin]] = [centre[i], inside[i]];
             let mut all = vec![x];
             all.extend(self.reflect(&inner, &[y, cos, sin]));
             self.reflect(&outer, &all)

@@ -37,7 +37,7 @@ impl Writer<'_> {
             .into_iter()
             .find(|&e| self.g.value(e).is_some_and(|x| x > 0.0));
         if let (false, Some(factor)) = (point, constant) {
-            self.told *= self.g.value(factor).map_or(1.0, f64::sqrt);
+            self.residual_share *= self.g.value(factor).map_or(1.0, f64::sqrt);
             let scale = self.g.one();
             return ScaledTrig {
                 trig,

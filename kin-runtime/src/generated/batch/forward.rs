@@ -143,7 +143,7 @@ impl<const M: usize> Turns<M> {
             return;
         }
         for k in 0..LANES {
-            R::at::<Fused<FUSED>>(&q[k], Told(&mut self.sines, k));
+            R::at::<Fused<FUSED>>(&q[k], Collecting(&mut self.sines, k));
         }
         for i in 0..M {
             let angles = self.sines[i].0;
@@ -167,9 +167,9 @@ impl<const M: usize, const FUSED: bool> SinCos<M> for Finding<'_, M, FUSED> {
 }
 
 /// Writes down which angles a lane asks for.
-struct Told<'a, const M: usize>(&'a mut Columns<M>, usize);
+struct Collecting<'a, const M: usize>(&'a mut Columns<M>, usize);
 
-impl<const M: usize> SinCos<M> for Told<'_, M> {
+impl<const M: usize> SinCos<M> for Collecting<'_, M> {
     #[inline(always)]
     fn of(self, angles: [Real; M]) -> ([Real; M], [Real; M]) {
         for i in 0..M {

@@ -51,15 +51,15 @@ where
                 solutions.push_if(true, branch);
             }
             for branch in branches.filter(|branch| !reaches(branch)) {
-                let told = self.told(&branch.q, wrist);
-                let others = core::iter::once(told.without(&branch));
-                let fk_jacobian = |q: &[Real; 6]| told.fk_jacobian(q);
+                let arm = self.without_joint(&branch.q, wrist);
+                let others = core::iter::once(arm.without(&branch));
+                let fk_jacobian = |q: &[Real; 6]| arm.fk_jacobian(q);
                 let problem = Problem::new(fk_jacobian, target, Target::Pose, accept);
                 let found = correct_branches(&problem, others, accept);
                 for found in &found {
-                    let q = told.whole(&found.q).map(math::wrap);
+                    let q = arm.whole(&found.q).map(math::wrap);
                     // Where the angle hardly tells its joint, nothing was solved.
-                    let (_, off) = told.slopes(&q);
+                    let (_, off) = arm.slopes(&q);
                     let (pose, _) = (self.fk_jacobian)(&q);
                     let residual = Target::Pose.distance(&pose, target, accept.size);
                     if off.abs() <= ELSEWHERE && residual <= accept.tolerance {
@@ -76,22 +76,26 @@ where
     }
 
     /// Which joint the angle tells next to a configuration: the one that it depends on most.
-    fn told(&self, q: &[Real; 7], wrist: [Real; 3]) -> Told<'_, Links, FkJacobian> {
-        let mut told = Told {
+    fn without_joint(
+        &self,
+        q: &[Real; 7],
+        wrist: [Real; 3],
+    ) -> WithoutJoint<'_, Links, FkJacobian> {
+        let mut arm = WithoutJoint {
             arm: self,
             wrist,
             joint: 0,
             near: 0.0,
         };
-        let (slopes, _) = told.slopes(q);
-        told.joint = usize::from(slopes[1].abs() > slopes[0].abs());
-        told.near = q[told.joint];
-        told
+        let (slopes, _) = arm.slopes(q);
+        arm.joint = usize::from(slopes[1].abs() > slopes[0].abs());
+        arm.near = q[arm.joint];
+        arm
     }
 }
 
-/// An arm of the six joints that the angle does not tell.
-struct Told<'a, Links, FkJacobian> {
+/// The arm of six joints that the angle leaves, the seventh found by it.
+struct WithoutJoint<'a, Links, FkJacobian> {
     arm: &'a AtSwivel<'a, Links, FkJacobian>,
     /// Where the target has it.
     wrist: [Real; 3],
@@ -100,7 +104,7 @@ struct Told<'a, Links, FkJacobian> {
     near: Real,
 }
 
-impl<Links, FkJacobian> Told<'_, Links, FkJacobian>
+impl<Links, FkJacobian> WithoutJoint<'_, Links, FkJacobian>
 where
     Links: Fn(&[Real; 7]) -> [Pose; 7],
     FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),

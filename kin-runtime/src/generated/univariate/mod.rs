@@ -68,7 +68,7 @@ pub struct Univariate<'a> {
 
 /// What one elimination said of one target.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Told {
+pub struct Outcome {
     /// Real roots.
     pub roots: usize,
     /// Those of them near which other solutions were looked for.
@@ -139,10 +139,10 @@ impl Univariate<'_> {
 
     /// What one elimination says of a target, and the solutions that it finds, lengths as in
     /// the frames.
-    pub fn told(&self, elimination: &Elimination, target: &Pose) -> (Told, Solutions<6>) {
+    pub fn outcome(&self, elimination: &Elimination, target: &Pose) -> (Outcome, Solutions<6>) {
         let mut search = Search::new(self, target);
-        let told = search.ask(elimination);
-        (told, search.found())
+        let outcome = search.ask(elimination);
+        (outcome, search.found())
     }
 }
 

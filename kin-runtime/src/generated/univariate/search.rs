@@ -8,7 +8,7 @@ use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
-use super::{LANES, Told, Univariate};
+use super::{LANES, Outcome, Univariate};
 use crate::linear::vector::norm;
 use crate::{Pose, Solution, Solutions, Target, math};
 use core::f64::consts::TAU;
@@ -227,22 +227,22 @@ impl<'a> Search<'a> {
     }
 
     /// Adds what one elimination finds.
-    pub fn ask(&mut self, elimination: &Elimination) -> Told {
+    pub fn ask(&mut self, elimination: &Elimination) -> Outcome {
         let recovery = Recovery::new(elimination, &self.arm.frames, &self.target);
         let f = polynomial(&recovery);
-        let mut told = Told {
+        let mut outcome = Outcome {
             noise: f.noise,
-            ..Told::default()
+            ..Outcome::default()
         };
         let Some(roots) = (f.noise < DROWNED).then(|| roots(&f)) else {
             self.take_members(&recovery);
             self.ask_beside(elimination);
-            return told;
+            return outcome;
         };
-        told.roots = roots.count;
+        outcome.roots = roots.count;
         self.found.again = 0;
         let mut unclear = self.one_each(&recovery, &roots);
-        told.unclear = unclear.len();
+        outcome.unclear = unclear.len();
         let may_be_certain = !roots.incomplete && f.noise < UNCERTAIN;
         if may_be_certain {
             unclear.count_zeros(elimination.fold, &f);
@@ -255,8 +255,8 @@ impl<'a> Search<'a> {
             self.meet();
             self.settle(elimination, &mut unclear);
         }
-        told.certain = may_be_certain && self.has_all(&unclear);
-        told
+        outcome.certain = may_be_certain && self.has_all(&unclear);
+        outcome
     }
 
     /// Where a family of solutions makes a polynomial of zeros, every value that the kept joint has in

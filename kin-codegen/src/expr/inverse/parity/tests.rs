@@ -27,7 +27,7 @@ fn inverse(mut g: Graph, q: Vec<Expr>, invalid: Option<Expr>) -> InverseGraph {
         singular: zero,
         margin: None,
         arguments: None,
-        told: 1.0,
+        residual_share: 1.0,
         free_angles: Vec::new(),
         parts: Parts::default(),
         tape: Tape::default(),
