@@ -208,12 +208,20 @@ impl<const N: usize> RedundantKinematics<N> for OfJoints<'_, N> {
         self.robot.domain.as_ref().map_or(0, Domain::roots)
     }
 
-    fn held(&self) -> u64 {
-        let others = (0..self.robot.parameters()).filter(|&i| i != self.moving);
-        others.fold(0, |held, i| match self.robot.parameter(i) {
-            Some(Parameter::Joint(joint)) => held | 1 << joint,
-            _ => held,
-        })
+    fn held(&self) -> [Option<f64>; N] {
+        let joints = self.robot.joints();
+        let mut held = std::array::from_fn(|joint| (joint >= joints).then_some(0.0));
+        for (i, &value) in self
+            .held
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| *i != self.moving)
+        {
+            if let Some(Parameter::Joint(joint)) = self.robot.parameter(i) {
+                held[joint] = Some(value);
+            }
+        }
+        held
     }
 
     fn held_turn(&self) -> Option<f64> {

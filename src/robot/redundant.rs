@@ -134,13 +134,13 @@ pub struct Interval {
 }
 
 impl Interval {
-    fn of<const N: usize>(interval: &FeasibleInterval<N>) -> Self {
+    fn of<const N: usize>(joints: usize, interval: &FeasibleInterval<N>) -> Self {
         Self {
             from: interval.from,
             to: interval.to,
             is_angle: interval.is_angle,
             is_closed: interval.is_closed,
-            middle: interval.middle.to_vec(),
+            middle: interval.middle[..joints].to_vec(),
         }
     }
 
@@ -189,11 +189,11 @@ impl AlongParameter<'_> {
 
     /// The intervals of the parameter in which each branch of solutions exists; see
     /// [`RedundantKinematics::feasible`].
-    ///
-    /// None are told of a robot of more than eight joints.
     pub fn feasible(&self, pose: &Pose) -> Vec<Interval> {
-        with_constant!(self.robot.joints(), N => self.of_joints::<N, _>(pose, |arm, pose| {
-            arm.feasible(pose).iter().map(Interval::of).collect()
+        let joints = self.robot.joints();
+        with_capacity!(joints, N => self.of_joints::<N, _>(pose, |arm, pose| {
+            let intervals = arm.feasible(pose);
+            intervals.iter().map(|interval| Interval::of(joints, interval)).collect()
         }))
         .unwrap_or_default()
     }
@@ -204,10 +204,12 @@ impl AlongParameter<'_> {
     ///
     /// There is not a limit for each joint.
     pub fn feasible_within(&self, pose: &Pose, limits: &[JointLimit]) -> Vec<Interval> {
-        with_constant!(self.robot.joints(), N => self.of_joints::<N, _>(pose, |arm, pose| {
-            let limits = limits.try_into().expect("a limit for each joint");
-            let intervals = arm.feasible_within(pose, limits);
-            intervals.iter().map(Interval::of).collect()
+        let joints = self.robot.joints();
+        assert_eq!(limits.len(), joints, "a limit for each joint");
+        let limit = |i| limits.get(i).copied().unwrap_or(JointLimit::Continuous);
+        with_capacity!(joints, N => self.of_joints::<N, _>(pose, |arm, pose| {
+            let intervals = arm.feasible_within(pose, &std::array::from_fn(limit));
+            intervals.iter().map(|interval| Interval::of(joints, interval)).collect()
         }))
         .unwrap_or_default()
     }
@@ -217,7 +219,7 @@ impl AlongParameter<'_> {
     ///
     /// # Panics
     ///
-    /// N is not the number of joints. With an N of more than eight it does not compile.
+    /// N is not the number of joints.
     pub fn ik_best<const N: usize>(
         &self,
         pose: &Pose,

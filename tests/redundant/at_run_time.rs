@@ -1,7 +1,7 @@
 //! The same robots read while the program runs: what generated code computes, to the last bit.
 
 use crate::cached::cached;
-use crate::several::{GantryIiwa, PandaTool};
+use crate::several::{GantryIiwa, MobilePanda, PandaTool};
 use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
@@ -231,6 +231,43 @@ fn two_parameters_are_the_same() {
                 .map(|it| ends(it.from, it.to))
                 .collect::<Vec<_>>()
         );
+    }
+}
+
+/// Of more joints than have code of their own.
+#[test]
+fn four_parameters_are_the_same() {
+    let loaded = cached(
+        "robots/redundant/mobile_panda.yaml",
+        &RobotOptions::default(),
+    );
+    let q = [0.4, 0.3, 0.9, -0.4, 1.2, 0.5, -0.8, 0.6, 0.2, -1.1];
+    let target = MobilePanda.fk(&q);
+    let held = loaded.redundancy(&target, &q);
+    let intervals = [
+        MobilePanda
+            .along::<0>([0.4, 0.3, 0.9, -1.1])
+            .feasible(&target),
+        MobilePanda
+            .along::<3>([0.4, 0.3, 0.9, -1.1])
+            .feasible(&target),
+    ];
+    for (place, here) in [0, 3].into_iter().zip(intervals) {
+        let along = loaded.along(place, &held);
+        let there = along.feasible(&target);
+        assert!(!here.is_empty());
+        assert_eq!(there.len(), here.len());
+        for (there, here) in there.iter().zip(&here) {
+            assert_eq!([there.from, there.to], [here.from, here.to]);
+            assert_eq!(there.middle, here.middle);
+        }
+        let limits = loaded.limits();
+        let within = along.feasible_within(&target, limits);
+        assert!(!within.is_empty());
+        let best = along
+            .ik_best(&target, &Criterion::Nearest(q))
+            .expect("one within limits");
+        assert!((0..10).all(|i| (best[i] - q[i]).abs() < 1e-6), "{best:?}");
     }
 }
 

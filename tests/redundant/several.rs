@@ -3,8 +3,8 @@
 use crate::cached::cached;
 use crate::random::Random;
 use kinematics::{
-    Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, JointLimit, Parameter, Pose,
-    RedundantKinematics, RobotOptions, kinematics,
+    Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, JointLimit, Kinematics,
+    Parameter, Pose, RedundantKinematics, RobotOptions, kinematics,
 };
 use std::f64::consts::PI;
 
@@ -12,6 +12,7 @@ kinematics!(
     "robots/redundant/gantry_iiwa.yaml",
     free = ["slide", "joint_a3"]
 );
+kinematics!("robots/redundant/mobile_panda.yaml");
 kinematics!(
     "../robots/panda.yaml",
     name = PandaTool,
@@ -263,6 +264,62 @@ fn with_the_others_held_one_parameter_has_its_intervals() {
     let given = PandaTool.redundancy(&target, &q);
     along_one(&PandaTool.along::<0>([9.9, given[1]]), &q, &target);
     along_one(&PandaTool.along::<1>([given[0], 9.9]), &q, &target);
+}
+
+/// Ten joints, six of which move beside the one that is followed.
+#[test]
+fn with_three_others_held_one_parameter_has_its_intervals() {
+    let slide = Parameter::Joint;
+    assert_eq!(MobilePanda::PARAMETERS, [0, 1, 2, 9].map(slide));
+    let mut random = Random::new(0x10);
+    for _ in 0..8 {
+        let q: [f64; 10] = std::array::from_fn(|i| match MobilePanda::LIMITS[i] {
+            limit if limit.is_revolute() => {
+                random.between(limit.lower().max(-PI), limit.upper().min(PI))
+            }
+            _ => random.between(-1.0, 1.0),
+        });
+        let target = MobilePanda.fk(&q);
+        let [x, y, heading, last] = MobilePanda.redundancy(&q);
+        along_one(
+            &MobilePanda.along::<0>([9.9, y, heading, last]),
+            &q,
+            &target,
+        );
+        along_one(
+            &MobilePanda.along::<1>([x, 9.9, heading, last]),
+            &q,
+            &target,
+        );
+        along_one(&MobilePanda.along::<2>([x, y, 9.9, last]), &q, &target);
+        along_one(&MobilePanda.along::<3>([x, y, heading, 9.9]), &q, &target);
+    }
+}
+
+/// What an arm computes in a form of its own is that of the arm with parameters held.
+#[test]
+fn with_the_others_held_an_arm_is_as_it_was() {
+    let q = [0.4, 0.3, 0.9, -0.4, 1.2, 0.5, -0.8, 0.6, 0.2, -1.1];
+    let held = MobilePanda.along::<0>([9.9, 0.3, 0.9, -1.1]);
+    let rates = q.map(|q| 1.0 - q);
+    assert_eq!(
+        held.jacobian_dot(&q, &rates),
+        MobilePanda.jacobian_dot(&q, &rates)
+    );
+    assert_eq!(held.body_jacobian(&q), MobilePanda.body_jacobian(&q));
+    assert_eq!(
+        held.geometric_jacobian(&q),
+        MobilePanda.geometric_jacobian(&q)
+    );
+    let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    let held = Ur10ePosition.along::<0>([9.9, 0.1, 0.2]);
+    let own: Vec<_> = Ur10ePosition.singularities(&q).to_vec();
+    assert!(!own.is_empty());
+    assert_eq!(held.singularities(&q).to_vec(), own);
+    assert_eq!(
+        held.jacobian_determinant(&q),
+        Some(Ur10ePosition.jacobian_determinant(&q))
+    );
 }
 
 /// Without closed form, where branches begin and end is looked for along each of two parameters:

@@ -2,8 +2,8 @@
 
 use super::sample::Sample;
 use super::task::{Point, Task};
-use crate::RedundantKinematics;
 use crate::linear::vector::norm;
+use crate::{Parameter, RedundantKinematics};
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
 
@@ -105,10 +105,9 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The range of the parameter: a turn, or a slide's travel.
     pub fn range(&self) -> [f64; 2] {
-        match self.turns(self.parameter) {
-            true => [-PI, PI],
-            false => {
-                let limit = self.limits[self.parameter];
+        match self.of {
+            Parameter::Joint(joint) if !self.limits[joint].is_revolute() => {
+                let limit = self.limits[joint];
                 let distance = norm(self.target.translation);
                 // Where the position counts it is a number.
                 let far = FARTHEST + if distance.is_finite() { distance } else { 0.0 };
@@ -121,6 +120,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
                 };
                 [end(lower, upper, -1.0), end(upper, lower, 1.0)]
             }
+            _ => [-PI, PI],
         }
     }
 }

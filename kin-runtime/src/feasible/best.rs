@@ -202,5 +202,5 @@ fn are_apart<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         return false;
     };
     let way = task.way(&task.point(&from, 0.0), &task.point(&to, 0.0));
-    task.q(&way).iter().any(|way| way.abs() > FARTHEST)
+    way.iter().any(|way| way.abs() > FARTHEST)
 }

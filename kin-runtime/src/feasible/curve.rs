@@ -178,9 +178,10 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// Joint values with angles in (−π, π].
     fn q_wrapped(&self, x: &Point) -> [f64; N] {
-        core::array::from_fn(|i| match self.turns(i) {
-            true => math::wrap(x[i]),
-            false => x[i],
+        let q = self.q(x);
+        core::array::from_fn(|i| match self.limits[i].is_revolute() {
+            true => math::wrap(q[i]),
+            false => q[i],
         })
     }
 }

@@ -133,7 +133,7 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     for (joint, stop) in stops.iter().enumerate() {
         let (lower, upper) = (stop.lower() - BEYOND, stop.upper() + BEYOND);
         let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower));
-        let turns = task.turns(joint);
+        let turns = task.limits[joint].is_revolute();
         // By full turns it is always within.
         if turns && half >= PI || lower == f64::NEG_INFINITY && upper == f64::INFINITY {
             continue;
@@ -149,7 +149,7 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
             false => upper - q,
         };
         // Where there is no solution it crosses nothing.
-        let f = |variable: f64| at(variable).map_or(1.0, |x| inside(x[joint]));
+        let f = |variable: f64| at(variable).map_or(1.0, |x| inside(task.q(&x)[joint]));
         found.extend(zeros(&cosines, &f, whole.from, whole.to, PIECES).crossing);
     }
     found

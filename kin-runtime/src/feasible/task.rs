@@ -10,12 +10,16 @@ use crate::{
 use alloc::collections::BTreeMap;
 use core::cell::RefCell;
 
-/// Coordinates of a point: the values of up to eight joints, then the parameter unless it is one of
-/// these joints; what is left is zero.
+/// Coordinates of a point: the values of the joints that move, then the parameter unless it is one
+/// of these joints; what is left is zero. A target leaves one way to go to seven joints at most, or
+/// to eight whose swivel angle is held.
 pub(super) const WIDTH: usize = 9;
 pub(super) type Point = [f64; WIDTH];
 /// Those of the tip's pose, and what a swivel angle has to be.
 const EQUATIONS: usize = 7;
+
+/// The places of coordinates.
+const PLACES: [usize; WIDTH] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
 
 /// Values of the parameter whose solutions are kept, a kilobyte each.
 const KNOWN: usize = 4096;
@@ -30,10 +34,12 @@ pub(super) struct Task<'a, K: ?Sized, const N: usize> {
     /// Branches of the plan, and how many roots of it each takes.
     pub branches: usize,
     pub roots: usize,
+    /// The joints that move, whose values are the first coordinates.
+    moving: ([usize; WIDTH], usize),
     /// How many coordinates there are.
     coordinates: usize,
-    /// Those that rest, in front: those that there are not, and joints that are held.
-    resting: ([usize; WIDTH], usize),
+    /// The values of joints that do not move; of the others zero.
+    held: [f64; N],
     /// What the parameter is.
     pub of: Parameter,
     /// The swivel whose angle is the parameter, or is held at a value.
@@ -52,24 +58,22 @@ pub(super) struct Place {
 }
 
 impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
-    /// Stops the compilation for arms with too many joints.
-    const FITS: () = {
-        assert!(N < WIDTH, "arms of eight joints at most");
-    };
-
+    /// # Panics
+    ///
+    /// More than eight joints move: then the robot is none with one parameter.
     pub fn new(robot: &'a K, target: &'a Pose) -> Self {
-        let () = Self::FITS;
+        let held = robot.held();
+        let (mut moving, mut joints) = ([0; WIDTH], 0);
+        for joint in (0..N).filter(|&joint| held[joint].is_none()) {
+            assert!(joints + 1 < WIDTH, "eight joints that move at most");
+            moving[joints] = joint;
+            joints += 1;
+        }
         let of = robot.parameter();
         let parameter = match of {
-            Parameter::Joint(joint) => joint,
-            Parameter::Swivel(_) | Parameter::Turn => N,
+            Parameter::Joint(joint) => place(&moving[..joints], joint),
+            Parameter::Swivel(_) | Parameter::Turn => joints,
         };
-        let coordinates = N.max(parameter + 1);
-        let (mut resting, mut count) = ([0; WIDTH], 0);
-        for i in (0..WIDTH).filter(|&i| i >= coordinates || robot.held() >> i & 1 == 1) {
-            resting[count] = i;
-            count += 1;
-        }
         Task {
             robot,
             target,
@@ -77,8 +81,9 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
             limits: robot.own_limits(),
             branches: robot.branches_at(),
             roots: robot.roots(),
-            coordinates,
-            resting: (resting, count),
+            moving: (moving, joints),
+            coordinates: joints.max(parameter + 1),
+            held: held.map(|value| value.unwrap_or(0.0)),
             of,
             swivel: match of {
                 Parameter::Swivel(swivel) => Some((swivel, None)),
@@ -113,20 +118,37 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         solutions
     }
 
+    /// The joints that move, in the order of the coordinates.
+    fn moving(&self) -> &[usize] {
+        &self.moving.0[..self.moving.1]
+    }
+
+    /// The coordinate that is the value of a joint that moves.
+    pub fn coordinate(&self, joint: usize) -> usize {
+        place(self.moving(), joint)
+    }
+
     /// Whether a coordinate is an angle.
-    pub fn turns(&self, i: usize) -> bool {
-        i >= N || self.limits[i].is_revolute()
+    pub fn turns(&self, coordinate: usize) -> bool {
+        let joint = self.moving().get(coordinate);
+        joint.is_none_or(|&joint| self.limits[joint].is_revolute())
     }
 
     /// The joint values of a point.
     pub fn q(&self, x: &Point) -> [f64; N] {
-        core::array::from_fn(|i| x[i])
+        let mut q = self.held;
+        for (&joint, x) in self.moving().iter().zip(x) {
+            q[joint] = *x;
+        }
+        q
     }
 
     /// The point of joint values at a parameter.
     pub fn point(&self, q: &[f64; N], parameter: f64) -> Point {
         let mut x = [0.0; WIDTH];
-        x[..N].copy_from_slice(q);
+        for (&joint, x) in self.moving().iter().zip(&mut x) {
+            *x = q[joint];
+        }
         x[self.parameter] = parameter;
         x
     }
@@ -148,28 +170,32 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         let geometric = spatial.spatial_to_geometric(&pose);
         let turn = match self.of {
             Parameter::Joint(_) | Parameter::Swivel(_) => self.robot.held_turn(),
-            Parameter::Turn => Some(x[N]),
+            Parameter::Turn => Some(x[self.parameter]),
         };
         let target = turn.map_or(*self.target, |turn| self.target.turned(turn));
         let own = self.counts.counting_rows(&pose, &geometric).rows;
         let mut rows = [[0.0; WIDTH]; EQUATIONS];
-        for (row, own) in rows.iter_mut().zip(own) {
-            row[..N].copy_from_slice(&own);
+        for (k, &joint) in self.moving().iter().enumerate() {
+            for (row, own) in rows.iter_mut().zip(&own) {
+                row[k] = own[joint];
+            }
         }
         let mut missing = [0.0; EQUATIONS];
         missing[..6].copy_from_slice(&self.counts.missing(&pose, &target).to_array());
         if let Some((swivel, held)) = self.swivel {
             let (row, angle) = swivel.row(&links, &pose, &spatial);
-            rows[6][..N].copy_from_slice(&row);
-            if held.is_none() {
-                rows[6][N] = -1.0;
+            for (k, &joint) in self.moving().iter().enumerate() {
+                rows[6][k] = row[joint];
             }
-            missing[6] = math::wrap(held.unwrap_or(x[N]) - angle);
+            if held.is_none() {
+                rows[6][self.parameter] = -1.0;
+            }
+            missing[6] = math::wrap(held.unwrap_or(x[self.parameter]) - angle);
         }
         if let Parameter::Turn = self.of {
             // The target turns about its z axis.
             for i in 0..3 {
-                rows[3 + i][N] = -target.rotation[i][2];
+                rows[3 + i][self.parameter] = -target.rotation[i][2];
             }
         }
         Equations {
@@ -179,9 +205,9 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         }
     }
 
-    /// The coordinates that rest.
+    /// The coordinates that there are not.
     fn resting(&self) -> &[usize] {
-        &self.resting.0[..self.resting.1]
+        &PLACES[self.coordinates..]
     }
 
     /// The place of a point, if there is one way to go on.
@@ -211,4 +237,10 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     pub fn meet_at(&self, coordinate: usize, value: f64, guess: Point) -> Option<Point> {
         self.meet(&Cut::at(coordinate, value), guess)
     }
+}
+
+/// The place of a joint among those that move.
+fn place(moving: &[usize], joint: usize) -> usize {
+    let place = moving.iter().position(|&other| other == joint);
+    place.expect("a joint that moves")
 }

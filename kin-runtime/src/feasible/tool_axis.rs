@@ -21,7 +21,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             let point = |quarters: u8| {
                 let turn = FRAC_PI_2 * f64::from(quarters);
                 let mut x = self.point(q, turn - PI);
-                x[N - 1] += sense * turn;
+                x[self.coordinate(N - 1)] += sense * turn;
                 x
             };
             Arc {
@@ -34,7 +34,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// Whether the last joint turns the tool with the target, 1, or against it, −1.
     fn sense(&self) -> Option<f64> {
-        let is_free = self.robot.held() >> (N - 1) & 1 == 0 && self.swivel.is_none();
+        let is_free = self.robot.held()[N - 1].is_none() && self.swivel.is_none();
         let (pose, spatial) = self.robot.fk_jacobian(&[0.0; N]);
         let twist = spatial.column(N - 1).spatial_to_body(&pose);
         let [x, y, z] = twist.angular;

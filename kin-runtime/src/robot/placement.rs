@@ -59,7 +59,6 @@ macro_rules! placed {
             const PARAMETER: Parameter = K::PARAMETER;
             const BRANCHES_AT: usize = K::BRANCHES_AT;
             const ROOTS: usize = K::ROOTS;
-            const HELD: u64 = K::HELD;
 
             fn parameter(&self) -> Parameter {
                 match self.robot.parameter() {
@@ -76,7 +75,7 @@ macro_rules! placed {
                 self.robot.roots()
             }
 
-            fn held(&self) -> u64 {
+            fn held(&self) -> [Option<f64>; N] {
                 self.robot.held()
             }
 

@@ -55,10 +55,6 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// 0 where branches come from no plan that has only square roots.
     const ROOTS: usize = 0;
 
-    /// The joints that are held at a value as well, as bits: those of an arm with several
-    /// parameters ([`Along`](crate::Along)).
-    const HELD: u64 = 0;
-
     /// [`RedundantKinematics::PARAMETER`], or that of a robot that is known when the program
     /// runs.
     #[doc(hidden)]
@@ -78,10 +74,11 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         Self::ROOTS
     }
 
-    /// [`RedundantKinematics::HELD`], in the same way.
+    /// The values of joints that are held as well, of an arm with several parameters
+    /// ([`Along`](crate::Along)).
     #[doc(hidden)]
-    fn held(&self) -> u64 {
-        Self::HELD
+    fn held(&self) -> [Option<f64>; N] {
+        [None; N]
     }
 
     /// How far the tool is turned, of an arm with several parameters whose turn of the tool is
@@ -244,7 +241,6 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// A slide that lacks a stop is looked at up to 10 m beyond the target's distance from the
     /// base, both ways, or twice as far from its other stop.
     ///
-    /// Arms of up to eight joints have it; of more it does not compile.
     #[cfg(feature = "alloc")]
     fn feasible(&self, target: &Pose) -> Vec<FeasibleInterval<N>> {
         feasible(self, target)

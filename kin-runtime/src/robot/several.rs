@@ -2,8 +2,8 @@
 
 use crate::__private::Eliminant;
 use crate::{
-    Frame, Jacobian, JointLimit, Kinematics, Parameter, Pose, RedundantKinematics, Solutions,
-    Swivel, Target,
+    Frame, Hessian, Jacobian, JointLimit, Kinematics, Parameter, Pose, Posture,
+    RedundantKinematics, Singularities, Solutions, Swivel, Target,
 };
 
 /// The inverse kinematics of an arm with several joints more than its targets have coordinates:
@@ -82,18 +82,6 @@ pub struct Along<'a, K: ?Sized, const P: usize, const I: usize> {
     pub held: [f64; P],
 }
 
-/// The joints among some parameters but number `moving`, as bits.
-const fn held_joints<const P: usize>(parameters: &[Parameter; P], moving: usize) -> u64 {
-    let (mut held, mut i) = (0, 0);
-    while i < P {
-        if let (Parameter::Joint(joint), true) = (parameters[i], i != moving) {
-            held |= 1 << joint;
-        }
-        i += 1;
-    }
-    held
-}
-
 impl<K: ?Sized, const P: usize, const I: usize> Along<'_, K, P, I> {
     fn with(&self, parameter: f64) -> [f64; P] {
         let mut parameters = self.held;
@@ -115,6 +103,7 @@ where
     const BASE: &'static str = K::BASE;
     const TIP: &'static str = K::TIP;
     const TARGET: Target = K::TARGET;
+    const POSTURES: &'static [Posture] = K::POSTURES;
     const BRANCHES: usize = K::BRANCHES;
 
     fn fk(&self, q: &[f64; N]) -> Pose {
@@ -125,8 +114,48 @@ where
         self.robot.fk_links(q)
     }
 
+    fn fk_frame(&self, q: &[f64; N], frame: &Frame) -> Pose {
+        self.robot.fk_frame(q, frame)
+    }
+
     fn fk_jacobian(&self, q: &[f64; N]) -> (Pose, Jacobian<N>) {
         self.robot.fk_jacobian(q)
+    }
+
+    fn spatial_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        self.robot.spatial_jacobian(q)
+    }
+
+    fn body_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        self.robot.body_jacobian(q)
+    }
+
+    fn geometric_jacobian(&self, q: &[f64; N]) -> Jacobian<N> {
+        self.robot.geometric_jacobian(q)
+    }
+
+    fn fk_batch(&self, q: &[[f64; N]], poses: &mut [Pose]) {
+        self.robot.fk_batch(q, poses);
+    }
+
+    fn fk_jacobian_batch(&self, q: &[[f64; N]], results: &mut [(Pose, Jacobian<N>)]) {
+        self.robot.fk_jacobian_batch(q, results);
+    }
+
+    fn jacobian_dot(&self, q: &[f64; N], rates: &[f64; N]) -> Jacobian<N> {
+        self.robot.jacobian_dot(q, rates)
+    }
+
+    fn hessian(&self, q: &[f64; N]) -> Hessian<N> {
+        self.robot.hessian(q)
+    }
+
+    fn jacobian_determinant(&self, q: &[f64; N]) -> Option<f64> {
+        self.robot.jacobian_determinant(q)
+    }
+
+    fn singularities(&self, q: &[f64; N]) -> Singularities {
+        self.robot.singularities(q)
     }
 }
 
@@ -138,7 +167,16 @@ where
     const PARAMETER: Parameter = K::PARAMETERS[I];
     const BRANCHES_AT: usize = K::BRANCHES_AT;
     const ROOTS: usize = K::ROOTS;
-    const HELD: u64 = held_joints(&K::PARAMETERS, I);
+
+    fn held(&self) -> [Option<f64>; N] {
+        let mut held = [None; N];
+        for (i, (parameter, value)) in K::PARAMETERS.iter().zip(self.held).enumerate() {
+            if let (true, Parameter::Joint(joint)) = (i != I, parameter) {
+                held[*joint] = Some(value);
+            }
+        }
+        held
+    }
 
     fn held_turn(&self) -> Option<f64> {
         let mut all = K::PARAMETERS.iter().zip(self.held).enumerate();
